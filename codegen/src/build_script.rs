@@ -1,0 +1,99 @@
+//! The build.rs API: a description in the package to a module in `OUT_DIR`.
+//!
+//! ```no_run
+//! // build.rs
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     kane_codegen::build_script::Build::new("models/arm.toml").functions(["mass_matrix", "bias"]).run()?;
+//!     Ok(())
+//! }
+//! ```
+//! and in the package, which depends on `kane`:
+//! ```text
+//! pub mod arm {
+//!     include!(concat!(env!("OUT_DIR"), "/arm.rs"));
+//! }
+//! ```
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use crate::{
+    compile::Options,
+    config::{Formulation, Functions},
+    diagnostic::Source,
+    error::Error,
+    generate::generate,
+    output::{self, Overwrite},
+};
+
+/// One description to generate from a build script.
+#[derive(Clone, Debug)]
+pub struct Build {
+    model: PathBuf,
+    options: Options,
+}
+
+impl Build {
+    /// Generates `model`, a path relative to the package, into `OUT_DIR` under its own name with the ending `rs`.
+    pub fn new(model: impl Into<PathBuf>) -> Self {
+        Self {
+            model: model.into(),
+            options: Options::default(),
+        }
+    }
+
+    /// Generates these functions in place of the default set; the one name `all` stands for every function.
+    #[must_use]
+    pub fn functions<S: Into<String>>(mut self, names: impl IntoIterator<Item = S>) -> Self {
+        let names: Vec<String> = names.into_iter().map(Into::into).collect();
+        self.options.functions = if names == ["all"] {
+            Functions::All
+        } else {
+            Functions::Named(names)
+        };
+        self
+    }
+
+    /// Forces a formulation in place of the cheapest.
+    #[must_use]
+    pub fn formulation(mut self, formulation: Formulation) -> Self {
+        self.options.formulation = formulation;
+        self
+    }
+
+    /// Writes the module, tells cargo when to run the script again, and passes warnings on. Returns the file's path.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the description; an unknown function; a file that cannot be read or written.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "cargo names the output folder of a build script in its environment"
+    )]
+    pub fn run(self) -> Result<PathBuf, Error> {
+        let folder = std::env::var("OUT_DIR").map_err(|_| Error::NoBuildScript)?;
+        self.run_in(Path::new(&folder))
+    }
+
+    #[expect(
+        clippy::print_stdout,
+        reason = "a build script speaks to cargo on standard output"
+    )]
+    fn run_in(&self, folder: &Path) -> Result<PathBuf, Error> {
+        println!("cargo::rerun-if-changed={}", self.model.display());
+        let shown = self.model.to_string_lossy().replace('\\', "/");
+        let text = fs::read_to_string(&self.model).map_err(|source| Error::Io {
+            path: self.model.clone(),
+            source,
+        })?;
+        let generated = generate(&Source::new(&*shown, text), &shown, &self.options)?;
+        for line in generated.warnings.to_string().lines() {
+            println!("cargo::warning={line}");
+        }
+        let name = self.model.file_stem().unwrap_or(self.model.as_os_str());
+        let path = folder.join(name).with_extension("rs");
+        output::write(&path, &generated.source, Overwrite::Generated)?;
+        Ok(path)
+    }
+}

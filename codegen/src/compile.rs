@@ -1,0 +1,150 @@
+//! From a checked tree to programs: derive, pass, count, choose.
+//!
+//! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
+//! was asked for, or in the one with fewer operations, and its program is verified.
+
+use crate::{
+    config::{self, Functions},
+    emit::Emittable,
+    error::Error,
+    functions::{CATALOGUE, Derived, Formulation, Function, Shape},
+    passes::{factor, hoist, hoist::Preparation},
+    program::{self, Operations, Program},
+    tree::Tree,
+};
+
+/// What to generate.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Which functions. `q_dot` is always among them: the runtime's trait `System` needs it.
+    pub functions: Functions,
+    /// In which formulation.
+    pub formulation: config::Formulation,
+}
+
+/// A module's programs.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// What depends on parameters alone.
+    pub preparation: Program,
+    /// The functions, in the order of the catalogue.
+    pub functions: Vec<Emittable>,
+}
+
+impl Options {
+    fn check(&self) -> Result<(), Error> {
+        let Functions::Named(names) = &self.functions else {
+            return Ok(());
+        };
+        let unknown = names.iter().find(|name| Function::find(name).is_none());
+        unknown.map_or(Ok(()), |name| {
+            let known = CATALOGUE.iter().map(|function| function.name).collect();
+            Err(Error::UnknownFunction {
+                name: name.clone(),
+                known,
+            })
+        })
+    }
+
+    /// True where the function is to be generated.
+    pub fn selects(&self, function: &Function) -> bool {
+        let asked = match &self.functions {
+            Functions::Default => function.is_default,
+            Functions::All => true,
+            Functions::Named(names) => names.iter().any(|name| name == function.name),
+        };
+        asked || function.trait_name.is_none()
+    }
+}
+
+/// Compiles the functions that the options select; no other is derived.
+///
+/// # Errors
+/// [`Error::UnknownFunction`]; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
+pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
+    options.check()?;
+    let mut preparation = Preparation::default();
+    let mut functions = Vec::new();
+    for function in CATALOGUE
+        .iter()
+        .filter(|function| options.selects(function))
+    {
+        let Choice {
+            formulation,
+            derived,
+        } = choose(tree, function, options.formulation);
+        let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &mut preparation);
+        let program = program::flatten(&graph, &roots);
+        verify(&program, function.name)?;
+        let operations = program.operations();
+        functions.push(Emittable {
+            function,
+            formulation,
+            program,
+            operations,
+            blocks: derived.blocks,
+        });
+    }
+    let preparation = program::flatten(&preparation.graph, &preparation.roots);
+    verify(&preparation, "Prepared::new")?;
+    Ok(Compiled {
+        preparation,
+        functions,
+    })
+}
+
+/// A function in the formulation that will be emitted, its sums factored.
+struct Choice {
+    formulation: Formulation,
+    derived: Derived,
+}
+
+fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> Choice {
+    let candidates = function
+        .formulations()
+        .iter()
+        .copied()
+        .filter(|&formulation| match wanted {
+            config::Formulation::Cheapest => true,
+            config::Formulation::Notes => formulation == Formulation::Notes,
+            // A function that has one formulation has no other to offer.
+            config::Formulation::Recursive => {
+                formulation == Formulation::Recursive || function.formulations().len() == 1
+            }
+        });
+    let choices = candidates.map(|formulation| {
+        let derived = function.derive(tree, formulation);
+        let (graph, roots) = match function.shape {
+            // The pattern of a compact output follows from the tree: nothing to factor across columns.
+            Shape::Columns => (derived.graph, derived.roots),
+            _ => factor::run(&derived.graph, &derived.roots),
+        };
+        Choice {
+            formulation,
+            derived: Derived {
+                graph,
+                roots,
+                blocks: derived.blocks,
+            },
+        }
+    });
+    let in_loop = |choice: &Choice| operations(&choice.derived).total();
+    choices
+        .min_by_key(in_loop)
+        .expect("functions: every function has a formulation")
+}
+
+/// The operations that are left in the loop.
+pub fn operations(derived: &Derived) -> Operations {
+    let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &mut Preparation::default());
+    program::flatten(&graph, &roots).operations()
+}
+
+fn verify(program: &Program, name: &str) -> Result<(), Error> {
+    program::verify(program).map_err(|error| match error {
+        program::VerifyError::NotFinite => Error::Unrepresentable {
+            function: name.to_owned(),
+        },
+        bug => unreachable!("program: `{name}` breaks a promise: {bug}"),
+    })
+}

@@ -1,0 +1,297 @@
+//! `kane.toml`: which systems a repository generates.
+//!
+//! In: the file. Out: a [`Config`], every fault reported at once otherwise. Afterwards: paths are relative to the
+//! file, with `/` between folders, no two systems write one file, and every function named is known.
+//! Does not: open the files.
+
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::path::Path;
+
+use crate::description::read::{Item, Reader, Table, list, span};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
+
+/// What a `kane.toml` asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Config {
+    /// The systems, in the order of the file.
+    pub systems: Vec<System>,
+}
+
+/// One system to generate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct System {
+    /// The description's path, relative to `kane.toml`.
+    pub model: String,
+    /// The generated file's path, relative to `kane.toml`.
+    pub output: String,
+    /// What to generate.
+    pub functions: Functions,
+    /// From which formulation.
+    pub formulation: Formulation,
+}
+
+/// The functions to generate.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Functions {
+    /// The default set.
+    #[default]
+    Default,
+    /// All there are.
+    All,
+    /// These, in the order written.
+    Named(Vec<String>),
+}
+
+/// Which of the equations' forms to generate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Formulation {
+    /// For each function whichever needs fewer operations.
+    #[default]
+    Cheapest,
+    /// The notes' equations as they stand.
+    Notes,
+    /// Sums over bodies re-associated along the tree.
+    Recursive,
+}
+
+impl Formulation {
+    /// All of them, with the names that they have in `kane.toml`.
+    pub const ALL: [(&str, Self); 3] = [
+        ("cheapest", Self::Cheapest),
+        ("notes", Self::Notes),
+        ("recursive", Self::Recursive),
+    ];
+}
+
+const SYSTEM_KEYS: [&str; 4] = ["model", "output", "functions", "formulation"];
+
+/// Reads a `kane.toml`; `known` are the names of the functions that can be generated.
+///
+/// ```
+/// use kane_codegen::config::{self, Functions};
+/// use kane_codegen::diagnostic::Source;
+///
+/// let text = "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"generated/arm.rs\"\nfunctions = [\"bias\"]\n";
+/// let config = config::parse(&Source::new("kane.toml", text), &["mass_matrix", "bias"]).unwrap();
+/// assert_eq!(config.systems[0].functions, Functions::Named(vec!["bias".to_owned()]));
+/// ```
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn parse(source: &Source, known: &[&str]) -> Result<Config, Diagnostics> {
+    let mut reader = Reader::default();
+    let document = reader.document(source);
+    let mut systems = Vec::new();
+    if !(document.is_empty() && reader.has_faults()) {
+        let root = reader.root(&document, &["system"]);
+        let item = reader.required(&root, "system", "[[system]]");
+        let items = item.and_then(|item| reader.list(item, "`system`", "tables, `[[system]]`"));
+        let items = items.unwrap_or_default().into_iter().enumerate();
+        systems
+            .extend(items.filter_map(|(index, item)| system(&mut reader, item, index + 1, known)));
+        check_outputs(&mut reader, &systems);
+    }
+    if reader.has_faults() {
+        return Err(Diagnostics::new(source.clone(), reader.faults));
+    }
+    Ok(Config {
+        systems: systems
+            .into_iter()
+            .filter_map(Written::into_system)
+            .collect(),
+    })
+}
+
+/// A system of which some values may be faulty.
+struct Written {
+    model: Option<Spanned<String>>,
+    output: Option<Spanned<String>>,
+    functions: Option<Functions>,
+    formulation: Option<Formulation>,
+}
+
+impl Written {
+    fn into_system(self) -> Option<System> {
+        Some(System {
+            model: self.model?.value,
+            output: self.output?.value,
+            functions: self.functions?,
+            formulation: self.formulation?,
+        })
+    }
+}
+
+fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -> Option<Written> {
+    let table = reader.table(item, &format!("system {number}"), &SYSTEM_KEYS)?;
+    let model = reader.required(&table, "model", "model = \"models/pendulum.toml\"");
+    let model = model.and_then(|item| path(reader, item, &table.what("model")));
+    let output = reader.required(&table, "output", "output = \"generated/pendulum.rs\"");
+    let output = output.and_then(|item| path(reader, item, &table.what("output")));
+    if let Some(output) = output
+        .as_ref()
+        .filter(|output| Path::new(&output.value).extension() != Some(OsStr::new("rs")))
+    {
+        let fault = format!(
+            "{} is `{}`; expected a file that ends in `.rs`",
+            table.what("output"),
+            output.value
+        );
+        reader
+            .faults
+            .push(Diagnostic::error(fault).at(output.span, "no Rust file"));
+    }
+    Some(Written {
+        model,
+        output,
+        functions: functions(reader, &table, known),
+        formulation: formulation(reader, &table),
+    })
+}
+
+/// A path that means the same on every machine: relative, and written with `/`.
+fn path(reader: &mut Reader, item: &Item<'_>, what: &str) -> Option<Spanned<String>> {
+    let path = reader.string(item, what)?;
+    let fault = if path.value.is_empty() {
+        Some((format!("{what} is empty"), "expected a path"))
+    } else if path.value.chars().any(char::is_control) {
+        Some((
+            format!("{what} holds a character that cannot be shown"),
+            "expected printable characters",
+        ))
+    } else if path.value.contains('\\') {
+        Some((
+            format!("{what} holds a backslash; expected `/` between folders"),
+            "backslash",
+        ))
+    } else if path.value.starts_with('/') || path.value.chars().nth(1) == Some(':') {
+        Some((
+            format!("{what} is an absolute path; expected one relative to this file"),
+            "absolute path",
+        ))
+    } else {
+        None
+    };
+    match fault {
+        Some((fault, label)) => {
+            reader
+                .faults
+                .push(Diagnostic::error(fault).at(path.span, label));
+            None
+        }
+        None => Some(path),
+    }
+}
+
+fn functions(reader: &mut Reader, system: &Table<'_, '_>, known: &[&str]) -> Option<Functions> {
+    let Some(item) = system.get("functions") else {
+        return Some(Functions::Default);
+    };
+    let what = system.what("functions");
+    let entries = reader.list(item, &what, "names")?;
+    if entries.is_empty() {
+        let fault = Diagnostic::error(format!("{what} is empty"))
+            .at(span(item), "expected names, or \"all\"");
+        reader
+            .faults
+            .push(fault.help("leave `functions` out for the default set"));
+        return None;
+    }
+    let mut names: Vec<Spanned<String>> = Vec::new();
+    for (index, entry) in entries.iter().enumerate() {
+        let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
+            continue;
+        };
+        if name.value != "all" && !known.contains(&name.value.as_str()) {
+            let fault = Diagnostic::error(format!(
+                "{what} names `{}`, which is no function",
+                name.value.escape_debug()
+            ));
+            let help = match nearest(&name.value, known) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("the functions are {}", list(known)),
+            };
+            reader
+                .faults
+                .push(fault.at(name.span, "unknown function").help(help));
+        } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
+            let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
+            reader.faults.push(
+                fault
+                    .at(name.span, "the second one")
+                    .at(first.span, "the first one"),
+            );
+        } else {
+            names.push(name);
+        }
+    }
+    let all = names.iter().find(|name| name.value == "all");
+    match all {
+        Some(_) if entries.len() == 1 => Some(Functions::All),
+        Some(all) => {
+            let fault = Diagnostic::error(format!("{what} names functions beside `all`"));
+            reader
+                .faults
+                .push(fault.at(all.span, "this names them all"));
+            None
+        }
+        None => Some(Functions::Named(
+            names.into_iter().map(|name| name.value).collect(),
+        )),
+    }
+}
+
+fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulation> {
+    let Some(item) = system.get("formulation") else {
+        return Some(Formulation::default());
+    };
+    let what = system.what("formulation");
+    let text = reader.string(item, &what)?;
+    let found = Formulation::ALL
+        .into_iter()
+        .find(|(name, _)| *name == text.value);
+    if found.is_none() {
+        let fault = format!(
+            "{what} is `{}`; expected `cheapest`, `notes` or `recursive`",
+            text.value.escape_debug()
+        );
+        reader
+            .faults
+            .push(Diagnostic::error(fault).at(text.span, "unknown formulation"));
+    }
+    found.map(|(_, formulation)| formulation)
+}
+
+/// Two systems that write one file would each undo the other.
+fn check_outputs(reader: &mut Reader, systems: &[Written]) {
+    let mut first: BTreeMap<Vec<&str>, &Spanned<String>> = BTreeMap::new();
+    for output in systems.iter().filter_map(|system| system.output.as_ref()) {
+        let place = places(&output.value);
+        if let Some(first) = first.get(&place) {
+            let fault = Diagnostic::error(format!("two systems write `{}`", output.value));
+            reader.faults.push(
+                fault
+                    .at(output.span, "the second one")
+                    .at(first.span, "the first one"),
+            );
+        } else {
+            first.insert(place, output);
+        }
+    }
+}
+
+/// The folders and the file, where `./` and `folder/../` make no difference.
+fn places(path: &str) -> Vec<&str> {
+    let mut places: Vec<&str> = Vec::new();
+    for part in path
+        .split('/')
+        .filter(|part| !part.is_empty() && *part != ".")
+    {
+        if part == ".." && places.last().is_some_and(|last| *last != "..") {
+            places.pop();
+        } else {
+            places.push(part);
+        }
+    }
+    places
+}

@@ -1,0 +1,309 @@
+//! Walking TOML values by hand, so that every fault of a file is found, not only the first.
+//!
+//! In: spanned values. Out: checked values, `None` where there is none; the faults gather in the [`Reader`].
+
+use ::toml::Spanned as TomlSpanned;
+use ::toml::de::{DeTable, DeValue};
+
+use crate::diagnostic::{Diagnostic, Source, Span, Spanned, nearest};
+
+/// A TOML value with its place.
+pub(crate) type Item<'s> = TomlSpanned<DeValue<'s>>;
+
+/// Reads values and keeps what is wrong with them.
+#[derive(Debug, Default)]
+pub(crate) struct Reader {
+    pub(crate) faults: Vec<Diagnostic>,
+}
+
+/// A table, with the words for it in messages.
+#[derive(Debug)]
+pub(crate) struct Table<'t, 's> {
+    keys: &'t DeTable<'s>,
+    /// The place of the table's beginning; `None` for a whole file.
+    span: Option<Span>,
+    /// Such as "body `hub`"; empty for a whole file.
+    owner: String,
+    /// Known keys that an unknown one was probably meant to be: that they are missing would be the same fault again.
+    misspelt: Vec<String>,
+}
+
+impl<'t, 's> Table<'t, 's> {
+    /// The value of a key that may be absent.
+    pub(crate) fn get(&self, key: &str) -> Option<&'t Item<'s>> {
+        self.keys.get(key)
+    }
+
+    /// The key's own place and its value, for every key.
+    pub(crate) fn entries(
+        &self,
+    ) -> impl Iterator<Item = (Spanned<&'t str>, &'t Item<'s>)> + use<'t, 's> {
+        self.keys
+            .iter()
+            .map(|(key, value)| (Spanned::new(key.get_ref().as_ref(), key.span()), value))
+    }
+
+    /// The words for the value of a key: "`mass` of body `hub`".
+    pub(crate) fn what(&self, key: &str) -> String {
+        if self.owner.is_empty() {
+            format!("`{key}`")
+        } else {
+            format!("`{key}` of {}", self.owner)
+        }
+    }
+}
+
+/// The place of a value.
+pub(crate) fn span(item: &Item<'_>) -> Span {
+    item.span().into()
+}
+
+impl Reader {
+    /// The whole file as a table; empty, with the faults kept, where it is not TOML.
+    ///
+    /// Values are recovered only where the sole syntax faults are repeated keys: after others, guesses would
+    /// lead to faults that are not there.
+    pub(crate) fn document<'s>(&mut self, source: &'s Source) -> DeTable<'s> {
+        let (table, errors) = DeTable::parse_recoverable(source.text());
+        let mut recovered = true;
+        let lines = filled_lines(source.text());
+        let mut last_line = None;
+        for error in &errors {
+            let repeated = error.message() == "duplicate key";
+            let end = source.text().len();
+            let span = Span::from(error.span().unwrap_or(end..end));
+            if repeated {
+                let key = source.text().get(span.start..span.end).unwrap_or_default();
+                let message = format!("the key `{}` is given twice", key.escape_debug());
+                self.faults
+                    .push(Diagnostic::error(message).at(span, "the second one"));
+                continue;
+            }
+            recovered = false;
+            // After an open bracket every line is a fault; the first of adjacent lines is the one to mend.
+            let line = lines.partition_point(|start| *start <= span.start);
+            let follows = last_line.is_some_and(|last| line <= last + 1);
+            last_line = last_line.max(Some(line));
+            if !follows {
+                let message = format!("not valid TOML: {}", error.message());
+                self.faults
+                    .push(Diagnostic::error(message).at(span, "here"));
+            }
+        }
+        if recovered {
+            table.into_inner()
+        } else {
+            DeTable::new()
+        }
+    }
+
+    /// True while the file was readable as TOML, so that an absent key is truly absent.
+    pub(crate) fn has_faults(&self) -> bool {
+        !self.faults.is_empty()
+    }
+
+    /// The whole file, with the keys that it may have.
+    pub(crate) fn root<'t, 's>(&mut self, keys: &'t DeTable<'s>, known: &[&str]) -> Table<'t, 's> {
+        let mut table = Table {
+            keys,
+            span: None,
+            owner: String::new(),
+            misspelt: Vec::new(),
+        };
+        self.unknown_keys(&mut table, known);
+        table
+    }
+
+    /// A value that must be a table, with the keys that it may have; `owner` is the words for it.
+    pub(crate) fn table<'t, 's>(
+        &mut self,
+        item: &'t Item<'s>,
+        owner: &str,
+        known: &[&str],
+    ) -> Option<Table<'t, 's>> {
+        let mut table = self.any_table(item, owner)?;
+        self.unknown_keys(&mut table, known);
+        Some(table)
+    }
+
+    /// A value that must be a table, with any keys.
+    pub(crate) fn any_table<'t, 's>(
+        &mut self,
+        item: &'t Item<'s>,
+        owner: &str,
+    ) -> Option<Table<'t, 's>> {
+        let DeValue::Table(keys) = item.get_ref() else {
+            self.wrong_type(item, owner, "a table");
+            return None;
+        };
+        Some(Table {
+            keys,
+            span: Some(span(item)),
+            owner: owner.to_owned(),
+            misspelt: Vec::new(),
+        })
+    }
+
+    fn unknown_keys(&mut self, table: &mut Table<'_, '_>, known: &[&str]) {
+        for (key, _) in table.entries() {
+            if known.contains(&key.value) {
+                continue;
+            }
+            let of = if table.owner.is_empty() {
+                String::new()
+            } else {
+                format!(" of {}", table.owner)
+            };
+            let message = format!("unknown key `{}`{of}", key.value.escape_debug());
+            let absent: Vec<&str> = known
+                .iter()
+                .copied()
+                .filter(|known| table.get(known).is_none())
+                .collect();
+            let help = match nearest(key.value, &absent) {
+                Some(known) => {
+                    table.misspelt.push(known.to_owned());
+                    format!("did you mean `{known}`?")
+                }
+                None if known.len() == 1 => format!("the only key here is {}", list(known)),
+                None => format!("the keys here are {}", list(known)),
+            };
+            self.faults.push(
+                Diagnostic::error(message)
+                    .at(key.span, "unknown key")
+                    .help(help),
+            );
+        }
+    }
+
+    /// The value of a key that must be there; `example` is a line that would do.
+    pub(crate) fn required<'t, 's>(
+        &mut self,
+        table: &Table<'t, 's>,
+        key: &str,
+        example: &str,
+    ) -> Option<&'t Item<'s>> {
+        let item = table.get(key);
+        if item.is_none() && !table.misspelt.iter().any(|misspelt| misspelt == key) {
+            let fault = match table.span {
+                Some(span) => Diagnostic::error(format!("{} has no `{key}`", table.owner))
+                    .at(span, format!("`{key}` is missing")),
+                None => Diagnostic::error(format!("the file has no `{key}`")),
+            };
+            self.faults
+                .push(fault.help(format!("write for example `{example}`")));
+        }
+        item
+    }
+
+    /// A value that must be a string.
+    pub(crate) fn string(&mut self, item: &Item<'_>, what: &str) -> Option<Spanned<String>> {
+        if let DeValue::String(text) = item.get_ref() {
+            return Some(Spanned::new(text.to_string(), item.span()));
+        }
+        self.wrong_type(item, what, "a string");
+        None
+    }
+
+    /// A value that must be a list.
+    pub(crate) fn list<'t, 's>(
+        &mut self,
+        item: &'t Item<'s>,
+        what: &str,
+        of: &str,
+    ) -> Option<Vec<&'t Item<'s>>> {
+        if let DeValue::Array(entries) = item.get_ref() {
+            return Some(entries.iter().collect());
+        }
+        self.wrong_type(item, what, &format!("a list of {of}"));
+        None
+    }
+
+    /// A value that must be a whole number.
+    pub(crate) fn integer(&mut self, item: &Item<'_>, what: &str) -> Option<Spanned<i64>> {
+        let DeValue::Integer(digits) = item.get_ref() else {
+            self.wrong_type(item, what, "a whole number");
+            return None;
+        };
+        let number = i64::from_str_radix(digits.as_str(), digits.radix()).ok();
+        if number.is_none() {
+            self.out_of_range(item, what, digits.as_str(), "a 64-bit integer");
+        }
+        number.map(|number| Spanned::new(number, item.span()))
+    }
+
+    /// A value that must be a finite number; minus zero becomes zero.
+    pub(crate) fn number(&mut self, item: &Item<'_>, what: &str) -> Option<Spanned<f64>> {
+        let number = match item.get_ref() {
+            DeValue::Integer(_) => self.integer(item, what)?.value as f64,
+            DeValue::Float(digits) => {
+                let number: f64 = digits.as_str().parse().unwrap_or(f64::NAN);
+                if number.is_infinite() && !digits.as_str().contains("inf") {
+                    self.out_of_range(item, what, digits.as_str(), "a 64-bit float");
+                    return None;
+                }
+                number
+            }
+            _ => {
+                self.wrong_type(item, what, "a number");
+                return None;
+            }
+        };
+        if !number.is_finite() {
+            let message = format!(
+                "{what} is {}; expected a finite number",
+                if number.is_nan() { "nan" } else { "infinite" }
+            );
+            self.faults
+                .push(Diagnostic::error(message).at(span(item), "not finite"));
+            return None;
+        }
+        // So that `-0.0` and `0` are the same description.
+        Some(Spanned::new(number + 0.0, item.span()))
+    }
+
+    fn out_of_range(&mut self, item: &Item<'_>, what: &str, digits: &str, kind: &str) {
+        let shown: String = if digits.len() > 24 {
+            format!("{}...", &digits[..24])
+        } else {
+            digits.to_owned()
+        };
+        let message = format!("{what} is {shown}, which does not fit {kind}");
+        self.faults
+            .push(Diagnostic::error(message).at(span(item), "too large"));
+    }
+
+    pub(crate) fn wrong_type(&mut self, item: &Item<'_>, what: &str, expected: &str) {
+        let found = match item.get_ref() {
+            DeValue::String(_) => "a string",
+            DeValue::Integer(_) => "a whole number",
+            DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "a truth value",
+            DeValue::Datetime(_) => "a date",
+            DeValue::Array(_) => "a list",
+            DeValue::Table(_) => "a table",
+        };
+        let fault = Diagnostic::error(format!("{what} is {found}; expected {expected}"));
+        self.faults
+            .push(fault.at(span(item), format!("expected {expected}")));
+    }
+}
+
+/// Where the lines start that are neither empty nor a comment.
+fn filled_lines(text: &str) -> Vec<usize> {
+    let mut start = 0;
+    let mut starts = Vec::new();
+    for line in text.split_inclusive('\n') {
+        if !line.trim().is_empty() && !line.trim_start().starts_with('#') {
+            starts.push(start);
+        }
+        start += line.len();
+    }
+    starts
+}
+
+/// Names in backquotes, with commas.
+pub(crate) fn list(names: &[&str]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    names.join(", ")
+}

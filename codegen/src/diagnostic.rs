@@ -1,0 +1,288 @@
+//! Faults of an input file, in the user's words, with the place where each stands.
+//!
+//! In: a [`Source`] and what is wrong with it. Out: text that shows `file:line:column`, the line and a
+//! label below it. Afterwards: the faults stand in the order of the file. Does not: decide what is a fault.
+//!
+//! Messages are lower case, without a final stop, with the user's own names, and say what was found and what was expected.
+
+use std::fmt;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+/// Faults shown by `Display`; the rest are only counted, for a broken file can hold thousands.
+const MOST_SHOWN: usize = 100;
+
+/// The text of an input file and the name under which it is shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    name: String,
+    text: String,
+}
+
+impl Source {
+    /// A source; `name` is the path as the user should see it. A byte-order mark at the start of `text` is dropped.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let mut text = text.into();
+        if text.starts_with('\u{feff}') {
+            text.remove(0);
+        }
+        Self {
+            name: name.into(),
+            text,
+        }
+    }
+
+    /// The path as the user should see it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The text; spans count its bytes.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The span itself if it lies in the text at character boundaries, else what of it does.
+    fn clamp(&self, span: Span) -> std::ops::Range<usize> {
+        let boundary = |at: usize| {
+            (0..=at.min(self.text.len()))
+                .rev()
+                .find(|at| self.text.is_char_boundary(*at))
+                .unwrap_or(0)
+        };
+        let end = boundary(span.end);
+        boundary(span.start.min(end))..end
+    }
+}
+
+/// A byte range of a source's text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Span {
+    /// The first byte.
+    pub start: usize,
+    /// One past the last byte.
+    pub end: usize,
+}
+
+impl From<std::ops::Range<usize>> for Span {
+    fn from(range: std::ops::Range<usize>) -> Self {
+        Self {
+            start: range.start,
+            end: range.end,
+        }
+    }
+}
+
+/// A value and where it stands in its source.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spanned<T> {
+    /// The value.
+    pub value: T,
+    /// Its place.
+    pub span: Span,
+}
+
+impl<T> Spanned<T> {
+    /// The value at this place.
+    pub fn new(value: T, span: impl Into<Span>) -> Self {
+        Self {
+            value,
+            span: span.into(),
+        }
+    }
+}
+
+/// How much a fault matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The input cannot be used.
+    Error,
+    /// The input can be used, but is probably not what was meant.
+    Warning,
+    /// Something was decided that the user should know.
+    Note,
+}
+
+/// One fault of an input file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// How much it matters.
+    pub severity: Severity,
+    /// What was found and what was expected.
+    pub message: String,
+    /// The places it is about, the main one first, each with a few words; may be empty.
+    pub labels: Vec<(Span, String)>,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// An error.
+    pub fn error(message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            message: message.into(),
+            labels: Vec::new(),
+            help: None,
+        }
+    }
+
+    /// A warning.
+    pub fn warning(message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(message)
+        }
+    }
+
+    /// A note.
+    pub fn note(message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Note,
+            ..Self::error(message)
+        }
+    }
+
+    /// The same with one more place; the first is the main one.
+    #[must_use]
+    pub fn at(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.labels.push((span, label.into()));
+        self
+    }
+
+    /// The same with advice.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The text to show: message, `file:line:column`, line, labels, advice.
+    pub fn render(&self, source: &Source) -> String {
+        let level = match self.severity {
+            Severity::Error => Level::ERROR,
+            Severity::Warning => Level::WARNING,
+            Severity::Note => Level::NOTE,
+        };
+        let title = level.primary_title(&self.message);
+        let mut group: Group<'_> = if self.labels.is_empty() {
+            title.element(Origin::path(source.name()))
+        } else {
+            let annotations = self
+                .labels
+                .iter()
+                .enumerate()
+                .map(|(index, (span, label))| {
+                    let kind = if index == 0 {
+                        AnnotationKind::Primary
+                    } else {
+                        AnnotationKind::Context
+                    };
+                    kind.span(source.clamp(*span)).label(label)
+                });
+            title.element(
+                Snippet::source(source.text())
+                    .path(source.name())
+                    .annotations(annotations),
+            )
+        };
+        if let Some(help) = &self.help {
+            group = group.element(Level::HELP.message(help));
+        }
+        Renderer::plain().render(&[group])
+    }
+}
+
+/// The faults of one source, in the order in which they stand there.
+#[derive(Clone, Debug)]
+pub struct Diagnostics {
+    source: Source,
+    list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// The faults of `source`, put into the order of their main places; those without a place come first.
+    pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
+        list.sort_by_key(|diagnostic| diagnostic.labels.first().map(|(span, _)| *span));
+        Self { source, list }
+    }
+
+    /// The source that they are about.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The faults.
+    pub fn list(&self) -> &[Diagnostic] {
+        &self.list
+    }
+
+    /// True where there is nothing to report.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// True where at least one is an error.
+    pub fn has_error(&self) -> bool {
+        self.list
+            .iter()
+            .any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    /// All faults, an empty line between two; of more than a hundred, the first hundred.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.list.iter().take(MOST_SHOWN).enumerate() {
+            let space = if index == 0 { "" } else { "\n\n" };
+            write!(f, "{space}{}", diagnostic.render(&self.source))?;
+        }
+        match self.list.len().saturating_sub(MOST_SHOWN) {
+            0 => Ok(()),
+            more => write!(
+                f,
+                "\n\n{}: {more} more faults are not shown",
+                self.source.name
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Diagnostics {}
+
+/// The candidate that `word` was probably meant to be, if one is near enough.
+pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    // A very long word is near nothing, and the distance costs its square.
+    if lower.len() > 100 {
+        return None;
+    }
+    candidates
+        .iter()
+        .map(|candidate| (edits(&lower, &candidate.to_lowercase()), *candidate))
+        .filter(|(edits, candidate)| *edits <= candidate.chars().count() / 3)
+        .min_by_key(|(edits, _)| *edits)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
+fn edits(from: &str, to: &str) -> usize {
+    let from: Vec<char> = from.chars().collect();
+    let to: Vec<char> = to.chars().collect();
+    let mut rows = vec![vec![0_usize; to.len() + 1]; from.len() + 1];
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[0] = i;
+    }
+    rows[0] = (0..=to.len()).collect();
+    for i in 1..=from.len() {
+        for j in 1..=to.len() {
+            let replaced = rows[i - 1][j - 1] + usize::from(from[i - 1] != to[j - 1]);
+            let mut least = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+            if i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = least;
+        }
+    }
+    rows[from.len()][to.len()]
+}

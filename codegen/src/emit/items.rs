@@ -1,0 +1,242 @@
+//! Everything of a module that is not a function: sizes, names, parameters, the trait `System`.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Module, allow_generated, allow_unused, doc, expression, function, ident};
+use crate::{
+    id::BodyId,
+    program::{self, Groups, coordinate_names},
+    tree::Tree,
+};
+
+/// Sizes and name tables.
+pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
+    let literal = Literal::usize_unsuffixed;
+    let sizes = [
+        ("NB", "Number of bodies.", tree.bodies.len()),
+        (
+            "NQ",
+            "Number of generalized coordinates, the length of `q`.",
+            tree.n_coordinates,
+        ),
+        (
+            "NU",
+            "Number of generalized speeds, the length of `u`.",
+            tree.n_speeds,
+        ),
+    ];
+    let allow = allow_unused();
+    let mut items: Vec<TokenStream> = sizes
+        .into_iter()
+        .map(|(name, text, size)| {
+            let (name, doc, size) = (ident(name), doc([text]), literal(size));
+            quote!(#doc #allow pub const #name: usize = #size;)
+        })
+        .collect();
+    let coordinates = coordinate_names(tree);
+    let speeds = coordinates.iter().map(|name| format!("{name}_dot"));
+    let lower = tree
+        .body_ids()
+        .map(|body| literal(tree.lower(body).map_or(0, |lower| lower.index() + 1)));
+    let speed_bodies = speed_bodies(tree)
+        .into_iter()
+        .map(|body| literal(body.index()));
+    let names = tree.bodies.iter().map(|body| &body.name);
+    let name = &tree.name;
+    let mut table = |text: &str, item: TokenStream| {
+        let doc = doc([text]);
+        items.push(quote!(#doc #allow #item));
+    };
+    table("The system's name.", quote!(pub const NAME: &str = #name;));
+    table(
+        "The body-connection array: the number of each body's lower body (parent), counted from 1; 0 is the inertial frame.",
+        quote!(pub const LOWER_BODIES: [usize; NB] = [#(#lower),*];),
+    );
+    table(
+        "The bodies' names.",
+        quote!(pub const BODY_NAMES: [&str; NB] = [#(#names),*];),
+    );
+    table(
+        "The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; s in m, lower-body components.",
+        quote!(pub const COORDINATE_NAMES: [&str; NQ] = [#(#coordinates),*];),
+    );
+    table(
+        "The speeds' names, rad/s and m/s.",
+        quote!(pub const SPEED_NAMES: [&str; NU] = [#(#speeds),*];),
+    );
+    table(
+        "The body that each speed moves relative to its lower body, as an index into `BODY_NAMES`.",
+        quote!(pub const SPEED_BODIES: [usize; NU] = [#(#speed_bodies),*];),
+    );
+    items
+}
+
+/// `Parameters` and its nominal values.
+pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
+    let allow = allow_unused();
+    if tree.parameters.is_empty() {
+        return vec![
+            quote! {
+                /// Values set at run time: this model has none.
+                #allow
+                #[derive(Clone, Copy, Debug, PartialEq)]
+                pub struct Parameters<R> {
+                    scalar: core::marker::PhantomData<R>,
+                }
+            },
+            quote! {
+                impl<R: kane::Real> Default for Parameters<R> {
+                    fn default() -> Self {
+                        Self { scalar: core::marker::PhantomData }
+                    }
+                }
+            },
+        ];
+    }
+    let names: Vec<_> = tree
+        .parameters
+        .iter()
+        .map(|parameter| ident(&parameter.name))
+        .collect();
+    let docs = tree.parameters.iter().map(|parameter| {
+        doc([format!(
+            "Nominal value {:?} {}.",
+            parameter.nominal, parameter.unit
+        )])
+    });
+    let nominal = tree
+        .parameters
+        .iter()
+        .map(|parameter| expression::number(parameter.nominal));
+    vec![
+        quote! {
+            /// Values set at run time; the default is the model's nominal values.
+            #allow
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            pub struct Parameters<R> {
+                #(#docs pub #names: R,)*
+            }
+        },
+        quote! {
+            impl<R: kane::Real> Default for Parameters<R> {
+                fn default() -> Self {
+                    Self { #(#names: #nominal,)* }
+                }
+            }
+        },
+    ]
+}
+
+/// `Prepared` and what computes it.
+pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStream> {
+    let program = &module.preparation;
+    let (allow, allow_generated) = (allow_unused(), allow_generated());
+    let groups = Groups::of(program);
+    let names = program::names(program, &groups, module.tree, &[]);
+    let parameters: Vec<String> = module
+        .tree
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.clone())
+        .collect();
+    let statements = function::statements(program, &groups, &names, &parameters);
+    let writer = expression::Writer {
+        program,
+        groups: &groups,
+        names: &names,
+    };
+    let mut order: Vec<usize> = (0..fields.len()).collect();
+    order.sort_by_key(|&place| {
+        let id = program.stores[place]
+            .value()
+            .expect("passes: numbers are not hoisted");
+        (program.value(id).scope, place)
+    });
+    let names = order.iter().map(|&place| ident(&fields[place]));
+    let values = order
+        .iter()
+        .map(|&place| writer.operand(program.stores[place]));
+    let assigned = names
+        .clone()
+        .zip(values)
+        .map(|(name, value)| quote!(#name: #value));
+    let (declared, assigned) = if fields.is_empty() {
+        let marker = quote!(core::marker::PhantomData);
+        (quote!(scalar: #marker<R>), quote!(scalar: #marker))
+    } else {
+        (quote!(#(#names: R,)*), quote!(#(#assigned,)*))
+    };
+    let cost = doc([format!("Operations: {}.", program.operations())]);
+    vec![
+        quote! {
+            /// Whatever depends on parameters alone, computed once, outside the control loop.
+            #allow
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            pub struct Prepared<R> {
+                #declared
+            }
+        },
+        quote! {
+            impl<R: kane::Real> Prepared<R> {
+                /// Prepares a set of parameters.
+                ///
+                #cost
+                #allow_generated
+                #[inline(never)]
+                pub fn new(parameters: &Parameters<R>) -> Self {
+                    #(#statements)*
+                    Self { #assigned }
+                }
+
+                /// Prepares the nominal parameters.
+                #allow
+                pub fn nominal() -> Self {
+                    Self::new(&Parameters::default())
+                }
+            }
+        },
+    ]
+}
+
+/// The trait that every system has.
+pub(super) fn system(tree: &Tree) -> TokenStream {
+    debug_assert!(!tree.bodies.is_empty(), "tree: a system has bodies");
+    quote! {
+        impl<R: kane::Real> kane::System<R> for Prepared<R> {
+            type Q = [R; NQ];
+            type U = [R; NU];
+            type Loads = [kane::Load<R>; NB];
+            type Scalars = [R; NB];
+            type Vectors = [[R; 3]; NB];
+            type Rotations = [[[R; 3]; 3]; NB];
+            const NAME: &'static str = NAME;
+            const LOWER_BODIES: &'static [usize] = &LOWER_BODIES;
+            const BODY_NAMES: &'static [&'static str] = &BODY_NAMES;
+            const COORDINATE_NAMES: &'static [&'static str] = &COORDINATE_NAMES;
+            const SPEED_NAMES: &'static [&'static str] = &SPEED_NAMES;
+            const SPEED_BODIES: &'static [usize] = &SPEED_BODIES;
+            #[inline]
+            fn q_dot(&self, q: &[R; NQ], u: &[R; NU], q_dot: &mut [R; NQ]) {
+                self::q_dot(self, q, u, q_dot);
+            }
+        }
+    }
+}
+
+/// The body of each speed.
+fn speed_bodies(tree: &Tree) -> Vec<BodyId> {
+    let mut bodies = vec![BodyId::new(0); tree.n_speeds];
+    for body in tree.body_ids() {
+        for speed in tree
+            .body(body)
+            .joint
+            .coordinates()
+            .into_iter()
+            .filter_map(crate::tree::Coordinate::speed)
+        {
+            bodies[speed.index()] = body;
+        }
+    }
+    bodies
+}

@@ -1,0 +1,120 @@
+//! From programs to source: the only place that builds syntax, prints numbers and makes identifiers.
+//!
+//! In: a tree, its programs, a banner. Out: the text of one Rust module. Afterwards: the text holds no inner
+//! attribute and names only `kane`, `core` and itself, so it compiles as a file, in a module and through `include!`,
+//! in editions 2021 and 2024; no `unsafe`, no indexing by a variable, no loop, no branch.
+//! Does not: decide what is computed, or in what order.
+
+mod expression;
+mod function;
+mod items;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use crate::{
+    functions::{Block, Formulation, Function},
+    program::{Operations, Program},
+    tree::Tree,
+};
+
+/// A function ready to be emitted.
+#[derive(Clone, Debug)]
+pub struct Emittable {
+    /// The catalogue's entry.
+    pub function: &'static Function,
+    /// How the sums over bodies are associated.
+    pub formulation: Formulation,
+    /// The program; its inputs may be prepared values.
+    pub program: Program,
+    /// Its operations.
+    pub operations: Operations,
+    /// For compact outputs: the non-zero partitions.
+    pub blocks: Vec<Block>,
+}
+
+/// A module ready to be emitted.
+#[derive(Clone, Debug)]
+pub struct Module<'a> {
+    /// The checked tree.
+    pub tree: &'a Tree,
+    /// The lines above the code, without comment marks.
+    pub banner: Vec<String>,
+    /// What depends on parameters alone: one store for each field of `Prepared`.
+    pub preparation: Program,
+    /// The functions, in the order of the catalogue.
+    pub functions: Vec<Emittable>,
+}
+
+/// The text of a module.
+pub fn source(module: &Module<'_>) -> String {
+    let mut text = String::new();
+    for line in &module.banner {
+        text.push_str(format!("// {line}").trim_end());
+        text.push('\n');
+    }
+    let fields = crate::program::prepared_names(&module.preparation, module.tree);
+    let mut items = items::constants(module.tree);
+    items.extend(items::parameters(module.tree));
+    items.extend(items::prepared(module, &fields));
+    items.push(items::system(module.tree));
+    for function in &module.functions {
+        items.extend(function::items(module.tree, function, &fields));
+    }
+    for item in items {
+        text.push('\n');
+        text.push_str(&print(item));
+    }
+    text
+}
+
+/// An item as prettyplease prints it.
+fn print(item: TokenStream) -> String {
+    let item = syn::parse2(item).expect("emit: what is built is an item");
+    prettyplease::unparse(&syn::File {
+        shebang: None,
+        frontmatter: None,
+        attrs: Vec::new(),
+        items: vec![item],
+    })
+}
+
+/// An identifier. Names come from the tree's identifiers, which are valid, and from our own words.
+fn ident(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// Documentation, a line each.
+fn doc<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> TokenStream {
+    let lines = lines.into_iter().map(|line| {
+        let line = line.as_ref();
+        if line.is_empty() {
+            String::new()
+        } else {
+            format!(" {line}")
+        }
+    });
+    quote!(#(#[doc = #lines])*)
+}
+
+/// What items allow, and why: a user's own lints must not trip over code that nobody wrote.
+fn allow_unused() -> TokenStream {
+    quote!(#[allow(dead_code, reason = "a module holds more than one program calls")])
+}
+
+/// What functions allow, and why.
+fn allow_generated() -> TokenStream {
+    quote! {
+        #[allow(
+            dead_code,
+            unused_variables,
+            clippy::approx_constant,
+            clippy::many_single_char_names,
+            clippy::similar_names,
+            clippy::too_many_arguments,
+            clippy::too_many_lines,
+            clippy::unreadable_literal,
+            reason = "generated: arguments and names follow one pattern, numbers are the model's"
+        )]
+    }
+}

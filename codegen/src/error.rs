@@ -1,0 +1,53 @@
+//! What can go wrong in the library: one variant per stage that can fail.
+
+use std::path::PathBuf;
+
+use crate::diagnostic::Diagnostics;
+
+/// Why nothing was generated.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// An input file breaks a rule; every breach is listed with its place.
+    #[error("{0}")]
+    Invalid(Diagnostics),
+    /// A function that the catalogue does not hold.
+    #[error("`{name}` is no function; there are {}", known.join(", "))]
+    UnknownFunction {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: Vec<&'static str>,
+    },
+    /// A file that would be overwritten does not begin with our banner.
+    #[error("`{}` was not written by `kane generate`; move it away, or overwrite it with --force", path.display())]
+    NotGenerated {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The build.rs API was called outside of a build script.
+    #[error("OUT_DIR is not set: this is for build scripts, which cargo runs")]
+    NoBuildScript,
+    /// The numbers of a description multiply to a value that f64 does not hold.
+    #[error(
+        "the numbers of the description are too large: `{function}` holds a value that f64 cannot"
+    )]
+    Unrepresentable {
+        /// The function in which it appeared.
+        function: String,
+    },
+    /// A file could not be read or written.
+    #[error("cannot access `{}`", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+}
+
+impl From<Diagnostics> for Error {
+    fn from(diagnostics: Diagnostics) -> Self {
+        Self::Invalid(diagnostics)
+    }
+}

@@ -1,0 +1,305 @@
+//! The graph: every constructor folds, shares, and keeps signs on references.
+
+use std::collections::BTreeMap;
+
+use super::node::{Binding, Expr, Input, Label, Node, NodeId};
+use crate::id::BodyId;
+
+/// A hash-consed graph of scalar expressions.
+///
+/// Each node remembers the body in whose scope it was first built, and perhaps a label: names in the
+/// output come from these, so they follow the structure of the system and not the order of its nodes.
+#[derive(Clone, Debug, Default)]
+pub struct ExprGraph {
+    nodes: Vec<Node>,
+    bindings: Vec<Binding>,
+    scopes: Vec<Option<BodyId>>,
+    labels: Vec<Option<Label>>,
+    // Ordered, though only ever looked up: nothing here may depend on hash order.
+    known: BTreeMap<Node, NodeId>,
+    scope: Option<BodyId>,
+}
+
+impl ExprGraph {
+    /// From here on new nodes belong to `scope`: a body, or the whole system.
+    pub fn enter(&mut self, scope: impl Into<Option<BodyId>>) {
+        self.scope = scope.into();
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// True for a graph without nodes.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The node with this id.
+    pub fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// The nodes in order of creation, operands first.
+    pub fn ids(&self) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
+        (0..u32::try_from(self.nodes.len()).expect("node ids are u32")).map(NodeId)
+    }
+
+    /// How often each node is used: by the nodes that `roots` need, and by the roots themselves; zero for a dead node.
+    pub fn uses(&self, roots: &[Expr]) -> Vec<u32> {
+        let mut uses = vec![0; self.len()];
+        for root in roots {
+            uses[root.node().index()] += 1;
+        }
+        for id in self.ids().rev() {
+            if uses[id.index()] > 0 {
+                for operand in self.node(id).operands() {
+                    uses[operand.index()] += 1;
+                }
+            }
+        }
+        uses
+    }
+
+    /// For each node, whether `roots` need it.
+    pub fn reachable(&self, roots: &[Expr]) -> Vec<bool> {
+        self.uses(roots).into_iter().map(|uses| uses > 0).collect()
+    }
+
+    /// The body in whose scope the node was built.
+    pub fn scope(&self, id: NodeId) -> Option<BodyId> {
+        self.scopes[id.index()]
+    }
+
+    /// The node's label.
+    pub fn label(&self, id: NodeId) -> Option<&Label> {
+        self.labels[id.index()].as_ref()
+    }
+
+    /// When the node's value is known.
+    pub fn binding(&self, id: NodeId) -> Binding {
+        self.bindings[id.index()]
+    }
+
+    /// Gives a node the label that `original` has in another graph.
+    pub fn name_like(&mut self, expr: Expr, other: &Self, original: Expr) {
+        if let Some(label) = other.label(original.node()) {
+            let same = label.negative == original.is_negative();
+            self.name(if same { expr } else { -expr }, label.text.clone());
+        }
+    }
+
+    /// Labels an operation that has no label yet; a number or an input keeps its own name.
+    pub fn name(&mut self, expr: Expr, text: impl Into<String>) {
+        let id = expr.node();
+        if !matches!(self.node(id), Node::Number(_) | Node::Input(_)) && self.label(id).is_none() {
+            self.labels[id.index()] = Some(Label {
+                text: text.into(),
+                negative: expr.is_negative(),
+            });
+        }
+    }
+
+    /// A number. One that is not finite, from numbers too large to multiply, is refused when the program is verified.
+    pub fn number(&mut self, value: f64) -> Expr {
+        let magnitude = self.intern(Node::Number(value.abs().to_bits()));
+        Expr::new(magnitude, value < 0.0)
+    }
+
+    /// Zero.
+    pub fn zero(&mut self) -> Expr {
+        self.number(0.0)
+    }
+
+    /// One.
+    pub fn one(&mut self) -> Expr {
+        self.number(1.0)
+    }
+
+    /// The value of a number; `None` for anything else.
+    pub fn as_number(&self, expr: Expr) -> Option<f64> {
+        match self.node(expr.node()) {
+            Node::Number(bits) => {
+                let magnitude = f64::from_bits(bits);
+                Some(if expr.is_negative() {
+                    -magnitude
+                } else {
+                    magnitude
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// True for the number zero.
+    pub fn is_zero(&self, expr: Expr) -> bool {
+        self.as_number(expr) == Some(0.0)
+    }
+
+    /// A value that the function is given.
+    pub fn input(&mut self, input: Input) -> Expr {
+        Expr::new(self.intern(Node::Input(input)), false)
+    }
+
+    /// `a + b`.
+    pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => return self.number(x + y),
+            (Some(0.0), None) => return b,
+            (None, Some(0.0)) => return a,
+            _ => {}
+        }
+        if a.node() == b.node() {
+            if a.is_negative() != b.is_negative() {
+                return self.zero();
+            }
+            let two = self.number(2.0);
+            return self.mul(two, a);
+        }
+        if let Some(merged) = self.merge_multiples(a, b) {
+            return merged;
+        }
+        // Canonical: the older operand first, and without a sign.
+        let (first, second) = if a.node() < b.node() { (a, b) } else { (b, a) };
+        let negative = first.is_negative();
+        let sum = Node::Add(first.signed(negative), second.signed(negative));
+        Expr::new(self.intern(sum), negative)
+    }
+
+    /// `a - b`.
+    pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
+        self.add(a, -b)
+    }
+
+    /// `a b`.
+    pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        let negative = a.is_negative() ^ b.is_negative();
+        let (a, b) = (a.abs_sign(), b.abs_sign());
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => return self.number(x * y).signed(negative),
+            (Some(0.0), None) => return a,
+            (None, Some(0.0)) => return b,
+            (Some(1.0), None) => return b.signed(negative),
+            (None, Some(1.0)) => return a.signed(negative),
+            _ => {}
+        }
+        if let Some(merged) = self
+            .merge_constants(a, b)
+            .or_else(|| self.merge_constants(b, a))
+        {
+            return merged.signed(negative);
+        }
+        let key = |expr: Expr| (self.binding(expr.node()), expr.node());
+        let (first, second) = if key(a) <= key(b) { (a, b) } else { (b, a) };
+        Expr::new(
+            self.intern(Node::Mul(first.node(), second.node())),
+            negative,
+        )
+    }
+
+    /// `a / b`. A division by the number zero is kept: it is what IEEE arithmetic makes of it.
+    pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
+        let negative = a.is_negative() ^ b.is_negative();
+        if let (_, Some(divisor)) = (a, self.as_number(b))
+            && (1.0 / divisor).is_finite()
+        {
+            let reciprocal = self.number(1.0 / divisor);
+            return self.mul(a, reciprocal);
+        }
+        if self.is_zero(a) {
+            return a;
+        }
+        if a.node() == b.node() {
+            return self.one().signed(negative);
+        }
+        Expr::new(self.intern(Node::Div(a.node(), b.node())), negative)
+    }
+
+    /// `1 / a`.
+    pub fn reciprocal(&mut self, a: Expr) -> Expr {
+        let one = self.one();
+        self.div(one, a)
+    }
+
+    /// `sin(a)`; the sign goes outside.
+    pub fn sin(&mut self, a: Expr) -> Expr {
+        match self.as_number(a) {
+            Some(angle) => self.number(libm::sin(angle)),
+            None => Expr::new(self.intern(Node::Sin(a.node())), a.is_negative()),
+        }
+    }
+
+    /// `cos(a)`; the sign is dropped.
+    pub fn cos(&mut self, a: Expr) -> Expr {
+        match self.as_number(a) {
+            Some(angle) => self.number(libm::cos(angle)),
+            None => Expr::new(self.intern(Node::Cos(a.node())), false),
+        }
+    }
+
+    /// `|a|`.
+    pub fn abs(&mut self, a: Expr) -> Expr {
+        match self.node(a.node()) {
+            Node::Number(_) | Node::Abs(_) => a.abs_sign(),
+            _ => Expr::new(self.intern(Node::Abs(a.node())), false),
+        }
+    }
+
+    /// `c x + d x = (c + d) x` for numbers c, d; a missing factor is one.
+    fn merge_multiples(&mut self, a: Expr, b: Expr) -> Option<Expr> {
+        let ((c, x), (d, y)) = (self.as_multiple(a), self.as_multiple(b));
+        if x != y || self.as_number(Expr::new(x, false)).is_some() {
+            return None;
+        }
+        let sum = self.number(c + d);
+        Some(self.mul(sum, Expr::new(x, false)))
+    }
+
+    /// An expression as a number times a node.
+    fn as_multiple(&self, expr: Expr) -> (f64, NodeId) {
+        let sign = if expr.is_negative() { -1.0 } else { 1.0 };
+        if let Node::Mul(first, second) = self.node(expr.node())
+            && let Some(factor) = self.as_number(Expr::new(first, false))
+        {
+            return (sign * factor, second);
+        }
+        (sign, expr.node())
+    }
+
+    /// `c (d x) = (c d) x` where c and d are known before the loop: their product then costs nothing in it.
+    fn merge_constants(&mut self, c: Expr, product: Expr) -> Option<Expr> {
+        let Node::Mul(d, x) = self.node(product.node()) else {
+            return None;
+        };
+        let latest = self.binding(c.node()).max(self.binding(d));
+        if latest >= self.binding(x) || latest == Binding::State {
+            return None;
+        }
+        let factor = self.mul(c, Expr::new(d, false));
+        Some(self.mul(factor, Expr::new(x, false)))
+    }
+
+    fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.known.get(&node) {
+            return id;
+        }
+        let id = NodeId(u32::try_from(self.nodes.len()).expect("expr: fewer than 2^32 nodes"));
+        let binding = match node {
+            Node::Number(_) => Binding::Number,
+            Node::Input(Input::Parameter(_) | Input::Prepared(_)) => Binding::Parameters,
+            Node::Input(_) => Binding::State,
+            _ => node
+                .operands()
+                .map(|operand| self.binding(operand))
+                .max()
+                .unwrap_or(Binding::Number),
+        };
+        self.nodes.push(node);
+        self.bindings.push(binding);
+        self.scopes.push(self.scope);
+        self.labels.push(None);
+        self.known.insert(node, id);
+        id
+    }
+}

@@ -1,0 +1,16 @@
+//! Scalar expressions: a hash-consed graph that simplifies as it is built.
+//!
+//! In: calls that add, multiply, divide, take sines. Out: [`Expr`]s of one [`ExprGraph`].
+//! Afterwards: equal expressions are one node; no operation has only numbers for operands, no operand is a
+//! zero or a one that could be left out, and signs stand on references, never in nodes of their own.
+//! Does not: reorder sums, distribute products, or know a body from a joint.
+
+mod dump;
+mod evaluate;
+mod graph;
+mod node;
+mod vector;
+
+pub use graph::ExprGraph;
+pub use node::{Binding, Expr, Input, Label, Node, NodeId};
+pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

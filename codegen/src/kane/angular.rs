@@ -1,0 +1,179 @@
+//! Angular velocities, their partials and derivatives, Eqs. (8)-(20).
+
+use super::{Accelerations, given, orientation::trigonometry};
+use crate::{
+    expr::{ExprGraph, Input, Matrix, Vector, negated},
+    id::{BodyId, BodyMap},
+    partition::{Block, Partition, Row},
+    tree::Tree,
+};
+
+/// `P_K`, Eq. (17): rates of the angles to relative angular velocity, body components.
+pub fn rate_matrix(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matrix {
+    let t = trigonometry(graph, &tree.body(body).joint);
+    let (s3, c2, c3) = (t.sines[2], t.cosines[1], t.cosines[2]);
+    let (zero, one) = (graph.zero(), graph.one());
+    [
+        [graph.mul(c2, c3), s3, zero],
+        [graph.mul(-c2, s3), c3, zero],
+        [t.sines[1], zero, one],
+    ]
+}
+
+/// `P_dot_K`, the time derivative of Eq. (17).
+pub fn rate_matrix_dot(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matrix {
+    let joint = &tree.body(body).joint;
+    let t = trigonometry(graph, joint);
+    let ([_, s2, s3], [_, c2, c3]) = (t.sines, t.cosines);
+    let (d2, d3) = (
+        given::rate(graph, joint.angles[1]),
+        given::rate(graph, joint.angles[2]),
+    );
+    let zero = graph.zero();
+    let (s2_dot, c2_dot) = (graph.mul(c2, d2), graph.mul(-s2, d2));
+    let (s3_dot, c3_dot) = (graph.mul(c3, d3), graph.mul(-s3, d3));
+    let mut derivative = |c2_dot, c3, c2, c3_dot| {
+        let (a, b) = (graph.mul(c2_dot, c3), graph.mul(c2, c3_dot));
+        graph.add(a, b)
+    };
+    let xx = derivative(c2_dot, c3, c2, c3_dot);
+    let yx = -derivative(c2_dot, s3, c2, s3_dot);
+    [[xx, s3_dot, zero], [yx, c3_dot, zero], [s2_dot, zero, zero]]
+}
+
+/// `w_rel_K = P_K theta_dot_K`, Eq. (8), body components, for every body.
+pub fn relative_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let p = rate_matrix(graph, tree, body);
+        let rates = tree
+            .body(body)
+            .joint
+            .angles
+            .map(|angle| given::rate(graph, angle));
+        let w_rel = graph.mul_vector(&p, rates);
+        graph.name_vector(w_rel, "w_rel");
+        w_rel
+    })
+}
+
+/// The rates of the angles from a given relative angular velocity, Eq. (9), for bodies whose three angles are free.
+///
+/// Zero for the others. Singular at cos(theta_2) = 0.
+pub fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let joint = &tree.body(body).joint;
+        if !joint.angles.iter().all(|angle| angle.is_free()) {
+            return graph.zero_vector();
+        }
+        let t = trigonometry(graph, joint);
+        let [w1, w2, w3] = [0, 1, 2].map(|i| graph.input(Input::RelativeAngularVelocity(body, i)));
+        let (s3, c3) = (t.sines[2], t.cosines[2]);
+        let (a, b) = (graph.mul(c3, w1), graph.mul(s3, w2));
+        let along_lower_axis = graph.sub(a, b);
+        let theta1_dot = graph.div(along_lower_axis, t.cosines[1]);
+        let (a, b) = (graph.mul(s3, w1), graph.mul(c3, w2));
+        let theta2_dot = graph.add(a, b);
+        let shared = graph.mul(t.sines[1], theta1_dot);
+        [theta1_dot, theta2_dot, graph.sub(w3, shared)]
+    })
+}
+
+/// `w_K = JR_K w_J + w_rel_K`, Eq. (11), body components, for every body.
+pub fn velocity(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    relative: &BodyMap<Matrix>,
+    w_rel: &BodyMap<Vector>,
+) -> BodyMap<Vector> {
+    BodyMap::outward(tree.bodies.len(), |body, w| {
+        graph.enter(body);
+        let Some(lower) = tree.lower(body) else {
+            return w_rel[body];
+        };
+        let carried = graph.mul_vector(&relative[body], w[lower]);
+        let sum = graph.add_vectors(carried, w_rel[body]);
+        graph.name_vector(sum, "w");
+        sum
+    })
+}
+
+/// `W_K = JR_K W_J + [0 .. P_K .. 0]`, Eqs. (15), (16), for every body.
+pub fn partial(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> BodyMap<Row> {
+    BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
+        graph.enter(body);
+        let own = rate_matrix(graph, tree, body);
+        let own = Row::single(tree, Partition::Angles(body), Block::Full(own));
+        let row = match tree.lower(body) {
+            None => own,
+            Some(lower) => rows[lower]
+                .premultiplied(graph, &relative[body])
+                .plus(graph, own),
+        };
+        row.name(graph, tree, "w");
+        row
+    })
+}
+
+/// `W_dot_K = JR_K W_dot_J + tilde(w_rel_K)^T JR_K W_J + [0 .. P_dot_K .. 0]`, Eq. (20), for every body.
+pub fn partial_dot(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    relative: &BodyMap<Matrix>,
+    w_rel: &BodyMap<Vector>,
+    partial: &BodyMap<Row>,
+) -> BodyMap<Row> {
+    BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
+        graph.enter(body);
+        let own = rate_matrix_dot(graph, tree, body);
+        let own = Row::single(tree, Partition::Angles(body), Block::Full(own));
+        let row = match tree.lower(body) {
+            None => own,
+            Some(lower) => {
+                let carried = rows[lower].premultiplied(graph, &relative[body]);
+                let turned = partial[lower]
+                    .premultiplied(graph, &relative[body])
+                    .crossed(graph, w_rel[body]);
+                carried.plus(graph, turned).plus(graph, own)
+            }
+        };
+        row.name(graph, tree, "w_dot");
+        row
+    })
+}
+
+/// `alpha_K = W_K y_dot + W_dot_K y`, below Eq. (19), body components, for every body.
+///
+/// Eqs. (15) and (20) are multiplied by `y_dot` and `y` before they recur, so that no matrix is built.
+pub fn acceleration(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    relative: &BodyMap<Matrix>,
+    w_rel: &BodyMap<Vector>,
+    w: &BodyMap<Vector>,
+    accelerations: Accelerations,
+) -> BodyMap<Vector> {
+    BodyMap::outward(tree.bodies.len(), |body, alpha| {
+        graph.enter(body);
+        let angles = tree.body(body).joint.angles;
+        let (p, p_dot) = (
+            rate_matrix(graph, tree, body),
+            rate_matrix_dot(graph, tree, body),
+        );
+        let rates = angles.map(|angle| given::rate(graph, angle));
+        let second = angles.map(|angle| given::acceleration(graph, angle, accelerations));
+        let own = graph.mul_vector(&p, second);
+        let own_dot = graph.mul_vector(&p_dot, rates);
+        let mut sum = graph.add_vectors(own_dot, own);
+        if let Some(lower) = tree.lower(body) {
+            let carried = graph.mul_vector(&relative[body], alpha[lower]);
+            let w_lower = graph.mul_vector(&relative[body], w[lower]);
+            let turned = graph.cross(w_rel[body], w_lower);
+            let moved = graph.add_vectors(carried, negated(turned));
+            sum = graph.add_vectors(moved, sum);
+        }
+        graph.name_vector(sum, "alpha");
+        sum
+    })
+}

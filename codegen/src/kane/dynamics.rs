@@ -1,0 +1,194 @@
+//! Generalized forces, mass matrix and right-hand side, Eqs. (36), (41)-(43), as sums over bodies.
+
+use super::{Accelerations, given, orientation, velocity};
+use crate::{
+    expr::{Expr, ExprGraph, Matrix, Symmetric, Vector},
+    id::{BodyId, BodyMap, SpeedId},
+    partition::Row,
+    tree::Tree,
+};
+
+/// Entries of a symmetric matrix over speeds, by rows; what is structurally zero is the number zero.
+pub type SpeedMatrix = Vec<Vec<Expr>>;
+
+/// A force at the mass centre and a moment, body components.
+#[derive(Clone, Copy, Debug)]
+pub struct Wrench {
+    /// The force, N.
+    pub force: Vector,
+    /// The moment about the mass centre, N m.
+    pub moment: Vector,
+}
+
+/// `A = sum_K m_K V_G_K^T V_G_K + W_K^T I_K W_K`, Eq. (42).
+pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+    let relative = orientation::relative(graph, tree);
+    let partials = velocity::partials(graph, tree, &relative);
+    let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    for body in tree.body_ids() {
+        graph.enter(body);
+        let mass = given::value(graph, tree.body(body).mass);
+        let inertia = given::inertia(graph, tree.body(body));
+        let v = partials.mass_center[body].columns(graph, tree);
+        let w = partials.angular[body].columns(graph, tree);
+        add_gram(graph, &mut a, &v, |graph, column| graph.scale(mass, column));
+        add_gram(graph, &mut a, &w, |graph, column| {
+            graph.mul_symmetric(&inertia, column)
+        });
+    }
+    a
+}
+
+/// Adds `columns^T B columns` to a symmetric matrix.
+fn add_gram(
+    graph: &mut ExprGraph,
+    a: &mut SpeedMatrix,
+    columns: &[(SpeedId, Vector)],
+    b: impl Fn(&mut ExprGraph, Vector) -> Vector,
+) {
+    for (place, &(r, column)) in columns.iter().enumerate() {
+        let weighted = b(graph, column);
+        for &(s, other) in &columns[..=place] {
+            let term = graph.dot(other, weighted);
+            let entry = graph.add(a[r.index()][s.index()], term);
+            a[r.index()][s.index()] = entry;
+            a[s.index()][r.index()] = entry;
+        }
+    }
+}
+
+/// `f`, Eq. (43): the loads' generalized forces, weight's with them, less the inertia forces at zero acceleration.
+pub fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let inertial = inertia_and_weight(graph, tree, Accelerations::Zero);
+    let net = BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let (force, moment) = (given::force(graph, body), given::moment(graph, body));
+        Wrench {
+            force: graph.sub_vectors(force, inertial[body].force),
+            moment: graph.sub_vectors(moment, inertial[body].moment),
+        }
+    });
+    generalized(graph, tree, &net)
+}
+
+/// `A y_dot - f` without loads: `tau` for given accelerations, the bias for none.
+pub fn inverse_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    accelerations: Accelerations,
+) -> Vec<Expr> {
+    let wrenches = inertia_and_weight(graph, tree, accelerations);
+    generalized(graph, tree, &wrenches)
+}
+
+/// `F_y = sum_K V_G_K^T F_K + W_K^T M_K`, Eq. (36), of the loads.
+pub fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let loads = loads(graph, tree);
+    generalized(graph, tree, &loads)
+}
+
+/// The loads as wrenches.
+pub fn loads(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        Wrench {
+            force: given::force(graph, body),
+            moment: given::moment(graph, body),
+        }
+    })
+}
+
+/// `m_K (a_G_K - g)` and `I_K alpha_K + tilde(w_K) I_K w_K`: what a body needs to move as it does.
+fn inertia_and_weight(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    accelerations: Accelerations,
+) -> BodyMap<Wrench> {
+    let motion = velocity::accelerations(graph, tree, accelerations);
+    let weights = gravity_in_bodies(graph, tree, &motion.rotational.relative);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let mass = given::value(graph, tree.body(body).mass);
+        let felt = graph.sub_vectors(motion.mass_center[body], weights[body]);
+        let inertia = given::inertia(graph, tree.body(body));
+        let moment = euler(
+            graph,
+            &inertia,
+            motion.rotational.w[body],
+            motion.alpha[body],
+        );
+        Wrench {
+            force: graph.scale(mass, felt),
+            moment,
+        }
+    })
+}
+
+/// `I alpha + tilde(w) I w`.
+fn euler(graph: &mut ExprGraph, inertia: &Symmetric, w: Vector, alpha: Vector) -> Vector {
+    let momentum = graph.mul_symmetric(inertia, w);
+    let accelerating = graph.mul_symmetric(inertia, alpha);
+    let gyroscopic = graph.cross(w, momentum);
+    graph.add_vectors(accelerating, gyroscopic)
+}
+
+/// Gravity in the components of every body.
+fn gravity_in_bodies(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    relative: &BodyMap<Matrix>,
+) -> BodyMap<Vector> {
+    let inertial = given::gravity(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, gravity: &BodyMap<Vector>| {
+        graph.enter(body);
+        let below = tree.lower(body).map_or(inertial, |lower| gravity[lower]);
+        let g = graph.mul_vector(&relative[body], below);
+        graph.name_vector(g, "g");
+        g
+    })
+}
+
+/// `sum_K V_G_K^T F_K + W_K^T M_K` of any wrenches, one entry a speed.
+fn generalized(graph: &mut ExprGraph, tree: &Tree, wrenches: &BodyMap<Wrench>) -> Vec<Expr> {
+    let relative = orientation::relative(graph, tree);
+    let partials = velocity::partials(graph, tree, &relative);
+    let mut sums = vec![graph.zero(); tree.n_speeds];
+    for body in tree.body_ids() {
+        graph.enter(body);
+        add_projections(
+            graph,
+            tree,
+            &mut sums,
+            &partials.mass_center[body],
+            wrenches[body].force,
+        );
+        add_projections(
+            graph,
+            tree,
+            &mut sums,
+            &partials.angular[body],
+            wrenches[body].moment,
+        );
+    }
+    sums
+}
+
+fn add_projections(graph: &mut ExprGraph, tree: &Tree, sums: &mut [Expr], row: &Row, v: Vector) {
+    for (speed, column) in row.columns(graph, tree) {
+        let term = graph.dot(column, v);
+        sums[speed.index()] = graph.add(sums[speed.index()], term);
+    }
+}
+
+/// `|cos(theta_2)|` where theta_1 and theta_3 are both free, one elsewhere: the distance from the chart's singularity.
+pub fn singularity(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Expr {
+    graph.enter(body);
+    let joint = &tree.body(body).joint;
+    if !joint.has_singular_chart() {
+        return graph.one();
+    }
+    let angle = given::coordinate(graph, joint.angles[1]);
+    let cosine = graph.cos(angle);
+    graph.name(cosine, "cos2");
+    graph.abs(cosine)
+}

@@ -1,0 +1,43 @@
+//! Compiler from multibody systems to flat, allocation-free Rust.
+//!
+//! ```text
+//! description ──> tree ──> expressions on partitions ──> passes ──> program ──> source
+//! ```
+//!
+//! [`generate`](generate::generate) is that line in one screen. `kane` (the command) and
+//! [`build_script`] call it; nothing else does. Follow one quantity: [`functions`] names it and says how it
+//! is derived, [`kane`] and [`recursive`] hold its equations, [`passes`] and [`program`] make them flat, and
+//! [`emit`] writes them down.
+//!
+//! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
+//! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
+//! same bytes everywhere; files are touched only in `main.rs`, [`output`] and [`build_script`].
+
+// Indexes that cannot be mixed up.
+pub mod id;
+// What can be wrong, and how it is said.
+pub mod diagnostic;
+pub mod error;
+// What the user wrote; `kane.toml`.
+pub mod config;
+pub mod description;
+// From here on the system is numbered and right.
+pub mod tree;
+// From here on there are expressions, simplified as they are built.
+pub mod expr;
+pub mod partition;
+// The equations, as they stand and re-associated, and the solution of the linear system.
+pub mod kane;
+pub mod recursive;
+pub mod solve;
+// What a user can ask for.
+pub mod functions;
+// Fewer operations, the same values; then straight-line code.
+pub mod compile;
+pub mod passes;
+pub mod program;
+// From here on there is text.
+pub mod build_script;
+pub mod emit;
+pub mod generate;
+pub mod output;

@@ -1,0 +1,84 @@
+//! Writing a generated file: whole or not at all, and never over a file that is not ours.
+
+use std::{
+    fs,
+    io::{self, Write as _},
+    path::{Path, PathBuf},
+};
+
+use crate::{error::Error, generate::BANNER_START};
+
+/// Whether a file that does not begin with our banner may be overwritten.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overwrite {
+    /// Only files that we wrote.
+    Generated,
+    /// Any file.
+    Anything,
+}
+
+/// Replaces the file at `path` by `text`, atomically; folders that are missing are made. A file that holds `text` already
+/// is left alone, so that nothing is compiled again for it.
+///
+/// # Errors
+/// [`Error::NotGenerated`] where the file is not ours; [`Error::Io`]. The old file is then as it was.
+pub fn write(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Error> {
+    let io = |source| Error::Io {
+        path: path.to_owned(),
+        source,
+    };
+    match read(path)? {
+        Some(old) if old == text.as_bytes() => return Ok(()),
+        Some(old)
+            if overwrite == Overwrite::Generated && !old.starts_with(BANNER_START.as_bytes()) =>
+        {
+            return Err(Error::NotGenerated {
+                path: path.to_owned(),
+            });
+        }
+        _ => {}
+    }
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    fs::create_dir_all(&folder).map_err(io)?;
+    let mut file = tempfile::Builder::new()
+        .prefix(".kane-")
+        .tempfile_in(&folder)
+        .map_err(io)?;
+    file.write_all(text.as_bytes()).map_err(io)?;
+    file.as_file().sync_all().map_err(io)?;
+    set_permissions(path, file.path()).map_err(io)?;
+    file.persist(path).map_err(|error| io(error.error))?;
+    Ok(())
+}
+
+/// The bytes of a file; `None` where there is none.
+fn read(path: &Path) -> Result<Option<Vec<u8>>, Error> {
+    match fs::read(path) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(source) => Err(Error::Io {
+            path: path.to_owned(),
+            source,
+        }),
+    }
+}
+
+/// A temporary file is private to its user; a source file is as readable as the one it replaces, or as any other.
+#[cfg(unix)]
+fn set_permissions(old: &Path, new: &Path) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+
+    let permissions = match fs::metadata(old) {
+        Ok(metadata) => metadata.permissions(),
+        Err(_) => fs::Permissions::from_mode(0o644),
+    };
+    fs::set_permissions(new, permissions)
+}
+
+#[cfg(not(unix))]
+fn set_permissions(_old: &Path, _new: &Path) -> io::Result<()> {
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! Factor. Needs: nothing. Afterwards: no sum has two products with a common factor, `a b + a c`, where nothing
+//! else uses the products; each becomes `a (b + c)`. Keeps: the value of every root, up to rounding. Never
+//! raises the number of operations. Does not: touch a labelled value, or one that is used twice.
+
+use super::rebuild::Rebuilt;
+use crate::expr::{Expr, ExprGraph, Node, NodeId};
+
+/// The graph with its sums factored, and its roots.
+pub fn run(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
+    let sums = Sums {
+        graph: old,
+        uses: old.uses(roots),
+        absorbed: absorbed(old, roots),
+    };
+    let mut graph = ExprGraph::default();
+    let mut rebuilt = Rebuilt::new(old);
+    for id in old.ids().filter(|id| sums.uses[id.index()] > 0) {
+        graph.enter(old.scope(id));
+        let is_head = matches!(old.node(id), Node::Add(..)) && !sums.absorbed[id.index()];
+        let terms = if is_head { sums.factored(id) } else { None };
+        let expr = match terms {
+            None => rebuilt.copy(&mut graph, old, id),
+            Some(terms) => build_sum(&mut graph, &rebuilt, &terms),
+        };
+        graph.name_like(expr, old, Expr::of(id));
+        rebuilt.set(id, expr);
+    }
+    let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();
+    (graph, roots)
+}
+
+/// A term of a sum.
+#[derive(Clone, Debug)]
+enum Term {
+    /// A node that stays as it is.
+    Whole(Expr),
+    /// A product that only this sum uses.
+    Product {
+        negative: bool,
+        factors: [NodeId; 2],
+    },
+    /// A factor times the sum of what it multiplied.
+    Factored { factor: NodeId, rest: Vec<Expr> },
+}
+
+struct Sums<'a> {
+    graph: &'a ExprGraph,
+    uses: Vec<u32>,
+    absorbed: Vec<bool>,
+}
+
+/// Sums that are part of a longer sum, and of nothing else.
+fn absorbed(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
+    let uses = graph.uses(roots);
+    let mut absorbed = vec![false; graph.len()];
+    for id in graph.ids().filter(|id| uses[id.index()] > 0) {
+        if let Node::Add(a, b) = graph.node(id) {
+            for operand in [a.node(), b.node()] {
+                let private = uses[operand.index()] == 1 && graph.label(operand).is_none();
+                absorbed[operand.index()] = private && matches!(graph.node(operand), Node::Add(..));
+            }
+        }
+    }
+    for root in roots {
+        absorbed[root.node().index()] = false;
+    }
+    absorbed
+}
+
+impl Sums<'_> {
+    /// The terms of a sum after factoring; `None` where there is nothing to factor.
+    fn factored(&self, head: NodeId) -> Option<Vec<Term>> {
+        let mut terms = self.terms(head);
+        let mut changed = false;
+        while let Some(factor) = common_factor(&terms) {
+            terms = pull_out(terms, factor);
+            changed = true;
+        }
+        changed.then_some(terms)
+    }
+
+    /// The terms of a sum from left to right.
+    fn terms(&self, head: NodeId) -> Vec<Term> {
+        let mut terms = Vec::new();
+        let mut pending = vec![Expr::of(head)];
+        while let Some(expr) = pending.pop() {
+            let id = expr.node();
+            match self.graph.node(id) {
+                Node::Add(a, b) if id == head || self.absorbed[id.index()] => {
+                    pending.push(b.signed(expr.is_negative()));
+                    pending.push(a.signed(expr.is_negative()));
+                }
+                Node::Mul(a, b) if self.uses[id.index()] == 1 && self.graph.label(id).is_none() => {
+                    terms.push(Term::Product {
+                        negative: expr.is_negative(),
+                        factors: [a, b],
+                    });
+                }
+                _ => terms.push(Term::Whole(expr)),
+            }
+        }
+        terms
+    }
+}
+
+/// The factor that most products share, the first of several; `None` where no two share one.
+fn common_factor(terms: &[Term]) -> Option<NodeId> {
+    let mut best: Option<(usize, NodeId)> = None;
+    for term in terms {
+        let Term::Product { factors, .. } = term else {
+            continue;
+        };
+        for &factor in factors {
+            let sharing = terms.iter().filter(|term| has_factor(term, factor)).count();
+            if sharing > best.map_or(1, |(most, _)| most) {
+                best = Some((sharing, factor));
+            }
+        }
+    }
+    best.map(|(_, factor)| factor)
+}
+
+fn has_factor(term: &Term, factor: NodeId) -> bool {
+    matches!(term, Term::Product { factors, .. } if factors.contains(&factor))
+}
+
+/// The terms with one factor pulled out, in the place of the first product that had it.
+fn pull_out(terms: Vec<Term>, factor: NodeId) -> Vec<Term> {
+    let mut rest = Vec::new();
+    let mut place = None;
+    let mut kept = Vec::with_capacity(terms.len());
+    for term in terms {
+        match term {
+            Term::Product { negative, factors } if factors.contains(&factor) => {
+                place.get_or_insert(kept.len());
+                let other = if factors[0] == factor {
+                    factors[1]
+                } else {
+                    factors[0]
+                };
+                rest.push(Expr::of(other).signed(negative));
+            }
+            _ => kept.push(term),
+        }
+    }
+    kept.insert(
+        place.expect("factor: the factor is one of a term's"),
+        Term::Factored { factor, rest },
+    );
+    kept
+}
+
+fn build_sum(graph: &mut ExprGraph, rebuilt: &Rebuilt, terms: &[Term]) -> Expr {
+    let mut sum = graph.zero();
+    for term in terms {
+        let term = match term {
+            Term::Whole(expr) => rebuilt.expr(*expr),
+            Term::Product {
+                negative,
+                factors: [a, b],
+            } => graph
+                .mul(rebuilt.node(*a), rebuilt.node(*b))
+                .signed(*negative),
+            Term::Factored { factor, rest } => {
+                let mut inner = graph.zero();
+                for &other in rest {
+                    inner = graph.add(inner, rebuilt.expr(other));
+                }
+                graph.mul(rebuilt.node(*factor), inner)
+            }
+        };
+        sum = graph.add(sum, term);
+    }
+    sum
+}

@@ -1,0 +1,12 @@
+//! From a graph to a graph with the same values: what folding and sharing at construction cannot see.
+//!
+//! In: a derived function. Out: the same roots with fewer operations, and parameters' own work taken out.
+//! In order, with what holds afterwards:
+//! 1. `factor`: no sum has two products with a common factor that nothing else needs.
+//! 2. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
+//!
+//! Dead values, order and names are the program's: see `program`.
+
+pub mod factor;
+pub mod hoist;
+mod rebuild;

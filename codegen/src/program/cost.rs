@@ -1,0 +1,69 @@
+//! Operation counts: what users compare and continuous integration pins.
+
+use std::{fmt, ops::AddAssign};
+
+use super::{Instruction, Operation, Program};
+
+/// How many operations of each kind a program performs. Signs, absolute values, copies and stores count nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Multiplications.
+    pub mul: usize,
+    /// Additions and subtractions.
+    pub add: usize,
+    /// Divisions.
+    pub div: usize,
+    /// Sines and cosines: 2 for the `sin_cos` of one angle.
+    pub trig: usize,
+}
+
+impl Operations {
+    /// All operations.
+    pub fn total(self) -> usize {
+        self.mul + self.add + self.div + self.trig
+    }
+}
+
+impl AddAssign for Operations {
+    fn add_assign(&mut self, other: Self) {
+        self.mul += other.mul;
+        self.add += other.add;
+        self.div += other.div;
+        self.trig += other.trig;
+    }
+}
+
+impl fmt::Display for Operations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            mul,
+            add,
+            div,
+            trig,
+        } = self;
+        write!(
+            f,
+            "{} = {mul} mul + {add} add + {div} div + {trig} trig",
+            self.total()
+        )
+    }
+}
+
+impl Program {
+    /// The operations of the program.
+    pub fn operations(&self) -> Operations {
+        let mut operations = Operations::default();
+        for instruction in &self.instructions {
+            match instruction {
+                Instruction::SinCos { angles, .. } => operations.trig += 2 * angles.len(),
+                Instruction::Compute { operation, .. } => match operation {
+                    Operation::Add(..) => operations.add += 1,
+                    Operation::Mul(..) => operations.mul += 1,
+                    Operation::Div(..) => operations.div += 1,
+                    Operation::Abs(_) => {}
+                },
+            }
+        }
+        operations
+    }
+}

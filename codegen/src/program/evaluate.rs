@@ -1,0 +1,60 @@
+//! The meaning of a program: what it stores. Flattening is tested against the graph's own meaning.
+
+use super::{Instruction, Operand, Operation, Origin, Program};
+use crate::expr::Input;
+
+impl Program {
+    /// The stored values where `input` gives the inputs, in f64.
+    pub fn evaluate(&self, mut input: impl FnMut(Input) -> f64) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.values.len()];
+        for (value, slot) in self.values.iter().zip(&mut values) {
+            if let Origin::Input(given) = value.origin {
+                *slot = input(given);
+            }
+        }
+        for instruction in &self.instructions {
+            match instruction {
+                Instruction::Compute { result, operation } => {
+                    values[result.index()] = match *operation {
+                        Operation::Add(a, b) => read(&values, a) + read(&values, b),
+                        Operation::Mul(a, b) => read(&values, a) * read(&values, b),
+                        Operation::Div(a, b) => read(&values, a) / read(&values, b),
+                        Operation::Abs(a) => read(&values, a).abs(),
+                    };
+                }
+                Instruction::SinCos {
+                    angles,
+                    sines,
+                    cosines,
+                } => {
+                    for (place, &angle) in angles.iter().enumerate() {
+                        let angle = read(&values, angle);
+                        for (result, number) in [
+                            (sines[place], libm::sin(angle)),
+                            (cosines[place], libm::cos(angle)),
+                        ] {
+                            if let Some(result) = result {
+                                values[result.index()] = number;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        self.stores
+            .iter()
+            .map(|&store| read(&values, store))
+            .collect()
+    }
+}
+
+fn read(values: &[f64], operand: Operand) -> f64 {
+    match operand {
+        Operand::Number(number) => number,
+        Operand::Value {
+            id,
+            negative: false,
+        } => values[id.index()],
+        Operand::Value { id, negative: true } => -values[id.index()],
+    }
+}

@@ -1,0 +1,211 @@
+//! From a graph to a program: dead nodes drop out, the order of derivation stays, signs find their place.
+//!
+//! A node may be computed as its negative where that lets a label name what a reader means by it, or lets a sum of two
+//! negatives be a sum; the sign then passes on to whatever uses the value and ends in a subtraction or a store.
+
+use std::collections::BTreeMap;
+
+use super::{Instruction, Operand, Operation, Origin, Program, Value, ValueId};
+use crate::{
+    expr::{Expr, ExprGraph, Node, NodeId},
+    id::BodyId,
+};
+
+/// The program that stores `roots`.
+pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
+    let mut flattening = Flattening {
+        graph,
+        needed: graph.reachable(roots),
+        operands: vec![None; graph.len()],
+        program: Program {
+            values: Vec::new(),
+            instructions: Vec::new(),
+            stores: Vec::new(),
+        },
+    };
+    for id in graph.ids() {
+        if flattening.needed[id.index()] && flattening.operands[id.index()].is_none() {
+            let operand = flattening.node(id);
+            flattening.operands[id.index()] = Some(operand);
+        }
+    }
+    let stores = roots.iter().map(|&root| flattening.expr(root)).collect();
+    Program {
+        stores,
+        ..flattening.program
+    }
+}
+
+struct Flattening<'a> {
+    graph: &'a ExprGraph,
+    needed: Vec<bool>,
+    /// The nodes already flattened, as signed values.
+    operands: Vec<Option<Operand>>,
+    program: Program,
+}
+
+impl Flattening<'_> {
+    fn expr(&self, expr: Expr) -> Operand {
+        let operand = self.operands[expr.node().index()].expect("program: operands come first");
+        if expr.is_negative() {
+            -operand
+        } else {
+            operand
+        }
+    }
+
+    fn value(&mut self, origin: Origin, id: NodeId, negative: bool) -> ValueId {
+        let label = self.graph.label(id).map(|label| {
+            let same = label.negative == negative;
+            if same {
+                label.text.clone()
+            } else {
+                format!("minus_{}", label.text)
+            }
+        });
+        let value = ValueId(
+            u32::try_from(self.program.values.len()).expect("program: fewer than 2^32 values"),
+        );
+        self.program.values.push(Value {
+            origin,
+            scope: self.graph.scope(id),
+            label,
+        });
+        value
+    }
+
+    fn node(&mut self, id: NodeId) -> Operand {
+        let of = |id| Expr::of(id);
+        match self.graph.node(id) {
+            Node::Number(bits) => Operand::Number(f64::from_bits(bits)),
+            Node::Input(input) => Operand::Value {
+                id: self.value(Origin::Input(input), id, false),
+                negative: false,
+            },
+            Node::Sin(_) | Node::Cos(_) => self.sin_cos(id),
+            Node::Abs(a) => {
+                let a = self.expr(of(a));
+                self.compute(id, Operation::Abs(unsigned(a)), false)
+            }
+            Node::Mul(a, b) => {
+                let (a, b) = (self.expr(of(a)), self.expr(of(b)));
+                let negative = a.is_negative() ^ b.is_negative();
+                self.compute(id, Operation::Mul(unsigned(a), unsigned(b)), negative)
+            }
+            Node::Div(a, b) => {
+                let (a, b) = (self.expr(of(a)), self.expr(of(b)));
+                let negative = a.is_negative() ^ b.is_negative();
+                self.compute(id, Operation::Div(unsigned(a), unsigned(b)), negative)
+            }
+            Node::Add(a, b) => {
+                let (a, b) = (self.expr(a), self.expr(b));
+                let wanted = self.graph.label(id).is_some_and(|label| label.negative);
+                // Two of one sign leave no choice; of two signs, the label's.
+                let negative = if a.is_negative() == b.is_negative() {
+                    a.is_negative()
+                } else {
+                    wanted
+                };
+                let (a, b) = if negative { (-a, -b) } else { (a, b) };
+                let operation = if a.is_negative() {
+                    Operation::Add(b, a)
+                } else {
+                    Operation::Add(a, b)
+                };
+                self.compute(id, operation, negative)
+            }
+        }
+    }
+
+    /// One operation, whose result is the node or, where `negative`, its negative.
+    fn compute(&mut self, id: NodeId, operation: Operation, negative: bool) -> Operand {
+        let result = self.value(Origin::Instruction, id, negative);
+        self.program
+            .instructions
+            .push(Instruction::Compute { result, operation });
+        Operand::Value {
+            id: result,
+            negative,
+        }
+    }
+
+    /// Sines and cosines of one body's angles together, where the first of them stands.
+    fn sin_cos(&mut self, first: NodeId) -> Operand {
+        let scope = self.graph.scope(first);
+        let group: Vec<NodeId> = self
+            .graph
+            .ids()
+            .skip(first.index())
+            .filter(|&id| id == first || self.joins(id, scope))
+            .collect();
+        let mut places: BTreeMap<NodeId, usize> = BTreeMap::new();
+        let mut angles = Vec::new();
+        for &id in &group {
+            let angle = argument(self.graph, id);
+            places.entry(angle).or_insert_with(|| {
+                angles.push(angle);
+                angles.len() - 1
+            });
+        }
+        let angles: Vec<Operand> = angles
+            .into_iter()
+            .map(|angle| {
+                if self.operands[angle.index()].is_none() {
+                    let operand = self.node(angle);
+                    self.operands[angle.index()] = Some(operand);
+                }
+                self.expr(Expr::of(angle))
+            })
+            .collect();
+        let mut sines = vec![None; angles.len()];
+        let mut cosines = vec![None; angles.len()];
+        for &id in &group {
+            let place = places[&argument(self.graph, id)];
+            let result = self.value(Origin::Instruction, id, false);
+            let is_sine = matches!(self.graph.node(id), Node::Sin(_));
+            let slot = if is_sine {
+                &mut sines[place]
+            } else {
+                &mut cosines[place]
+            };
+            *slot = Some(result);
+            // sin(-x) = -sin(x).
+            let negative = is_sine && angles[place].is_negative();
+            self.operands[id.index()] = Some(Operand::Value {
+                id: result,
+                negative,
+            });
+        }
+        let angles = angles.into_iter().map(unsigned).collect();
+        self.program.instructions.push(Instruction::SinCos {
+            angles,
+            sines,
+            cosines,
+        });
+        self.operands[first.index()].expect("program: the group holds its first")
+    }
+
+    /// True for a sine or cosine of an input in the same body, which can be computed together with the first.
+    fn joins(&self, id: NodeId, scope: Option<BodyId>) -> bool {
+        let is_trigonometric = matches!(self.graph.node(id), Node::Sin(_) | Node::Cos(_));
+        let joins = is_trigonometric && self.graph.scope(id) == scope && self.needed[id.index()];
+        joins && matches!(self.graph.node(argument(self.graph, id)), Node::Input(_))
+    }
+}
+
+/// The angle of a sine or cosine.
+fn argument(graph: &ExprGraph, id: NodeId) -> NodeId {
+    graph
+        .node(id)
+        .operands()
+        .next()
+        .expect("program: a sine has an argument")
+}
+
+fn unsigned(operand: Operand) -> Operand {
+    if operand.is_negative() {
+        -operand
+    } else {
+        operand
+    }
+}

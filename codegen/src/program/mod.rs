@@ -1,0 +1,185 @@
+//! The flat program: straight-line code with one assignment a value.
+//!
+//! In: a graph and its roots. Out: a [`Program`]. Afterwards: every value is assigned once, before it is used, and is
+//! used; no operation has only numbers for operands; every number is finite; every output is stored once.
+//! Does not: choose what to compute. The order is that of the derivation, from body to body.
+
+mod cost;
+mod evaluate;
+mod flatten;
+mod group;
+mod name;
+mod verify;
+
+pub use cost::Operations;
+pub use flatten::flatten;
+pub use group::Groups;
+pub use name::{coordinate_names, names, prepared_names};
+pub use verify::{VerifyError, verify};
+
+use crate::{expr::Input, id::BodyId};
+
+/// A value: what an instruction assigns, or an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ValueId(u32);
+
+/// Straight-line code.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The values, by id.
+    pub values: Vec<Value>,
+    /// What is computed, in order.
+    pub instructions: Vec<Instruction>,
+    /// What is stored, row-major; all stores come last.
+    pub stores: Vec<Operand>,
+}
+
+/// What is known of a value.
+#[derive(Clone, Debug)]
+pub struct Value {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// The body that it belongs to.
+    pub scope: Option<BodyId>,
+    /// The quantity and component, where a reader would know them.
+    pub label: Option<String>,
+}
+
+/// Where a value comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The function is given it.
+    Input(Input),
+    /// An instruction assigns it.
+    Instruction,
+}
+
+/// One step of the program.
+#[derive(Clone, Debug)]
+pub enum Instruction {
+    /// One operation.
+    Compute {
+        /// The value that is assigned.
+        result: ValueId,
+        /// The operation.
+        operation: Operation,
+    },
+    /// Sines and cosines of several angles together, so that they vectorise.
+    SinCos {
+        /// The angles.
+        angles: Vec<Operand>,
+        /// The sine of each, where it is used.
+        sines: Vec<Option<ValueId>>,
+        /// The cosine of each, where it is used.
+        cosines: Vec<Option<ValueId>>,
+    },
+}
+
+/// An operation on one or two operands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operation {
+    /// `a + b`; at most one operand is negative, never both.
+    Add(Operand, Operand),
+    /// `a b`; neither is negative.
+    Mul(Operand, Operand),
+    /// `a / b`; neither is negative.
+    Div(Operand, Operand),
+    /// `|a|`; not negative.
+    Abs(Operand),
+}
+
+/// A number or a value, with a sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operand {
+    /// A number.
+    Number(f64),
+    /// A value or its negative.
+    Value {
+        /// The value.
+        id: ValueId,
+        /// True for its negative.
+        negative: bool,
+    },
+}
+
+impl ValueId {
+    /// The index in [`Program::values`].
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl Program {
+    /// The value with this id.
+    pub fn value(&self, id: ValueId) -> &Value {
+        &self.values[id.index()]
+    }
+}
+
+impl Operation {
+    /// The operands.
+    pub fn operands(self) -> impl Iterator<Item = Operand> {
+        let pair = match self {
+            Self::Add(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b)],
+            Self::Abs(a) => [Some(a), None],
+        };
+        pair.into_iter().flatten()
+    }
+}
+
+impl Instruction {
+    /// The values that are assigned.
+    pub fn results(&self) -> impl Iterator<Item = ValueId> + '_ {
+        let (one, sines, cosines): (_, &[_], &[_]) = match self {
+            Self::Compute { result, .. } => (Some(*result), &[], &[]),
+            Self::SinCos { sines, cosines, .. } => (None, sines, cosines),
+        };
+        one.into_iter()
+            .chain(sines.iter().chain(cosines).flatten().copied())
+    }
+
+    /// The operands.
+    pub fn operands(&self) -> impl Iterator<Item = Operand> + '_ {
+        let (operation, angles): (_, &[_]) = match self {
+            Self::Compute { operation, .. } => (Some(*operation), &[]),
+            Self::SinCos { angles, .. } => (None, angles),
+        };
+        operation
+            .into_iter()
+            .flat_map(Operation::operands)
+            .chain(angles.iter().copied())
+    }
+}
+
+impl Operand {
+    /// The value; `None` for a number.
+    pub fn value(self) -> Option<ValueId> {
+        match self {
+            Self::Value { id, .. } => Some(id),
+            Self::Number(_) => None,
+        }
+    }
+
+    /// True where the sign is minus.
+    pub fn is_negative(self) -> bool {
+        match self {
+            Self::Number(number) => number.is_sign_negative(),
+            Self::Value { negative, .. } => negative,
+        }
+    }
+}
+
+impl std::ops::Neg for Operand {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        match self {
+            // Zero has one sign.
+            Self::Number(number) => Self::Number(if number == 0.0 { 0.0 } else { -number }),
+            Self::Value { id, negative } => Self::Value {
+                id,
+                negative: !negative,
+            },
+        }
+    }
+}

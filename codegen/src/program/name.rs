@@ -1,0 +1,131 @@
+//! Names from structure: the body, then the quantity, or a number counted within the body.
+//!
+//! No name depends on how many values another body has, so a change to one body leaves the others' lines alone.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Groups, Instruction, Origin, Program, ValueId};
+use crate::{
+    expr::Input,
+    id::BodyId,
+    tree::{Coordinate, Tree},
+};
+
+/// Names that generated functions use for other things.
+const RESERVED: [&str; 10] = [
+    "p",
+    "q",
+    "u",
+    "u_dot",
+    "tau",
+    "loads",
+    "w_rel",
+    "parameters",
+    "sines",
+    "cosines",
+];
+
+/// A name for each value that is an input or has a statement of its own; empty for the others.
+pub fn names(program: &Program, groups: &Groups, tree: &Tree, prepared: &[String]) -> Vec<String> {
+    let coordinates = coordinate_names(tree);
+    let mut names = vec![String::new(); program.values.len()];
+    let mut taken: BTreeSet<String> = RESERVED.map(String::from).into();
+    let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
+    let mut claim = |name: String| {
+        let mut unique = name;
+        while !taken.insert(unique.clone()) {
+            unique.push('_');
+        }
+        unique
+    };
+    for (value, name) in program.values.iter().zip(&mut names) {
+        if let Origin::Input(input) = value.origin {
+            *name = match input {
+                // A field of `Prepared`, not a local.
+                Input::Prepared(place) => prepared[place].clone(),
+                _ => claim(input_name(tree, &coordinates, input)),
+            };
+        }
+    }
+    for id in program.instructions.iter().flat_map(Instruction::results) {
+        if groups.inlined(id).is_some() {
+            continue;
+        }
+        let value = program.value(id);
+        let body = value
+            .scope
+            .map_or("system", |body| tree.body(body).identifier.as_str());
+        names[id.index()] = if let Some(label) = &value.label {
+            claim(format!("{body}_{label}"))
+        } else {
+            let counter = counters.entry(value.scope).or_default();
+            *counter += 1;
+            claim(format!("{body}_t{counter}"))
+        };
+    }
+    names
+}
+
+/// The names of the prepared values, unique among themselves.
+pub fn prepared_names(program: &Program, tree: &Tree) -> Vec<String> {
+    let mut taken = BTreeSet::new();
+    let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
+    let name = |store: &super::Operand| {
+        let id: ValueId = store.value().expect("passes: numbers are not hoisted");
+        let value = program.value(id);
+        let body = value
+            .scope
+            .map_or("system", |body| tree.body(body).identifier.as_str());
+        let mut name = match (value.origin, &value.label) {
+            (Origin::Input(input), _) => input_name(tree, &[], input),
+            (_, Some(label)) => format!("{body}_{label}"),
+            (_, None) => {
+                let counter = counters.entry(value.scope).or_default();
+                *counter += 1;
+                format!("{body}_k{counter}")
+            }
+        };
+        while !taken.insert(name.clone()) {
+            name.push('_');
+        }
+        name
+    };
+    program.stores.iter().map(name).collect()
+}
+
+/// The name of an input: a coordinate's name with what it is a rate or force of.
+fn input_name(tree: &Tree, coordinates: &[String], input: Input) -> String {
+    let component = |body: BodyId, quantity: &str, axis: usize| {
+        format!(
+            "{}_{quantity}_{}",
+            tree.body(body).identifier,
+            ["x", "y", "z"][axis]
+        )
+    };
+    let coordinate = |place: usize, suffix: &str| format!("{}{suffix}", coordinates[place]);
+    match input {
+        Input::Q(coordinate_id) => coordinate(coordinate_id.index(), ""),
+        Input::U(speed) => coordinate(speed.index(), "_dot"),
+        Input::UDot(speed) => coordinate(speed.index(), "_ddot"),
+        Input::Tau(speed) => coordinate(speed.index(), "_tau"),
+        Input::Force(body, axis) => component(body, "force", axis),
+        Input::Moment(body, axis) => component(body, "moment", axis),
+        Input::RelativeAngularVelocity(body, axis) => component(body, "w_rel", axis),
+        Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
+        Input::Prepared(place) => format!("prepared_{place}"),
+    }
+}
+
+/// The name of every coordinate, in the order of `q`: `hub_theta1`.
+pub fn coordinate_names(tree: &Tree) -> Vec<String> {
+    let mut names = vec![String::new(); tree.n_coordinates];
+    for body in &tree.bodies {
+        let kinds = ["theta1", "theta2", "theta3", "s1", "s2", "s3"];
+        for (kind, coordinate) in kinds.into_iter().zip(body.joint.coordinates()) {
+            if let Coordinate::Free { coordinate, .. } = coordinate {
+                names[coordinate.index()] = format!("{}_{kind}", body.identifier);
+            }
+        }
+    }
+    names
+}

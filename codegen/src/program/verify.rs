@@ -1,0 +1,91 @@
+//! What every program must hold; a breach is a bug of a pass, but for a number too large for f64.
+
+use super::{Instruction, Operand, Operation, Origin, Program};
+
+/// A broken promise of a program.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VerifyError {
+    /// The description's numbers multiply to more than f64 holds.
+    #[error("the numbers of the description multiply to a value that f64 does not hold")]
+    NotFinite,
+    /// A value is used before it is assigned, or never assigned.
+    #[error("value {0} is used before it is assigned")]
+    Unassigned(usize),
+    /// A value is assigned twice.
+    #[error("value {0} is assigned twice")]
+    AssignedTwice(usize),
+    /// A value is assigned and not used.
+    #[error("value {0} is never used")]
+    Dead(usize),
+    /// An operation has only numbers for operands.
+    #[error("value {0} has only numbers for operands")]
+    Unfolded(usize),
+    /// A sign stands where it costs an operation.
+    #[error("value {0} has a misplaced sign")]
+    MisplacedSign(usize),
+}
+
+/// Checks that values are assigned once, before they are used, and are used; that nothing is left to fold; that signs
+/// stand where they cost nothing; and that every number is finite.
+///
+/// # Errors
+/// The first promise that is broken.
+pub fn verify(program: &Program) -> Result<(), VerifyError> {
+    let mut assigned: Vec<bool> = program
+        .values
+        .iter()
+        .map(|value| matches!(value.origin, Origin::Input(_)))
+        .collect();
+    let mut used = vec![false; program.values.len()];
+    let mut read = |operand: Operand, assigned: &[bool]| match operand {
+        Operand::Number(number) if !number.is_finite() => Err(VerifyError::NotFinite),
+        Operand::Number(_) => Ok(()),
+        Operand::Value { id, .. } if assigned[id.index()] => {
+            used[id.index()] = true;
+            Ok(())
+        }
+        Operand::Value { id, .. } => Err(VerifyError::Unassigned(id.index())),
+    };
+    for instruction in &program.instructions {
+        instruction
+            .operands()
+            .try_for_each(|operand| read(operand, &assigned))?;
+        if let Instruction::Compute { result, operation } = instruction {
+            check_operation(result.index(), *operation)?;
+        }
+        for result in instruction.results() {
+            if std::mem::replace(&mut assigned[result.index()], true) {
+                return Err(VerifyError::AssignedTwice(result.index()));
+            }
+        }
+    }
+    program
+        .stores
+        .iter()
+        .try_for_each(|&store| read(store, &assigned))?;
+    used.iter()
+        .position(|&used| !used)
+        .map_or(Ok(()), |dead| Err(VerifyError::Dead(dead)))
+}
+
+fn check_operation(result: usize, operation: Operation) -> Result<(), VerifyError> {
+    if operation
+        .operands()
+        .all(|operand| operand.value().is_none())
+    {
+        return Err(VerifyError::Unfolded(result));
+    }
+    let first_may_be_negative = false;
+    let second_may_be_negative = matches!(operation, Operation::Add(..));
+    let allowed = [first_may_be_negative, second_may_be_negative];
+    let misplaced = operation
+        .operands()
+        .zip(allowed)
+        .any(|(operand, allowed)| operand.is_negative() && !allowed);
+    if misplaced {
+        Err(VerifyError::MisplacedSign(result))
+    } else {
+        Ok(())
+    }
+}

@@ -1,0 +1,88 @@
+//! Inertia about a body's origin, of one body or of a body with all that it carries.
+
+use crate::{
+    expr::{Expr, ExprGraph, Symmetric, Vector},
+    kane::given,
+    tree::Body,
+};
+
+/// Mass, first moment and inertia about a point that moves with the bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Composite {
+    /// Mass, kg.
+    pub mass: Expr,
+    /// Mass times the position of the mass centre, kg m.
+    pub moment: Vector,
+    /// Inertia, kg m².
+    pub inertia: Symmetric,
+}
+
+/// A body's inertia about its own origin: `m`, `m r`, `I_G + m (r·r 1 - r r^T)`, body components.
+pub fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
+    let mass = given::value(graph, body.mass);
+    let at_center = given::inertia(graph, body);
+    let center = given::vector(graph, body.mass_center);
+    let zero = graph.zero();
+    let point = Composite {
+        mass,
+        moment: [zero; 3],
+        inertia: at_center,
+    };
+    let own = point.moved(graph, center);
+    graph.name_vector(own.moment, "moment");
+    name(graph, &own.inertia, "inertia");
+    own
+}
+
+impl Composite {
+    /// The same bodies about a point from which this one's point lies at `offset`.
+    ///
+    /// With `h' = h + m d` and `H = h + h'`, the inertia is `I + (d·H) 1 - h d^T - d h'^T`.
+    #[must_use]
+    pub fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
+        let shift = graph.scale(self.mass, offset);
+        let moment = graph.add_vectors(self.moment, shift);
+        let both = graph.add_vectors(self.moment, moment);
+        let squares: Vector = std::array::from_fn(|i| graph.mul(offset[i], both[i]));
+        let mut inertia = self.inertia;
+        for a in 0..3 {
+            let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+            let around = graph.add(squares[b], squares[c]);
+            inertia.diagonal[a] = graph.add(inertia.diagonal[a], around);
+            let (first, second) = (
+                graph.mul(self.moment[b], offset[c]),
+                graph.mul(offset[b], moment[c]),
+            );
+            let product = graph.add(first, second);
+            inertia.mixed[a] = graph.sub(inertia.mixed[a], product);
+        }
+        Self {
+            mass: self.mass,
+            moment,
+            inertia,
+        }
+    }
+
+    /// Both together, about the same point.
+    #[must_use]
+    pub fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            mass: graph.add(self.mass, other.mass),
+            moment: graph.add_vectors(self.moment, other.moment),
+            inertia: Symmetric {
+                diagonal: graph.add_vectors(self.inertia.diagonal, other.inertia.diagonal),
+                mixed: graph.add_vectors(self.inertia.mixed, other.inertia.mixed),
+            },
+        }
+    }
+}
+
+/// Labels the six components `text_xx` to `text_xy`.
+pub fn name(graph: &mut ExprGraph, tensor: &Symmetric, text: &str) {
+    for (component, letters) in tensor.diagonal.into_iter().zip(["xx", "yy", "zz"]) {
+        graph.name(component, format!("{text}_{letters}"));
+    }
+    for (component, letters) in tensor.mixed.into_iter().zip(["yz", "xz", "xy"]) {
+        graph.name(component, format!("{text}_{letters}"));
+    }
+}

@@ -1,0 +1,139 @@
+//! `L^T D L`: factorisation and solution of `A x = b` along the tree, written out.
+//!
+//! In: a symmetric matrix whose entries couple speeds only along paths to the inertial frame, and a right-hand
+//! side. Out: the solution, and the pivots. Afterwards: no entry outside that pattern was built (Featherstone 2005:
+//! eliminating from the leaves inward fills nothing), and each pivot is inverted once.
+//! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
+
+use crate::{
+    expr::{Expr, ExprGraph},
+    id::{BodyId, SpeedId},
+    kane::dynamics::SpeedMatrix,
+    tree::Tree,
+};
+
+/// The factors of `A = L^T D L`.
+#[derive(Debug)]
+pub struct Factors {
+    /// Speeds from the leaves inward.
+    order: Vec<Place>,
+    /// For each entry of `order`: the coupled speeds still to be eliminated, with the entry of L.
+    couplings: Vec<Vec<(Place, Expr)>>,
+    /// D, by speed.
+    pub pivots: Vec<Expr>,
+}
+
+/// A speed, the body that moves with it, and its coordinate among that body's.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    body: BodyId,
+    speed: SpeedId,
+    coordinate: &'static str,
+}
+
+impl Place {
+    fn index(self) -> usize {
+        self.speed.index()
+    }
+}
+
+/// Factorises a mass matrix.
+pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Factors {
+    let order = elimination_order(tree);
+    let mut couplings = Vec::with_capacity(order.len());
+    let mut pivots = vec![graph.zero(); tree.n_speeds];
+    for (place, &k) in order.iter().enumerate() {
+        graph.enter(k.body);
+        let pivot = a[k.index()][k.index()];
+        graph.name(pivot, format!("pivot_{}", k.coordinate));
+        pivots[k.index()] = pivot;
+        let inverse = inverse(graph, k, pivot);
+        let coupled: Vec<Place> = order[place + 1..]
+            .iter()
+            .copied()
+            .filter(|other| !graph.is_zero(a[k.index()][other.index()]))
+            .collect();
+        let mut row = Vec::with_capacity(coupled.len());
+        for (i, &speed) in coupled.iter().enumerate() {
+            graph.enter(k.body);
+            let factor = graph.mul(a[k.index()][speed.index()], inverse);
+            let at = &tree.body(speed.body).identifier;
+            graph.name(
+                factor,
+                format!("l_{}_{at}_{}", k.coordinate, speed.coordinate),
+            );
+            for &other in &coupled[..=i] {
+                graph.enter(k.body);
+                let update = graph.mul(factor, a[k.index()][other.index()]);
+                graph.enter(speed.body);
+                let entry = graph.sub(a[speed.index()][other.index()], update);
+                a[speed.index()][other.index()] = entry;
+                a[other.index()][speed.index()] = entry;
+            }
+            row.push((speed, factor));
+        }
+        couplings.push(row);
+    }
+    Factors {
+        order,
+        couplings,
+        pivots,
+    }
+}
+
+impl Factors {
+    /// The `x` with `A x = b`.
+    pub fn solve(&self, graph: &mut ExprGraph, mut b: Vec<Expr>) -> Vec<Expr> {
+        for (&k, row) in self.order.iter().zip(&self.couplings) {
+            for &(speed, factor) in row {
+                graph.enter(k.body);
+                let term = graph.mul(factor, b[k.index()]);
+                graph.enter(speed.body);
+                b[speed.index()] = graph.sub(b[speed.index()], term);
+            }
+        }
+        for (&k, row) in self.order.iter().zip(&self.couplings).rev() {
+            graph.enter(k.body);
+            let inverse = inverse(graph, k, self.pivots[k.index()]);
+            let mut x = graph.mul(b[k.index()], inverse);
+            for &(speed, factor) in row {
+                let term = graph.mul(factor, b[speed.index()]);
+                x = graph.sub(x, term);
+            }
+            graph.name(x, format!("x_{}", k.coordinate));
+            b[k.index()] = x;
+        }
+        b
+    }
+}
+
+/// One over the pivot of a speed.
+fn inverse(graph: &mut ExprGraph, k: Place, pivot: Expr) -> Expr {
+    let inverse = graph.reciprocal(pivot);
+    graph.name(inverse, format!("inverse_{}", k.coordinate));
+    inverse
+}
+
+/// Bodies from the leaves inward; in a body its translations first, for they are not coupled with one another
+/// before a body that it carries is eliminated, then its angles.
+fn elimination_order(tree: &Tree) -> Vec<Place> {
+    const INWARD: [(usize, &str); 6] = [
+        (5, "s3"),
+        (4, "s2"),
+        (3, "s1"),
+        (2, "theta3"),
+        (1, "theta2"),
+        (0, "theta1"),
+    ];
+    let places = |body| {
+        let coordinates = tree.body(body).joint.coordinates();
+        INWARD.into_iter().filter_map(move |(index, coordinate)| {
+            Some(Place {
+                body,
+                speed: coordinates[index].speed()?,
+                coordinate,
+            })
+        })
+    };
+    tree.body_ids().rev().flat_map(places).collect()
+}

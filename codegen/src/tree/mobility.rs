@@ -1,0 +1,152 @@
+//! Every free coordinate must move mass, or the mass matrix is singular in every state.
+//!
+//! In: a tree whose masses and joints are right. Out: an error for each coordinate, or combination of coordinates,
+//! that moves none. Does not: judge single states; a chart that is singular in some is no fault here.
+//!
+//! Kinetic energy is ½|K V|² with a few rows K over the twist V of each body. From the tips inward, the rows of
+//! a body are those of its own mass and of its bodies beyond; what its joint's columns B = K S can take up of them
+//! is projected out, B = Q R by Gram and Schmidt with pivots, and the rest is passed on to the lower body. A column
+//! without pivot moves no mass when the others move with it as they like. Square roots of energies are compared, not
+//! energies, and each with what it could be at most, so that a part in 1e10 in the one is safe from rounding. All
+//! this happens at a few seeded states, and the state with the fewest such columns counts.
+
+use crate::description::{Axis, Description};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::id::BodyId;
+use crate::tree::Tree;
+use crate::tree::names::shown;
+use crate::tree::rows::Random;
+use crate::tree::sweep::{Joint, Units, inward, moved_along};
+
+/// The states that are tried.
+const STATES: u64 = 3;
+/// The most motions that are reported: a tree without any mass has one for every coordinate.
+const MOST_REPORTED: usize = 100;
+/// The most coordinates of one motion that are named.
+const MOST_NAMED: usize = 8;
+
+/// Coordinates that move together.
+type Motion = Vec<(BodyId, Axis)>;
+
+/// Reports every free coordinate, or combination of free coordinates, that moves no mass.
+pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<Diagnostic>) {
+    let units = Units::of(tree);
+    let sweeps = (1..=STATES).map(|seed| inward(tree, &units, &mut Random::new(seed)));
+    let n_idle = |joints: &Vec<Joint>| joints.iter().map(|joint| joint.idle.len()).sum::<usize>();
+    let Some(joints) = sweeps.min_by_key(n_idle) else {
+        return;
+    };
+    let mut alone: Vec<Motion> = Vec::new();
+    let mut reported = 0;
+    for body in tree.body_ids() {
+        for idle in 0..joints[body.index()].idle.len() {
+            reported += 1;
+            if reported > MOST_REPORTED {
+                break;
+            }
+            let motion = moved_along(tree, &joints, body, idle);
+            match alone.last_mut() {
+                // Coordinates of one body that are each idle are one finding.
+                Some(last) if motion.len() == 1 && last[0].0 == body => last.extend(motion),
+                _ if motion.len() == 1 => alone.push(motion),
+                _ => findings.push(together(tree, description, &motion)),
+            }
+        }
+    }
+    findings.extend(
+        alone
+            .iter()
+            .map(|motion| separately(tree, description, motion)),
+    );
+}
+
+/// Coordinates of one body, of which each by itself moves no mass.
+fn separately(tree: &Tree, description: &Description, motion: &Motion) -> Diagnostic {
+    let name = shown(description, user_place(tree, motion[0].0));
+    let (verb, them) = if motion.len() == 1 {
+        ("moves", "it")
+    } else {
+        ("move", "them")
+    };
+    let fault = Diagnostic::error(format!(
+        "{} {verb} no mass",
+        named(tree, description, motion)
+    ));
+    let help = format!(
+        "leave {them} out of `joint`, or give {name} or a body beyond it the mass or inertia that would move"
+    );
+    at_joints(tree, description, motion, fault, "moves no mass").help(help)
+}
+
+/// Coordinates that move no mass if they move in a certain proportion.
+fn together(tree: &Tree, description: &Description, motion: &Motion) -> Diagnostic {
+    let fault = Diagnostic::error(format!(
+        "a motion of {} moves no mass",
+        named(tree, description, motion)
+    ));
+    let help =
+        "leave one of them out of its `joint`, or give a body the mass or inertia that would move";
+    at_joints(
+        tree,
+        description,
+        motion,
+        fault,
+        "moves no mass with the others",
+    )
+    .help(help)
+}
+
+/// "`theta1` and `s2` of body `a` together with `s1` of body `b`".
+fn named(tree: &Tree, description: &Description, motion: &Motion) -> String {
+    let mut groups = Vec::new();
+    for coordinates in
+        motion[..motion.len().min(MOST_NAMED)].chunk_by(|one, other| one.0 == other.0)
+    {
+        let axes: Vec<String> = coordinates
+            .iter()
+            .map(|(_, axis)| format!("`{}`", axis.name()))
+            .collect();
+        groups.push(format!(
+            "{} of {}",
+            and(&axes),
+            shown(description, user_place(tree, coordinates[0].0))
+        ));
+    }
+    if motion.len() > MOST_NAMED {
+        groups.push(format!("{} more", motion.len() - MOST_NAMED));
+    }
+    groups.join(" together with ")
+}
+
+fn at_joints(
+    tree: &Tree,
+    description: &Description,
+    motion: &Motion,
+    fault: Diagnostic,
+    label: &str,
+) -> Diagnostic {
+    let mut places: Vec<Span> = Vec::new();
+    for (body, axis) in motion.iter().take(MOST_NAMED) {
+        let joint = description.bodies[user_place(tree, *body)].joint.as_ref();
+        let place = joint
+            .and_then(|joint| joint.value.iter().find(|free| free.value == *axis))
+            .map(|free| free.span);
+        // All six coordinates of "free" stand in one place.
+        places.extend(place.filter(|place| !places.contains(place)));
+    }
+    places
+        .into_iter()
+        .fold(fault, |fault, place| fault.at(place, label))
+}
+
+fn user_place(tree: &Tree, body: BodyId) -> usize {
+    tree.body(body).user_number - 1
+}
+
+/// "a", "a and b", "a, b and c".
+fn and(names: &[String]) -> String {
+    match names {
+        [names @ .., last] if !names.is_empty() => format!("{} and {last}", names.join(", ")),
+        _ => names.concat(),
+    }
+}

@@ -1,0 +1,156 @@
+//! Names of bodies, and the Rust identifiers that stand for them in generated code.
+//!
+//! In: names as the user wrote them. Out: one identifier a body, lower snake case, ASCII, unique, no keyword.
+//! A name that is such an identifier stays as it is; others give way. Does not: know of other names of the output.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::description::Description;
+use crate::diagnostic::{Diagnostic, Spanned};
+
+/// "body `hub`", or "body 3" where it has no name.
+pub(crate) fn shown(description: &Description, body: usize) -> String {
+    match description
+        .bodies
+        .get(body)
+        .and_then(|body| body.name.as_ref())
+    {
+        Some(name) if !name.value.is_empty() => format!("body `{}`", name.value.escape_debug()),
+        _ => format!("body {}", body + 1),
+    }
+}
+
+/// Names that are empty, unprintable or given twice.
+pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
+    check_one(description.name.as_ref(), "the system's", findings);
+    let mut first: BTreeMap<&str, &Spanned<String>> = BTreeMap::new();
+    for (index, body) in description.bodies.iter().enumerate() {
+        check_one(
+            body.name.as_ref(),
+            &format!("body {}'s", index + 1),
+            findings,
+        );
+        let Some(name) = body.name.as_ref().filter(|name| !name.value.is_empty()) else {
+            continue;
+        };
+        if let Some(first) = first.get(name.value.as_str()) {
+            let fault = Diagnostic::error(format!(
+                "two bodies have the name `{}`",
+                name.value.escape_debug()
+            ));
+            findings.push(
+                fault
+                    .at(name.span, "the second one")
+                    .at(first.span, "the first one"),
+            );
+        } else {
+            first.insert(&name.value, name);
+        }
+    }
+}
+
+fn check_one(name: Option<&Spanned<String>>, whose: &str, findings: &mut Vec<Diagnostic>) {
+    let Some(name) = name else { return };
+    if name.value.is_empty() {
+        findings.push(
+            Diagnostic::error(format!("{whose} name is empty")).at(name.span, "expected a name"),
+        );
+    }
+    if let Some(character) = name
+        .value
+        .chars()
+        .find(|character| is_unprintable(*character))
+    {
+        let code = u32::from(character);
+        let fault = format!("{whose} name holds the character U+{code:04X}, which cannot be shown");
+        findings.push(Diagnostic::error(fault).at(name.span, "expected printable characters"));
+    }
+}
+
+/// Names come to stand in comments of the generated code: a line's end would leave the comment, and a change of
+/// writing direction would show other code than is there.
+fn is_unprintable(character: char) -> bool {
+    character.is_control() || matches!(character, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// The identifiers of bodies with these names, and for those that had to change a note.
+pub(crate) fn identifiers(
+    names: &[Spanned<String>],
+    findings: &mut Vec<Diagnostic>,
+) -> Vec<String> {
+    let plain: Vec<String> = names.iter().map(|name| identifier(&name.value)).collect();
+    // A name that is an identifier keeps it, wherever it stands in the list.
+    let mut taken: BTreeSet<String> = BTreeSet::new();
+    let kept: Vec<bool> = names
+        .iter()
+        .zip(&plain)
+        .map(|(name, plain)| name.value == *plain && taken.insert(plain.clone()))
+        .collect();
+    let mut unique = Vec::with_capacity(names.len());
+    // The next suffix to try, so that thousands of equal names do not try all suffixes.
+    let mut next: BTreeMap<&str, usize> = BTreeMap::new();
+    for ((name, plain), kept) in names.iter().zip(&plain).zip(kept) {
+        let mut identifier = plain.clone();
+        while !kept && !taken.insert(identifier.clone()) {
+            let suffix = next.entry(plain).or_insert(2);
+            identifier = format!("{plain}_{suffix}");
+            *suffix += 1;
+        }
+        if identifier != name.value {
+            let note = format!(
+                "body `{}` is called `{identifier}` in generated code",
+                name.value.escape_debug()
+            );
+            findings.push(
+                Diagnostic::note(note).at(name.span, "no lower snake case identifier of its own"),
+            );
+        }
+        unique.push(identifier);
+    }
+    unique
+}
+
+/// The identifier for a name: letters and digits of ASCII in lower case, `_` for all else and where a word begins.
+fn identifier(name: &str) -> String {
+    let characters: Vec<char> = name.chars().collect();
+    let mut identifier = String::new();
+    for (index, character) in characters.iter().enumerate() {
+        let before = index.checked_sub(1).map(|before| characters[before]);
+        let after = characters.get(index + 1);
+        let word_begins = character.is_ascii_uppercase()
+            && before.is_some_and(|before| {
+                before.is_ascii_lowercase()
+                    || before.is_ascii_digit()
+                    || (before.is_ascii_uppercase() && after.is_some_and(char::is_ascii_lowercase))
+            });
+        if word_begins || !character.is_ascii_alphanumeric() {
+            identifier.push('_');
+        }
+        if character.is_ascii_alphanumeric() {
+            identifier.push(character.to_ascii_lowercase());
+        }
+    }
+    let words: Vec<&str> = identifier
+        .split('_')
+        .filter(|word| !word.is_empty())
+        .collect();
+    let identifier = words.join("_");
+    if identifier.is_empty() {
+        "body".to_owned()
+    } else if identifier.starts_with(|first: char| first.is_ascii_digit())
+        || KEYWORDS.contains(&identifier.as_str())
+    {
+        format!("body_{identifier}")
+    } else {
+        identifier
+    }
+}
+
+/// Strict and reserved keywords of Rust up to edition 2024.
+const KEYWORDS: [&str; 51] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
+    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
+    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];

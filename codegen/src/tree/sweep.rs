@@ -1,0 +1,325 @@
+//! The sweeps of [`mobility`](super::mobility): mass-weighted velocities, from the tips inward and back.
+
+use crate::description::Axis;
+use crate::id::BodyId;
+use crate::tree::inertia::principal;
+use crate::tree::rows::{Random, Twist, cross, dot, join, project_out, triangle};
+use crate::tree::{Coordinate, Tree};
+
+/// Part of what a column could move at most, below which it moves nothing.
+const IDLE: f64 = 1e-10;
+/// Part of a motion's largest share, below which a coordinate has no share.
+const SHARE: f64 = 1e-6;
+
+/// What the inward sweep found at the joint of a body.
+pub(crate) struct Joint {
+    /// The free coordinates.
+    axes: Vec<Axis>,
+    /// For each the twist that its unit rate gives the body.
+    columns: Vec<Twist>,
+    /// For each the most that its unit rate could move: root of twice the energy.
+    bounds: Vec<f64>,
+    /// The twist of the body where that of the lower body is a unit: `carried[i]` for component `i`.
+    carried: [Twist; 6],
+    /// Places in `axes` of the pivots, in their order.
+    pivots: Vec<usize>,
+    /// Qᵀ B, pivot by pivot: `upper[i][c]` for the coordinate at place `c`, in units of its bound.
+    upper: Vec<Vec<f64>>,
+    /// Qᵀ K, pivot by pivot, on the lower body's twist.
+    pulled: Vec<Twist>,
+    /// Places in `axes` of the coordinates without pivot: they move no mass.
+    pub(crate) idle: Vec<usize>,
+}
+
+/// Units in which masses and lengths are near 1, so that squares neither overflow nor vanish.
+pub(crate) struct Units {
+    mass: f64,
+    length: f64,
+}
+
+impl Units {
+    /// The largest mass and length of a tree.
+    pub(crate) fn of(tree: &Tree) -> Self {
+        let largest = |numbers: &mut dyn Iterator<Item = f64>| {
+            numbers.fold(0.0, |most: f64, number| most.max(number.abs()))
+        };
+        let or_one = |unit: f64| if unit > 0.0 { unit } else { 1.0 };
+        let lengths = tree
+            .bodies
+            .iter()
+            .flat_map(|body| body.attachment.into_iter().chain(body.mass_center));
+        let length = or_one(largest(&mut lengths.map(|value| tree.nominal(value))));
+        let masses = largest(&mut tree.bodies.iter().map(|body| tree.nominal(body.mass)));
+        let inertias = tree
+            .bodies
+            .iter()
+            .flat_map(|body| [body.inertia.xx, body.inertia.yy, body.inertia.zz]);
+        let inertias = largest(&mut inertias.map(|value| tree.nominal(value)));
+        Self {
+            mass: or_one(masses.max(inertias / length / length)),
+            length,
+        }
+    }
+}
+
+/// What lies beyond a joint: rows K whose squares on the twist sum to twice the energy, and bounds of them.
+#[derive(Clone, Default)]
+struct Beyond {
+    rows: Vec<Twist>,
+    mass: f64,
+    /// The most that a unit angular velocity about the origin could move.
+    turning: f64,
+}
+
+/// All joints at a state that `random` chooses, from the tips inward.
+pub(crate) fn inward(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Joint> {
+    let mut beyond: Vec<Beyond> = tree.body_ids().map(|body| own(tree, units, body)).collect();
+    let mut joints: Vec<Joint> = Vec::with_capacity(beyond.len());
+    for body in tree.body_ids().rev() {
+        let here = std::mem::take(&mut beyond[body.index()]);
+        let (joint, lever) = place(tree, units, body, &here, random);
+        let (joint, passed) = eliminate(joint, &here.rows);
+        if let Some(lower) = tree.lower(body) {
+            let lower = &mut beyond[lower.index()];
+            lower.rows = triangle(lower.rows.iter().copied().chain(passed).collect());
+            lower.mass += here.mass;
+            let turning = here.turning + here.mass.sqrt() * lever;
+            lower.turning = (lower.turning * lower.turning + turning * turning).sqrt();
+        }
+        joints.push(joint);
+    }
+    joints.reverse();
+    joints
+}
+
+/// The rows of a body's own mass and inertia.
+fn own(tree: &Tree, units: &Units, body: BodyId) -> Beyond {
+    let body = tree.body(body);
+    let mass = tree.nominal(body.mass) / units.mass;
+    let center = body
+        .mass_center
+        .map(|value| tree.nominal(value) / units.length);
+    let tensor = body.inertia;
+    let tensor = [
+        tensor.xx, tensor.yy, tensor.zz, tensor.xy, tensor.xz, tensor.yz,
+    ];
+    let tensor = tensor.map(|value| tree.nominal(value) / units.mass / units.length / units.length);
+    let mut rows = Vec::with_capacity(6);
+    for axis in 0..3 {
+        // Component `axis` of v + w x r, which is v + r . (axis x w).
+        let mut unit = [0.0; 3];
+        unit[axis] = mass.sqrt();
+        let [wx, wy, wz] = cross(center, unit);
+        rows.push([wx, wy, wz, unit[0], unit[1], unit[2]]);
+    }
+    let (moments, axes) = principal(tensor);
+    for (moment, [x, y, z]) in moments.into_iter().zip(axes) {
+        let root = moment.max(0.0).sqrt();
+        rows.push([root * x, root * y, root * z, 0.0, 0.0, 0.0]);
+    }
+    let trace: f64 = moments.iter().map(|moment| moment.max(0.0)).sum();
+    Beyond {
+        rows,
+        mass,
+        turning: (trace + mass * dot(&center, &center)).sqrt(),
+    }
+}
+
+/// The joint of a body before elimination, and the distance between the two origins.
+fn place(
+    tree: &Tree,
+    units: &Units,
+    body: BodyId,
+    here: &Beyond,
+    random: &mut Random,
+) -> (Joint, f64) {
+    let body = tree.body(body);
+    let mut value = |coordinate: Coordinate, free: f64, unit: f64| match coordinate {
+        Coordinate::Free { .. } => free * random.signed(),
+        Coordinate::Locked(value) => value / unit,
+    };
+    let angles = body.joint.angles.map(|angle| value(angle, 3.0, 1.0));
+    let shift = body
+        .joint
+        .translations
+        .map(|translation| value(translation, 1.0, units.length));
+    let [[s1, c1], [s2, c2], [s3, c3]] = angles.map(|angle| [libm::sin(angle), libm::cos(angle)]);
+    // JR_K, Eq. (4), and P_K, Eq. (17).
+    let rotation = [
+        [c2 * c3, s1 * s2 * c3 + c1 * s3, -c1 * s2 * c3 + s1 * s3],
+        [-c2 * s3, -s1 * s2 * s3 + c1 * c3, c1 * s2 * s3 + s1 * c3],
+        [s2, -s1 * c2, c1 * c2],
+    ];
+    let turns = [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]];
+    let turned = |vector: [f64; 3]| rotation.map(|row| dot(&row, &vector));
+    let attachment = body
+        .attachment
+        .map(|value| tree.nominal(value) / units.length);
+    let lever = [
+        attachment[0] + shift[0],
+        attachment[1] + shift[1],
+        attachment[2] + shift[2],
+    ];
+
+    let mut carried = [[0.0; 6]; 6];
+    let mut columns = Vec::new();
+    let mut bounds = Vec::new();
+    let axes: Vec<Axis> = Axis::ALL
+        .into_iter()
+        .zip(body.joint.coordinates())
+        .filter(|(_, c)| c.is_free())
+        .map(|(a, _)| a)
+        .collect();
+    for component in 0..3 {
+        let mut unit = [0.0; 3];
+        unit[component] = 1.0;
+        carried[component] = join(turned(unit), turned(cross(unit, lever)));
+        carried[component + 3] = join([0.0; 3], turned(unit));
+    }
+    for axis in &axes {
+        let is_angle = axis.is_angle();
+        columns.push(if is_angle {
+            join(turns[axis.index()], [0.0; 3])
+        } else {
+            carried[axis.index()]
+        });
+        bounds.push(if is_angle {
+            here.turning
+        } else {
+            here.mass.sqrt()
+        });
+    }
+    let joint = Joint {
+        axes,
+        columns,
+        bounds,
+        carried,
+        pivots: vec![],
+        upper: vec![],
+        pulled: vec![],
+        idle: vec![],
+    };
+    (joint, dot(&lever, &lever).sqrt())
+}
+
+/// Finds the joint's pivots, and what of the rows is left for the lower body's twist.
+fn eliminate(mut joint: Joint, rows: &[Twist]) -> (Joint, Vec<Twist>) {
+    let on = |twist: &Twist| -> Vec<f64> { rows.iter().map(|row| dot(row, twist)).collect() };
+    let mut columns: Vec<Vec<f64>> = joint
+        .columns
+        .iter()
+        .zip(&joint.bounds)
+        .map(|(column, bound)| {
+            let scale = if *bound > 0.0 { 1.0 / bound } else { 0.0 };
+            on(column).into_iter().map(|entry| entry * scale).collect()
+        })
+        .collect();
+    let mut lower: Vec<Vec<f64>> = joint.carried.iter().map(on).collect();
+    joint.idle = (0..columns.len()).collect();
+    let norm = |column: &[f64]| dot(column, column).sqrt();
+    while let Some(at) = (0..joint.idle.len())
+        .max_by(|a, b| norm(&columns[joint.idle[*a]]).total_cmp(&norm(&columns[joint.idle[*b]])))
+    {
+        let length = norm(&columns[joint.idle[at]]);
+        if length <= IDLE {
+            break;
+        }
+        let pivot = joint.idle.remove(at);
+        let unit: Vec<f64> = columns[pivot].iter().map(|entry| entry / length).collect();
+        let mut upper = vec![0.0; columns.len()];
+        upper[pivot] = length;
+        for other in &joint.idle {
+            upper[*other] = project_out(&mut columns[*other], &unit);
+        }
+        let mut pulled = [0.0; 6];
+        for (component, column) in pulled.iter_mut().zip(&mut lower) {
+            *component = project_out(column, &unit);
+        }
+        joint.pivots.push(pivot);
+        joint.upper.push(upper);
+        joint.pulled.push(pulled);
+    }
+    let passed = (0..rows.len())
+        .map(|row| std::array::from_fn(|component| lower[component][row]))
+        .collect();
+    (joint, passed)
+}
+
+/// The coordinates that move when the idle coordinate at place `idle` does, each with a share worth naming.
+pub(crate) fn moved_along(
+    tree: &Tree,
+    joints: &[Joint],
+    body: BodyId,
+    idle: usize,
+) -> Vec<(BodyId, Axis)> {
+    let joint = &joints[body.index()];
+    let idle = joint.idle[idle];
+    // Its column by itself, which the pivots' columns then cancel; in units of bounds.
+    let sides = joint.upper.iter().map(|upper| upper[idle]);
+    let mut rates = respond(joint, sides.collect());
+    rates[idle] = 1.0;
+    let mut shares = Vec::new();
+    let mut twists: Vec<Option<Twist>> = vec![None; joints.len()];
+    for other in tree.body_ids().skip(body.index()) {
+        let joint = &joints[other.index()];
+        let carried = if other == body {
+            [0.0; 6]
+        } else {
+            let Some(lower) = tree.lower(other).and_then(|lower| twists[lower.index()]) else {
+                continue;
+            };
+            rates = respond(
+                joint,
+                joint
+                    .pulled
+                    .iter()
+                    .map(|pulled| dot(pulled, &lower))
+                    .collect(),
+            );
+            std::array::from_fn(|row| {
+                (0..6)
+                    .map(|component| joint.carried[component][row] * lower[component])
+                    .sum()
+            })
+        };
+        let mut twist = carried;
+        for (place, rate) in rates.iter().enumerate() {
+            // A rate in units of its bound; where the bound is zero the coordinate is idle by itself.
+            let bound = if joint.bounds[place] > 0.0 {
+                joint.bounds[place]
+            } else {
+                1.0
+            };
+            twist
+                .iter_mut()
+                .zip(&joint.columns[place])
+                .for_each(|(entry, column)| *entry += column * rate / bound);
+            shares.push((other, joint.axes[place], rate.abs()));
+        }
+        twists[other.index()] = Some(twist);
+    }
+    let most = shares
+        .iter()
+        .fold(0.0, |most: f64, share| most.max(share.2));
+    shares
+        .into_iter()
+        .filter(|share| share.2 > SHARE * most)
+        .map(|(body, axis, _)| (body, axis))
+        .collect()
+}
+
+/// The rates of the pivots, in units of their bounds, that cancel these components along Q; the others stand still.
+fn respond(joint: &Joint, mut sides: Vec<f64>) -> Vec<f64> {
+    let mut rates = vec![0.0; joint.axes.len()];
+    for row in (0..joint.pivots.len()).rev() {
+        let pivot = joint.pivots[row];
+        rates[pivot] = -sides[row] / joint.upper[row][pivot];
+        for (side, upper) in sides.iter_mut().zip(&joint.upper).take(row) {
+            *side += upper[pivot] * rates[pivot];
+        }
+    }
+    rates
+}
+
+#[cfg(test)]
+mod tests;

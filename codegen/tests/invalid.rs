@@ -1,0 +1,169 @@
+//! One fault a file, each with its whole message.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use kane_codegen::diagnostic::Source;
+use kane_codegen::{config, description, tree};
+
+/// Makes a test of each file named, and the list of their names.
+macro_rules! files {
+    ($list:ident, $check:ident: $($name:ident)*) => {
+        const $list: &[&str] = &[$(stringify!($name)),*];
+
+        $(#[test]
+        fn $name() {
+            $check(stringify!($name));
+        })*
+    };
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/invalid")
+}
+
+/// The file with this name below the folder, shown under its name alone.
+fn source(name: &str) -> Source {
+    let path = folder().join(format!("{name}.toml"));
+    // Whatever git made of the line ends, columns and messages are the same; but a raw return would be shown.
+    let text = fs::read_to_string(&path)
+        .expect("the file is listed because it is there")
+        .replace("\r\n", "\n");
+    Source::new(format!("{name}.toml"), text)
+}
+
+fn description_is_refused(name: &str) {
+    let faults =
+        tree::build(&description::toml::parse(&source(name))).expect_err("the file has a fault");
+    assert!(faults.has_error());
+    insta::assert_snapshot!(name, faults);
+}
+
+/// In a module of its own, for some faults are common to both kinds of file.
+mod config_file {
+    use super::{Source, config, source};
+
+    fn is_refused(name: &str) {
+        let file: Source = source(&format!("config/{name}"));
+        let faults = config::parse(
+            &file,
+            &["mass_matrix", "bias", "inverse_dynamics", "rotation"],
+        )
+        .expect_err("the file has a fault");
+        insta::assert_snapshot!(format!("config_{name}"), faults);
+    }
+
+    files! { FILES, is_refused:
+        absolute_path
+        all_and_more
+        backslash
+        empty_path
+        functions_is_string
+        missing_model
+        missing_output
+        no_functions
+        no_systems
+        output_is_no_rust_file
+        repeated_function
+        several_faults
+        two_systems_one_output
+        unknown_formulation
+        unknown_function
+        unknown_function_far_from_any
+        unknown_key
+        unknown_root_key
+    }
+
+    #[test]
+    fn every_file_is_listed() {
+        super::same("config", FILES);
+    }
+}
+
+files! { FILES, description_is_refused:
+    attachment_too_large
+    body_is_number
+    body_is_one_table
+    body_on_itself
+    cycle
+    empty_name
+    gravity_is_number
+    gravity_too_long
+    indefinite_inertia
+    joint_entry_is_number
+    joint_is_number
+    locked_and_free
+    locked_at_run_time
+    locked_at_singular_angle
+    locked_is_list
+    locked_unknown_coordinate
+    lower_bodies_is_number
+    lower_body_is_fraction
+    lower_body_too_large
+    mass_center_too_short
+    mass_is_infinite
+    mass_is_nan
+    mass_is_string
+    massless_body_on_a_parallel_axis
+    massless_slides_in_a_row
+    massless_tip
+    missing_attachment
+    missing_bodies
+    missing_body_name
+    missing_inertia
+    missing_inertia_component
+    missing_joint
+    missing_lower_bodies
+    missing_mass
+    missing_mass_center
+    missing_name
+    misspelt_body_key
+    name_is_number
+    name_that_turns_the_writing
+    name_with_line_end
+    negative_lower_body
+    negative_mass
+    no_bodies
+    no_free_coordinate
+    no_keys
+    no_root
+    not_toml
+    point_mass_all_angles_at_its_center
+    point_mass_on_its_axis
+    repeated_coordinate
+    repeated_key
+    repeated_name
+    runtime_is_string
+    runtime_key_misspelt
+    runtime_with_another_key
+    several_faults
+    thin_rod_about_itself
+    thin_rod_with_all_angles
+    too_few_lower_bodies
+    too_many_lower_bodies
+    unclosed_list
+    unknown_body_key
+    unknown_coordinate
+    unknown_inertia_key
+    unknown_joint
+    unknown_lower_body
+    unknown_order
+    unknown_root_key
+}
+
+#[test]
+fn every_file_is_listed() {
+    same("", FILES);
+}
+
+fn same(below: &str, listed: &[&str]) {
+    let names = fs::read_dir(folder().join(below))
+        .expect("the folder is in the repository")
+        .map(|entry| entry.expect("a folder can be read to its end").file_name());
+    let found: BTreeSet<String> = names
+        .filter_map(|name| Some(name.to_str()?.strip_suffix(".toml")?.to_owned()))
+        .collect();
+    let listed: BTreeSet<String> = listed.iter().map(|name| (*name).to_owned()).collect();
+    assert_eq!(found, listed);
+}

@@ -1,0 +1,200 @@
+//! One small trait for each function that a generated module may hold.
+//!
+//! In: `q`, `u`, `u_dot`, `tau`, `loads`, as far as the function needs them, in this order. Out: the last
+//! argument, which is overwritten whole. `self` is the module's `Prepared<R>`. No function fails, panics or
+//! allocates; whatever IEEE arithmetic gives is what comes out. Generic code asks for what it needs, as in
+//! `S: MassMatrix<R> + Bias<R>`.
+//!
+//! `K` is a body, `J` its lower body (parent), 0 the inertial frame; equation numbers are those of the notes.
+//!
+//! | trait | method | output | equation |
+//! | --- | --- | --- | --- |
+//! | [`RelativeRotation`] | `relative_rotation(q, out)` | `Rotations` | (4) |
+//! | [`Rotation`] | `rotation(q, out)` | `Rotations` | (2)-(5) |
+//! | [`RelativeAngularVelocity`] | `relative_angular_velocity(q, u, out)` | `Vectors` | (8) |
+//! | [`AngularVelocity`] | `angular_velocity(q, u, out)` | `Vectors` | (11) |
+//! | [`AngleRates`] | `angle_rates(q, w_rel, out)` | `Vectors` | (9) |
+//! | [`AngularAcceleration`] | `angular_acceleration(q, u, u_dot, out)` | `Vectors` | below (19) |
+//! | [`PartialAngularVelocity`] | `partial_angular_velocity(q, columns)` | `PartialAngularVelocityColumns`, pattern `PARTIAL_ANGULAR_VELOCITY_BLOCKS` | (15)-(17) |
+//! | [`PartialAngularVelocityDot`] | `partial_angular_velocity_dot(q, u, columns)` | `PartialAngularVelocityDotColumns`, `PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS` | (20) |
+//! | [`OriginPosition`] | `origin_position(q, out)` | `Vectors` | (22) |
+//! | [`MassCenterPosition`] | `mass_center_position(q, out)` | `Vectors` | (23) |
+//! | [`OriginVelocity`] | `origin_velocity(q, u, out)` | `Vectors` | (25) |
+//! | [`MassCenterVelocity`] | `mass_center_velocity(q, u, out)` | `Vectors` | (27) |
+//! | [`PartialVelocityOrigin`] | `partial_velocity_origin(q, columns)` | `PartialVelocityOriginColumns`, `PARTIAL_VELOCITY_ORIGIN_BLOCKS` | (28)-(30) |
+//! | [`PartialVelocityOriginDot`] | `partial_velocity_origin_dot(q, u, columns)` | `PartialVelocityOriginDotColumns`, `PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS` | (34) |
+//! | [`PartialVelocity`] | `partial_velocity(q, columns)` | `PartialVelocityColumns`, `PARTIAL_VELOCITY_BLOCKS` | (32) |
+//! | [`PartialVelocityDot`] | `partial_velocity_dot(q, u, columns)` | `PartialVelocityDotColumns`, `PARTIAL_VELOCITY_DOT_BLOCKS` | (33) |
+//! | [`MassCenterAcceleration`] | `mass_center_acceleration(q, u, u_dot, out)` | `Vectors` | before (33) |
+//! | [`GeneralizedForces`] | `generalized_forces(q, loads, tau)` | `U` | (36) |
+//! | [`MassMatrix`] | `mass_matrix(q, m)` | `Matrix` | (42) |
+//! | [`Forcing`] | `forcing(q, u, loads, f)` | `U` | (43) |
+//! | [`Bias`] | `bias(q, u, bias)` | `U` | `M u_dot + bias = tau` |
+//! | [`InverseDynamics`] | `inverse_dynamics(q, u, u_dot, tau)` | `U` | `M u_dot + bias = tau` |
+//! | [`ForwardDynamics`] | `forward_dynamics(q, u, tau, u_dot)` | `U` | (41) |
+//! | [`ForwardDynamicsPivots`] | `forward_dynamics_pivots(q, pivots)` | `U` | `M = Lᵀ D L` |
+//! | [`Singularity`] | `singularity(q, distances)` | `Scalars` | (9) |
+//! | [`KineticEnergy`] | `kinetic_energy(q, u, energy)` | `R` | |
+//! | [`PotentialEnergy`] | `potential_energy(q, energy)` | `R` | |
+//! | [`LinearMomentum`] | `linear_momentum(q, u, out)` | `[R; 3]` | |
+//! | [`AngularMomentum`] | `angular_momentum(q, u, out)` | `[R; 3]` | |
+
+use crate::{Array, Block, Real, System};
+
+/// One trait a line: its meaning, its name, its method. The method's doc points to the trait's, where the
+/// meaning stands once.
+macro_rules! function_traits {
+    ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+);)+) => {$(
+        $(#[$meaning])*
+        pub trait $name<R: Real>: System<R> {
+            #[doc = concat!("Overwrites the last argument; meaning, frame and unit are those of [`", stringify!($name), "`].")]
+            fn $method(&self, $($argument: $type),+);
+        }
+    )+};
+}
+
+/// As `function_traits`, for partial velocities: the compact columns and the pattern that places them.
+macro_rules! partial_traits {
+    ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+), $columns:ident, $blocks:ident;)+) => {$(
+        $(#[$meaning])*
+        pub trait $name<R: Real>: System<R> {
+            /// `[[R; 3]; n]`: the columns of the blocks that are not structurally zero, block after block.
+            type $columns: Array<[R; 3]>;
+            /// Where each block stands, ordered by body, within a body by partition.
+            const $blocks: &'static [Block];
+            #[doc = concat!("Overwrites `columns`; meaning, frame and unit are those of [`", stringify!($name), "`].")]
+            fn $method(&self, $($argument: $type,)+ columns: &mut Self::$columns);
+        }
+    )+};
+}
+
+function_traits! {
+    /// Rotation matrix `JR_K` of each body: components in `J` to components in `K`. Eq. (4).
+    RelativeRotation: relative_rotation(q: &Self::Q, out: &mut Self::Rotations);
+
+    /// Rotation matrix `R_K` of each body: inertial components to components in `K`. Eqs. (2)-(5).
+    ///
+    /// Its transpose turns body components into inertial ones.
+    Rotation: rotation(q: &Self::Q, out: &mut Self::Rotations);
+
+    /// Angular velocity of each body relative to its lower body, body components, rad/s. Eq. (8).
+    RelativeAngularVelocity: relative_angular_velocity(q: &Self::Q, u: &Self::U, out: &mut Self::Vectors);
+
+    /// Angular velocity `w_K` of each body in the inertial frame, body components, rad/s. Eq. (11).
+    AngularVelocity: angular_velocity(q: &Self::Q, u: &Self::U, out: &mut Self::Vectors);
+
+    /// Rates of the three angles of each body from its relative angular velocity (body components, rad/s):
+    /// the inverse of Eq. (8), Eq. (9), rad/s.
+    ///
+    /// For bodies with all three angles free. Singular at `cos(theta_2) = 0`, where it gives infinities or
+    /// NaN; [`Singularity`] says how near that is.
+    AngleRates: angle_rates(q: &Self::Q, w_rel: &Self::Vectors, out: &mut Self::Vectors);
+
+    /// Angular acceleration of each body in the inertial frame, body components, rad/s². Below Eq. (19).
+    AngularAcceleration: angular_acceleration(q: &Self::Q, u: &Self::U, u_dot: &Self::U, out: &mut Self::Vectors);
+}
+
+partial_traits! {
+    /// Partial angular velocities `W_K` of each body: `w_K = W_K u`, body components. Eqs. (15)-(17).
+    PartialAngularVelocity: partial_angular_velocity(q: &Self::Q), PartialAngularVelocityColumns, PARTIAL_ANGULAR_VELOCITY_BLOCKS;
+
+    /// Time derivatives of the partial angular velocities, `W_dot_K`, taken in body `K`, body components. Eq. (20).
+    PartialAngularVelocityDot: partial_angular_velocity_dot(q: &Self::Q, u: &Self::U), PartialAngularVelocityDotColumns, PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS;
+}
+
+function_traits! {
+    /// Position of each body's origin `O_K` from the inertial origin, body components, m. Eq. (22).
+    OriginPosition: origin_position(q: &Self::Q, out: &mut Self::Vectors);
+
+    /// Position of each body's mass centre `G_K` from the inertial origin, body components, m. Eq. (23).
+    MassCenterPosition: mass_center_position(q: &Self::Q, out: &mut Self::Vectors);
+
+    /// Velocity of each body's origin `O_K` in the inertial frame, **lower-body** components, m/s. Eq. (25).
+    ///
+    /// For a root these are inertial components.
+    OriginVelocity: origin_velocity(q: &Self::Q, u: &Self::U, out: &mut Self::Vectors);
+
+    /// Velocity of each body's mass centre `G_K` in the inertial frame, body components, m/s. Eq. (27).
+    MassCenterVelocity: mass_center_velocity(q: &Self::Q, u: &Self::U, out: &mut Self::Vectors);
+}
+
+partial_traits! {
+    /// Partial velocities `V_O_K` of each body's origin: `v_O_K = V_O_K u`, **lower-body** components.
+    /// Eqs. (28)-(30).
+    PartialVelocityOrigin: partial_velocity_origin(q: &Self::Q), PartialVelocityOriginColumns, PARTIAL_VELOCITY_ORIGIN_BLOCKS;
+
+    /// Time derivatives of the origins' partial velocities, `V_O_dot_K`, **lower-body** components. Eq. (34).
+    PartialVelocityOriginDot: partial_velocity_origin_dot(q: &Self::Q, u: &Self::U), PartialVelocityOriginDotColumns, PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS;
+
+    /// Partial velocities `V_G_K` of each body's mass centre: `v_G_K = V_G_K u`, body components. Eq. (32).
+    PartialVelocity: partial_velocity(q: &Self::Q), PartialVelocityColumns, PARTIAL_VELOCITY_BLOCKS;
+
+    /// Time derivatives of the mass centres' partial velocities, `V_G_dot_K`, body components. Eq. (33).
+    PartialVelocityDot: partial_velocity_dot(q: &Self::Q, u: &Self::U), PartialVelocityDotColumns, PARTIAL_VELOCITY_DOT_BLOCKS;
+}
+
+function_traits! {
+    /// Acceleration of each body's mass centre in the inertial frame, body components, m/s². Before Eq. (33).
+    ///
+    /// The acceleration itself, without gravity: zero for a system at rest, `g` for one in free fall.
+    MassCenterAcceleration: mass_center_acceleration(q: &Self::Q, u: &Self::U, u_dot: &Self::U, out: &mut Self::Vectors);
+
+    /// Generalized forces `tau` of the loads: `sum_K V_G_Kᵀ F_K + W_Kᵀ M_K`, N m and N. Eq. (36).
+    ///
+    /// Gravity is not in it (it is in [`Bias`]).
+    GeneralizedForces: generalized_forces(q: &Self::Q, loads: &Self::Loads, tau: &mut Self::U);
+}
+
+/// Mass matrix `M` (`A` of the notes), symmetric, written whole, `m[row][column]`. Eq. (42); often called
+/// the joint-space inertia matrix or, by its algorithm, CRBA.
+///
+/// Units kg m², kg m and kg, by the units of the two speeds.
+pub trait MassMatrix<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrix`].
+    fn mass_matrix(&self, q: &Self::Q, m: &mut Self::Matrix);
+}
+
+function_traits! {
+    /// Right-hand side `f` of `M u_dot = f`: `generalized_forces - bias`, N m and N. Eq. (43).
+    Forcing: forcing(q: &Self::Q, u: &Self::U, loads: &Self::Loads, f: &mut Self::U);
+
+    /// The terms of `M u_dot + bias = tau` without `u_dot` and `tau`: Coriolis, centrifugal, gravity and
+    /// whatever the joints add, N m and N. Also called the nonlinear effects.
+    Bias: bias(q: &Self::Q, u: &Self::U, bias: &mut Self::U);
+
+    /// Inverse dynamics: the generalized forces `tau = M u_dot + bias` that a motion needs, N m and N. Often
+    /// called by its algorithm, RNEA.
+    InverseDynamics: inverse_dynamics(q: &Self::Q, u: &Self::U, u_dot: &Self::U, tau: &mut Self::U);
+
+    /// Forward dynamics: the `u_dot` that solves `M u_dot + bias = tau`, rad/s² and m/s². Eq. (41); often
+    /// called by its algorithm, ABA.
+    ///
+    /// Where `M` is singular or indefinite (a body without mass or inertia at the end of the tree, angles at
+    /// their singularity) the result is infinite, NaN or simply wrong, without notice; the twin that
+    /// looks is [`checked::forward_dynamics`](crate::checked::forward_dynamics).
+    ForwardDynamics: forward_dynamics(q: &Self::Q, u: &Self::U, tau: &Self::U, u_dot: &mut Self::U);
+
+    /// The pivots `D` of `M = Lᵀ D L`, one a speed, in the units of the mass matrix's diagonal.
+    ///
+    /// All positive exactly where the mass matrix is positive definite.
+    ForwardDynamicsPivots: forward_dynamics_pivots(q: &Self::Q, pivots: &mut Self::U);
+
+    /// How far each body's angles are from their singularity: `|cos(theta_2)|` where `theta_1` and
+    /// `theta_3` are both free, 1 elsewhere. Eq. (9).
+    Singularity: singularity(q: &Self::Q, distances: &mut Self::Scalars);
+
+    /// Kinetic energy in the inertial frame, J.
+    KineticEnergy: kinetic_energy(q: &Self::Q, u: &Self::U, energy: &mut R);
+
+    /// Potential energy, J: that of gravity, zero at the inertial origin, and of springs where joints have
+    /// them.
+    PotentialEnergy: potential_energy(q: &Self::Q, energy: &mut R);
+
+    /// Linear momentum of the whole system, inertial components, kg m/s.
+    LinearMomentum: linear_momentum(q: &Self::Q, u: &Self::U, out: &mut [R; 3]);
+
+    /// Angular momentum of the whole system about the inertial origin, inertial components, kg m²/s.
+    AngularMomentum: angular_momentum(q: &Self::Q, u: &Self::U, out: &mut [R; 3]);
+}

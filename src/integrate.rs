@@ -1,0 +1,71 @@
+//! Fixed-step integration for control loops: the classic fourth-order Runge-Kutta step.
+//!
+//! In: a state. Out: the state a step later, in place. No allocation, no error estimate, no checks: a
+//! singular state gives whatever [`ForwardDynamics`] gives. The time does not enter; for a law that depends
+//! on it, let the closure count or hold the time. For a tolerance instead of a step there is
+//! the module `simulate`.
+
+use crate::functions::ForwardDynamics;
+use crate::{Array, Real};
+
+/// Advances `q` and `u` by `dt` (s) under generalized forces `tau` that are held over the step, as a
+/// digital controller's are (zero-order hold).
+///
+/// Four evaluations of the forward dynamics; the error of a step is of order `dt⁵`.
+pub fn rk4_step<R: Real, S: ForwardDynamics<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    q: &mut S::Q,
+    u: &mut S::U,
+) {
+    rk4_step_with(system, dt, q, u, |_, _, held| *held = *tau);
+}
+
+/// As [`rk4_step`], with `tau` a function of the state: `control(q, u, tau)` overwrites `tau`, which it
+/// finds as it left it (zero the first time).
+///
+/// Called four times a step, at the states of the four stages. For whatever acts continuously (springs,
+/// dampers, a fast inner loop); a discontinuous law lowers the order.
+pub fn rk4_step_with<R: Real, S: ForwardDynamics<R>>(
+    system: &S,
+    dt: R,
+    q: &mut S::Q,
+    u: &mut S::U,
+    mut control: impl FnMut(&S::Q, &S::U, &mut S::U),
+) {
+    let zero = R::from_f64(0.0);
+    let mut tau = S::U::filled(zero);
+    let mut derivative = |q: &S::Q, u: &S::U| {
+        let mut q_dot = S::Q::filled(zero);
+        let mut u_dot = S::U::filled(zero);
+        control(q, u, &mut tau);
+        system.q_dot(q, u, &mut q_dot);
+        system.forward_dynamics(q, u, &tau, &mut u_dot);
+        (q_dot, u_dot)
+    };
+    let half = dt * R::from_f64(0.5);
+    let sixth = dt * R::from_f64(1.0 / 6.0);
+    let third = dt * R::from_f64(1.0 / 3.0);
+    let (q_0, u_0) = (*q, *u);
+
+    // The weighted sum of the four rates grows in `q` and `u`, so that one rate at a time is alive.
+    let (mut q_dot, mut u_dot) = derivative(&q_0, &u_0);
+    for (weight, to_next_stage) in [(sixth, half), (third, half), (third, dt)] {
+        add_scaled(q, weight, &q_dot);
+        add_scaled(u, weight, &u_dot);
+        let (mut q_stage, mut u_stage) = (q_0, u_0);
+        add_scaled(&mut q_stage, to_next_stage, &q_dot);
+        add_scaled(&mut u_stage, to_next_stage, &u_dot);
+        (q_dot, u_dot) = derivative(&q_stage, &u_stage);
+    }
+    add_scaled(q, sixth, &q_dot);
+    add_scaled(u, sixth, &u_dot);
+}
+
+/// `x += factor * rate`.
+fn add_scaled<R: Real, A: Array<R>>(x: &mut A, factor: R, rate: &A) {
+    for (x, rate) in x.as_mut().iter_mut().zip(rate.as_ref()) {
+        *x = *x + factor * *rate;
+    }
+}

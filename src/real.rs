@@ -1,0 +1,113 @@
+//! [`Real`]: the scalar that generated code is written in, and the only functions it calls.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::sin_cos;
+
+/// A scalar of the generated functions: a real number, or several side by side as lanes.
+///
+/// Implemented for `f64` and `f32`, with sine and cosine of our own that give the same bits on every
+/// IEEE-754 machine. The trait is open: another provider of sines is a newtype that implements it.
+///
+/// ```
+/// use core::ops::{Add, Div, Mul, Neg, Sub};
+/// use kane::Real;
+///
+/// /// `f64` with the platform's sines.
+/// #[derive(Clone, Copy, Debug)]
+/// struct Platform(f64);
+///
+/// # impl Add for Platform { type Output = Self; fn add(self, o: Self) -> Self { Self(self.0 + o.0) } }
+/// # impl Sub for Platform { type Output = Self; fn sub(self, o: Self) -> Self { Self(self.0 - o.0) } }
+/// # impl Mul for Platform { type Output = Self; fn mul(self, o: Self) -> Self { Self(self.0 * o.0) } }
+/// # impl Div for Platform { type Output = Self; fn div(self, o: Self) -> Self { Self(self.0 / o.0) } }
+/// # impl Neg for Platform { type Output = Self; fn neg(self) -> Self { Self(-self.0) } }
+/// // Add, Sub, Mul, Div and Neg likewise, then:
+/// impl Real for Platform {
+///     fn from_f64(number: f64) -> Self {
+///         Self(number)
+///     }
+///     fn abs(self) -> Self {
+///         Self(self.0.abs())
+///     }
+///     fn sin_cos(self) -> (Self, Self) {
+///         let (sine, cosine) = self.0.sin_cos();
+///         (Self(sine), Self(cosine))
+///     }
+/// }
+/// assert_eq!(Platform::sin_cos_array([Platform(0.0)]).1[0].0, 1.0);
+/// ```
+pub trait Real:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// The nearest value to `number`, in every lane.
+    fn from_f64(number: f64) -> Self;
+
+    /// Absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// Sine and cosine of an angle in rad.
+    ///
+    /// For `f64` and `f32`: below 1 ulp for `|x| < 10000`, in [-1, 1] for any finite argument, NaN for the
+    /// others; no branch, no call, no fused multiply-add.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Sines and cosines of several angles in rad, lane by lane the bits of [`Self::sin_cos`].
+    ///
+    /// Where [`Self::sin_cos`] has no branches, this vectorises over the angles.
+    #[must_use]
+    #[inline]
+    fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        sin_cos::each(angles, Self::sin_cos)
+    }
+}
+
+impl Real for f64 {
+    #[inline]
+    fn from_f64(number: f64) -> Self {
+        number
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos::sin_cos_f64(self)
+    }
+}
+
+impl Real for f32 {
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "rounding to the nearest f32 is what is asked for"
+    )]
+    fn from_f64(number: f64) -> Self {
+        number as Self
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos::sin_cos_f32(self)
+    }
+}

@@ -1,0 +1,362 @@
+//! Simulation to a tolerance, on the host.
+//!
+//! In: a system, a state, a control law `tau(t, q, u)` and the times at which the motion is wanted. Out: the
+//! motion there. The integrator is DOP853 (Hairer, Nørsett & Wanner 1993, II.10; the crate
+//! `differential-equations`): explicit, order 8 with an error estimate of orders 5 and 3. It steps to each of
+//! the times; nothing is interpolated (the dense output of that crate's version 0.7.0 is of low order), so
+//! times closer than its own steps cost a step each. Not for stiff systems, which it reports. A law that jumps
+//! makes it crawl over the jump: simulate up to it and start again.
+
+use core::error::Error;
+use core::fmt;
+use std::vec::Vec;
+
+use differential_equations::error::Error as Failure;
+use differential_equations::methods::ExplicitRungeKutta;
+use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
+use differential_equations::traits::State;
+
+use crate::functions::ForwardDynamics;
+use crate::{Array, System};
+
+/// How exactly to integrate, and for how long to try.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// The local error allowed in each coordinate and speed, relative to its size. Default 1e-9.
+    pub relative: f64,
+    /// The local error allowed besides, rad, m, rad/s, m/s. Default 1e-12.
+    pub absolute: f64,
+    /// The most steps to try, rejected ones included. Default 1,000,000.
+    pub max_steps: usize,
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self {
+            relative: 1e-9,
+            absolute: 1e-12,
+            max_steps: 1_000_000,
+        }
+    }
+}
+
+/// The state at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<Q, U> {
+    /// Time, s.
+    pub t: f64,
+    /// Generalized coordinates.
+    pub q: Q,
+    /// Generalized speeds.
+    pub u: U,
+}
+
+/// What [`simulate`] returns: the state at each of the times.
+pub type Samples<S> = Vec<Sample<<S as System<f64>>::Q, <S as System<f64>>::U>>;
+
+/// Why there is no motion, or none beyond a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SimulateError {
+    /// The times do not increase, or one of them is not finite.
+    Times {
+        /// Index of the first time that is not above the one before it, or not finite.
+        index: usize,
+        /// That time, s.
+        t: f64,
+    },
+    /// A tolerance is not positive and finite.
+    Tolerance {
+        /// [`Tolerance::relative`].
+        relative: f64,
+        /// [`Tolerance::absolute`].
+        absolute: f64,
+    },
+    /// The state, the control law or the forward dynamics is not finite: at a singularity, or overflown.
+    NotFinite {
+        /// The time, s.
+        t: f64,
+    },
+    /// The step became too small for the tolerance: near a singularity, or where the control law jumps.
+    StepSize {
+        /// The time reached, s.
+        t: f64,
+    },
+    /// The steps allowed did not suffice.
+    MaxSteps {
+        /// The time reached, s.
+        t: f64,
+        /// [`Tolerance::max_steps`].
+        max_steps: usize,
+    },
+    /// The system is stiff: an explicit method is the wrong one.
+    Stiff {
+        /// The time reached, s.
+        t: f64,
+    },
+    /// The integrator refused for another reason.
+    Integrator {
+        /// The time reached, s.
+        t: f64,
+    },
+}
+
+impl fmt::Display for SimulateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Times { index, t } => {
+                write!(
+                    f,
+                    "times[{index}] is {t} s, a finite time above the one before is required"
+                )
+            }
+            Self::Tolerance { relative, absolute } => write!(
+                f,
+                "tolerances are {relative:e} relative and {absolute:e} absolute, both must be positive and finite"
+            ),
+            Self::NotFinite { t } => write!(f, "the motion is not finite at {t} s"),
+            Self::StepSize { t } => {
+                write!(
+                    f,
+                    "the step became too small at {t} s: a singularity or a jump is near"
+                )
+            }
+            Self::MaxSteps { t, max_steps } => {
+                write!(
+                    f,
+                    "reached {t} s in {max_steps} steps, more are not allowed"
+                )
+            }
+            Self::Stiff { t } => write!(f, "the system is stiff at {t} s"),
+            Self::Integrator { t } => write!(f, "the integrator refused to go on at {t} s"),
+        }
+    }
+}
+
+impl Error for SimulateError {}
+
+/// Simulates `M u_dot + bias = tau`, `q_dot = q_dot(q, u)` from `q` and `u` at `times[0]`.
+///
+/// Returns one sample for each of `times` (s, increasing), the first being the initial state; none for
+/// none. `control(t, q, u, tau)` overwrites `tau`, which it finds zero; it is called at the integrator's
+/// stages, several times a step, also for steps that are then rejected. No step goes past one of `times`.
+///
+/// # Errors
+/// See [`SimulateError`]; never a panic of its own.
+pub fn simulate<S: ForwardDynamics<f64>>(
+    system: &S,
+    q: &S::Q,
+    u: &S::U,
+    control: impl Fn(f64, &S::Q, &S::U, &mut S::U),
+    times: &[f64],
+    tolerance: &Tolerance,
+) -> Result<Samples<S>, SimulateError> {
+    check(times, tolerance)?;
+    let (Some(&start), Some(&end)) = (times.first(), times.last()) else {
+        return Ok(Vec::new());
+    };
+    let mut samples = Vec::with_capacity(times.len());
+    samples.push(Sample {
+        t: start,
+        q: *q,
+        u: *u,
+    });
+    if times.len() == 1 {
+        return Ok(samples);
+    }
+
+    let motion = Motion { system, control };
+    let initial = Point { q: *q, u: *u };
+    if !motion.is_finite_at(start, &initial) {
+        return Err(SimulateError::NotFinite { t: start });
+    }
+    let mut method = ExplicitRungeKutta::dop853()
+        .rtol(tolerance.relative)
+        .atol(tolerance.absolute)
+        .max_steps(tolerance.max_steps);
+    method
+        .init(&motion, start, end, &initial)
+        .map_err(|failure| error(&failure, start, tolerance.max_steps))?;
+
+    // A remainder that rounding leaves is not worth a step.
+    let slack = 4.0 * f64::EPSILON * start.abs().max(end.abs());
+    for &t in &times[1..] {
+        while t - method.t() > slack {
+            advance(&mut method, &motion, t)
+                .map_err(|failure| error(&failure, method.t(), tolerance.max_steps))?;
+            if !method.y().is_finite() {
+                return Err(SimulateError::NotFinite { t: method.t() });
+            }
+        }
+        let Point { q, u } = *method.y();
+        samples.push(Sample { t, q, u });
+    }
+    Ok(samples)
+}
+
+/// Tries one step toward `t`, not past it.
+fn advance<Y: State<f64>>(
+    method: &mut impl OrdinaryNumericalMethod<f64, Y>,
+    motion: &impl ODE<f64, Y>,
+    t: f64,
+) -> Result<(), Failure<f64, Y>> {
+    let (reached, planned) = (method.t(), method.h());
+    let remaining = t - reached;
+    // One hundredth more is no risk, and saves a tiny last step.
+    let lands = 1.01 * planned >= remaining;
+    if lands {
+        method.set_h(remaining);
+    } else if reached + planned <= reached {
+        // The time would stand still: more steps would not help.
+        return Err(Failure::StepSize {
+            t: reached,
+            y: method.y().clone(),
+        });
+    }
+    method.step(motion)?;
+    // A step cut short says nothing against the one that was planned.
+    if lands && method.t() > reached && method.h() < planned {
+        method.set_h(planned);
+    }
+    Ok(())
+}
+
+/// Whether times and tolerances are such as the integrator can work with.
+fn check(times: &[f64], tolerance: &Tolerance) -> Result<(), SimulateError> {
+    let mut before = f64::NEG_INFINITY;
+    for (index, &t) in times.iter().enumerate() {
+        if !(t.is_finite() && t > before) {
+            return Err(SimulateError::Times { index, t });
+        }
+        before = t;
+    }
+    let Tolerance {
+        relative, absolute, ..
+    } = *tolerance;
+    if [relative, absolute]
+        .iter()
+        .all(|value| value.is_finite() && *value > 0.0)
+    {
+        Ok(())
+    } else {
+        Err(SimulateError::Tolerance { relative, absolute })
+    }
+}
+
+/// The integrator's failure in our words.
+fn error<Y: State<f64>>(
+    failure: &Failure<f64, Y>,
+    reached: f64,
+    max_steps: usize,
+) -> SimulateError {
+    match failure {
+        Failure::MaxSteps { t, .. } => SimulateError::MaxSteps { t: *t, max_steps },
+        Failure::StepSize { t, .. } => SimulateError::StepSize { t: *t },
+        Failure::Stiffness { t, .. } => SimulateError::Stiff { t: *t },
+        _ => SimulateError::Integrator { t: reached },
+    }
+}
+
+/// The differential equation of a controlled system.
+struct Motion<'a, S, C> {
+    system: &'a S,
+    control: C,
+}
+
+impl<S, C> Motion<'_, S, C>
+where
+    S: ForwardDynamics<f64>,
+    C: Fn(f64, &S::Q, &S::U, &mut S::U),
+{
+    fn is_finite_at(&self, t: f64, point: &Point<S::Q, S::U>) -> bool {
+        let mut rate = *point;
+        self.diff(t, point, &mut rate);
+        point.is_finite() && rate.is_finite()
+    }
+}
+
+impl<S, C> ODE<f64, Point<S::Q, S::U>> for Motion<'_, S, C>
+where
+    S: ForwardDynamics<f64>,
+    C: Fn(f64, &S::Q, &S::U, &mut S::U),
+{
+    fn diff(&self, t: f64, point: &Point<S::Q, S::U>, rate: &mut Point<S::Q, S::U>) {
+        let mut tau = S::U::filled(0.0);
+        (self.control)(t, &point.q, &point.u, &mut tau);
+        self.system.q_dot(&point.q, &point.u, &mut rate.q);
+        self.system
+            .forward_dynamics(&point.q, &point.u, &tau, &mut rate.u);
+    }
+}
+
+/// `q` and `u` as the integrator's state: `q` first.
+#[derive(Clone, Copy, Debug)]
+struct Point<Q, U> {
+    q: Q,
+    u: U,
+}
+
+impl<Q: Array<f64>, U: Array<f64>> Point<Q, U> {
+    fn numbers(&self) -> impl Iterator<Item = &f64> {
+        self.q.as_ref().iter().chain(self.u.as_ref())
+    }
+
+    fn numbers_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        self.q.as_mut().iter_mut().chain(self.u.as_mut())
+    }
+
+    fn is_finite(&self) -> bool {
+        self.numbers().all(|number| number.is_finite())
+    }
+}
+
+impl<Q: Array<f64>, U: Array<f64>> State<f64> for Point<Q, U> {
+    fn len(&self) -> usize {
+        Q::LEN + U::LEN
+    }
+
+    fn get_component(&self, index: usize) -> f64 {
+        if index < Q::LEN {
+            self.q[index]
+        } else {
+            self.u[index - Q::LEN]
+        }
+    }
+
+    fn set_component(&mut self, index: usize, value: f64) {
+        if index < Q::LEN {
+            self.q[index] = value;
+        } else {
+            self.u[index - Q::LEN] = value;
+        }
+    }
+
+    fn map_components_mut<F: FnMut(usize, &mut f64)>(&mut self, mut f: F) {
+        for (index, number) in self.numbers_mut().enumerate() {
+            f(index, number);
+        }
+    }
+
+    fn zeros_like(&self) -> Self {
+        Self::zeros()
+    }
+
+    fn zeros() -> Self {
+        Self {
+            q: Q::filled(0.0),
+            u: U::filled(0.0),
+        }
+    }
+
+    fn mul_add_assign(&mut self, alpha: f64, other: &Self) {
+        for (number, other) in self.numbers_mut().zip(other.numbers()) {
+            *number += alpha * other;
+        }
+    }
+
+    fn scale_mut(&mut self, alpha: f64) {
+        for number in self.numbers_mut() {
+            *number *= alpha;
+        }
+    }
+}

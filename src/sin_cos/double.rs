@@ -1,0 +1,106 @@
+//! The `f64` pair.
+
+#![expect(
+    clippy::inline_always,
+    reason = "the lanes of an array become vectors only where nothing is left to call"
+)]
+
+/// Adding it rounds to the nearest integer and leaves that integer, mod 2^51, in the low bits.
+const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
+/// Where the argument is cut, so that nothing below can overflow.
+const CUT: f64 = 1_073_741_824.0; // 2^30
+
+const TWO_OVER_PI: f64 = core::f64::consts::FRAC_2_PI;
+/// `π/2` in 38, 38 and 53 bits: `n` times either of the first two is exact for `|n| < 2^15`.
+const HALF_PI: [f64; 3] = [
+    1.570_796_326_792_333_3,
+    2.563_344_151_583_955_8e-12,
+    1.056_299_906_698_742_8e-23,
+];
+
+/// `(sin(r) - r) / r^3` in `z = r^2`, to 2^-57.8 of the sine.
+const SIN: [f64; 6] = [
+    -0.166_666_666_666_666_3,
+    0.008_333_333_333_321_84,
+    -0.000_198_412_698_293_585_28,
+    2.755_731_353_851_424_2e-6,
+    -2.505_073_438_926_613e-8,
+    1.589_543_329_036_380_8e-10,
+];
+/// `(cos(r) - 1 + z/2) / z^2` in `z = r^2`, to 2^-63.9 of the cosine.
+const COS: [f64; 6] = [
+    0.041_666_666_666_666_595,
+    -0.001_388_888_888_887_333_8,
+    2.480_158_728_899_747_5e-5,
+    -2.755_731_421_529_469_3e-7,
+    2.087_570_510_411_05e-9,
+    -1.135_873_271_080_930_4e-11,
+];
+
+/// Sine and cosine of `x` (rad).
+#[inline(always)]
+pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+    let (quadrant, n) = quarter_turns(x);
+    let (hi, lo) = reduce(x, n);
+    select(quadrant, sin(hi, lo), cos(hi, lo))
+}
+
+/// The argument, kept where nothing below can overflow.
+#[inline(always)]
+fn cut(x: f64) -> f64 {
+    x.clamp(-CUT, CUT)
+}
+
+/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number.
+#[inline(always)]
+fn quarter_turns(x: f64) -> (u64, f64) {
+    let shifted = cut(x) * TWO_OVER_PI + ROUND;
+    (shifted.to_bits(), shifted - ROUND)
+}
+
+/// `x - n π/2` as the sum of two numbers, the second below half an ulp of the first.
+#[inline(always)]
+fn reduce(x: f64, n: f64) -> (f64, f64) {
+    // The first difference is exact; the second loses `rest`.
+    let first = cut(x) - n * HALF_PI[0];
+    let w = n * HALF_PI[1];
+    let second = first - w;
+    let rest = (first - second) - w;
+    let w = n * HALF_PI[2];
+    let hi = second - w;
+    // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
+    let lo = ((second - hi) - w) + rest + 0.0 * x;
+    (hi, lo)
+}
+
+/// `sin(hi + lo)` for `|hi| <= π/4`.
+#[inline(always)]
+fn sin(hi: f64, lo: f64) -> f64 {
+    let z = hi * hi;
+    let cube = z * hi;
+    let p = SIN[1] + z * (SIN[2] + z * (SIN[3] + z * (SIN[4] + z * SIN[5])));
+    hi - ((z * (0.5 * lo - cube * p) - lo) - cube * SIN[0])
+}
+
+/// `cos(hi + lo)` for `|hi| <= π/4`.
+#[inline(always)]
+fn cos(hi: f64, lo: f64) -> f64 {
+    let z = hi * hi;
+    let p = COS[0] + z * (COS[1] + z * (COS[2] + z * (COS[3] + z * (COS[4] + z * COS[5]))));
+    let half = 0.5 * z;
+    let head = 1.0 - half;
+    head + (((1.0 - head) - half) + (z * (z * p) - hi * lo))
+}
+
+/// The pair of the whole angle from that of the reduced one.
+#[inline(always)]
+fn select(quadrant: u64, sin: f64, cos: f64) -> (f64, f64) {
+    let (s, c) = (sin.to_bits(), cos.to_bits());
+    let swap = (s ^ c) & (quadrant & 1).wrapping_neg();
+    let sin_sign = (quadrant & 2) << 62;
+    let cos_sign = (quadrant.wrapping_add(1) & 2) << 62;
+    (
+        f64::from_bits(s ^ swap ^ sin_sign),
+        f64::from_bits(c ^ swap ^ cos_sign),
+    )
+}

@@ -1,0 +1,88 @@
+//! The `f32` pair, in `f32` arithmetic throughout: most microcontrollers have no other.
+
+#![expect(
+    clippy::inline_always,
+    reason = "the lanes of an array become vectors only where nothing is left to call"
+)]
+
+/// Adding it rounds to the nearest integer and leaves that integer, mod 2^22, in the low bits.
+const ROUND: f32 = 12_582_912.0; // 1.5 * 2^23
+/// Where the argument is cut, so that the reduced angle stays below 1.
+const CUT: f32 = 65_536.0; // 2^16
+
+const TWO_OVER_PI: f32 = core::f32::consts::FRAC_2_PI;
+/// `π/2` in 11, 11, 11 and 24 bits: `n` times any of the first three is exact for `|n| < 2^13`.
+const HALF_PI: [f32; 4] = [1.570_312_5, 4.837_513e-4, 7.549_533_6e-8, 2.563_344e-12];
+
+/// `(sin(r) - r) / r^3` in `z = r^2`, to 2^-27.9 of the sine.
+const SIN: [f32; 3] = [-0.166_666_55, 0.008_332_189, -0.000_195_182_83];
+/// `(cos(r) - 1 + z/2) / z^2` in `z = r^2`, to 2^-32.9 of the cosine.
+const COS: [f32; 3] = [0.041_666_646, -0.001_388_731, 2.443_232_7e-5];
+
+/// Sine and cosine of `x` (rad).
+#[inline(always)]
+pub(crate) fn sin_cos(x: f32) -> (f32, f32) {
+    let (quadrant, n) = quarter_turns(x);
+    let (hi, lo) = reduce(x, n);
+    select(quadrant, sin(hi, lo), cos(hi, lo))
+}
+
+/// The argument, kept where nothing below can overflow.
+#[inline(always)]
+fn cut(x: f32) -> f32 {
+    x.clamp(-CUT, CUT)
+}
+
+/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number.
+#[inline(always)]
+fn quarter_turns(x: f32) -> (u32, f32) {
+    let shifted = cut(x) * TWO_OVER_PI + ROUND;
+    (shifted.to_bits(), shifted - ROUND)
+}
+
+/// `x - n π/2` as the sum of two numbers, the second below half an ulp of the first.
+#[inline(always)]
+fn reduce(x: f32, n: f32) -> (f32, f32) {
+    // The first two differences are exact; the third loses `rest`.
+    let second = (cut(x) - n * HALF_PI[0]) - n * HALF_PI[1];
+    let w = n * HALF_PI[2];
+    let third = second - w;
+    let rest = (second - third) - w;
+    let w = n * HALF_PI[3];
+    let hi = third - w;
+    // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
+    let lo = ((third - hi) - w) + rest + 0.0 * x;
+    (hi, lo)
+}
+
+/// `sin(hi + lo)` for `|hi| <= π/4`.
+#[inline(always)]
+fn sin(hi: f32, lo: f32) -> f32 {
+    let z = hi * hi;
+    let cube = z * hi;
+    let p = SIN[1] + z * SIN[2];
+    hi - ((z * (0.5 * lo - cube * p) - lo) - cube * SIN[0])
+}
+
+/// `cos(hi + lo)` for `|hi| <= π/4`.
+#[inline(always)]
+fn cos(hi: f32, lo: f32) -> f32 {
+    let z = hi * hi;
+    let p = COS[0] + z * (COS[1] + z * COS[2]);
+    let half = 0.5 * z;
+    let head = 1.0 - half;
+    head + (((1.0 - head) - half) + (z * (z * p) - hi * lo))
+}
+
+/// The pair of the whole angle from that of the reduced one.
+#[inline(always)]
+fn select(quadrant: u32, sin: f32, cos: f32) -> (f32, f32) {
+    let (s, c) = (sin.to_bits(), cos.to_bits());
+    let swap = (s ^ c) & (quadrant & 1).wrapping_neg();
+    let sin_sign = (quadrant & 2) << 30;
+    let cos_sign = (quadrant.wrapping_add(1) & 2) << 30;
+    (
+        f32::from_bits(s ^ swap ^ sin_sign),
+        f32::from_bits(c ^ swap ^ cos_sign),
+    )
+}

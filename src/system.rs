@@ -1,0 +1,44 @@
+//! [`System`]: sizes, names and tree of a multibody system, and the one function that every system has.
+//!
+//! A generated module implements it for its `Prepared<R>`, which holds whatever depends on the parameters
+//! alone. Every other function has a trait of its own in [`functions`](crate::functions), implemented for
+//! what the module holds.
+
+use crate::{Array, Load, Real};
+
+/// A tree of `NB` rigid bodies with `NQ` generalized coordinates `q` and `NU` generalized speeds `u`.
+///
+/// Bodies, coordinates and speeds are numbered from 0 wherever they index an array. Angles are in rad,
+/// translations in m, speeds in rad/s and m/s.
+pub trait System<R: Real> {
+    /// `[R; NQ]`: generalized coordinates, Eq. (1), in the order of [`Self::COORDINATE_NAMES`].
+    type Q: Array<R>;
+    /// `[R; NU]`: generalized speeds, their derivatives and generalized forces, in the order of
+    /// [`Self::SPEED_NAMES`].
+    type U: Array<R>;
+    /// `[Load<R>; NB]`: one load a body.
+    type Loads: Array<Load<R>>;
+    /// `[R; NB]`: one number a body.
+    type Scalars: Array<R>;
+    /// `[[R; 3]; NB]`: one vector a body.
+    type Vectors: Array<[R; 3]>;
+    /// `[[[R; 3]; 3]; NB]`: one matrix a body, row by row.
+    type Rotations: Array<[[R; 3]; 3]>;
+
+    /// The name in the description.
+    const NAME: &'static str;
+    /// The `NB` bodies' names.
+    const BODY_NAMES: &'static [&'static str];
+    /// The `NQ` coordinates' names.
+    const COORDINATE_NAMES: &'static [&'static str];
+    /// The `NU` speeds' names.
+    const SPEED_NAMES: &'static [&'static str];
+    /// The body-connection array: for each of the `NB` bodies its lower body (parent), numbered **from 1**
+    /// as in the notes, and 0 for the inertial frame.
+    const LOWER_BODIES: &'static [usize];
+    /// For each of the `NU` speeds the index, from 0, of the body whose relative motion it is.
+    const SPEED_BODIES: &'static [usize];
+
+    /// Writes the derivatives of the coordinates, Eq. (44).
+    fn q_dot(&self, q: &Self::Q, u: &Self::U, q_dot: &mut Self::Q);
+}

@@ -1,0 +1,71 @@
+//! The arrays that generated functions take and give, as nalgebra's vectors and matrices.
+//!
+//! Vectors are viewed without copying. Generated matrices are arrays of rows, nalgebra's are columns, so
+//! what can be viewed without copying is the transpose; for the mass matrix, which is symmetric, that is the
+//! matrix itself. There are no views with strides on purpose: nalgebra 0.35 multiplies those out of
+//! bounds (its issue 1616). Into and out of `[R; N]`, nalgebra's vectors convert by themselves:
+//! `let q: [f64; 7] = vector.into()`.
+//!
+//! ```
+//! use kane::view;
+//!
+//! let mass_matrix = [[2.0, 1.0], [1.0, 3.0]];
+//! let u_dot = [1.0, -1.0];
+//! let tau: [f64; 2] = (view::transposed(&mass_matrix) * view::vector(&u_dot)).into();
+//! assert_eq!(tau, [1.0, -2.0]);
+//! ```
+//!
+//! Without `std`, decompositions and norms need nalgebra's feature `libm`.
+
+use nalgebra::{
+    Const, MatrixView, MatrixViewMut, Rotation3, SMatrix, Scalar, VectorView, VectorViewMut,
+};
+
+/// `q`, `u`, `tau`, or one body's vector, as a column vector.
+pub fn vector<R: Scalar, const N: usize>(array: &[R; N]) -> VectorView<'_, R, Const<N>> {
+    VectorView::<R, Const<N>>::from_slice(array)
+}
+
+/// As [`vector`], for writing.
+pub fn vector_mut<R: Scalar, const N: usize>(array: &mut [R; N]) -> VectorViewMut<'_, R, Const<N>> {
+    VectorViewMut::<R, Const<N>>::from_slice(array)
+}
+
+/// The transpose of an array of rows: entry `(i, j)` is `rows[j][i]`.
+///
+/// Of the mass matrix, the matrix itself; of a body's rotation matrix, its inverse, which turns body
+/// components into inertial ones.
+pub fn transposed<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
+    rows: &[[R; COLUMNS]; ROWS],
+) -> MatrixView<'_, R, Const<COLUMNS>, Const<ROWS>> {
+    MatrixView::<R, Const<COLUMNS>, Const<ROWS>>::from_slice(rows.as_flattened())
+}
+
+/// As [`transposed`], for writing.
+pub fn transposed_mut<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
+    rows: &mut [[R; COLUMNS]; ROWS],
+) -> MatrixViewMut<'_, R, Const<COLUMNS>, Const<ROWS>> {
+    MatrixViewMut::<R, Const<COLUMNS>, Const<ROWS>>::from_slice(rows.as_flattened_mut())
+}
+
+/// Copies an array of rows into a matrix: entry `(i, j)` is `rows[i][j]`.
+pub fn matrix<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
+    rows: &[[R; COLUMNS]; ROWS],
+) -> SMatrix<R, ROWS, COLUMNS> {
+    transposed(rows).transpose()
+}
+
+/// Copies a matrix into an array of rows.
+pub fn to_rows<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
+    matrix: &SMatrix<R, ROWS, COLUMNS>,
+) -> [[R; COLUMNS]; ROWS] {
+    matrix.transpose().into()
+}
+
+/// Copies one body's rotation matrix into nalgebra's type: of `R_K`, Eq. (2), it turns inertial components
+/// into body components, and its inverse turns them back.
+///
+/// The nine numbers are taken as they are, orthonormal to rounding.
+pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
+    Rotation3::from_matrix_unchecked(matrix(rows))
+}

@@ -1,0 +1,142 @@
+//! What the compiler makes of the hot paths: no branch, no call, no way to panic.
+//!
+//! Compiles this crate without features, and a few functions on top of it, straight with rustc.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test stops where it cannot go on"
+)]
+#![cfg(all(target_arch = "x86_64", not(miri)))]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{fs, str};
+
+const PROBE: &str = r#"
+#![crate_type = "lib"]
+#![no_std]
+use kane::Real;
+
+#[unsafe(no_mangle)]
+pub fn scalar_f64(x: f64) -> (f64, f64) { <f64 as Real>::sin_cos(x) }
+#[unsafe(no_mangle)]
+pub fn scalar_f32(x: f32) -> (f32, f32) { <f32 as Real>::sin_cos(x) }
+#[unsafe(no_mangle)]
+pub fn array_f64(x: &[f64; 7], out: &mut ([f64; 7], [f64; 7])) { *out = f64::sin_cos_array(*x); }
+#[unsafe(no_mangle)]
+pub fn array_f32(x: &[f32; 7], out: &mut ([f32; 7], [f32; 7])) { *out = f32::sin_cos_array(*x); }
+
+#[path = "oscillator.rs"]
+mod oscillator;
+use oscillator::Oscillator;
+
+#[unsafe(no_mangle)]
+pub fn step(system: &Oscillator<f64>, tau: &[f64; 1], q: &mut [f64; 1], u: &mut [f64; 1]) {
+    kane::integrate::rk4_step(system, tau, 1e-3, q, u);
+}
+"#;
+
+fn rustc(arguments: &[&str]) {
+    let output = Command::new("rustc").args(arguments).output().unwrap();
+    let errors = str::from_utf8(&output.stderr).unwrap();
+    assert!(output.status.success(), "rustc {arguments:?}\n{errors}");
+}
+
+/// The probe's instructions, by function.
+fn instructions(opt_level: &str) -> BTreeMap<String, Vec<String>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("assembly_{opt_level}"));
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("probe.rs"), PROBE).unwrap();
+    fs::copy(
+        root.join("tests/common/oscillator.rs"),
+        folder.join("oscillator.rs"),
+    )
+    .unwrap();
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let level = format!("opt-level={opt_level}");
+    let (library, assembly) = (path("libkane.rlib"), path("probe.s"));
+    let common = ["--edition=2024", "-C", &level, "-C", "codegen-units=1"];
+    let source = root.join("src/lib.rs");
+    let kane = [
+        "--crate-name=kane",
+        "--crate-type=lib",
+        "-o",
+        &library,
+        source.to_str().unwrap(),
+    ];
+    rustc(&[&common[..], &kane].concat());
+    let external = format!("kane={library}");
+    let source = path("probe.rs");
+    let probe = [
+        "--emit=asm",
+        "--extern",
+        &external,
+        "-o",
+        &assembly,
+        &source,
+    ];
+    rustc(&[&common[..], &probe].concat());
+
+    let text = fs::read_to_string(&assembly).unwrap();
+    let mut functions: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut current = None;
+    for line in text.lines() {
+        if let Some(label) = line
+            .strip_suffix(':')
+            .filter(|label| !label.starts_with('.'))
+        {
+            current = Some(label.to_owned());
+        } else if line.contains(".cfi_endproc") {
+            current = None;
+        } else if let (Some(function), Some(instruction)) = (&current, line.strip_prefix('\t'))
+            && !instruction.starts_with(['.', '#'])
+        {
+            functions
+                .entry(function.clone())
+                .or_default()
+                .push(instruction.to_owned());
+        }
+    }
+    functions
+}
+
+fn require_straight_code(opt_level: &str) {
+    let functions = instructions(opt_level);
+    for name in ["scalar_f64", "scalar_f32", "array_f64", "array_f32", "step"] {
+        let instructions = &functions[name];
+        assert!(
+            instructions.len() > 30,
+            "`{name}` has only {} instructions",
+            instructions.len()
+        );
+        for instruction in instructions {
+            assert!(
+                !instruction.contains("panic"),
+                "`{name}` may panic: {instruction}"
+            );
+            let branches = instruction.starts_with('j') || instruction.starts_with("call");
+            // The step calls a function of the system, as it would a generated one, and may loop over its stages.
+            assert!(
+                name == "step" || !branches,
+                "`{name}` branches or calls: {instruction}"
+            );
+        }
+        let fused = instructions
+            .iter()
+            .find(|instruction| instruction.contains("fmadd"));
+        assert_eq!(fused, None, "`{name}`");
+    }
+}
+
+#[test]
+fn sines_are_straight_code_at_opt_level_2() {
+    require_straight_code("2");
+}
+
+#[test]
+fn sines_are_straight_code_at_opt_level_3() {
+    require_straight_code("3");
+}
