@@ -36,6 +36,7 @@ pub mod view;
 // The bundled systems, one feature each.
 /// The eight-body example of the notes: eight free bodies, 48 speeds, no gravity.
 #[cfg(feature = "eight_body")]
+#[allow(clippy::pedantic, reason = "generated: nobody wrote these lines, and nobody will polish them")]
 #[rustfmt::skip]
 #[path = "../generated/eight_body.rs"]
 pub mod eight_body;

@@ -32,6 +32,7 @@ use crate::{
 #[derive(Clone, Debug)]
 pub struct Build {
     model: PathBuf,
+    name: Option<String>,
     options: Options,
 }
 
@@ -40,6 +41,7 @@ impl Build {
     pub fn new(model: impl Into<PathBuf>) -> Self {
         Self {
             model: model.into(),
+            name: None,
             options: Options::default(),
         }
     }
@@ -53,6 +55,13 @@ impl Build {
         } else {
             Functions::Named(names)
         };
+        self
+    }
+
+    /// Names the file `NAME.rs` in place of the model's own name: for several modules of one model.
+    #[must_use]
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
         self
     }
 
@@ -91,8 +100,11 @@ impl Build {
         for line in generated.warnings.to_string().lines() {
             println!("cargo::warning={line}");
         }
-        let name = self.model.file_stem().unwrap_or(self.model.as_os_str());
-        let path = folder.join(name).with_extension("rs");
+        let own = self.model.file_stem().unwrap_or(self.model.as_os_str());
+        let name = self.name.as_ref().map_or(own, |name| name.as_ref());
+        let mut file = name.to_owned();
+        file.push(".rs");
+        let path = folder.join(file);
         output::write(&path, &generated.source, Overwrite::Generated)?;
         Ok(path)
     }

@@ -93,13 +93,17 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     })
 }
 
-/// A function in the formulation that will be emitted, its sums factored.
-struct Choice {
-    formulation: Formulation,
-    derived: Derived,
+/// A function in one formulation, its sums factored.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// The formulation.
+    pub formulation: Formulation,
+    /// The expressions.
+    pub derived: Derived,
 }
 
-fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> Choice {
+/// The function in the formulation that is wanted, where it has it: what is emitted.
+pub fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> Choice {
     let candidates = function
         .formulations()
         .iter()
@@ -112,26 +116,29 @@ fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> Choi
                 formulation == Formulation::Recursive || function.formulations().len() == 1
             }
         });
-    let choices = candidates.map(|formulation| {
-        let derived = function.derive(tree, formulation);
-        let (graph, roots) = match function.shape {
-            // The pattern of a compact output follows from the tree: nothing to factor across columns.
-            Shape::Columns => (derived.graph, derived.roots),
-            _ => factor::run(&derived.graph, &derived.roots),
-        };
-        Choice {
-            formulation,
-            derived: Derived {
-                graph,
-                roots,
-                blocks: derived.blocks,
-            },
-        }
-    });
     let in_loop = |choice: &Choice| operations(&choice.derived).total();
-    choices
+    candidates
+        .map(|formulation| candidate(tree, function, formulation))
         .min_by_key(in_loop)
         .expect("functions: every function has a formulation")
+}
+
+/// The function in this formulation, as it would be emitted.
+pub fn candidate(tree: &Tree, function: &Function, formulation: Formulation) -> Choice {
+    let derived = function.derive(tree, formulation);
+    let (graph, roots) = match function.shape {
+        // The pattern of a compact output follows from the tree: nothing to factor across columns.
+        Shape::Columns => (derived.graph, derived.roots),
+        _ => factor::run(&derived.graph, &derived.roots),
+    };
+    Choice {
+        formulation,
+        derived: Derived {
+            graph,
+            roots,
+            blocks: derived.blocks,
+        },
+    }
 }
 
 /// The operations that are left in the loop.

@@ -41,3 +41,5 @@ pub mod build_script;
 pub mod emit;
 pub mod generate;
 pub mod output;
+// What is known of a system, and what changed in a module, for people to read.
+pub mod report;

@@ -1,29 +1,19 @@
-//! wip
-use kane_codegen::{compile::Options, config::Functions, diagnostic::Source, generate::generate};
-fn main() {
-    let path = std::env::args().nth(1).unwrap();
-    let text = std::fs::read_to_string(&path).unwrap();
-    for formulation in [
-        kane_codegen::config::Formulation::Notes,
-        kane_codegen::config::Formulation::Recursive,
-    ] {
-        let t = std::time::Instant::now();
-        match generate(
-            &Source::new(path.clone(), text.clone()),
-            &path,
-            &Options {
-                functions: Functions::All,
-                formulation,
-            },
-        ) {
-            Ok(g) => {
-                for (n, o) in &g.functions {
-                    eprintln!("{n}: {o}");
-                }
-                eprintln!("{} {:?}", g.warnings, t.elapsed());
-                std::fs::write(std::env::args().nth(2).unwrap(), g.source).unwrap();
-            }
-            Err(e) => eprintln!("{e}"),
+//! The command `kane`: arguments in, one call, errors to stderr, exit code out.
+
+mod cli;
+
+use std::{io, process::ExitCode};
+
+use clap::Parser as _;
+
+fn main() -> ExitCode {
+    let arguments = cli::Arguments::parse();
+    let mut out = cli::Pipe::new(io::stdout().lock());
+    match cli::run(&arguments, &mut out) {
+        Ok(outcome) => outcome.into(),
+        Err(failures) => {
+            cli::say(&failures);
+            ExitCode::from(cli::BAD_INPUT)
         }
     }
 }

@@ -17,18 +17,58 @@ pub enum Overwrite {
     Anything,
 }
 
+/// A text that lies beside the file it will replace, so that of several files all can be replaced or none.
+#[derive(Debug)]
+pub struct Staged {
+    path: PathBuf,
+    /// `None` where the file holds the text already: it is left alone, so that nothing is compiled again for it.
+    file: Option<tempfile::NamedTempFile>,
+}
+
+impl Staged {
+    /// True where the file holds the text already.
+    pub fn is_up_to_date(&self) -> bool {
+        self.file.is_none()
+    }
+
+    /// Replaces the file, atomically.
+    ///
+    /// # Errors
+    /// [`Error::Io`]. The old file is then as it was.
+    pub fn commit(self) -> Result<(), Error> {
+        let Self { path, file } = self;
+        let renamed = file.map_or(Ok(()), |file| file.persist(&path).map(drop));
+        renamed.map_err(|error| Error::Io {
+            path,
+            source: error.error,
+        })
+    }
+}
+
 /// Replaces the file at `path` by `text`, atomically; folders that are missing are made. A file that holds `text` already
-/// is left alone, so that nothing is compiled again for it.
+/// is left alone.
 ///
 /// # Errors
 /// [`Error::NotGenerated`] where the file is not ours; [`Error::Io`]. The old file is then as it was.
 pub fn write(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Error> {
+    stage(path, text, overwrite)?.commit()
+}
+
+/// Writes `text` beside the file at `path`, which stays as it is; folders that are missing are made.
+///
+/// # Errors
+/// [`Error::NotGenerated`] where the file is not ours; [`Error::Io`].
+pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Error> {
     let io = |source| Error::Io {
         path: path.to_owned(),
         source,
     };
+    let staged = |file| Staged {
+        path: path.to_owned(),
+        file,
+    };
     match read(path)? {
-        Some(old) if old == text.as_bytes() => return Ok(()),
+        Some(old) if old == text.as_bytes() => return Ok(staged(None)),
         Some(old)
             if overwrite == Overwrite::Generated && !old.starts_with(BANNER_START.as_bytes()) =>
         {
@@ -50,12 +90,14 @@ pub fn write(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Error>
     file.write_all(text.as_bytes()).map_err(io)?;
     file.as_file().sync_all().map_err(io)?;
     set_permissions(path, file.path()).map_err(io)?;
-    file.persist(path).map_err(|error| io(error.error))?;
-    Ok(())
+    Ok(staged(Some(file)))
 }
 
 /// The bytes of a file; `None` where there is none.
-fn read(path: &Path) -> Result<Option<Vec<u8>>, Error> {
+///
+/// # Errors
+/// [`Error::Io`] where there is one that cannot be read.
+pub fn read(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     match fs::read(path) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),

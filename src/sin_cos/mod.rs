@@ -4,15 +4,15 @@
 //!
 //! | | range of the stated error | error | beyond it |
 //! | --- | --- | --- | --- |
-//! | `f64` | `|x| < 2^14` (16384) | below 0.8 ulp | up to `2^30`: as for an angle half an ulp of `x` away; above: meaningless |
-//! | `f32` | `|x| <= 10000` | below 0.8 ulp | up to `2^16`: as for an angle half an ulp of `x` away; above: meaningless |
+//! | `f64` | `abs(x) < 2^14` (16384) | below 0.8 ulp | up to `2^30`: as for an angle half an ulp of `x` away; above: meaningless |
+//! | `f32` | `abs(x) <= 10000` | below 0.8 ulp | up to `2^16`: as for an angle half an ulp of `x` away; above: meaningless |
 //!
 //! For any finite argument both results lie in [-1, 1]; infinities and NaN give NaN; `sin(-0) = -0`. The sine is
-//! exactly odd, the cosine exactly even. `tests/real.rs` holds the bounds; the largest
-//! errors found are 0.77 ulp for `f64` and, of all `f32` in range, 0.784 ulp.
+//! exactly odd, the cosine exactly even. `tests/real.rs` holds the bounds; the largest errors found are
+//! 0.77 ulp for `f64` and, of all `f32` in range, 0.784 ulp.
 //!
 //! With `n` the nearest integer to `2x/π`, the angle is reduced to `r = x - n π/2`, `|r| <= π/4`, in several
-//! parts of `π/2` so short that `n` times a part is exact (Cody & Waite 1980); `r` is carried as a sum
+//! parts of `π/2`, all but the last so short that `n` times it is exact (Cody & Waite 1980); `r` is carried as a sum
 //! `hi + lo`. Both polynomials are evaluated, and `n mod 4` chooses between them and sets the signs by bit
 //! operations. The polynomials are minimax in relative error on [0, π/4], each coefficient rounded before
 //! the next was fitted.

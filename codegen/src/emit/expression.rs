@@ -1,8 +1,11 @@
 //! Expressions: built as syntax, never spliced as tokens, so that no parenthesis is lost.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::{BinOp, Expr, ExprBinary, ExprParen, ExprUnary, LitFloat, UnOp, parse_quote};
+use syn::{
+    BinOp, Expr, ExprBinary, ExprParen, ExprUnary, LitFloat, UnOp, parse_quote,
+    token::{Minus, Paren},
+};
 
 use super::ident;
 use crate::{
@@ -33,6 +36,7 @@ impl Writer<'_> {
                 let a = self.operand(a);
                 parse_quote!(R::abs(#a))
             }
+            Operation::Neg(a) => self.negated(a),
         }
     }
 
@@ -44,19 +48,20 @@ impl Writer<'_> {
                 id,
                 negative: false,
             } => self.value(id),
-            Operand::Value { id, negative: true } => {
-                let attrs = Vec::new();
-                let expr = Box::new(self.atom(Operand::Value {
-                    id,
-                    negative: false,
-                }));
-                Expr::Unary(ExprUnary {
-                    attrs,
-                    op: UnOp::Neg(Default::default()),
-                    expr,
-                })
-            }
+            Operand::Value { id, negative: true } => self.negated(Operand::Value {
+                id,
+                negative: false,
+            }),
         }
+    }
+
+    fn negated(&self, operand: Operand) -> Expr {
+        let expr = Box::new(self.atom(operand));
+        Expr::Unary(ExprUnary {
+            attrs: Vec::new(),
+            op: UnOp::Neg(Minus::default()),
+            expr,
+        })
     }
 
     /// The inputs that an operation and those inside it read, in order.
@@ -138,12 +143,12 @@ pub(super) fn number(value: f64) -> Expr {
 
 /// Where an input is read from.
 pub(super) fn input(input: Input, parameters: &[String]) -> TokenStream {
-    let literal = proc_macro2::Literal::usize_unsuffixed;
+    let literal = Literal::usize_unsuffixed;
     match input {
-        Input::Q(id) => index("q", literal(id.index())),
-        Input::U(id) => index("u", literal(id.index())),
-        Input::UDot(id) => index("u_dot", literal(id.index())),
-        Input::Tau(id) => index("tau", literal(id.index())),
+        Input::Q(id) => index("q", &literal(id.index())),
+        Input::U(id) => index("u", &literal(id.index())),
+        Input::UDot(id) => index("u_dot", &literal(id.index())),
+        Input::Tau(id) => index("tau", &literal(id.index())),
         Input::Force(body, axis) => {
             let (body, axis) = (literal(body.index()), literal(axis));
             quote!(loads[#body].force[#axis])
@@ -164,7 +169,7 @@ pub(super) fn input(input: Input, parameters: &[String]) -> TokenStream {
     }
 }
 
-fn index(array: &str, place: proc_macro2::Literal) -> TokenStream {
+fn index(array: &str, place: &Literal) -> TokenStream {
     let array = ident(array);
     quote!(#array[#place])
 }
@@ -181,7 +186,7 @@ fn binary(left: Expr, op: BinOp, right: Expr) -> Expr {
 fn parenthesised(expr: Expr) -> Expr {
     Expr::Paren(ExprParen {
         attrs: Vec::new(),
-        paren_token: Default::default(),
+        paren_token: Paren::default(),
         expr: Box::new(expr),
     })
 }

@@ -109,6 +109,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
         .parameters
         .iter()
         .map(|parameter| expression::number(parameter.nominal));
+    let allow_numbers = allow_generated();
     vec![
         quote! {
             /// Values set at run time; the default is the model's nominal values.
@@ -119,6 +120,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
             }
         },
         quote! {
+            #allow_numbers
             impl<R: kane::Real> Default for Parameters<R> {
                 fn default() -> Self {
                     Self { #(#names: #nominal,)* }
@@ -157,10 +159,10 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStrea
     let values = order
         .iter()
         .map(|&place| writer.operand(program.stores[place]));
-    let assigned = names
-        .clone()
-        .zip(values)
-        .map(|(name, value)| quote!(#name: #value));
+    let assigned = names.clone().zip(values).map(|(name, value)| match &value {
+        syn::Expr::Path(path) if path.path.is_ident(&name) => quote!(#name),
+        _ => quote!(#name: #value),
+    });
     let (declared, assigned) = if fields.is_empty() {
         let marker = quote!(core::marker::PhantomData);
         (quote!(scalar: #marker<R>), quote!(scalar: #marker))

@@ -90,14 +90,17 @@ impl ExprGraph {
         }
     }
 
-    /// Labels an operation that has no label yet; a number or an input keeps its own name.
+    /// Labels an operation that has no label yet, and moves it into the current scope, whose quantity it is. A number or
+    /// an input keeps its own name, and so does what belongs to a body further inward.
     pub fn name(&mut self, expr: Expr, text: impl Into<String>) {
         let id = expr.node();
-        if !matches!(self.node(id), Node::Number(_) | Node::Input(_)) && self.label(id).is_none() {
+        let is_leaf = matches!(self.node(id), Node::Number(_) | Node::Input(_));
+        if !is_leaf && self.label(id).is_none() && self.scope <= self.scope(id) {
             self.labels[id.index()] = Some(Label {
                 text: text.into(),
                 negative: expr.is_negative(),
             });
+            self.scopes[id.index()] = self.scope;
         }
     }
 
@@ -280,6 +283,32 @@ impl ExprGraph {
         Some(self.mul(factor, Expr::new(x, false)))
     }
 
+    /// The current scope, or the body further inward that all operands belong to: what several bodies can share there
+    /// must not be named after the first that asks. A number among the operands is the current body's.
+    fn innermost_scope(&self, node: Node) -> Option<BodyId> {
+        let scope = |operand| {
+            if self.binding(operand) == Binding::Number {
+                self.scope
+            } else {
+                self.scope(operand)
+            }
+        };
+        node.operands()
+            .map(scope)
+            .max()
+            .map_or(self.scope, |of_operands| of_operands.min(self.scope))
+    }
+
+    /// A product of two labelled values is known by both labels: it needs no number, which others could shift.
+    fn product_label(&self, node: Node) -> Option<Label> {
+        let Node::Mul(a, b) = node else { return None };
+        let (a, b) = (self.label(a)?, self.label(b)?);
+        Some(Label {
+            text: format!("{}_{}", a.text, b.text),
+            negative: a.negative ^ b.negative,
+        })
+    }
+
     fn intern(&mut self, node: Node) -> NodeId {
         if let Some(&id) = self.known.get(&node) {
             return id;
@@ -297,8 +326,13 @@ impl ExprGraph {
         };
         self.nodes.push(node);
         self.bindings.push(binding);
-        self.scopes.push(self.scope);
-        self.labels.push(None);
+        let scope = self.innermost_scope(node);
+        self.labels.push(if scope == self.scope {
+            None
+        } else {
+            self.product_label(node)
+        });
+        self.scopes.push(scope);
         self.known.insert(node, id);
         id
     }

@@ -229,9 +229,9 @@ pub(super) fn potential_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> 
 }
 
 pub(super) fn linear_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    energy::momenta(graph, tree).0.to_vec()
+    energy::linear_momentum(graph, tree).to_vec()
 }
 
 pub(super) fn angular_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    energy::momenta(graph, tree).1.to_vec()
+    energy::angular_momentum(graph, tree).to_vec()
 }

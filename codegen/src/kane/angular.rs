@@ -59,7 +59,7 @@ pub fn relative_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> 
 
 /// The rates of the angles from a given relative angular velocity, Eq. (9), for bodies whose three angles are free.
 ///
-/// Zero for the others. Singular at cos(theta_2) = 0.
+/// Zero for the others. Singular at `cos(theta_2) = 0`.
 pub fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);

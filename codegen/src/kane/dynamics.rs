@@ -133,7 +133,7 @@ fn euler(graph: &mut ExprGraph, inertia: &Symmetric, w: Vector, alpha: Vector) -
 }
 
 /// Gravity in the components of every body.
-fn gravity_in_bodies(
+pub(super) fn gravity_in_bodies(
     graph: &mut ExprGraph,
     tree: &Tree,
     relative: &BodyMap<Matrix>,
@@ -180,7 +180,7 @@ fn add_projections(graph: &mut ExprGraph, tree: &Tree, sums: &mut [Expr], row: &
     }
 }
 
-/// `|cos(theta_2)|` where theta_1 and theta_3 are both free, one elsewhere: the distance from the chart's singularity.
+/// `|cos(theta_2)|` where `theta_1` and `theta_3` are both free, one elsewhere: the distance from the chart's singularity.
 pub fn singularity(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Expr {
     graph.enter(body);
     let joint = &tree.body(body).joint;

@@ -1,8 +1,10 @@
-//! Energies and momenta: the integrals against which motion is checked.
+//! Energies and momenta: the integrals against which motion is checked. Each body hands the sum of what it carries
+//! to its lower body, so that a body's share shows in the lines of its path alone.
 
 use super::{given, orientation, position, velocity};
 use crate::{
-    expr::{Expr, ExprGraph, Vector, transpose},
+    expr::{Expr, ExprGraph, Matrix, Vector, transpose},
+    id::BodyMap,
     tree::Tree,
 };
 
@@ -11,8 +13,7 @@ pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let rotational = velocity::rotational(graph, tree);
     let v_origin = velocity::origin(graph, tree, &rotational);
     let v = velocity::mass_center(graph, tree, &rotational, &v_origin);
-    let mut twice = graph.zero();
-    for body in tree.body_ids() {
+    let twice = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let mass = given::value(graph, tree.body(body).mass);
         let inertia = given::inertia(graph, tree.body(body));
@@ -20,9 +21,9 @@ pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
         let translational = graph.mul(mass, square);
         let momentum = graph.mul_symmetric(&inertia, rotational.w[body]);
         let turning = graph.dot(rotational.w[body], momentum);
-        let own = graph.add(translational, turning);
-        twice = graph.add(twice, own);
-    }
+        graph.add(translational, turning)
+    });
+    let twice = gather(graph, tree, twice);
     graph.enter(None);
     let half = graph.number(0.5);
     graph.mul(half, twice)
@@ -31,44 +32,86 @@ pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
 /// `-sum_K m_K g · p_G_K`, J: zero at the inertial origin.
 pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let relative = orientation::relative(graph, tree);
-    let absolute = orientation::absolute(graph, tree, &relative);
     let origins = position::origin(graph, tree, &relative);
     let centers = position::mass_center(graph, tree, &origins);
-    let gravity = given::gravity(graph, tree);
-    let mut sum = graph.zero();
-    for body in tree.body_ids() {
+    let gravity = super::dynamics::gravity_in_bodies(graph, tree, &relative);
+    let potentials = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let mass = given::value(graph, tree.body(body).mass);
-        let g = graph.mul_vector(&absolute[body], gravity);
-        let height = graph.dot(g, centers[body]);
-        let own = graph.mul(mass, height);
-        sum = graph.sub(sum, own);
-    }
-    sum
+        let along = graph.dot(gravity[body], centers[body]);
+        -graph.mul(mass, along)
+    });
+    gather(graph, tree, potentials)
 }
 
-/// Linear momentum, kg m/s, and angular momentum about the inertial origin, kg m²/s, inertial components.
-pub fn momenta(graph: &mut ExprGraph, tree: &Tree) -> (Vector, Vector) {
+/// `sum_K m_K v_G_K`, kg m/s, inertial components.
+pub fn linear_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vector {
     let rotational = velocity::rotational(graph, tree);
-    let v_origin = velocity::origin(graph, tree, &rotational);
-    let v = velocity::mass_center(graph, tree, &rotational, &v_origin);
-    let absolute = orientation::absolute(graph, tree, &rotational.relative);
+    let linear = linear_momenta(graph, tree, &rotational);
+    gather_vectors(graph, tree, &rotational.relative, linear)
+}
+
+/// `sum_K p_G_K × m_K v_G_K + I_K w_K` about the inertial origin, kg m²/s, inertial components.
+pub fn angular_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vector {
+    let rotational = velocity::rotational(graph, tree);
+    let linear = linear_momenta(graph, tree, &rotational);
     let origins = position::origin(graph, tree, &rotational.relative);
     let centers = position::mass_center(graph, tree, &origins);
-    let (mut linear, mut angular) = (graph.zero_vector(), graph.zero_vector());
-    for body in tree.body_ids() {
+    let angular = BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let inertia = given::inertia(graph, tree.body(body));
+        let orbital = graph.cross(centers[body], linear[body]);
+        let spin = graph.mul_symmetric(&inertia, rotational.w[body]);
+        graph.add_vectors(orbital, spin)
+    });
+    gather_vectors(graph, tree, &rotational.relative, angular)
+}
+
+/// `m_K v_G_K`, body components, for every body.
+fn linear_momenta(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    rotational: &velocity::Rotational,
+) -> BodyMap<Vector> {
+    let v_origin = velocity::origin(graph, tree, rotational);
+    let v = velocity::mass_center(graph, tree, rotational, &v_origin);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let mass = given::value(graph, tree.body(body).mass);
-        let inertia = given::inertia(graph, tree.body(body));
-        let to_inertial = transpose(&absolute[body]);
-        let own = graph.scale(mass, v[body]);
-        let about_origin = graph.cross(centers[body], own);
-        let spin = graph.mul_symmetric(&inertia, rotational.w[body]);
-        let turning = graph.add_vectors(about_origin, spin);
-        let own = graph.mul_vector(&to_inertial, own);
-        let turning = graph.mul_vector(&to_inertial, turning);
-        linear = graph.add_vectors(linear, own);
-        angular = graph.add_vectors(angular, turning);
+        graph.scale(mass, v[body])
+    })
+}
+
+/// The sum over all bodies.
+fn gather(graph: &mut ExprGraph, tree: &Tree, mut shares: BodyMap<Expr>) -> Expr {
+    let mut total = graph.zero();
+    for body in tree.body_ids().rev() {
+        let share = shares[body];
+        graph.enter(tree.lower(body));
+        match tree.lower(body) {
+            Some(lower) => shares[lower] = graph.add(shares[lower], share),
+            None => total = graph.add(total, share),
+        }
     }
-    (linear, angular)
+    total
+}
+
+/// The sum over all bodies of vectors in body components: inertial components.
+fn gather_vectors(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    relative: &BodyMap<Matrix>,
+    mut shares: BodyMap<Vector>,
+) -> Vector {
+    let mut total = graph.zero_vector();
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let share = graph.mul_vector(&transpose(&relative[body]), shares[body]);
+        graph.enter(tree.lower(body));
+        match tree.lower(body) {
+            Some(lower) => shares[lower] = graph.add_vectors(shares[lower], share),
+            None => total = graph.add_vectors(total, share),
+        }
+    }
+    total
 }

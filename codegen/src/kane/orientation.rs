@@ -10,9 +10,9 @@ use crate::{
 /// Sine and cosine of a joint's three angles.
 #[derive(Clone, Copy, Debug)]
 pub struct Trigonometry {
-    /// sin(theta_1), sin(theta_2), sin(theta_3).
+    /// `sin(theta_1)`, `sin(theta_2)`, `sin(theta_3)`.
     pub sines: Vector,
-    /// cos(theta_1), cos(theta_2), cos(theta_3).
+    /// `cos(theta_1)`, `cos(theta_2)`, `cos(theta_3)`.
     pub cosines: Vector,
 }
 

@@ -1,22 +1,19 @@
 //! Factor. Needs: nothing. Afterwards: no sum has two products with a common factor, `a b + a c`, where nothing
 //! else uses the products; each becomes `a (b + c)`. Keeps: the value of every root, up to rounding. Never
-//! raises the number of operations. Does not: touch a labelled value, or one that is used twice.
+//! raises the number of operations. Does not: touch a labelled value, one that is used twice, or a product of another
+//! body, for what one body's terms have in common must not change another body's lines.
 
 use super::rebuild::Rebuilt;
 use crate::expr::{Expr, ExprGraph, Node, NodeId};
 
 /// The graph with its sums factored, and its roots.
 pub fn run(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
-    let sums = Sums {
-        graph: old,
-        uses: old.uses(roots),
-        absorbed: absorbed(old, roots),
-    };
+    let sums = Sums::new(old, roots);
     let mut graph = ExprGraph::default();
     let mut rebuilt = Rebuilt::new(old);
     for id in old.ids().filter(|id| sums.uses[id.index()] > 0) {
         graph.enter(old.scope(id));
-        let is_head = matches!(old.node(id), Node::Add(..)) && !sums.absorbed[id.index()];
+        let is_head = sums.is_local_sum(id) && !sums.absorbed[id.index()];
         let terms = if is_head { sums.factored(id) } else { None };
         let expr = match terms {
             None => rebuilt.copy(&mut graph, old, id),
@@ -46,28 +43,49 @@ enum Term {
 struct Sums<'a> {
     graph: &'a ExprGraph,
     uses: Vec<u32>,
+    /// Sums that are part of a longer sum of the same body, and of nothing else.
     absorbed: Vec<bool>,
 }
 
-/// Sums that are part of a longer sum, and of nothing else.
-fn absorbed(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
-    let uses = graph.uses(roots);
-    let mut absorbed = vec![false; graph.len()];
-    for id in graph.ids().filter(|id| uses[id.index()] > 0) {
-        if let Node::Add(a, b) = graph.node(id) {
-            for operand in [a.node(), b.node()] {
-                let private = uses[operand.index()] == 1 && graph.label(operand).is_none();
-                absorbed[operand.index()] = private && matches!(graph.node(operand), Node::Add(..));
+impl<'a> Sums<'a> {
+    fn new(graph: &'a ExprGraph, roots: &[Expr]) -> Self {
+        let mut sums = Self {
+            graph,
+            uses: graph.uses(roots),
+            absorbed: vec![false; graph.len()],
+        };
+        for id in graph.ids().filter(|id| sums.uses[id.index()] > 0) {
+            if !sums.is_local_sum(id) {
+                continue;
+            }
+            for operand in graph.node(id).operands() {
+                let same_body = graph.scope(operand) == graph.scope(id);
+                sums.absorbed[operand.index()] =
+                    same_body && sums.is_private(operand) && sums.is_local_sum(operand);
             }
         }
+        for root in roots {
+            sums.absorbed[root.node().index()] = false;
+        }
+        sums
     }
-    for root in roots {
-        absorbed[root.node().index()] = false;
-    }
-    absorbed
-}
 
-impl Sums<'_> {
+    /// True for a value without a label that is used once.
+    fn is_private(&self, id: NodeId) -> bool {
+        self.uses[id.index()] == 1 && self.graph.label(id).is_none()
+    }
+
+    /// True for a sum that takes no product of another body's: there one body is joined to another.
+    fn is_local_sum(&self, id: NodeId) -> bool {
+        let foreign = |operand: NodeId| {
+            let is_product =
+                matches!(self.graph.node(operand), Node::Mul(..)) && self.is_private(operand);
+            is_product && self.graph.scope(operand) != self.graph.scope(id)
+        };
+        let node = self.graph.node(id);
+        matches!(node, Node::Add(..)) && !node.operands().any(foreign)
+    }
+
     /// The terms of a sum after factoring; `None` where there is nothing to factor.
     fn factored(&self, head: NodeId) -> Option<Vec<Term>> {
         let mut terms = self.terms(head);
@@ -90,7 +108,7 @@ impl Sums<'_> {
                     pending.push(b.signed(expr.is_negative()));
                     pending.push(a.signed(expr.is_negative()));
                 }
-                Node::Mul(a, b) if self.uses[id.index()] == 1 && self.graph.label(id).is_none() => {
+                Node::Mul(a, b) if self.is_private(id) => {
                     terms.push(Term::Product {
                         negative: expr.is_negative(),
                         factors: [a, b],

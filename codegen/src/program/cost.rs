@@ -60,7 +60,7 @@ impl Program {
                     Operation::Add(..) => operations.add += 1,
                     Operation::Mul(..) => operations.mul += 1,
                     Operation::Div(..) => operations.div += 1,
-                    Operation::Abs(_) => {}
+                    Operation::Abs(_) | Operation::Neg(_) => {}
                 },
             }
         }

@@ -20,6 +20,7 @@ impl Program {
                         Operation::Mul(a, b) => read(&values, a) * read(&values, b),
                         Operation::Div(a, b) => read(&values, a) / read(&values, b),
                         Operation::Abs(a) => read(&values, a).abs(),
+                        Operation::Neg(a) => -read(&values, a),
                     };
                 }
                 Instruction::SinCos {

@@ -1,7 +1,7 @@
 //! From a graph to a program: dead nodes drop out, the order of derivation stays, signs find their place.
 //!
-//! A node may be computed as its negative where that lets a label name what a reader means by it, or lets a sum of two
-//! negatives be a sum; the sign then passes on to whatever uses the value and ends in a subtraction or a store.
+//! A difference may be computed either way round: as its label means it, else as its first use wants it. A sum of two
+//! negatives is computed as their sum. The sign then passes on to what uses the value and ends in a subtraction or a store.
 
 use std::collections::BTreeMap;
 
@@ -16,6 +16,8 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
     let mut flattening = Flattening {
         graph,
         needed: graph.reachable(roots),
+        wanted: wanted_signs(graph, roots),
+        stored: stored(graph, roots),
         operands: vec![None; graph.len()],
         program: Program {
             values: Vec::new(),
@@ -39,6 +41,10 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
 struct Flattening<'a> {
     graph: &'a ExprGraph,
     needed: Vec<bool>,
+    /// For each node, whether its negative is wanted.
+    wanted: Vec<bool>,
+    /// For each node, whether it is stored.
+    stored: Vec<bool>,
     /// The nodes already flattened, as signed values.
     operands: Vec<Option<Operand>>,
     program: Program,
@@ -54,6 +60,7 @@ impl Flattening<'_> {
         }
     }
 
+    /// A new value that is the node or, where `negative`, its negative, under the node's label.
     fn value(&mut self, origin: Origin, id: NodeId, negative: bool) -> ValueId {
         let label = self.graph.label(id).map(|label| {
             let same = label.negative == negative;
@@ -63,15 +70,18 @@ impl Flattening<'_> {
                 format!("minus_{}", label.text)
             }
         });
-        let value = ValueId(
-            u32::try_from(self.program.values.len()).expect("program: fewer than 2^32 values"),
-        );
+        self.labelled(origin, id, label)
+    }
+
+    fn labelled(&mut self, origin: Origin, id: NodeId, label: Option<String>) -> ValueId {
+        let value =
+            u32::try_from(self.program.values.len()).expect("program: fewer than 2^32 values");
         self.program.values.push(Value {
             origin,
             scope: self.graph.scope(id),
             label,
         });
-        value
+        ValueId(value)
     }
 
     fn node(&mut self, id: NodeId) -> Operand {
@@ -99,8 +109,8 @@ impl Flattening<'_> {
             }
             Node::Add(a, b) => {
                 let (a, b) = (self.expr(a), self.expr(b));
-                let wanted = self.graph.label(id).is_some_and(|label| label.negative);
-                // Two of one sign leave no choice; of two signs, the label's.
+                let wanted = self.wanted[id.index()];
+                // Two of one sign leave no choice.
                 let negative = if a.is_negative() == b.is_negative() {
                     a.is_negative()
                 } else {
@@ -119,6 +129,24 @@ impl Flattening<'_> {
 
     /// One operation, whose result is the node or, where `negative`, its negative.
     fn compute(&mut self, id: NodeId, operation: Operation, negative: bool) -> Operand {
+        let meant = self.graph.label(id).map(|label| label.negative);
+        if self.stored[id.index()] && meant == Some(!negative) {
+            // A store would take the minus; taken here, the name means what it says to all who use it.
+            let inner = self.labelled(Origin::Instruction, id, None);
+            self.program.instructions.push(Instruction::Compute {
+                result: inner,
+                operation,
+            });
+            let inner = Operand::Value {
+                id: inner,
+                negative: false,
+            };
+            return self.assign(id, Operation::Neg(inner), !negative);
+        }
+        self.assign(id, operation, negative)
+    }
+
+    fn assign(&mut self, id: NodeId, operation: Operation, negative: bool) -> Operand {
         let result = self.value(Origin::Instruction, id, negative);
         self.program
             .instructions
@@ -188,9 +216,44 @@ impl Flattening<'_> {
     /// True for a sine or cosine of an input in the same body, which can be computed together with the first.
     fn joins(&self, id: NodeId, scope: Option<BodyId>) -> bool {
         let is_trigonometric = matches!(self.graph.node(id), Node::Sin(_) | Node::Cos(_));
-        let joins = is_trigonometric && self.graph.scope(id) == scope && self.needed[id.index()];
+        let is_open = self.needed[id.index()] && self.operands[id.index()].is_none();
+        let joins = is_trigonometric && is_open && self.graph.scope(id) == scope;
         joins && matches!(self.graph.node(argument(self.graph, id)), Node::Input(_))
     }
+}
+
+/// For each node, whether it is a root.
+fn stored(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
+    let mut stored = vec![false; graph.len()];
+    for root in roots {
+        stored[root.node().index()] = true;
+    }
+    stored
+}
+
+/// For each node, whether its negative is wanted: by its label, else by the first that uses it.
+fn wanted_signs(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
+    let needed = graph.reachable(roots);
+    let mut wanted = vec![false; graph.len()];
+    for root in roots {
+        wanted[root.node().index()] = root.is_negative();
+    }
+    for id in graph.ids().rev().filter(|id| needed[id.index()]) {
+        if let Some(label) = graph.label(id) {
+            wanted[id.index()] = label.negative;
+        }
+        match graph.node(id) {
+            Node::Add(a, b) => {
+                for operand in [a, b] {
+                    wanted[operand.node().index()] = operand.is_negative() ^ wanted[id.index()];
+                }
+            }
+            node => node
+                .operands()
+                .for_each(|operand| wanted[operand.index()] = false),
+        }
+    }
+    wanted
 }
 
 /// The angle of a sine or cosine.

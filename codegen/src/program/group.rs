@@ -1,9 +1,13 @@
 //! Which operations share a statement: a sum of products reads better on one line than on five.
 //!
-//! A value joins the expression that uses it where it has no label, is used once, and was computed just before, so
-//! that the order of evaluation stays the order of the program.
+//! A value joins the expression that uses it where it belongs to the same body, has no label, is used once, and is the
+//! body's last before it: the order of evaluation stays the order of the program, and neither the statements of a body
+//! nor their number depend on another body.
 
-use super::{Instruction, Operation, Origin, Program, ValueId};
+use std::{cmp::Reverse, collections::BTreeMap};
+
+use super::{Instruction, Operand, Operation, Origin, Program, ValueId};
+use crate::id::BodyId;
 
 /// The most operations in one statement.
 const LARGEST: usize = 12;
@@ -15,57 +19,69 @@ pub struct Groups {
     inlined: Vec<Option<Operation>>,
 }
 
+/// An expression so far: which of its body's instructions it spans.
+#[derive(Clone, Copy)]
+struct Span {
+    first: usize,
+    last: usize,
+    operations: usize,
+    /// The operation that it ends with.
+    operation: Operation,
+}
+
 impl Groups {
     /// Groups the operations of a program.
     pub fn of(program: &Program) -> Self {
         let uses = uses(program);
-        let mut groups = Self {
-            inlined: vec![None; program.values.len()],
-        };
-        // The group that ends at each instruction: where it begins, and its operations.
-        let mut starts = vec![0; program.instructions.len()];
-        let mut sizes = vec![0; program.instructions.len()];
-        let mut assigned_at = vec![None; program.values.len()];
-        for (place, instruction) in program.instructions.iter().enumerate() {
-            starts[place] = place;
-            sizes[place] = 1;
-            let Instruction::Compute { result, operation } = instruction else {
+        let mut inlined = vec![None; program.values.len()];
+        let mut spans: Vec<Option<Span>> = vec![None; program.values.len()];
+        let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
+        for instruction in &program.instructions {
+            let Some(scope) = instruction
+                .results()
+                .next()
+                .map(|id| program.value(id).scope)
+            else {
                 continue;
             };
-            assigned_at[result.index()] = Some(place);
-            let mut operands: Vec<ValueId> = operation
-                .operands()
-                .filter_map(super::Operand::value)
-                .collect();
-            operands.sort_by_key(|id| std::cmp::Reverse(assigned_at[id.index()]));
+            let counter = counters.entry(scope).or_default();
+            let place = *counter;
+            *counter += 1;
+            let Instruction::Compute { result, operation } = *instruction else {
+                continue;
+            };
+            let mut span = Span {
+                first: place,
+                last: place,
+                operations: 1,
+                operation,
+            };
+            let mut operands: Vec<ValueId> =
+                operation.operands().filter_map(Operand::value).collect();
+            operands.sort_by_key(|id| Reverse(spans[id.index()].map(|span| span.last)));
             for id in operands {
                 let value = program.value(id);
                 let joins = value.origin == Origin::Instruction
                     && value.label.is_none()
+                    && value.scope == scope
                     && uses[id.index()] == 1;
-                let Some(end) = assigned_at[id.index()].filter(|_| joins) else {
+                let Some(inner) = spans[id.index()].filter(|_| joins) else {
                     continue;
                 };
-                if end + 1 == starts[place] && sizes[place] + sizes[end] <= LARGEST {
-                    groups.inlined[id.index()] = operation_at(program, end);
-                    starts[place] = starts[end];
-                    sizes[place] += sizes[end];
+                if inner.last + 1 == span.first && span.operations + inner.operations <= LARGEST {
+                    inlined[id.index()] = Some(inner.operation);
+                    span.first = inner.first;
+                    span.operations += inner.operations;
                 }
             }
+            spans[result.index()] = Some(span);
         }
-        groups
+        Self { inlined }
     }
 
     /// The operation of a value that stands inside a larger expression; `None` for one with a statement of its own.
     pub fn inlined(&self, id: ValueId) -> Option<Operation> {
         self.inlined[id.index()]
-    }
-}
-
-fn operation_at(program: &Program, place: usize) -> Option<Operation> {
-    match program.instructions[place] {
-        Instruction::Compute { operation, .. } => Some(operation),
-        Instruction::SinCos { .. } => None,
     }
 }
 
@@ -75,7 +91,7 @@ fn uses(program: &Program) -> Vec<usize> {
     let operands = program.instructions.iter().flat_map(Instruction::operands);
     for id in operands
         .chain(program.stores.iter().copied())
-        .filter_map(super::Operand::value)
+        .filter_map(Operand::value)
     {
         uses[id.index()] += 1;
     }

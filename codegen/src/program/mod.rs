@@ -86,6 +86,8 @@ pub enum Operation {
     Div(Operand, Operand),
     /// `|a|`; not negative.
     Abs(Operand),
+    /// `-a`, for a value whose name means its negative; not negative.
+    Neg(Operand),
 }
 
 /// A number or a value, with a sign.
@@ -121,7 +123,7 @@ impl Operation {
     pub fn operands(self) -> impl Iterator<Item = Operand> {
         let pair = match self {
             Self::Add(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b)],
-            Self::Abs(a) => [Some(a), None],
+            Self::Abs(a) | Self::Neg(a) => [Some(a), None],
         };
         pair.into_iter().flatten()
     }

@@ -63,9 +63,9 @@ pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Fact
                 format!("l_{}_{at}_{}", k.coordinate, speed.coordinate),
             );
             for &other in &coupled[..=i] {
-                graph.enter(k.body);
+                // The entry is there because of the outer of its two bodies.
+                graph.enter(other.body);
                 let update = graph.mul(factor, a[k.index()][other.index()]);
-                graph.enter(speed.body);
                 let entry = graph.sub(a[speed.index()][other.index()], update);
                 a[speed.index()][other.index()] = entry;
                 a[other.index()][speed.index()] = entry;
@@ -82,13 +82,12 @@ pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Fact
 }
 
 impl Factors {
-    /// The `x` with `A x = b`.
+    /// The accelerations `x` with `A x = b`.
     pub fn solve(&self, graph: &mut ExprGraph, mut b: Vec<Expr>) -> Vec<Expr> {
         for (&k, row) in self.order.iter().zip(&self.couplings) {
             for &(speed, factor) in row {
-                graph.enter(k.body);
-                let term = graph.mul(factor, b[k.index()]);
                 graph.enter(speed.body);
+                let term = graph.mul(factor, b[k.index()]);
                 b[speed.index()] = graph.sub(b[speed.index()], term);
             }
         }
@@ -100,7 +99,7 @@ impl Factors {
                 let term = graph.mul(factor, b[speed.index()]);
                 x = graph.sub(x, term);
             }
-            graph.name(x, format!("x_{}", k.coordinate));
+            graph.name(x, format!("{}_ddot", k.coordinate));
             b[k.index()] = x;
         }
         b

@@ -1,0 +1,218 @@
+//! `kane check`.
+
+use std::{
+    io::{self, Write},
+    path::Path,
+};
+
+use clap::Args;
+use kane_codegen::{
+    generate::BANNER_START,
+    output,
+    report::{self, Comparison, Counted},
+};
+use similar::TextDiff;
+
+use super::{
+    Failures, Outcome,
+    job::{self, Target},
+    say,
+    selection::Selection,
+    stray,
+};
+
+/// Tell whether generated files are what their models say; write nothing
+///
+/// Generates in memory and compares. For each file that differs, standard output gets a unified diff and the functions
+/// whose operations changed, were added or were removed; then the command that brings the files up to date. When all of
+/// kane.toml is checked, files that nothing in it produces are reported too: in a folder named `generated` every file but
+/// `mod.rs` and hidden ones, in other folders that hold outputs those with our banner.
+#[derive(Args, Debug)]
+#[command(after_long_help = "Exit codes:\n  \
+    0  every file is up to date\n  \
+    1  a file differs, is missing, or is produced by nothing\n  \
+    2  bad input, or a file that cannot be read\n\n\
+    Examples:\n  \
+    kane check\n  \
+    kane check | less\n  \
+    kane check models/arm.toml --formulation notes     what would change?")]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    selection: Selection,
+
+    /// Changes nothing: accepted so that the arguments of `kane generate` can stand here
+    #[arg(long)]
+    force: bool,
+}
+
+/// How the file at a path compares with its module.
+struct Compared<'a> {
+    path: &'a Path,
+    new: &'a str,
+    found: Found,
+}
+
+enum Found {
+    Same,
+    Missing,
+    Differs(String),
+}
+
+/// Generates everything, then compares everything.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let plan = arguments.selection.plan()?;
+    let modules = job::generate(&plan.jobs)?;
+    let mut failures = Failures::default();
+    let files = plan.jobs.iter().zip(&modules);
+    let files: Vec<Compared<'_>> = files
+        .filter_map(|(job, module)| failures.keep(compare(&job.target, &module.source)))
+        .collect();
+    let strays = plan.whole.as_ref().map(|whole| {
+        let strays = failures.keep(stray::find(&plan.jobs, &whole.root));
+        (whole, strays.unwrap_or_default())
+    });
+    failures.none()?;
+
+    let mut outcome = Outcome::Done;
+    let mut force = if arguments.force { " --force" } else { "" };
+    for file in &files {
+        write_file(out, file)?;
+        match &file.found {
+            Found::Same => continue,
+            Found::Differs(old) if !old.starts_with(BANNER_START) => force = " --force",
+            Found::Missing | Found::Differs(_) => {}
+        }
+        outcome = Outcome::Differs;
+    }
+    if outcome == Outcome::Differs {
+        let command = arguments.selection.command();
+        writeln!(out, "to bring this up to date, run: {command}{force}")?;
+    }
+    for (whole, stray) in strays
+        .iter()
+        .flat_map(|(whole, strays)| strays.iter().map(move |stray| (whole, stray)))
+    {
+        let (stray, config) = (stray.display(), whole.config.display());
+        writeln!(
+            out,
+            "{stray} is produced by nothing in {config}: remove it, or list its system"
+        )?;
+        outcome = Outcome::Differs;
+    }
+    Ok(outcome)
+}
+
+fn compare<'a>(target: &'a Target, new: &'a str) -> Result<Compared<'a>, Failures> {
+    match target {
+        Target::StandardOutput => Err(Failures::message(
+            "standard output holds nothing to compare with; expected the name of a file after --output",
+        )),
+        Target::File(path) => Ok(Compared {
+            path,
+            new,
+            found: find(path, new)?,
+        }),
+    }
+}
+
+fn write_file(out: &mut dyn Write, file: &Compared<'_>) -> io::Result<()> {
+    let path = file.path.display();
+    match &file.found {
+        Found::Same => say(format_args!("{path} is up to date")),
+        Found::Missing => {
+            writeln!(out, "{path} is missing")?;
+            write_comparison(out, file.path, "", file.new)?;
+        }
+        Found::Differs(old) => {
+            write_diff(out, file.path, old, file.new)?;
+            if !old.starts_with(BANNER_START) {
+                writeln!(out, "{path} was not written by `kane generate`")?;
+            }
+            write_comparison(out, file.path, old, file.new)?;
+        }
+    }
+    Ok(())
+}
+
+/// What the file holds where it should hold `text`. Bytes that are not text are replaced: it is only to be shown.
+fn find(path: &Path, text: &str) -> Result<Found, Failures> {
+    Ok(match output::read(path)? {
+        None => Found::Missing,
+        Some(bytes) if bytes == text.as_bytes() => Found::Same,
+        Some(bytes) => Found::Differs(String::from_utf8_lossy(&bytes).into_owned()),
+    })
+}
+
+fn write_diff(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Result<()> {
+    let path = path.display();
+    if old.replace("\r\n", "\n") == new {
+        return writeln!(
+            out,
+            "{path} has line ends CR LF; expected LF: write `*.rs text eol=lf` into .gitattributes"
+        );
+    }
+    let diff = TextDiff::from_lines(old, new);
+    // A tab ends the name, so that `patch` reads it right.
+    let mut diff = diff.unified_diff();
+    diff.header(
+        &format!("{path}\tas it is"),
+        &format!("{path}\tas generated"),
+    );
+    write!(out, "{diff}")
+}
+
+fn write_comparison(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Result<()> {
+    let path = path.display();
+    let comparison = match report::compare(old, new) {
+        Ok(comparison) => comparison,
+        Err(error) => {
+            return writeln!(
+                out,
+                "{path} is not Rust that can be read ({error}): its operations cannot be compared"
+            );
+        }
+    };
+    if comparison == Comparison::default() {
+        return writeln!(
+            out,
+            "{path}: every function has as many operations as before"
+        );
+    }
+    writeln!(out, "{path}: operations")?;
+    let names = comparison.changed.iter().map(|change| &change.name);
+    let names = names.chain(comparison.added.iter().map(|(name, _)| name));
+    let names = names.chain(comparison.removed.iter().map(|(name, _)| name));
+    let width = names.map(String::len).max().unwrap_or(0);
+    for change in &comparison.changed {
+        let (old, new) = (total(&change.old), total(&change.new));
+        let formulations = match (&change.old.formulation, &change.new.formulation) {
+            (Some(old), Some(new)) if old != new => format!(", formulation {old} -> {new}"),
+            _ => String::new(),
+        };
+        let (name, signed) = (&change.name, difference(old, new));
+        writeln!(
+            out,
+            "  changed  {name:width$}  {old} -> {new} ({signed}{formulations})"
+        )?;
+    }
+    for (name, counted) in &comparison.added {
+        writeln!(out, "  added    {name:width$}  {}", total(counted))?;
+    }
+    for (name, counted) in &comparison.removed {
+        writeln!(out, "  removed  {name:width$}  {}", total(counted))?;
+    }
+    Ok(())
+}
+
+fn total(counted: &Counted) -> usize {
+    counted.operations.total()
+}
+
+/// The change with its sign; the kinds of operations may change where their number does not.
+fn difference(old: usize, new: usize) -> String {
+    if new < old {
+        format!("-{}", old - new)
+    } else {
+        format!("+{}", new - old)
+    }
+}

@@ -1,0 +1,135 @@
+//! `kane eval`.
+
+use std::{
+    fs,
+    io::{self, Read as _, Write},
+    path::{Path, PathBuf},
+};
+
+use clap::Args;
+use kane_codegen::{
+    compile, config,
+    description::toml,
+    diagnostic::Source,
+    error::Error,
+    functions::{Block, Function, Shape},
+    tree,
+};
+use serde_json::{Value, json};
+
+use super::{Failures, Outcome, job, json, say, selection, state};
+
+/// Evaluate one function at a state, and print the numbers as JSON
+///
+/// Evaluates the expressions from which the function is generated, in f64; no code is compiled. The numbers come in the
+/// shape of the function's output: a number, a list, or nested lists, matrices by rows. A number that is not finite is
+/// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
+/// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
+/// `columns`, all from 0.
+#[derive(Args, Debug)]
+#[command(
+    after_long_help = "The state file holds what the function is given, in SI units:\n  \
+    {\n    \
+    \"q\": [0.1, 0.2],           one number a coordinate, in the order of `kane info`\n    \
+    \"u\": [0.0, 1.0],           one number a speed\n    \
+    \"u_dot\": [0.0, 0.0],\n    \
+    \"tau\": [0.0, 0.0],\n    \
+    \"loads\": [                 one a body: at the mass centre, body components\n      \
+    {\"force\": [0, 0, 1], \"moment\": [0, 0, 0]}\n    \
+    ],\n    \
+    \"w_rel\": [[0, 0, 1]],      one a body: relative angular velocity, for angle_rates\n    \
+    \"parameters\": {\"arm_mass\": 2.0}    where they differ from the nominal values\n  \
+    }\n\
+    What the function does not need may be absent.\n\n\
+    Examples:\n  \
+    kane eval models/arm.toml --function mass_matrix --state state.json\n  \
+    echo '{\"q\": [0.1, 0.2]}' | kane eval models/arm.toml --function rotation --state -"
+)]
+pub(crate) struct Arguments {
+    /// The model
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+
+    /// The function; `kane info MODEL` lists them
+    #[arg(long, short, value_name = "NAME")]
+    function: String,
+
+    /// The state, a JSON file; `-` is standard input
+    #[arg(long, short, value_name = "FILE")]
+    state: PathBuf,
+
+    /// How sums over bodies are associated
+    #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = selection::formulation())]
+    formulation: config::Formulation,
+}
+
+/// Evaluates and prints.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let mut failures = Failures::default();
+    let function = Function::find(&arguments.function)
+        .ok_or_else(|| selection::unknown_function(&arguments.function));
+    let function = failures.keep(function);
+    let model = failures.keep(job::read(&arguments.model));
+    let checked = model.and_then(|model| failures.keep(tree::build(&toml::parse(&model))));
+    let state = failures.keep(read_state(&arguments.state));
+    failures.none()?;
+    let (Some(function), Some(checked), Some(state)) = (function, checked, state) else {
+        unreachable!("eval: what is absent left a failure")
+    };
+    job::warn(&checked.warnings);
+
+    let tree = &checked.tree;
+    let inputs = state::read(&state, tree, function)?;
+    let derived = compile::choose(tree, function, arguments.formulation).derived;
+    let numbers = derived.graph.evaluate(&derived.roots, |input| {
+        *inputs.get(&input).unwrap_or_else(|| {
+            unreachable!(
+                "eval: `{}` reads {input:?}, which is none of its arguments",
+                function.name
+            )
+        })
+    });
+    let n_infinite = numbers.iter().filter(|number| !number.is_finite()).count();
+    if n_infinite > 0 {
+        say(format_args!(
+            "warning: {n_infinite} of {} numbers are not finite; they are shown as null",
+            numbers.len()
+        ));
+    }
+    let array = json::array(&numbers, &function.shape.lengths(tree, numbers.len() / 3));
+    let value = match function.shape {
+        Shape::Columns => json!({ "blocks": blocks(&derived.blocks), "columns": array }),
+        _ => array,
+    };
+    json::write(out, &value)?;
+    Ok(Outcome::Done)
+}
+
+fn blocks(blocks: &[Block]) -> Value {
+    let block = |block: &Block| {
+        let Block {
+            body,
+            partition,
+            speed,
+            columns,
+            first,
+        } = block;
+        json!({ "body": body, "partition": partition, "speed": speed, "columns": columns, "first": first })
+    };
+    blocks.iter().map(block).collect()
+}
+
+fn read_state(path: &Path) -> Result<Source, Error> {
+    let (name, text) = if path == Path::new("-") {
+        let mut text = String::new();
+        let read = io::stdin().read_to_string(&mut text);
+        ("standard input".into(), read.map(|_| text))
+    } else {
+        (path.to_string_lossy(), fs::read_to_string(path))
+    };
+    let text = text.map_err(|source| Error::Io {
+        path: PathBuf::from(&*name),
+        source,
+    })?;
+    Ok(Source::new(name, text))
+}

@@ -1,0 +1,66 @@
+//! `kane generate`.
+
+use std::io::Write;
+
+use clap::Args;
+use kane_codegen::output::{self, Overwrite};
+
+use super::{
+    Failures, Outcome,
+    job::{self, Target},
+    say,
+    selection::Selection,
+};
+
+/// Write the Rust modules of one model, or of everything in kane.toml
+///
+/// Either every module is written or none: if any model is faulty, all faults of all models are reported and no file is
+/// touched. A file that holds its module already is left alone, and one that does not begin with our banner is refused.
+/// The text depends on the model and the options alone: it is the same in every folder and on every machine.
+#[derive(Args, Debug)]
+#[command(after_long_help = "Examples:\n  \
+    kane generate\n  \
+    kane generate models/arm.toml\n  \
+    kane generate models/arm.toml --output src/arm.rs --functions mass_matrix,bias\n  \
+    kane generate models/arm.toml --output - | less")]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    selection: Selection,
+
+    /// Overwrite files that `kane generate` did not write
+    #[arg(long)]
+    force: bool,
+}
+
+/// Generates everything, then writes everything.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let plan = arguments.selection.plan()?;
+    let modules = job::generate(&plan.jobs)?;
+    let overwrite = if arguments.force {
+        Overwrite::Anything
+    } else {
+        Overwrite::Generated
+    };
+    let mut failures = Failures::default();
+    let mut files = Vec::new();
+    for (job, module) in plan.jobs.iter().zip(&modules) {
+        match &job.target {
+            Target::StandardOutput => out.write_all(module.source.as_bytes())?,
+            Target::File(path) => {
+                let staged = failures.keep(output::stage(path, &module.source, overwrite));
+                files.extend(staged.map(|staged| (path, staged)));
+            }
+        }
+    }
+    failures.none()?;
+    for (path, staged) in files {
+        let path = path.display();
+        if staged.is_up_to_date() {
+            say(format_args!("{path} is up to date"));
+        } else {
+            staged.commit()?;
+            say(format_args!("wrote {path}"));
+        }
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,324 @@
+//! `kane info`.
+
+use std::{
+    io::{self, Write},
+    path::PathBuf,
+};
+
+use clap::Args;
+use kane_codegen::{
+    description::{Axis, toml},
+    functions::Formulation,
+    id::BodyId,
+    program::{Operations, coordinate_names},
+    report::{self, Cell, Counts, Partitions},
+    tree::{self, Coordinate, Order, Tree},
+};
+use serde_json::{Map, Value, json};
+
+use super::{Failures, Outcome, job, json};
+
+/// Show a model's tree, coordinates, partitions, parameters and operation counts
+///
+/// Bodies and partitions are counted from 1, as in the notes: of N bodies, partition J belongs to the angles of body J and
+/// partition N + J to its translations. Places in q and u are counted from 0, as in code.
+#[derive(Args, Debug)]
+#[command(
+    after_long_help = "Keys of --json, which stay as they are; more may come:\n  \
+    name            the system's name\n  \
+    gravity         inertial components, m/s^2 (nominal)\n  \
+    order           \"body\" or \"notes\"\n  \
+    bodies          number, user_number (in the model), name, identifier (in code), lower_body (0: inertial frame),\n                  \
+    free (list of coordinates), locked (object of coordinates and values, rad or m)\n  \
+    coordinates     place (in q; its rate has the same place in u), name, body, kind (theta1 .. s3), unit\n  \
+    partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero\n  \
+    parameters      name, body (null: the system), nominal, unit\n  \
+    functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
+    cheapest (the one with fewer operations)\n\n\
+    Examples:\n  \
+    kane info models/arm.toml\n  \
+    kane info models/arm.toml --json | jq '.functions[] | {name, cheapest}'"
+)]
+pub(crate) struct Arguments {
+    /// The model
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+
+    /// Print JSON for programs
+    #[arg(long)]
+    json: bool,
+}
+
+/// Reads the model and prints what is known of it.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let model = job::read(&arguments.model)?;
+    let checked = tree::build(&toml::parse(&model))?;
+    job::warn(&checked.warnings);
+    let tree = &checked.tree;
+    if arguments.json {
+        json::write(out, &value(tree))?;
+    } else {
+        write(out, tree)?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn write(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
+    let order = match tree.order {
+        Order::Body => "body after body",
+        Order::Notes => "all angles, then all translations, Eq. (1)",
+    };
+    let gravity = gravity(tree)
+        .map(|component| format!("{component:?}"))
+        .join(", ");
+    writeln!(
+        out,
+        "{}: {} bodies, {} coordinates",
+        tree.name,
+        tree.bodies.len(),
+        tree.n_coordinates
+    )?;
+    writeln!(out, "gravity ({gravity}) m/s^2, inertial components")?;
+    let lower = tree.body_ids().map(|body| lower_number(tree, body));
+    let lower: Vec<String> = lower.map(|number| number.to_string()).collect();
+    writeln!(out, "lower bodies [{}]", lower.join(", "))?;
+    writeln!(
+        out,
+        "\nTree: number, body, free coordinates, locked ones that are not zero\n"
+    )?;
+    write!(out, "{}", report::picture(tree))?;
+    writeln!(
+        out,
+        "\nCoordinates, {order}: place in q; the rate has the same place in u\n"
+    )?;
+    for (place, name) in coordinate_names(tree).iter().enumerate() {
+        writeln!(out, "{place:4}  {name}")?;
+    }
+    write_partitions(out, tree, &report::partitions(tree))?;
+    write_parameters(out, tree)?;
+    write_counts(out, &report::counts(tree))
+}
+
+fn write_partitions(out: &mut dyn Write, tree: &Tree, partitions: &Partitions) -> io::Result<()> {
+    let n_bodies = tree.bodies.len();
+    let cell = (2 * n_bodies).to_string().len() + 1;
+    let label = |number: usize, name: &str| format!("{number} {name}");
+    let labels: Vec<String> = tree
+        .bodies
+        .iter()
+        .zip(1..)
+        .map(|(body, number)| label(number, &body.name))
+        .collect();
+    let width = labels
+        .iter()
+        .map(|label| label.chars().count())
+        .max()
+        .unwrap_or(0);
+    writeln!(
+        out,
+        "\nPartitions: J from 1 to {n_bodies} for the angles of body J, {n_bodies} + J for its translations\n\
+         . zero   1 identity   P of Eq. (17)   x any other block\n"
+    )?;
+    let mut line = |label: &str, row: &str, cells: Vec<String>| {
+        let cells = cells.iter().map(|text| format!("{text:>cell$}"));
+        let mut cells: Vec<String> = cells.collect();
+        cells.insert(n_bodies, " |".to_owned());
+        writeln!(out, "{label:width$}  {row:3} {}", cells.concat())
+    };
+    line(
+        "",
+        "",
+        (1..=2 * n_bodies)
+            .map(|number| number.to_string())
+            .collect(),
+    )?;
+    let rows = partitions
+        .angular
+        .iter()
+        .zip(&partitions.origin)
+        .zip(&partitions.mass_center);
+    for (label, ((angular, origin), mass_center)) in labels.iter().zip(rows) {
+        let text = |cells: &[Cell]| cells.iter().map(Cell::to_string).collect();
+        line(label, "W", text(angular))?;
+        line("", "V_O", text(origin))?;
+        line("", "V_G", text(mass_center))?;
+    }
+    Ok(())
+}
+
+fn write_parameters(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
+    if tree.parameters.is_empty() {
+        return writeln!(out, "\nParameters at run time: none");
+    }
+    writeln!(out, "\nParameters at run time, with nominal values\n")?;
+    let width = tree
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.len())
+        .max()
+        .unwrap_or(0);
+    for parameter in &tree.parameters {
+        writeln!(
+            out,
+            "{:width$}  {:?} {}",
+            parameter.name, parameter.nominal, parameter.unit
+        )?;
+    }
+    Ok(())
+}
+
+fn write_counts(out: &mut dyn Write, counts: &[Counts]) -> io::Result<()> {
+    writeln!(
+        out,
+        "\nOperations of each function in both formulations; * is generated unless another is asked for; (d) is in the default set\n"
+    )?;
+    writeln!(out, "{:36}{:>9}{:>11}", "", "notes", "recursive")?;
+    for count in counts {
+        let name = count.function.name;
+        let default = if count.function.is_default {
+            " (d)"
+        } else {
+            ""
+        };
+        let cell = |formulation: Formulation| match operations(count, formulation) {
+            Some(operations) => {
+                let mark = if formulation == count.cheapest {
+                    "*"
+                } else {
+                    " "
+                };
+                format!("{}{mark}", operations.total())
+            }
+            None => "- ".to_owned(),
+        };
+        let (notes, recursive) = (cell(Formulation::Notes), cell(Formulation::Recursive));
+        writeln!(
+            out,
+            "{}",
+            format!("{:36}{notes:>9}{recursive:>11}", format!("{name}{default}")).trim_end()
+        )?;
+    }
+    Ok(())
+}
+
+fn operations(count: &Counts, formulation: Formulation) -> Option<Operations> {
+    let found = count
+        .formulations
+        .iter()
+        .find(|(known, _)| *known == formulation);
+    found.map(|(_, operations)| *operations)
+}
+
+/// The entry of the body-connection array: 0 for the inertial frame.
+fn lower_number(tree: &Tree, body: BodyId) -> usize {
+    tree.lower(body).map_or(0, |lower| lower.index() + 1)
+}
+
+fn gravity(tree: &Tree) -> [f64; 3] {
+    tree.gravity.map(|component| tree.nominal(component))
+}
+
+fn value(tree: &Tree) -> Value {
+    let order = match tree.order {
+        Order::Body => "body",
+        Order::Notes => "notes",
+    };
+    let bodies: Value = tree.body_ids().map(|body| body_value(tree, body)).collect();
+    let counts: Value = report::counts(tree).iter().map(counts_value).collect();
+    let parameter = |parameter: &tree::Parameter| {
+        let body = parameter.body.map(|body| body.index() + 1);
+        json!({ "name": parameter.name, "body": body, "nominal": parameter.nominal, "unit": parameter.unit })
+    };
+    json!({
+        "name": tree.name,
+        "gravity": gravity(tree),
+        "order": order,
+        "bodies": bodies,
+        "coordinates": coordinates_value(tree),
+        "partitions": partitions_value(&report::partitions(tree)),
+        "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
+        "functions": counts,
+    })
+}
+
+fn body_value(tree: &Tree, id: BodyId) -> Value {
+    let body = tree.body(id);
+    let mut free = Vec::new();
+    let mut locked = Map::new();
+    for (kind, coordinate) in Axis::NAMES.into_iter().zip(body.joint.coordinates()) {
+        match coordinate {
+            Coordinate::Free { .. } => free.push(kind),
+            Coordinate::Locked(value) => {
+                locked.insert(kind.to_owned(), value.into());
+            }
+        }
+    }
+    json!({
+        "number": id.index() + 1,
+        "user_number": body.user_number,
+        "name": body.name,
+        "identifier": body.identifier,
+        "lower_body": lower_number(tree, id),
+        "free": free,
+        "locked": locked,
+    })
+}
+
+fn coordinates_value(tree: &Tree) -> Value {
+    let mut values = vec![Value::Null; tree.n_coordinates];
+    let names = coordinate_names(tree);
+    for (body, number) in tree.bodies.iter().zip(1..) {
+        for (kind, known) in Axis::NAMES.into_iter().zip(body.joint.coordinates()) {
+            if let Coordinate::Free { coordinate, .. } = known {
+                let place = coordinate.index();
+                let unit = if kind.starts_with("theta") {
+                    "rad"
+                } else {
+                    "m"
+                };
+                values[place] = json!({ "place": place, "name": names[place], "body": number, "kind": kind, "unit": unit });
+            }
+        }
+    }
+    values.into()
+}
+
+fn partitions_value(partitions: &Partitions) -> Value {
+    let numbers = |cells: &Vec<Cell>| -> Value {
+        let cells = cells.iter().zip(1_usize..);
+        cells
+            .filter(|(cell, _)| **cell != Cell::Zero)
+            .map(|(_, number)| number)
+            .collect()
+    };
+    let rows = partitions
+        .angular
+        .iter()
+        .zip(&partitions.origin)
+        .zip(&partitions.mass_center);
+    rows.zip(1_usize..)
+        .map(|(((angular, origin), mass_center), body)| {
+            json!({ "body": body, "W": numbers(angular), "V_O": numbers(origin), "V_G": numbers(mass_center) })
+        })
+        .collect()
+}
+
+fn counts_value(counts: &Counts) -> Value {
+    let formulation = |(formulation, operations): &(Formulation, Operations)| {
+        let Operations {
+            mul,
+            add,
+            div,
+            trig,
+        } = operations;
+        let value = json!({ "total": operations.total(), "mul": mul, "add": add, "div": div, "trig": trig });
+        (formulation.name().to_owned(), value)
+    };
+    let formulations: Map<String, Value> = counts.formulations.iter().map(formulation).collect();
+    json!({
+        "name": counts.function.name,
+        "default": counts.function.is_default,
+        "formulations": formulations,
+        "cheapest": counts.cheapest.name(),
+    })
+}

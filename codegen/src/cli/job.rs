@@ -1,0 +1,113 @@
+//! One module to generate, and the generation of all that are asked for.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use kane_codegen::{
+    compile::Options,
+    diagnostic::{Diagnostics, Source},
+    error::Error,
+    generate::{self, Generated},
+};
+
+use super::{Failures, paths, say};
+
+/// A model, what to generate from it, and where that goes.
+#[derive(Debug)]
+pub(crate) struct Job {
+    /// The model, to open and to show.
+    pub(crate) model: PathBuf,
+    /// The model's path in the banner.
+    pub(crate) shown: String,
+    /// Where the module goes.
+    pub(crate) target: Target,
+    /// What is generated.
+    pub(crate) options: Options,
+}
+
+/// Where a module goes.
+#[derive(Debug)]
+pub(crate) enum Target {
+    /// Standard output.
+    StandardOutput,
+    /// A file, to open and to show.
+    File(PathBuf),
+}
+
+impl Target {
+    /// What `--output` means.
+    pub(crate) fn new(output: &Path) -> Self {
+        if output == Path::new("-") {
+            Self::StandardOutput
+        } else {
+            Self::File(output.to_owned())
+        }
+    }
+
+    /// True where the target is the file to which `path` leads.
+    pub(crate) fn is_same_file(&self, path: &Path) -> bool {
+        let place = |path: &Path| {
+            let folder = fs::canonicalize(paths::parent(path)).ok()?;
+            Some((folder, path.file_name()?.to_owned()))
+        };
+        match self {
+            Self::StandardOutput => false,
+            Self::File(file) => {
+                file == path || place(file).is_some_and(|file| Some(file) == place(path))
+            }
+        }
+    }
+}
+
+/// Generates every module, or says what is wrong with any of them. Warnings are told once for each model.
+pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
+    let mut failures = Failures::default();
+    let modules = jobs.iter();
+    let modules: Vec<Generated> = modules
+        .filter_map(|job| failures.keep(generate_one(job)))
+        .collect();
+    failures.none()?;
+    let mut told = Vec::new();
+    for module in &modules {
+        let text = module.warnings.to_string();
+        if !told.contains(&text) {
+            warn(&module.warnings);
+            told.push(text);
+        }
+    }
+    Ok(modules)
+}
+
+/// Tells the user what should be known about a model.
+pub(crate) fn warn(warnings: &Diagnostics) {
+    if !warnings.is_empty() {
+        say(format_args!("{warnings}\n"));
+    }
+}
+
+/// Reads a model.
+pub(crate) fn read(model: &Path) -> Result<Source, Error> {
+    let text = fs::read_to_string(model).map_err(|source| Error::Io {
+        path: model.to_owned(),
+        source,
+    })?;
+    Ok(Source::new(model.to_string_lossy(), text))
+}
+
+fn generate_one(job: &Job) -> Result<Generated, Failures> {
+    if job.target.is_same_file(&job.model) {
+        let model = job.model.display();
+        return Err(Failures::message(format!(
+            "`{model}` is the model; the module needs a file of its own"
+        )));
+    }
+    let source = read(&job.model)?;
+    generate::generate(&source, &job.shown, &job.options).map_err(|error| match error {
+        Error::Unrepresentable { .. } => {
+            Failures::message(format!("`{}`: {error}", job.model.display()))
+        }
+        error => error.into(),
+    })
+}

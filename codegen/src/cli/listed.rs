@@ -1,0 +1,97 @@
+//! What a `kane.toml` lists, as jobs.
+//!
+//! In: the file's path. Out: its systems, with paths that can be opened from the current folder, and the path of each model
+//! as it stands in a banner: relative to the file, whatever the current folder.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use kane_codegen::{
+    compile::Options,
+    config::{self, Config, System},
+    diagnostic::Source,
+    error::Error,
+    functions::CATALOGUE,
+};
+
+use super::{
+    Failures,
+    job::{Job, Target},
+    paths,
+};
+
+/// A `kane.toml` that was read.
+pub(super) struct Listed {
+    /// Its systems.
+    pub(super) config: Config,
+    /// Its folder, absolute.
+    root: PathBuf,
+    /// Its folder, as it is shown.
+    pub(super) shown_root: PathBuf,
+}
+
+impl Listed {
+    pub(super) fn read(path: &Path) -> Result<Self, Failures> {
+        let text = fs::read_to_string(path).map_err(|source| Error::Io {
+            path: path.to_owned(),
+            source,
+        })?;
+        let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
+        let config = config::parse(&Source::new(path.to_string_lossy(), text), &known)?;
+        let root = paths::target(paths::parent(path))?;
+        let shown_root = paths::shown(&root)?;
+        Ok(Self {
+            config,
+            root,
+            shown_root,
+        })
+    }
+
+    pub(super) fn job(&self, system: &System) -> Result<Job, Failures> {
+        let place = |text: &str| {
+            self.shown_root
+                .join(paths::normal(Path::new(text)).iter().collect::<PathBuf>())
+        };
+        let relative: PathBuf = paths::normal(Path::new(&system.model)).iter().collect();
+        let model = place(&system.model);
+        let shown = paths::with_slashes(&relative).ok_or_else(|| cannot_be_shown(&model))?;
+        Ok(Job {
+            shown,
+            target: Target::File(place(&system.output)),
+            options: Options {
+                functions: system.functions.clone(),
+                formulation: system.formulation,
+            },
+            model,
+        })
+    }
+
+    /// The jobs whose model is this very file.
+    pub(super) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
+        let file = paths::target(model)?;
+        let is_listed = |system: &&System| {
+            fs::canonicalize(self.root.join(&system.model)).is_ok_and(|listed| listed == file)
+        };
+        let systems = self.config.systems.iter().filter(is_listed);
+        systems.map(|system| self.job(system)).collect()
+    }
+}
+
+/// The model's path as the banner shows it: relative to `kane.toml`, else the file's name.
+pub(super) fn shown_model(model: &Path, listed: Option<&Listed>) -> Result<String, Failures> {
+    let name = model.file_name().unwrap_or_default();
+    let folder = paths::target(paths::parent(model))?;
+    let relative = listed.and_then(|listed| paths::relative(&listed.root, &folder.join(name)));
+    let shown = relative.unwrap_or_else(|| PathBuf::from(name));
+    paths::with_slashes(&shown).ok_or_else(|| cannot_be_shown(model))
+}
+
+fn cannot_be_shown(model: &Path) -> Failures {
+    let text = model.to_string_lossy();
+    let text = text.escape_debug();
+    Failures::message(format!(
+        "`{text}` cannot stand in a generated file: expected the path of a file, in printable characters"
+    ))
+}

@@ -1,0 +1,118 @@
+//! The command line: what can be asked for, and what comes back.
+//!
+//! Each subcommand is a file: its arguments with their documentation, and `run`. Results go to standard output;
+//! warnings, faults and the line about each file to standard error. Files are read and written here, in
+//! [`kane_codegen::output`] and nowhere below.
+
+// One subcommand each.
+mod check;
+mod eval;
+mod generate;
+mod info;
+// What they share: which systems, where they stand, what is wrong with them, how it is written.
+mod failure;
+mod job;
+mod json;
+mod listed;
+mod paths;
+mod pipe;
+mod selection;
+mod state;
+mod stray;
+
+use std::{
+    fmt,
+    io::{self, Write},
+    process::ExitCode,
+};
+
+use clap::{Parser, Subcommand};
+
+pub(crate) use failure::Failures;
+pub(crate) use pipe::Pipe;
+
+/// Exit code: nothing to complain about.
+const DONE: u8 = 0;
+/// Exit code: a generated file differs, is missing, or is produced by nothing.
+const DIFFERS: u8 = 1;
+/// Exit code: bad input or a file that cannot be accessed.
+pub(crate) const BAD_INPUT: u8 = 2;
+
+/// Compiler from multibody systems to flat, allocation-free Rust.
+#[derive(Debug, Parser)]
+#[command(
+    name = "kane",
+    version,
+    long_about = "Compiler from multibody systems (trees of rigid bodies) to flat, allocation-free Rust.\n\n\
+        A model (TOML) describes the bodies and their joints. `kane generate` writes a Rust module with one \
+        straight-line function per quantity: mass matrix, bias, forward dynamics and so on. `kane.toml` lists the \
+        models of a repository and the files generated from them; `kane check` tells in continuous integration \
+        whether those files are what their models say.",
+    after_help = "Exit codes:\n  \
+        0  done; nothing differs\n  \
+        1  `kane check`: a file differs, is missing, or is produced by nothing\n  \
+        2  bad input, or a file that cannot be read or written; nothing was written",
+    after_long_help = "Exit codes:\n  \
+        0  done; nothing differs\n  \
+        1  `kane check`: a file differs, is missing, or is produced by nothing\n  \
+        2  bad input, or a file that cannot be read or written; nothing was written\n\n\
+        Examples:\n  \
+        kane generate                                      everything in kane.toml\n  \
+        kane check                                         is it up to date?\n  \
+        kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
+        kane info models/arm.toml                          tree, coordinates, partitions, operation counts\n  \
+        kane eval models/arm.toml --function mass_matrix --state state.json\n\n\
+        kane.toml, with paths relative to it:\n  \
+        [[system]]\n  \
+        model = \"models/arm.toml\"\n  \
+        output = \"generated/arm.rs\"\n  \
+        functions = [\"all\"]          # or names; absent: the default set\n  \
+        formulation = \"cheapest\"     # or notes, recursive; absent: cheapest"
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Generate(generate::Arguments),
+    Check(check::Arguments),
+    Info(info::Arguments),
+    Eval(eval::Arguments),
+}
+
+/// How a command ended that was not given bad input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// Done, or everything is the same.
+    Done,
+    /// Something differs.
+    Differs,
+}
+
+/// Does what is asked for; results go to `out`.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let outcome = match &arguments.command {
+        Command::Generate(arguments) => generate::run(arguments, out)?,
+        Command::Check(arguments) => check::run(arguments, out)?,
+        Command::Info(arguments) => info::run(arguments, out)?,
+        Command::Eval(arguments) => eval::run(arguments, out)?,
+    };
+    out.flush()?;
+    Ok(outcome)
+}
+
+/// Tells the user something on standard error. Where nobody can hear it, it is not worth stopping for.
+pub(crate) fn say(text: impl fmt::Display) {
+    drop(writeln!(io::stderr(), "{text}"));
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(match outcome {
+            Outcome::Done => DONE,
+            Outcome::Differs => DIFFERS,
+        })
+    }
+}

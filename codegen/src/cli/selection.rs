@@ -1,0 +1,257 @@
+//! The arguments that `generate` and `check` share, and which systems they select.
+//!
+//! In: arguments and, where there is one, `kane.toml`. Out: a [`Plan`]: models, files, options.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, builder::PossibleValuesParser, builder::TypedValueParser};
+use kane_codegen::{
+    compile::Options,
+    config::{Formulation, Functions},
+    diagnostic::nearest,
+    error::Error,
+    functions::CATALOGUE,
+};
+
+use super::{
+    Failures,
+    job::{self, Job, Target},
+    listed::{self, Listed},
+    paths,
+};
+
+/// Which systems, and what of them.
+#[derive(Args, Debug)]
+pub(crate) struct Selection {
+    /// The model; without it, everything in `kane.toml`
+    ///
+    /// If the `kane.toml` in the model's folder or the nearest above lists the model, output, functions and formulation
+    /// are those written there, as far as no option says otherwise. If not, --output says where the module goes.
+    #[arg(value_name = "MODEL")]
+    model: Option<PathBuf>,
+
+    /// The file to write; `-` is standard output
+    ///
+    /// Relative to the current folder. Functions and formulation are then those of the options, or the defaults; those
+    /// of `kane.toml` only if it lists this model with this very file.
+    #[arg(long, short, value_name = "FILE", requires = "model")]
+    output: Option<PathBuf>,
+
+    /// The functions, with commas between them; `all` for every one
+    ///
+    /// `kane info MODEL` lists them. `q_dot` is always among them: the trait `kane::System` needs it.
+    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
+    functions: Option<Vec<String>>,
+
+    /// How sums over bodies are associated: as in the notes, along the tree, or whichever needs fewer operations
+    #[arg(long, value_name = "WHICH", requires = "model", value_parser = formulation())]
+    formulation: Option<Formulation>,
+
+    /// The file that lists the systems, in place of the `kane.toml` found in the current folder or above it
+    /// (with MODEL: in the model's folder or above it)
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
+}
+
+/// What is to be generated.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    /// One job a file.
+    pub(crate) jobs: Vec<Job>,
+    /// The `kane.toml`, if everything in it is to be generated.
+    pub(crate) whole: Option<Whole>,
+}
+
+/// A `kane.toml` of which everything is to be generated, as it is shown.
+#[derive(Debug)]
+pub(crate) struct Whole {
+    /// The file.
+    pub(crate) config: PathBuf,
+    /// Its folder, with which the jobs' paths begin.
+    pub(crate) root: PathBuf,
+}
+
+/// Reads `--formulation`.
+pub(crate) fn formulation() -> impl TypedValueParser<Value = Formulation> {
+    let names = Formulation::ALL.map(|(name, _)| name);
+    PossibleValuesParser::new(names).map(|name| {
+        let found = Formulation::ALL
+            .into_iter()
+            .find(|(known, _)| *known == name);
+        found.expect("clap takes only these names").1
+    })
+}
+
+/// Why a function cannot be had, with the name that was probably meant.
+pub(crate) fn unknown_function(name: &str) -> Failures {
+    let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
+    let help = match nearest(name, &known) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("the functions are {}", known.join(", ")),
+    };
+    Failures::message(format!("`{}` is no function; {help}", name.escape_debug()))
+}
+
+impl Selection {
+    /// The systems that are selected.
+    pub(crate) fn plan(&self) -> Result<Plan, Failures> {
+        let functions = self.functions.as_deref().map(functions).transpose()?;
+        match &self.model {
+            None => self.whole(),
+            Some(model) => {
+                let jobs = self.single(model, functions.as_ref())?;
+                Ok(Plan { jobs, whole: None })
+            }
+        }
+    }
+
+    /// The command that writes what is selected: for the user to copy.
+    pub(crate) fn command(&self) -> String {
+        let mut command = String::from("kane generate");
+        let mut push = |text: &str| {
+            command.push(' ');
+            command.push_str(&quoted(text));
+        };
+        if let Some(model) = &self.model {
+            push(&model.to_string_lossy());
+        }
+        if let Some(output) = &self.output {
+            push("--output");
+            push(&output.to_string_lossy());
+        }
+        if let Some(functions) = &self.functions {
+            push("--functions");
+            push(&functions.join(","));
+        }
+        if let Some(formulation) = self.formulation {
+            push("--formulation");
+            push(formulation_name(formulation));
+        }
+        if let Some(config) = &self.config {
+            push("--config");
+            push(&config.to_string_lossy());
+        }
+        command
+    }
+
+    /// Everything in `kane.toml`.
+    fn whole(&self) -> Result<Plan, Failures> {
+        let path = match (&self.config, paths::config_above(&paths::here()?)) {
+            (Some(path), _) => path.clone(),
+            (None, Some(path)) => paths::shown(&path)?,
+            (None, None) => {
+                return Err(Failures::message(
+                    "there is no `kane.toml` in this folder or above it; write one, name it with --config, or name a model",
+                ));
+            }
+        };
+        let listed = Listed::read(&path)?;
+        let mut failures = Failures::default();
+        let jobs = listed.config.systems.iter();
+        let jobs: Vec<Job> = jobs
+            .filter_map(|system| failures.keep(listed.job(system)))
+            .collect();
+        failures.none()?;
+        Ok(Plan {
+            jobs,
+            whole: Some(Whole {
+                config: path,
+                root: listed.shown_root,
+            }),
+        })
+    }
+
+    /// One model: a job for each file that `kane.toml` has generated from it, or one for the file that was named.
+    fn single(&self, model: &Path, functions: Option<&Functions>) -> Result<Vec<Job>, Failures> {
+        // A model that cannot be read is told before anything that follows from it.
+        job::read(model)?;
+        let config = self.config_of(model)?;
+        let listed = config.as_deref().map(Listed::read).transpose()?;
+        let jobs = listed.as_ref().map(|listed| listed.jobs_of(model));
+        let mut jobs = jobs.transpose()?.unwrap_or_default();
+        if let Some(output) = &self.output {
+            jobs.retain(|job| job.target.is_same_file(output));
+            if jobs.is_empty() {
+                jobs.push(Job {
+                    model: model.to_owned(),
+                    shown: listed::shown_model(model, listed.as_ref())?,
+                    target: Target::new(output),
+                    options: Options::default(),
+                });
+            }
+        }
+        if jobs.is_empty() {
+            return Err(unlisted(model, config.as_deref()));
+        }
+        for job in &mut jobs {
+            model.clone_into(&mut job.model);
+            if let Some(functions) = functions {
+                job.options.functions = functions.clone();
+            }
+            if let Some(formulation) = self.formulation {
+                job.options.formulation = formulation;
+            }
+        }
+        Ok(jobs)
+    }
+
+    /// The `kane.toml` for one model.
+    fn config_of(&self, model: &Path) -> Result<Option<PathBuf>, Error> {
+        if let Some(path) = &self.config {
+            return Ok(Some(path.clone()));
+        }
+        let above = paths::config_above(&paths::target(paths::parent(model))?);
+        above.map(|path| paths::shown(&path)).transpose()
+    }
+}
+
+fn unlisted(model: &Path, config: Option<&Path>) -> Failures {
+    let model = model.display();
+    let unlisted = match config {
+        Some(config) => format!("`{}` does not list `{model}`", config.display()),
+        None => format!("there is no `kane.toml` above `{model}`"),
+    };
+    Failures::message(format!(
+        "{unlisted}; say where to write with --output FILE, where `-` is standard output"
+    ))
+}
+
+/// Reads `--functions`.
+fn functions(names: &[String]) -> Result<Functions, Failures> {
+    if names == ["all"] {
+        return Ok(Functions::All);
+    }
+    let mut failures = Failures::default();
+    for (index, name) in names.iter().enumerate() {
+        if name == "all" {
+            failures.add(Failures::message(
+                "--functions names functions beside `all`",
+            ));
+        } else if CATALOGUE.iter().all(|function| function.name != name) {
+            failures.add(unknown_function(name));
+        } else if names[..index].contains(name) {
+            failures.add(Failures::message(format!(
+                "--functions names `{name}` twice"
+            )));
+        }
+    }
+    failures.none()?;
+    Ok(Functions::Named(names.to_vec()))
+}
+
+fn formulation_name(formulation: Formulation) -> &'static str {
+    let found = Formulation::ALL
+        .into_iter()
+        .find(|(_, known)| *known == formulation);
+    found.expect("config: every formulation has a name").0
+}
+
+/// The text as a shell reads it back.
+fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "_-./,=:@+%".contains(c);
+    if !text.is_empty() && text.chars().all(plain) {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
+    }
+}

@@ -1,0 +1,285 @@
+//! The state at which a function is evaluated: a JSON file.
+//!
+//! In: its text, the tree, the function. Out: a number for every input the function may read, parameters included. All faults
+//! are reported at once, in the file's own words: `loads[2].force` counts from 0, as the arrays do.
+
+use std::collections::BTreeMap;
+
+use kane_codegen::{
+    diagnostic::{Diagnostic, Diagnostics, Source, nearest},
+    expr::Input,
+    functions::{Argument, Function},
+    id::{BodyId, CoordinateId, ParameterId, SpeedId},
+    tree::Tree,
+};
+use serde_json::{Map, Value};
+
+/// The values of inputs.
+pub(crate) type State = BTreeMap<Input, f64>;
+
+const PARAMETERS: &str = "parameters";
+const ARGUMENTS: [Argument; 6] = [
+    Argument::Q,
+    Argument::U,
+    Argument::UDot,
+    Argument::Tau,
+    Argument::Loads,
+    Argument::RelativeAngularVelocity,
+];
+
+/// Reads the state of a tree, as far as the function needs it; what else the file holds must be right as well.
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub(crate) fn read(
+    source: &Source,
+    tree: &Tree,
+    function: &Function,
+) -> Result<State, Diagnostics> {
+    let mut reader = Reader {
+        tree,
+        state: nominal(tree),
+        faults: Vec::new(),
+    };
+    match serde_json::from_str(source.text()) {
+        Ok(Value::Object(file)) => reader.file(&file, function),
+        Ok(other) => reader.fault(format!(
+            "the file holds {}; expected an object such as {{\"q\": [...]}}",
+            described(&other)
+        )),
+        Err(error) => reader.faults.push(not_json(source, &error)),
+    }
+    if reader.faults.is_empty() {
+        Ok(reader.state)
+    } else {
+        Err(Diagnostics::new(source.clone(), reader.faults))
+    }
+}
+
+/// The parameters' own values.
+fn nominal(tree: &Tree) -> State {
+    let parameters = tree.parameters.iter().enumerate();
+    parameters
+        .map(|(place, parameter)| (Input::Parameter(ParameterId::new(place)), parameter.nominal))
+        .collect()
+}
+
+struct Reader<'a> {
+    tree: &'a Tree,
+    state: State,
+    faults: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn fault(&mut self, message: String) {
+        self.faults.push(Diagnostic::error(message));
+    }
+
+    fn file(&mut self, file: &Map<String, Value>, function: &Function) {
+        let keys: Vec<&str> = ARGUMENTS.iter().map(|argument| argument.name()).collect();
+        let keys = [&keys[..], &[PARAMETERS]].concat();
+        self.unknown_keys("the file", file, &keys);
+        for argument in ARGUMENTS {
+            match file.get(argument.name()) {
+                Some(value) => self.argument(argument, value),
+                None if function.arguments.contains(&argument) => {
+                    let (name, expected) = (argument.name(), self.expected(argument));
+                    self.fault(format!(
+                        "`{}` needs `{name}`, which is missing; expected {expected}",
+                        function.name
+                    ));
+                }
+                None => {}
+            }
+        }
+        match file.get(PARAMETERS) {
+            None => {}
+            Some(Value::Object(values)) => self.parameters(values),
+            Some(other) => self.fault(format!(
+                "`{PARAMETERS}` is {}; expected an object of names and numbers",
+                described(other)
+            )),
+        }
+    }
+
+    fn argument(&mut self, argument: Argument, value: &Value) {
+        let name = argument.name();
+        let items = self.list(name, value, &self.expected(argument), self.length(argument));
+        for (place, item) in items.into_iter().flatten().enumerate() {
+            let what = format!("{name}[{place}]");
+            match argument {
+                Argument::Q => self.number(&what, item, Input::Q(CoordinateId::new(place))),
+                Argument::U => self.number(&what, item, Input::U(SpeedId::new(place))),
+                Argument::UDot => self.number(&what, item, Input::UDot(SpeedId::new(place))),
+                Argument::Tau => self.number(&what, item, Input::Tau(SpeedId::new(place))),
+                Argument::Loads => self.load(&what, item, BodyId::new(place)),
+                Argument::RelativeAngularVelocity => {
+                    self.vector(&what, item, |axis| {
+                        Input::RelativeAngularVelocity(BodyId::new(place), axis)
+                    });
+                }
+            }
+        }
+    }
+
+    /// How many entries an argument has.
+    fn length(&self, argument: Argument) -> usize {
+        match argument {
+            Argument::Q => self.tree.n_coordinates,
+            Argument::U | Argument::UDot | Argument::Tau => self.tree.n_speeds,
+            Argument::Loads | Argument::RelativeAngularVelocity => self.tree.bodies.len(),
+        }
+    }
+
+    /// What an argument should be.
+    fn expected(&self, argument: Argument) -> String {
+        let length = self.length(argument);
+        match argument {
+            Argument::Q => format!("a list of {length} numbers, one a coordinate"),
+            Argument::U | Argument::UDot | Argument::Tau => {
+                format!("a list of {length} numbers, one a speed")
+            }
+            Argument::Loads => format!("a list of {length} loads, one a body"),
+            Argument::RelativeAngularVelocity => {
+                format!("a list of {length} lists of 3 numbers, one a body")
+            }
+        }
+    }
+
+    fn load(&mut self, what: &str, value: &Value, body: BodyId) {
+        let Value::Object(load) = value else {
+            let expected = r#"{"force": [x, y, z], "moment": [x, y, z]}"#;
+            return self.fault(format!(
+                "`{what}` is {}; expected {expected}",
+                described(value)
+            ));
+        };
+        self.unknown_keys(&format!("`{what}`"), load, &["force", "moment"]);
+        self.part(what, load, "force", |axis| Input::Force(body, axis));
+        self.part(what, load, "moment", |axis| Input::Moment(body, axis));
+    }
+
+    fn part(
+        &mut self,
+        what: &str,
+        load: &Map<String, Value>,
+        key: &str,
+        input: impl Fn(usize) -> Input,
+    ) {
+        match load.get(key) {
+            Some(value) => self.vector(&format!("{what}.{key}"), value, input),
+            None => self.fault(format!(
+                "`{what}` has no `{key}`; expected a list of 3 numbers"
+            )),
+        }
+    }
+
+    fn vector(&mut self, what: &str, value: &Value, input: impl Fn(usize) -> Input) {
+        let items = self.list(what, value, "a list of 3 numbers", 3);
+        for (axis, item) in items.into_iter().flatten().enumerate() {
+            self.number(&format!("{what}[{axis}]"), item, input(axis));
+        }
+    }
+
+    fn parameters(&mut self, values: &Map<String, Value>) {
+        let tree = self.tree;
+        let names: Vec<&str> = tree
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.as_str())
+            .collect();
+        for (name, value) in values {
+            if let Some(place) = names.iter().position(|known| known == name) {
+                let input = Input::Parameter(ParameterId::new(place));
+                self.number(&format!("{PARAMETERS}.{name}"), value, input);
+            } else {
+                let name_shown = name.escape_debug();
+                let fault = format!("`{PARAMETERS}` names `{name_shown}`, which is no parameter");
+                let help = known_names(name, &names, "parameters");
+                self.faults.push(Diagnostic::error(fault).help(help));
+            }
+        }
+    }
+
+    /// The entries, if they are as many as they should be.
+    fn list<'v>(
+        &mut self,
+        what: &str,
+        value: &'v Value,
+        expected: &str,
+        length: usize,
+    ) -> Option<&'v Vec<Value>> {
+        match value {
+            Value::Array(items) if items.len() == length => Some(items),
+            Value::Array(items) => {
+                self.fault(format!(
+                    "`{what}` has {} {}; expected {expected}",
+                    items.len(),
+                    if items.len() == 1 { "entry" } else { "entries" }
+                ));
+                None
+            }
+            other => {
+                self.fault(format!(
+                    "`{what}` is {}; expected {expected}",
+                    described(other)
+                ));
+                None
+            }
+        }
+    }
+
+    fn number(&mut self, what: &str, value: &Value, input: Input) {
+        match value.as_f64() {
+            Some(number) => {
+                self.state.insert(input, number);
+            }
+            None => self.fault(format!(
+                "`{what}` is {}; expected a number",
+                described(value)
+            )),
+        }
+    }
+
+    fn unknown_keys(&mut self, what: &str, object: &Map<String, Value>, known: &[&str]) {
+        for key in object.keys().filter(|key| !known.contains(&key.as_str())) {
+            let fault = format!("{what} has the unknown key `{}`", key.escape_debug());
+            self.faults
+                .push(Diagnostic::error(fault).help(known_names(key, known, "keys")));
+        }
+    }
+}
+
+/// What was probably meant.
+fn known_names(name: &str, known: &[&str], what: &str) -> String {
+    match nearest(name, known) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if known.is_empty() => format!("there are no {what}"),
+        None => format!("the {what} are {}", known.join(", ")),
+    }
+}
+
+fn not_json(source: &Source, error: &serde_json::Error) -> Diagnostic {
+    let (line, column) = (error.line(), error.column());
+    let before = source
+        .text()
+        .split_inclusive('\n')
+        .take(line.saturating_sub(1));
+    let start = before.map(str::len).sum::<usize>() + column.saturating_sub(1);
+    let text = error.to_string();
+    let place = format!(" at line {line} column {column}");
+    let reason = text.strip_suffix(&place).unwrap_or(&text);
+    Diagnostic::error(format!("not valid JSON: {reason}")).at((start..start + 1).into(), "here")
+}
+
+/// What a value is, in words.
+fn described(value: &Value) -> String {
+    match value {
+        Value::Null => "null".to_owned(),
+        Value::Bool(value) => value.to_string(),
+        Value::Number(number) => format!("the number {number}"),
+        Value::String(_) => "a string".to_owned(),
+        Value::Array(_) => "a list".to_owned(),
+        Value::Object(_) => "an object".to_owned(),
+    }
+}

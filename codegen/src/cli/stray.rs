@@ -1,0 +1,114 @@
+//! Files that nothing in `kane.toml` produces.
+//!
+//! A folder named `generated` holds nothing but modules, so every file below it counts, but for `mod.rs`, which may declare
+//! them, and hidden files. Other folders may hold what people wrote beside what we wrote: there our banner tells.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ffi::OsStr,
+    fs::{self, File},
+    io::{self, Read},
+    path::{Path, PathBuf},
+};
+
+use kane_codegen::{error::Error, generate::BANNER_START};
+
+use super::{
+    Failures,
+    job::{Job, Target},
+    paths,
+};
+
+/// Which files of a folder nothing may have produced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Nothing but modules, folders within included.
+    Generated,
+    /// Modules and other files.
+    Mixed,
+}
+
+/// The files that no job writes in folders where jobs write, in order; `root` is the folder of `kane.toml`.
+pub(crate) fn find(jobs: &[Job], root: &Path) -> Result<Vec<PathBuf>, Failures> {
+    let mut produced = BTreeSet::new();
+    let mut folders = BTreeMap::new();
+    for job in jobs {
+        if let Target::File(path) = &job.target {
+            produced.insert(paths::normal(path).iter().collect::<PathBuf>());
+            let (folder, kind) = folder(path, root);
+            folders.insert(folder, kind);
+        }
+    }
+    let (mut strays, mut failures) = (BTreeSet::new(), Failures::default());
+    for (folder, kind) in folders {
+        failures.keep(visit(&folder, kind, &produced, &mut strays));
+    }
+    failures.none()?;
+    Ok(strays.into_iter().collect())
+}
+
+/// The outermost folder named `generated` between `root` and the file, else the file's own folder.
+fn folder(file: &Path, root: &Path) -> (PathBuf, Kind) {
+    let own = paths::parent(file);
+    let below_root = own.strip_prefix(root).unwrap_or(own);
+    let is_generated = |folder: &&Path| folder.file_name() == Some(OsStr::new("generated"));
+    let clean = |folder: &Path| paths::normal(folder).iter().collect();
+    match below_root.ancestors().filter(is_generated).last() {
+        Some(folder) => (clean(&root.join(folder)), Kind::Generated),
+        None => (clean(own), Kind::Mixed),
+    }
+}
+
+fn visit(
+    folder: &Path,
+    kind: Kind,
+    produced: &BTreeSet<PathBuf>,
+    strays: &mut BTreeSet<PathBuf>,
+) -> Result<(), Error> {
+    let io = |path: &Path| {
+        let path = path.to_owned();
+        move |source| Error::Io { path, source }
+    };
+    let opened = if folder == Path::new("") {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let entries = match fs::read_dir(opened) {
+        // Its files are missing, and reported as such.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        entries => entries.map_err(io(opened))?,
+    };
+    for entry in entries {
+        let entry = entry.map_err(io(opened))?;
+        let path = folder.join(entry.file_name());
+        let is_hidden = entry.file_name().as_encoded_bytes().starts_with(b".");
+        let file_type = entry.file_type().map_err(io(&path))?;
+        if is_hidden || produced.contains(&path) {
+            continue;
+        }
+        let is_stray = match kind {
+            Kind::Generated if file_type.is_dir() => {
+                visit(&path, kind, produced, strays)?;
+                false
+            }
+            Kind::Generated => {
+                entry.file_name() != "mod.rs" || has_banner(&path).map_err(io(&path))?
+            }
+            Kind::Mixed => file_type.is_file() && has_banner(&path).map_err(io(&path))?,
+        };
+        if is_stray {
+            strays.insert(path);
+        }
+    }
+    Ok(())
+}
+
+fn has_banner(path: &Path) -> io::Result<bool> {
+    let mut start = Vec::new();
+    let banner = BANNER_START.as_bytes();
+    File::open(path)?
+        .take(banner.len() as u64)
+        .read_to_end(&mut start)?;
+    Ok(start == banner)
+}

@@ -1,0 +1,144 @@
+//! What changed between two texts of a module: functions, and the operations that each states in its documentation.
+//!
+//! In: two texts. Out: a [`Comparison`]. Reads the line `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig` and nothing
+//! else, so it serves for modules of any age; a function without that line is left out.
+
+use std::collections::BTreeMap;
+
+use syn::{Attribute, Expr, ExprLit, ImplItem, Item, Lit, Meta};
+
+use crate::program::Operations;
+
+/// What a function states about itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Counted {
+    /// Its operations.
+    pub operations: Operations,
+    /// Its formulation, where it has more than one.
+    pub formulation: Option<String>,
+}
+
+/// A function that both modules hold, with other operations or in another formulation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// The function's name; `Prepared::new` for the preparation.
+    pub name: String,
+    /// What the old module states.
+    pub old: Counted,
+    /// What the new module states.
+    pub new: Counted,
+}
+
+/// What changed, each list in the order of its module.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Comparison {
+    /// Functions that both hold and that differ.
+    pub changed: Vec<Change>,
+    /// Functions that only the new module holds.
+    pub added: Vec<(String, Counted)>,
+    /// Functions that only the old module holds.
+    pub removed: Vec<(String, Counted)>,
+}
+
+/// Compares the functions of two modules.
+///
+/// ```
+/// let module = |count: usize| format!("/// Kinetic energy.\n///\n/// Operations: {count} = {count} mul + 0 add + 0 div + 0 trig.\npub fn kinetic_energy() {{}}");
+/// let comparison = kane_codegen::report::compare(&module(7), &module(8)).unwrap();
+/// assert_eq!(comparison.changed[0].old.operations.total(), 7);
+/// assert_eq!(comparison.changed[0].new.operations.total(), 8);
+/// ```
+///
+/// # Errors
+/// A text that is not Rust.
+pub fn compare(old: &str, new: &str) -> Result<Comparison, syn::Error> {
+    let (old_list, new_list) = (counted(old)?, counted(new)?);
+    let old_map: BTreeMap<_, _> = old_list.iter().cloned().collect();
+    let new_map: BTreeMap<_, _> = new_list.iter().cloned().collect();
+    let mut comparison = Comparison::default();
+    for (name, new) in new_list {
+        match old_map.get(&name) {
+            None => comparison.added.push((name, new)),
+            Some(old) if *old == new => {}
+            Some(old) => comparison.changed.push(Change {
+                old: old.clone(),
+                name,
+                new,
+            }),
+        }
+    }
+    comparison.removed = old_list
+        .into_iter()
+        .filter(|(name, _)| !new_map.contains_key(name))
+        .collect();
+    Ok(comparison)
+}
+
+/// The functions of a module that state their operations, in its order.
+///
+/// # Errors
+/// A text that is not Rust.
+pub fn counted(source: &str) -> Result<Vec<(String, Counted)>, syn::Error> {
+    let mut list = Vec::new();
+    for item in syn::parse_file(source)?.items {
+        match item {
+            Item::Fn(function) => {
+                let name = function.sig.ident.to_string();
+                list.extend(stated(&function.attrs).map(|counted| (name, counted)));
+            }
+            Item::Impl(block) if block.trait_.is_none() => {
+                for item in block.items {
+                    if let ImplItem::Fn(function) = item {
+                        let name = format!("Prepared::{}", function.sig.ident);
+                        list.extend(stated(&function.attrs).map(|counted| (name, counted)));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(list)
+}
+
+/// What the documentation states.
+fn stated(attributes: &[Attribute]) -> Option<Counted> {
+    attributes.iter().find_map(|attribute| {
+        let Meta::NameValue(pair) = &attribute.meta else {
+            return None;
+        };
+        match &pair.value {
+            Expr::Lit(ExprLit {
+                lit: Lit::Str(text),
+                ..
+            }) if pair.path.is_ident("doc") => parse(&text.value()),
+            _ => None,
+        }
+    })
+}
+
+/// Reads `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig; formulation: notes.`
+fn parse(line: &str) -> Option<Counted> {
+    let line = line.trim().strip_prefix("Operations: ")?;
+    let line = line.strip_suffix('.').unwrap_or(line);
+    let (counts, formulation) = match line.split_once("; formulation: ") {
+        Some((counts, formulation)) => (counts, Some(formulation.to_owned())),
+        None => (line, None),
+    };
+    let (_, terms) = counts.split_once(" = ")?;
+    let mut operations = Operations::default();
+    for term in terms.split(" + ") {
+        let (number, kind) = term.split_once(' ')?;
+        let count = match kind {
+            "mul" => &mut operations.mul,
+            "add" => &mut operations.add,
+            "div" => &mut operations.div,
+            "trig" => &mut operations.trig,
+            _ => return None,
+        };
+        *count = number.parse().ok()?;
+    }
+    Some(Counted {
+        operations,
+        formulation,
+    })
+}

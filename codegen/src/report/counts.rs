@@ -1,0 +1,48 @@
+//! The operations of every function in every formulation that it has.
+
+use crate::{
+    compile::{self, Choice},
+    functions::{CATALOGUE, Formulation, Function},
+    program::Operations,
+    tree::Tree,
+};
+
+/// The operations of a function.
+#[derive(Clone, Debug)]
+pub struct Counts {
+    /// The function.
+    pub function: &'static Function,
+    /// Its formulations, each with the operations that it leaves in the loop.
+    pub formulations: Vec<(Formulation, Operations)>,
+    /// The one with the fewest operations, which is what is generated where nothing else is asked for.
+    pub cheapest: Formulation,
+}
+
+/// Counts the operations of every function, in the order of the catalogue.
+pub fn counts(tree: &Tree) -> Vec<Counts> {
+    CATALOGUE
+        .iter()
+        .map(|function| count(tree, function))
+        .collect()
+}
+
+fn count(tree: &Tree, function: &'static Function) -> Counts {
+    let formulations: Vec<(Formulation, Operations)> = function
+        .formulations()
+        .iter()
+        .map(|&formulation| {
+            let Choice { derived, .. } = compile::candidate(tree, function, formulation);
+            (formulation, compile::operations(&derived))
+        })
+        .collect();
+    // The first of equals, as `compile::choose` takes it.
+    let (cheapest, _) = *formulations
+        .iter()
+        .min_by_key(|(_, operations)| operations.total())
+        .expect("functions: every function has a formulation");
+    Counts {
+        function,
+        formulations,
+        cheapest,
+    }
+}

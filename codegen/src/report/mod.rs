@@ -1,0 +1,14 @@
+//! What people ask about a system and about a change of its module, as data.
+//!
+//! In: a [`Tree`](crate::tree::Tree), or the texts of two modules. Out: a picture, patterns, counts. The command
+//! prints them; so can a build script or a test. Does not: touch files.
+
+mod compare;
+mod counts;
+mod partitions;
+mod picture;
+
+pub use compare::{Change, Comparison, Counted, compare, counted};
+pub use counts::{Counts, counts};
+pub use partitions::{Cell, Partitions, partitions};
+pub use picture::picture;

@@ -1,0 +1,74 @@
+//! The tree as text.
+
+use crate::{
+    description::Axis,
+    id::BodyId,
+    tree::{Body, Coordinate, Tree},
+};
+
+/// A line for the inertial frame and for each body, with its number, joint and, where it differs, the user's number.
+///
+/// ```text
+/// 0 inertial frame
+/// `-- 1 hub: theta1 theta2 theta3 s1 s2 s3
+///     |-- 2 shoulder (3 in the model): theta1; theta3 = 0.5
+///     `-- 3 panel (2 in the model): s2
+/// ```
+pub fn picture(tree: &Tree) -> String {
+    let mut text = String::from("0 inertial frame\n");
+    let mut bodies_on = vec![Vec::new(); tree.bodies.len() + 1];
+    for body in tree.body_ids() {
+        bodies_on[number(tree.lower(body))].push(body);
+    }
+    // A stack, not a recursion: a chain may be as long as its description.
+    let mut open: Vec<(BodyId, String)> = Vec::new();
+    let mut indent = String::new();
+    let mut lower = None;
+    loop {
+        let bodies: &[BodyId] = &bodies_on[number(lower)];
+        open.extend(bodies.iter().rev().map(|&body| (body, indent.clone())));
+        let Some((body, own_indent)) = open.pop() else {
+            return text;
+        };
+        let is_last = bodies_on[number(tree.lower(body))].last() == Some(&body);
+        let (branch, below) = if is_last {
+            ("`-- ", "    ")
+        } else {
+            ("|-- ", "|   ")
+        };
+        let line = line(tree.body(body), body);
+        text.extend([&own_indent, branch, &line, "\n"]);
+        indent = own_indent + below;
+        lower = Some(body);
+    }
+}
+
+/// The body's number in the body-connection array, from 1; 0 is the inertial frame.
+fn number(body: Option<BodyId>) -> usize {
+    body.map_or(0, |body| body.index() + 1)
+}
+
+fn line(body: &Body, id: BodyId) -> String {
+    let number = number(Some(id));
+    let renumbered = if body.user_number == number {
+        String::new()
+    } else {
+        format!(" ({} in the model)", body.user_number)
+    };
+    let mut free = Vec::new();
+    let mut locked = Vec::new();
+    for (axis, coordinate) in Axis::NAMES.into_iter().zip(body.joint.coordinates()) {
+        match coordinate {
+            Coordinate::Free { .. } => free.push(axis),
+            Coordinate::Locked(value) if value != 0.0 => {
+                locked.push(format!("; {axis} = {value:?}"));
+            }
+            Coordinate::Locked(_) => {}
+        }
+    }
+    if free.is_empty() {
+        free.push("fixed");
+    }
+    let (name, free, locked) = (&body.name, free.join(" "), locked.concat());
+    format!("{number} {name}{renumbered}: {free}{locked}")
+}

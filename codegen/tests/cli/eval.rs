@@ -1,0 +1,326 @@
+//! `kane eval`.
+
+use serde_json::{Value, json};
+
+use super::project::{Project, Ran, model, repository};
+
+/// The largest error relative to the largest entry; see `reference.rs`.
+const TOLERANCE: f64 = 1e-12;
+
+const SYSTEMS: [&str; 3] = ["eight_body", "two_roots", "tree12"];
+
+fn reference(name: &str) -> (String, Value) {
+    let model = match name {
+        "eight_body" => repository("models/eight_body.toml"),
+        _ => repository(&format!("tests/reference/{name}.toml")),
+    };
+    let path = repository(&format!("tests/reference/{name}.json"));
+    let values: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    (
+        model.to_str().unwrap().to_owned(),
+        values["cases"][0].clone(),
+    )
+}
+
+fn flat(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Array(items) => items.iter().flat_map(flat).collect(),
+        number => vec![number.as_f64().unwrap()],
+    }
+}
+
+/// The reference's state in the order of Eq. (1).
+fn state(case: &Value) -> Value {
+    let both = |angles: &str, translations: &str| {
+        [
+            flat(&case["state"][angles]),
+            flat(&case["state"][translations]),
+        ]
+        .concat()
+    };
+    let (forces, moments) = (&case["state"]["F"], &case["state"]["M"]);
+    let loads = forces
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(moments.as_array().unwrap());
+    let loads: Value = loads
+        .map(|(force, moment)| json!({ "force": force, "moment": moment }))
+        .collect();
+    json!({ "q": both("theta", "s"), "u": both("theta_dot", "s_dot"), "loads": loads })
+}
+
+fn evaluated(model: &str, function: &str, formulation: &str, state: &Value) -> Value {
+    let arguments = [
+        "eval",
+        model,
+        "--function",
+        function,
+        "--formulation",
+        formulation,
+        "--state",
+        "-",
+    ];
+    let ran = Project::empty().kane_given(&arguments, &state.to_string());
+    assert_eq!(ran.code, 0, "{ran:?}");
+    serde_json::from_str(&ran.out).unwrap()
+}
+
+fn assert_close(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len());
+    let largest = expected
+        .iter()
+        .fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    for (found, expected) in found.iter().zip(expected) {
+        assert!(
+            (found - expected).abs() <= TOLERANCE * largest,
+            "{found} is not {expected}"
+        );
+    }
+}
+
+#[test]
+fn mass_matrix_and_forcing_are_those_of_the_reference() {
+    for name in SYSTEMS {
+        let (model, case) = reference(name);
+        for formulation in ["notes", "recursive", "cheapest"] {
+            let matrix = evaluated(&model, "mass_matrix", formulation, &state(&case));
+            assert_eq!(
+                matrix.as_array().unwrap().len(),
+                matrix[0].as_array().unwrap().len()
+            );
+            assert_close(&flat(&matrix), &flat(&case["expect"]["A"]));
+            let forcing = evaluated(&model, "forcing", formulation, &state(&case));
+            assert_close(&flat(&forcing), &flat(&case["expect"]["f"]));
+        }
+    }
+}
+
+#[test]
+fn partial_velocity_is_that_of_the_reference() {
+    for name in SYSTEMS {
+        let (model, case) = reference(name);
+        let found = evaluated(&model, "partial_velocity", "cheapest", &state(&case));
+        let bodies = case["expect"]["bodies"].as_array().unwrap();
+        let mut dense: Vec<Vec<f64>> = bodies
+            .iter()
+            .map(|body| vec![0.0; flat(&body["v_G_y"]).len()])
+            .collect();
+        for block in found["blocks"].as_array().unwrap() {
+            let at = |key: &str| usize::try_from(block[key].as_u64().unwrap()).unwrap();
+            let row = &mut dense[at("body")];
+            let width = row.len() / 3;
+            for column in 0..at("columns") {
+                let entries = flat(&found["columns"][at("first") + column]);
+                for (component, entry) in entries.into_iter().enumerate() {
+                    row[component * width + at("speed") + column] = entry;
+                }
+            }
+        }
+        for (found, body) in dense.iter().zip(bodies) {
+            assert_close(found, &flat(&body["v_G_y"]));
+        }
+    }
+}
+
+#[test]
+fn numbers_are_nested_as_the_output_is() {
+    let shape = |function: &str| {
+        let ran = arm(function, r#"{"q": [0, 0, 0], "u": [0, 0, 0]}"#);
+        assert_eq!(ran.code, 0, "{ran:?}");
+        let mut value: &Value = &serde_json::from_str(&ran.out).unwrap();
+        let mut lengths = Vec::new();
+        while let Value::Array(items) = value {
+            lengths.push(items.len());
+            value = &items[0];
+        }
+        lengths
+    };
+    assert_eq!(shape("kinetic_energy"), Vec::<usize>::new());
+    assert_eq!(shape("linear_momentum"), [3]);
+    assert_eq!(shape("bias"), [3]);
+    assert_eq!(shape("singularity"), [2]);
+    assert_eq!(shape("mass_matrix"), [3, 3]);
+    assert_eq!(shape("angular_velocity"), [2, 3]);
+    assert_eq!(shape("rotation"), [2, 3, 3]);
+}
+
+fn arm(function: &str, state: &str) -> Ran {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "{ runtime = 2.0 }"));
+    project.write("state.json", state);
+    project.kane(&[
+        "eval",
+        "arm.toml",
+        "--function",
+        function,
+        "--state",
+        "state.json",
+    ])
+}
+
+#[test]
+fn matrix_is_printed_by_rows() {
+    let ran = arm("rotation", r#"{"q": [0, 0, 0]}"#);
+    insta::assert_snapshot!(ran.out, @"
+    [
+      [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0]
+      ],
+      [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0]
+      ]
+    ]
+    ");
+}
+
+#[test]
+fn parameters_are_nominal_unless_the_state_says_otherwise() {
+    // Only the slider moves: its kinetic energy is that of both masses, 2.0 and 1.5 kg, at 2 m/s.
+    let energy = |parameters: &str| {
+        let ran = arm(
+            "kinetic_energy",
+            &format!(r#"{{"q": [0, 0, 0], "u": [0, 2, 0]{parameters}}}"#),
+        );
+        ran.out.trim().parse::<f64>().unwrap()
+    };
+    assert!((energy("") - 7.0).abs() < 1e-12);
+    assert!((energy(r#", "parameters": {"upper_mass": 3.0}"#) - 9.0).abs() < 1e-12);
+}
+
+#[test]
+fn rates_of_angles_are_taken_from_relative_angular_velocities() {
+    let project = Project::empty();
+    project.write(
+        "arm.toml",
+        &model("arm", "2.0").replace(r#"["theta1", "s2"]"#, "\"free\""),
+    );
+    let state = r#"{"q": [0, 0, 0, 0, 0, 0, 0], "w_rel": [[1, 2, 3], [0, 0, 0]]}"#;
+    let ran = project.kane_given(
+        &[
+            "eval",
+            "arm.toml",
+            "--function",
+            "angle_rates",
+            "--state",
+            "-",
+        ],
+        state,
+    );
+    assert_eq!(ran.code, 0, "{ran:?}");
+    let rates: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(flat(&rates[0]), [1.0, 2.0, 3.0]);
+}
+
+#[test]
+fn all_faults_of_the_state_are_reported() {
+    let state = r#"{
+        "q": [0.0, "a", null],
+        "uu": [1, 2, 3],
+        "tau": 3,
+        "loads": [{"force": [1, 2], "momentum": [0, 0, 0]}, 7],
+        "w_rel": [[0, 0, 0]],
+        "parameters": {"uper_mass": 1.0, "upper_mass": [2.0]}
+    }"#;
+    let ran = arm("forcing", state);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err);
+}
+
+#[test]
+fn what_the_function_does_not_need_may_be_absent() {
+    assert_eq!(arm("rotation", r#"{"q": [0, 0, 0]}"#).code, 0);
+    let ran = arm("inverse_dynamics", r#"{"q": [0, 0, 0]}"#);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @"
+    error: `inverse_dynamics` needs `u`, which is missing; expected a list of 3 numbers, one a speed
+    --> state.json
+
+    error: `inverse_dynamics` needs `u_dot`, which is missing; expected a list of 3 numbers, one a speed
+    --> state.json
+    ");
+}
+
+#[test]
+fn state_that_is_not_json_is_shown_with_its_line() {
+    let ran = arm("rotation", "{\"q\": [0,\n 0 0]}");
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @r"
+    error: not valid JSON: expected `,` or `]`
+     --> state.json:2:4
+      |
+    2 |  0 0]}
+      |    ^ here
+    ");
+}
+
+#[test]
+fn state_that_ends_early_is_shown_at_its_end() {
+    let ran = arm("rotation", "");
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .starts_with("error: not valid JSON: EOF while parsing a value"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn state_that_is_no_object_is_said() {
+    let ran = arm("rotation", "[0, 0, 0]");
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .starts_with("error: the file holds a list; expected an object"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn number_that_is_not_finite_is_null_and_told() {
+    // The square of the speed is more than f64 holds.
+    let ran = arm("kinetic_energy", r#"{"q": [0, 0, 0], "u": [0, 1e308, 0]}"#);
+    assert_eq!((ran.code, ran.out.as_str()), (0, "null\n"));
+    assert_eq!(
+        ran.err,
+        "warning: 1 of 1 numbers are not finite; they are shown as null\n"
+    );
+}
+
+#[test]
+fn unknown_function_is_answered_with_what_was_meant() {
+    let ran = arm("mass_matrx", "{}");
+    assert_eq!(ran.code, 2);
+    assert_eq!(
+        ran.err,
+        "error: `mass_matrx` is no function; did you mean `mass_matrix`?\n"
+    );
+}
+
+#[test]
+fn faults_of_function_model_and_state_are_reported_together() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "-2.0"));
+    let ran = project.kane(&[
+        "eval",
+        "arm.toml",
+        "--function",
+        "biass",
+        "--state",
+        "gone.json",
+    ]);
+    assert_eq!(ran.code, 2);
+    for part in [
+        "`biass` is no function",
+        "arm.toml:7:8",
+        "cannot access `gone.json`",
+    ] {
+        assert!(ran.err.contains(part), "no {part} in\n{}", ran.err);
+    }
+}

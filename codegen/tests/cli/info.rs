@@ -1,0 +1,182 @@
+//! `kane info`.
+
+use serde_json::Value;
+
+use super::project::{Project, model, repository};
+
+fn info(arguments: &[&str]) -> String {
+    let path = repository("models/eight_body.toml");
+    let ran = Project::empty().kane(&[&["info", path.to_str().unwrap()], arguments].concat());
+    assert_eq!(ran.code, 0, "{ran:?}");
+    ran.out
+}
+
+/// The text below a heading, up to the next one.
+fn section(text: &str, heading: &str) -> String {
+    let from = text.find(heading).unwrap();
+    let paragraphs: Vec<&str> = text[from..].splitn(3, "\n\n").collect();
+    paragraphs[1].to_owned()
+}
+
+#[test]
+fn tree_of_the_example_is_drawn() {
+    insta::assert_snapshot!(section(&info(&[]), "Tree"), @"
+    0 inertial frame
+    `-- 1 hub: theta1 theta2 theta3 s1 s2 s3
+        |-- 2 shoulder: theta1 theta2 theta3 s1 s2 s3
+        |   |-- 3 forearm: theta1 theta2 theta3 s1 s2 s3
+        |   `-- 5 left_tip: theta1 theta2 theta3 s1 s2 s3
+        |-- 4 left_panel: theta1 theta2 theta3 s1 s2 s3
+        |-- 6 antenna: theta1 theta2 theta3 s1 s2 s3
+        `-- 7 boom: theta1 theta2 theta3 s1 s2 s3
+            `-- 8 camera: theta1 theta2 theta3 s1 s2 s3
+    ");
+}
+
+#[test]
+fn partitions_of_the_example_are_drawn() {
+    insta::assert_snapshot!(section(&info(&[]), "Partitions"));
+}
+
+/// Eqs. (16) and (30): `W_K` has path(K); `V_O_K` has path(L(K)) among the first N and path(K) among the last N; `V_G_K` has
+/// path(K) in both.
+#[test]
+fn partitions_of_the_example_are_the_paths_of_the_notes() {
+    let report: Value = serde_json::from_str(&info(&["--json"])).unwrap();
+    let lower = [0, 1, 2, 1, 2, 1, 1, 7];
+    let path = |body: usize, from: usize| {
+        let mut path = Vec::new();
+        let mut body = body;
+        while body != 0 {
+            path.push(from + body);
+            body = lower[body - 1];
+        }
+        path.reverse();
+        path
+    };
+    for body in 1..=8 {
+        let row = &report["partitions"][body - 1];
+        assert_eq!(row["body"], body);
+        assert_eq!(row["W"], Value::from(path(body, 0)));
+        assert_eq!(
+            row["V_O"],
+            Value::from([path(lower[body - 1], 0), path(body, 8)].concat())
+        );
+        assert_eq!(
+            row["V_G"],
+            Value::from([path(body, 0), path(body, 8)].concat())
+        );
+    }
+}
+
+#[test]
+fn everything_of_a_small_system_is_shown() {
+    let project = Project::empty();
+    // The user's second body is the root, one angle is locked, two values are left to run time.
+    let text = model("arm", "{ runtime = 2.0 }")
+        .replace("lower_bodies = [0, 1]", "lower_bodies = [2, 0]")
+        .replace(
+            "joint = [\"theta2\"]",
+            "joint = [\"theta2\"]\nlocked = { theta3 = 0.5 }",
+        )
+        .replace("-9.81", "{ runtime = -9.81 }");
+    project.write("arm.toml", &text);
+    let ran = project.kane(&["info", "arm.toml"]);
+    assert_eq!(ran.code, 0);
+    assert!(ran.err.contains("renumbered outward"), "{}", ran.err);
+    let (description, _) = ran.out.split_once("Operations of each").unwrap();
+    insta::assert_snapshot!(description);
+}
+
+#[test]
+fn json_has_the_documented_keys() {
+    let report: Value = serde_json::from_str(&info(&["--json"])).unwrap();
+    let keys = |value: &Value| {
+        value
+            .as_object()
+            .unwrap()
+            .keys()
+            .cloned()
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert_eq!(
+        keys(&report),
+        "bodies coordinates functions gravity name order parameters partitions"
+    );
+    assert_eq!(
+        keys(&report["bodies"][0]),
+        "free identifier locked lower_body name number user_number"
+    );
+    assert_eq!(keys(&report["coordinates"][0]), "body kind name place unit");
+    assert_eq!(keys(&report["partitions"][0]), "V_G V_O W body");
+    assert_eq!(
+        keys(&report["functions"][0]),
+        "cheapest default formulations name"
+    );
+    assert_eq!(report["coordinates"][47]["name"], "camera_s3");
+    assert_eq!(report["coordinates"][47]["place"], 47);
+    assert_eq!(report["order"], "notes");
+}
+
+#[test]
+fn counts_are_those_of_the_generated_functions() {
+    let report: Value = serde_json::from_str(&info(&["--json"])).unwrap();
+    let path = repository("models/eight_body.toml");
+    let project = Project::empty();
+    let functions = report["functions"].as_array().unwrap();
+    let mass_matrix = functions
+        .iter()
+        .find(|function| function["name"] == "mass_matrix");
+    for formulation in ["notes", "recursive"] {
+        let arguments = [
+            "generate",
+            path.to_str().unwrap(),
+            "--output",
+            "-",
+            "--formulation",
+            formulation,
+            "--functions",
+            "mass_matrix",
+        ];
+        let source = project.kane(&arguments).out;
+        let counts = &mass_matrix.unwrap()["formulations"][formulation];
+        let [total, mul, add, div, trig] =
+            ["total", "mul", "add", "div", "trig"].map(|key| &counts[key]);
+        let line = format!(
+            "/// Operations: {total} = {mul} mul + {add} add + {div} div + {trig} trig; formulation: {formulation}."
+        );
+        assert!(source.contains(&line), "no {line}");
+    }
+}
+
+#[test]
+fn cheapest_formulation_is_marked() {
+    let text = info(&[]);
+    let line = text
+        .lines()
+        .find(|line| line.starts_with("mass_matrix "))
+        .unwrap();
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let ["mass_matrix", "(d)", notes, recursive] = words[..] else {
+        panic!("{line}")
+    };
+    let recursive = recursive.strip_suffix('*').unwrap();
+    assert!(recursive.parse::<usize>().unwrap() < notes.parse::<usize>().unwrap());
+}
+
+#[test]
+fn faults_of_the_model_are_2() {
+    let project = Project::empty();
+    project.write(
+        "arm.toml",
+        &model("arm", "-2.0").replace("theta2", "theta4"),
+    );
+    let ran = project.kane(&["info", "arm.toml"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    assert!(
+        ran.err.contains("arm.toml:7:8") && ran.err.contains("arm.toml:19:10"),
+        "{}",
+        ran.err
+    );
+}

@@ -1,0 +1,11 @@
+//! The command `kane`, run as its users run it: in a folder, with arguments, watching what it says and leaves behind.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test stops where it fails, its helpers too"
+)]
+
+mod check;
+mod eval;
+mod generate;
+mod info;
+mod project;

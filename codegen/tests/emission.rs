@@ -1,0 +1,99 @@
+//! The emitted text of the smallest systems, whole: what a user reads and reviews.
+
+use std::fs;
+
+use kane_codegen::{compile::Options, config::Functions, diagnostic::Source, generate::generate};
+
+fn module(name: &str, functions: Functions) -> String {
+    let path = format!("{}/tests/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let source = Source::new(format!("{name}.toml"), fs::read_to_string(path).unwrap());
+    let options = Options {
+        functions,
+        ..Options::default()
+    };
+    generate(&source, &format!("models/{name}.toml"), &options)
+        .unwrap()
+        .source
+}
+
+fn named(names: &[&str]) -> Functions {
+    Functions::Named(names.iter().map(ToString::to_string).collect())
+}
+
+#[test]
+fn a_pendulum_with_runtime_parameters() {
+    insta::assert_snapshot!(module("pendulum", Functions::Default));
+}
+
+#[test]
+fn a_cart_pole() {
+    insta::assert_snapshot!(module(
+        "cart_pole",
+        named(&["mass_matrix", "bias", "forward_dynamics", "singularity"])
+    ));
+}
+
+#[test]
+fn a_pattern_of_partitions() {
+    insta::assert_snapshot!(module("cart_pole", named(&["partial_velocity"])));
+}
+
+#[test]
+fn only_what_is_asked_for_is_generated() {
+    let text = module("cart_pole", named(&["bias"]));
+    let functions: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("pub fn "))
+        .collect();
+    let names: Vec<&str> = functions
+        .iter()
+        .map(|line| line.split('<').next().unwrap())
+        .collect();
+    // The runtime's trait `System` needs `q_dot`.
+    assert_eq!(names, ["q_dot", "bias"]);
+}
+
+#[test]
+fn a_function_s_text_does_not_depend_on_what_else_is_asked_for() {
+    let text_of = |module: &str| {
+        let start = module.find("pub fn bias<").unwrap();
+        module[start..start + module[start..].find("\n}\n").unwrap()].to_owned()
+    };
+    let alone = module("cart_pole", named(&["bias"]));
+    let among_all = module("cart_pole", Functions::All);
+    assert_eq!(text_of(&alone), text_of(&among_all));
+}
+
+#[test]
+fn every_number_reads_back_bit_for_bit() {
+    for number in [
+        0.1,
+        1.0 / 3.0,
+        1e-300,
+        5e-324,
+        1.797_693_134_862_315_7e308,
+        123_456_789.0,
+        1e21,
+    ] {
+        let text = fs::read_to_string(format!(
+            "{}/tests/models/cart_pole.toml",
+            env!("CARGO_MANIFEST_DIR")
+        ))
+        .unwrap();
+        let text = text.replace("mass = 2.0", &format!("mass = {number:e}"));
+        let options = Options {
+            functions: named(&["mass_matrix"]),
+            ..Options::default()
+        };
+        let source = Source::new("cart_pole.toml", text);
+        // The pole's mass is added to the cart's.
+        let expected = format!("{:?}", number + 0.5);
+        let generated = generate(&source, "cart_pole.toml", &options)
+            .unwrap()
+            .source;
+        assert!(
+            generated.contains(&format!("R::from_f64({expected})")),
+            "{expected} is not in\n{generated}"
+        );
+    }
+}

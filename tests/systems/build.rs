@@ -1,0 +1,148 @@
+//! Generates the systems of this package, as a user's build script would: the references, and random ones.
+
+use std::{env, error::Error, fs, path::Path, time::SystemTime};
+
+use kane_codegen::{build_script::Build, config::Formulation, functions::CATALOGUE};
+
+#[path = "../../codegen/tests/dynamics/random.rs"]
+#[allow(dead_code, reason = "the tests of both packages use the rest of these")]
+mod random;
+
+use random::{RandomSystem, Sizes, tree};
+
+/// The systems with reference values that `kane` does not bundle.
+const REFERENCES: [&str; 5] = ["one_body", "chain3", "star5", "two_roots", "tree12"];
+
+/// Bodies and the most speeds of the random systems; the seed is 100 and the place in this list.
+const RANDOM: [(usize, usize); 8] = [
+    (2, 6),
+    (3, 8),
+    (4, 12),
+    (6, 12),
+    (5, 16),
+    (7, 18),
+    (9, 20),
+    (12, 24),
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=../../codegen/tests/dynamics/random.rs");
+    for name in REFERENCES {
+        all(&format!("../reference/{name}.toml"), Formulation::Recursive)?;
+        notes(&format!("../reference/{name}.toml"), name)?;
+    }
+    notes("../../models/eight_body.toml", "eight_body")?;
+
+    for (place, (bodies, speeds)) in RANDOM.into_iter().enumerate() {
+        let seed = 100 + place as u64;
+        let system = RandomSystem::new(seed, Sizes { bodies, speeds });
+        all(&written(&system)?, Formulation::Cheapest)?;
+    }
+    // One system in other numbers, in both orders.
+    let system = RandomSystem::new(
+        200,
+        Sizes {
+            bodies: 5,
+            speeds: 12,
+        },
+    );
+    all(
+        &written(&system.ordered("body").named("body_order"))?,
+        Formulation::Cheapest,
+    )?;
+    all(
+        &written(&system.ordered("notes").named("notes_order"))?,
+        Formulation::Cheapest,
+    )?;
+    let renumbered = system.ordered("body").renumbered(1);
+    all(
+        &written(&renumbered.named("renumbered"))?,
+        Formulation::Cheapest,
+    )?;
+    notes(&written(&renumbered.named("renumbered"))?, "renumbered")?;
+    // One system with every value baked or none, and with other values.
+    let system = RandomSystem::new(
+        300,
+        Sizes {
+            bodies: 6,
+            speeds: 14,
+        },
+    );
+    let changed = system.changed(1);
+    all(
+        &written(&system.with_runtime(false).named("baked"))?,
+        Formulation::Recursive,
+    )?;
+    all(
+        &written(&system.with_runtime(true).named("runtime"))?,
+        Formulation::Recursive,
+    )?;
+    all(
+        &written(&changed.with_runtime(false).named("changed"))?,
+        Formulation::Recursive,
+    )?;
+    parameters(&changed.with_runtime(true))
+}
+
+/// Every function.
+fn all(model: &str, formulation: Formulation) -> Result<(), Box<dyn Error>> {
+    Build::new(model)
+        .functions(["all"])
+        .formulation(formulation)
+        .run()?;
+    Ok(())
+}
+
+/// The functions that have two formulations, in the notes' own.
+fn notes(model: &str, name: &str) -> Result<(), Box<dyn Error>> {
+    let both = CATALOGUE
+        .iter()
+        .filter(|function| function.formulations().len() > 1);
+    Build::new(model)
+        .functions(both.map(|function| function.name))
+        .formulation(Formulation::Notes)
+        .name(format!("{name}_notes"))
+        .run()?;
+    Ok(())
+}
+
+/// Writes a description into `OUT_DIR`.
+fn written(system: &RandomSystem) -> Result<String, Box<dyn Error>> {
+    write(&format!("{}.toml", system.name), &system.toml())
+}
+
+/// Writes the nominal values of a system as an expression.
+fn parameters(system: &RandomSystem) -> Result<(), Box<dyn Error>> {
+    let tree = tree(&system.toml()).ok_or("changed values are refused")?;
+    let fields = tree.parameters.iter().map(|parameter| {
+        format!(
+            "    {}: R::from_f64({:?}),\n",
+            parameter.name, parameter.nominal
+        )
+    });
+    write(
+        "changed_parameters.rs",
+        &format!("Parameters {{\n{}}}\n", fields.collect::<String>()),
+    )?;
+    Ok(())
+}
+
+fn write(name: &str, text: &str) -> Result<String, Box<dyn Error>> {
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "cargo names the output folder of a build script in its environment"
+    )]
+    let folder = env::var("OUT_DIR")?;
+    let path = Path::new(&folder).join(name);
+    fs::write(&path, text)?;
+    // A file younger than the script's run would make cargo run it again, every time.
+    fs::File::options()
+        .write(true)
+        .open(&path)?
+        .set_modified(SystemTime::UNIX_EPOCH)?;
+    Ok(path
+        .to_str()
+        .ok_or("the output folder is not Unicode")?
+        .to_owned())
+}

@@ -1,0 +1,190 @@
+//! Generated systems, compiled: each behind one function from names and numbers to numbers.
+//!
+//! `build.rs` generates them. The tests of this package ask any of them, in any scalar, for any function by its name, as
+//! they ask the generator's own evaluation of it.
+
+pub mod call;
+pub mod platform;
+
+use call::State;
+use kane::Real;
+use platform::Libm;
+
+macro_rules! systems {
+    ($($(#[$meaning:meta])* $name:ident)+) => {$(
+        $(#[$meaning])*
+        #[allow(missing_docs, reason = "what a trait's method writes is said at the trait")]
+        pub mod $name {
+            include!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".rs"));
+        }
+    )+};
+}
+
+systems! {
+    /// Reference, every function.
+    one_body
+    /// Reference, every function.
+    chain3
+    /// Reference, every function.
+    star5
+    /// Reference, every function.
+    two_roots
+    /// Reference, every function.
+    tree12
+    /// Reference, in the notes' formulation.
+    one_body_notes
+    /// Reference, in the notes' formulation.
+    chain3_notes
+    /// Reference, in the notes' formulation.
+    star5_notes
+    /// Reference, in the notes' formulation.
+    two_roots_notes
+    /// Reference, in the notes' formulation.
+    tree12_notes
+    /// Reference, in the notes' formulation; the other one is bundled with `kane`.
+    eight_body_notes
+    /// Random, seed 100.
+    random_100
+    /// Random, seed 101.
+    random_101
+    /// Random, seed 102.
+    random_102
+    /// Random, seed 103.
+    random_103
+    /// Random, seed 104.
+    random_104
+    /// Random, seed 105.
+    random_105
+    /// Random, seed 106.
+    random_106
+    /// Random, seed 107.
+    random_107
+    /// Random, seed 200, in body order.
+    body_order
+    /// Random, seed 200, in the notes' order.
+    notes_order
+    /// Random, seed 200, in another numbering.
+    renumbered
+    /// Random, seed 200, in another numbering and the notes' formulation.
+    renumbered_notes
+    /// Random, seed 300, no value runtime.
+    baked
+    /// Random, seed 300, every value runtime.
+    runtime
+    /// Random, seed 300, other values.
+    changed
+}
+
+/// A function of a system in `f64` or `f32`, by its name: its output, row-major, partial velocities dense.
+pub type Call = fn(function: &str, state: &State) -> Vec<f64>;
+
+/// A compiled system.
+#[derive(Clone, Copy, Debug)]
+pub struct Compiled {
+    /// The module's name.
+    pub name: &'static str,
+    /// Its description.
+    pub model: &'static str,
+    /// In `f64`.
+    pub f64: Call,
+}
+
+/// A reference's name, and its modules in both formulations and two scalars.
+#[derive(Clone, Copy, Debug)]
+pub struct Reference {
+    /// The name in `tests/reference`.
+    pub name: &'static str,
+    /// Every function, along the tree: `f64`.
+    pub f64: Call,
+    /// Every function, along the tree: `f32`.
+    pub f32: Call,
+    /// The notes' formulation: `f64`.
+    pub notes_f64: Call,
+    /// The notes' formulation: `f32`.
+    pub notes_f32: Call,
+}
+
+macro_rules! all {
+    ($name:path, $scalar:ty) => {{
+        use $name as module;
+        |function, state| {
+            call::all::<$scalar, _, { module::NU }>(&module::Prepared::nominal(), function, state)
+        }
+    }};
+}
+
+macro_rules! dynamics {
+    ($name:path, $scalar:ty) => {{
+        use $name as module;
+        |function, state| {
+            call::dynamics::<$scalar, _>(&module::Prepared::nominal(), function, state)
+        }
+    }};
+}
+
+macro_rules! reference {
+    ($name:literal, $module:path, $notes:path) => {
+        Reference {
+            name: $name,
+            f64: all!($module, f64),
+            f32: all!($module, f32),
+            notes_f64: dynamics!($notes, f64),
+            notes_f32: dynamics!($notes, f32),
+        }
+    };
+}
+
+/// The systems with reference values.
+pub const REFERENCES: [Reference; 6] = [
+    reference!("one_body", crate::one_body, crate::one_body_notes),
+    reference!("chain3", crate::chain3, crate::chain3_notes),
+    reference!("star5", crate::star5, crate::star5_notes),
+    reference!("eight_body", kane::eight_body, crate::eight_body_notes),
+    reference!("two_roots", crate::two_roots, crate::two_roots_notes),
+    reference!("tree12", crate::tree12, crate::tree12_notes),
+];
+
+macro_rules! compiled {
+    ($($name:ident),+) => {[$(
+        Compiled {
+            name: stringify!($name),
+            model: include_str!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".toml")),
+            f64: all!(crate::$name, f64),
+        },
+    )+]};
+}
+
+/// The random systems.
+pub const RANDOM: [Compiled; 8] = compiled![
+    random_100, random_101, random_102, random_103, random_104, random_105, random_106, random_107
+];
+
+/// One system: in body order, in the notes' order, in other numbers.
+pub const TWINS: [Compiled; 3] = compiled![body_order, notes_order, renumbered];
+
+/// One system: baked, runtime, and baked with other values.
+pub const BAKED_RUNTIME_CHANGED: [Compiled; 3] = compiled![baked, runtime, changed];
+
+/// The renumbered system in the notes' formulation.
+pub const RENUMBERED_NOTES: Call = dynamics!(crate::renumbered_notes, f64);
+
+/// The system with runtime values, given those of the changed one.
+pub const RUNTIME_GIVEN_CHANGED: Call = |function, state| {
+    let prepared = runtime::Prepared::new(&changed_parameters());
+    call::all::<f64, _, { runtime::NU }>(&prepared, function, state)
+};
+
+/// The renumbered system, with the sines that the generator evaluates with: its results are the same to the bit.
+pub const RENUMBERED_LIBM: Call = all!(crate::renumbered, Libm);
+
+/// As [`RENUMBERED_LIBM`], in the notes' formulation.
+pub const RENUMBERED_NOTES_LIBM: Call = dynamics!(crate::renumbered_notes, Libm);
+
+/// As [`RENUMBERED_LIBM`], of the system with runtime values.
+pub const RUNTIME_LIBM: Call = all!(crate::runtime, Libm);
+
+/// The values with which the changed system is baked.
+pub fn changed_parameters<R: Real>() -> runtime::Parameters<R> {
+    use runtime::Parameters;
+    include!(concat!(env!("OUT_DIR"), "/changed_parameters.rs"))
+}

@@ -1,0 +1,69 @@
+//! Compiled systems as models of which the identities can be asked.
+#![allow(dead_code, reason = "each test file uses its part of these")]
+
+#[path = "../../../../codegen/tests/dynamics/mod.rs"]
+pub(crate) mod dynamics;
+
+use dynamics::{Model, State};
+use kane_codegen::tree::Tree;
+use kane_test_systems::{Call, Compiled, call};
+
+/// A compiled system, and the tree that its description makes.
+pub(crate) struct CompiledModel {
+    pub(crate) name: &'static str,
+    pub(crate) tree: Tree,
+    pub(crate) call: Call,
+}
+
+impl CompiledModel {
+    pub(crate) fn new(compiled: Compiled) -> Self {
+        Self {
+            name: compiled.name,
+            tree: dynamics::random::tree(compiled.model).expect("what was generated is accepted"),
+            call: compiled.f64,
+        }
+    }
+
+    /// The same system, called otherwise.
+    pub(crate) fn called(&self, call: Call) -> Self {
+        Self {
+            name: self.name,
+            tree: self.tree.clone(),
+            call,
+        }
+    }
+}
+
+impl Model for CompiledModel {
+    fn name(&self) -> String {
+        self.name.to_owned()
+    }
+
+    fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    fn evaluate(&self, function: &str, state: &State) -> Vec<f64> {
+        (self.call)(function, &given(state))
+    }
+}
+
+/// A state as compiled systems take it.
+pub(crate) fn given(state: &State) -> call::State {
+    let State {
+        q,
+        u,
+        u_dot,
+        tau,
+        loads,
+        w_rel,
+    } = state.clone();
+    call::State {
+        q,
+        u,
+        u_dot,
+        tau,
+        loads,
+        w_rel,
+    }
+}

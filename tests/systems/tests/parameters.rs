@@ -1,0 +1,191 @@
+//! One system three times: every value baked, every value runtime, and baked with other values.
+#![allow(
+    clippy::print_stdout,
+    reason = "the largest errors and the operations found, shown with --nocapture"
+)]
+
+mod common;
+
+use common::{
+    CompiledModel,
+    dynamics::{Model, State, identities},
+};
+use kane::{
+    System,
+    functions::{
+        MassMatrix, PartialAngularVelocity, PartialAngularVelocityDot, PartialVelocity,
+        PartialVelocityDot, PartialVelocityOrigin, PartialVelocityOriginDot,
+    },
+};
+use kane_codegen::{
+    compile::Options,
+    config::{Formulation, Functions},
+    diagnostic::Source,
+    generate::generate,
+};
+use kane_test_systems::{
+    BAKED_RUNTIME_CHANGED, Compiled, RUNTIME_GIVEN_CHANGED, baked, changed_parameters, runtime,
+};
+
+fn assert_agree(a: &CompiledModel, b: &CompiledModel) {
+    for seed in 1..=5 {
+        let state = State::random(a.tree(), seed);
+        let (error, function) = identities::disagreement(a, b, |_| true, &state);
+        println!("{error:e} in {function}");
+        assert!(
+            error <= identities::EXACT,
+            "{function}, state of seed {seed}: off by {error:e}, {:e} allowed",
+            identities::EXACT
+        );
+    }
+}
+
+#[test]
+fn nominal_runtime_values_are_as_good_as_baked_ones() {
+    let [baked, runtime, _] = BAKED_RUNTIME_CHANGED.map(CompiledModel::new);
+    assert!(baked.tree.parameters.is_empty() && runtime.tree.parameters.len() > 70);
+    assert_agree(&baked, &runtime);
+}
+
+#[test]
+fn other_runtime_values_are_as_good_as_a_model_with_those_baked() {
+    let [baked, runtime, changed] = BAKED_RUNTIME_CHANGED.map(CompiledModel::new);
+    let given = runtime.called(RUNTIME_GIVEN_CHANGED);
+    assert_agree(&changed, &given);
+    let state = State::random(&changed.tree, 1);
+    for function in [
+        "mass_matrix",
+        "bias",
+        "forward_dynamics",
+        "potential_energy",
+    ] {
+        let (old, new) = (
+            baked.evaluate(function, &state),
+            given.evaluate(function, &state),
+        );
+        let moved = common::dynamics::numeric::relative(&new, &old);
+        assert!(
+            moved > 1e-3,
+            "{function}: the other values change it by {moved:e} only"
+        );
+    }
+    assert_ne!(changed_parameters::<f64>(), runtime::Parameters::default());
+}
+
+/// All arrays of the two systems have the same types.
+fn assert_same_types<A, B>()
+where
+    A: System<f64>
+        + MassMatrix<f64>
+        + PartialAngularVelocity<f64>
+        + PartialAngularVelocityDot<f64>
+        + PartialVelocityOrigin<f64>
+        + PartialVelocityOriginDot<f64>
+        + PartialVelocity<f64>
+        + PartialVelocityDot<f64>,
+    B: System<
+            f64,
+            Q = A::Q,
+            U = A::U,
+            Loads = A::Loads,
+            Scalars = A::Scalars,
+            Vectors = A::Vectors,
+            Rotations = A::Rotations,
+        > + MassMatrix<f64, Matrix = A::Matrix>
+        + PartialAngularVelocity<
+            f64,
+            PartialAngularVelocityColumns = A::PartialAngularVelocityColumns,
+        > + PartialAngularVelocityDot<
+            f64,
+            PartialAngularVelocityDotColumns = A::PartialAngularVelocityDotColumns,
+        > + PartialVelocityOrigin<f64, PartialVelocityOriginColumns = A::PartialVelocityOriginColumns>
+        + PartialVelocityOriginDot<
+            f64,
+            PartialVelocityOriginDotColumns = A::PartialVelocityOriginDotColumns,
+        > + PartialVelocity<f64, PartialVelocityColumns = A::PartialVelocityColumns>
+        + PartialVelocityDot<f64, PartialVelocityDotColumns = A::PartialVelocityDotColumns>,
+{
+    assert_eq!(
+        A::PARTIAL_ANGULAR_VELOCITY_BLOCKS,
+        B::PARTIAL_ANGULAR_VELOCITY_BLOCKS
+    );
+    assert_eq!(
+        A::PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS,
+        B::PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS
+    );
+    assert_eq!(
+        A::PARTIAL_VELOCITY_ORIGIN_BLOCKS,
+        B::PARTIAL_VELOCITY_ORIGIN_BLOCKS
+    );
+    assert_eq!(
+        A::PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS,
+        B::PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS
+    );
+    assert_eq!(A::PARTIAL_VELOCITY_BLOCKS, B::PARTIAL_VELOCITY_BLOCKS);
+    assert_eq!(
+        A::PARTIAL_VELOCITY_DOT_BLOCKS,
+        B::PARTIAL_VELOCITY_DOT_BLOCKS
+    );
+    assert_eq!(A::SPEED_NAMES, B::SPEED_NAMES);
+    assert_eq!(A::LOWER_BODIES, B::LOWER_BODIES);
+}
+
+#[test]
+fn signatures_and_layouts_do_not_depend_on_what_is_baked() {
+    assert_eq!(
+        (baked::NB, baked::NQ, baked::NU),
+        (runtime::NB, runtime::NQ, runtime::NU)
+    );
+    assert_same_types::<baked::Prepared<f64>, runtime::Prepared<f64>>();
+    // Signatures but for `Prepared`.
+    let baked = signatures(BAKED_RUNTIME_CHANGED[0]);
+    assert!(baked.len() >= 30);
+    assert_eq!(baked, signatures(BAKED_RUNTIME_CHANGED[1]));
+}
+
+/// The signatures of the free functions and the constants, as text.
+fn signatures(compiled: Compiled) -> Vec<String> {
+    let text = generated(compiled).0;
+    let file = syn::parse_file(&text).expect("what is generated is Rust");
+    let items = file.items.into_iter().filter_map(|item| match item {
+        syn::Item::Fn(function) => {
+            let inputs = function.sig.inputs.len();
+            Some(format!("{} {inputs}", function.sig.ident))
+        }
+        syn::Item::Const(constant) => Some(constant.ident.to_string()),
+        _ => None,
+    });
+    items.collect()
+}
+
+/// The text, and for each function its operations.
+fn generated(compiled: Compiled) -> (String, Vec<(&'static str, usize)>) {
+    let options = Options {
+        functions: Functions::All,
+        formulation: Formulation::Recursive,
+    };
+    let model = Source::new(compiled.name, compiled.model);
+    let generated = generate(&model, compiled.name, &options).expect("it was generated before");
+    let counts = generated
+        .functions
+        .iter()
+        .map(|(name, operations)| (*name, operations.total()));
+    (generated.source, counts.collect())
+}
+
+/// What depends on parameters alone is computed outside: the loop may only lose the folding of the model's zeros and ones and of
+/// numbers with numbers.
+#[test]
+fn runtime_values_cost_next_to_nothing_in_the_loop() {
+    let [baked, runtime, _] = BAKED_RUNTIME_CHANGED.map(|compiled| generated(compiled).1);
+    let (mut all_baked, mut all_runtime) = (0, 0);
+    for ((name, baked), (_, runtime)) in baked.into_iter().zip(runtime) {
+        println!("{name}: {baked} baked, {runtime} runtime");
+        (all_baked, all_runtime) = (all_baked + baked, all_runtime + runtime);
+    }
+    println!("together: {all_baked} baked, {all_runtime} runtime");
+    assert!(
+        all_runtime * 100 <= all_baked * 110,
+        "{all_runtime} operations, {all_baked} baked"
+    );
+}

@@ -1,0 +1,293 @@
+//! What generated text consists of, and where it compiles.
+
+mod common;
+
+use std::{fs, path::Path, process::Command};
+
+use kane_codegen::{
+    compile::Options,
+    config::{Formulation, Functions},
+    diagnostic::Source,
+    functions::CATALOGUE,
+    generate::generate,
+};
+use kane_test_systems::{BAKED_RUNTIME_CHANGED, RANDOM, TWINS};
+use syn::visit::{self, Visit};
+
+/// The module of a description, with every function.
+fn module(name: &str, text: &str, formulation: Formulation) -> String {
+    let options = Options {
+        functions: Functions::All,
+        formulation,
+    };
+    generate(&Source::new(name, text), name, &options)
+        .expect("a right description")
+        .source
+}
+
+/// All random systems, and one with parameters in the notes' formulation.
+fn modules() -> Vec<(String, String)> {
+    let all = RANDOM.into_iter().chain(TWINS).chain(BAKED_RUNTIME_CHANGED);
+    let mut modules: Vec<_> = all
+        .map(|compiled| {
+            let text = module(compiled.name, compiled.model, Formulation::Cheapest);
+            (compiled.name.to_owned(), text)
+        })
+        .collect();
+    let notes = module(
+        "runtime",
+        BAKED_RUNTIME_CHANGED[1].model,
+        Formulation::Notes,
+    );
+    modules.push(("runtime in the notes' formulation".to_owned(), notes));
+    modules
+}
+
+/// Collects what has no place in a generated function.
+#[derive(Default)]
+struct Found(Vec<String>);
+
+impl Found {
+    fn add(&mut self, what: impl Into<String>) {
+        self.0.push(what.into());
+    }
+}
+
+/// `R::name` is a path of two segments.
+fn called(function: &syn::Expr) -> Option<String> {
+    let syn::Expr::Path(path) = function else {
+        return None;
+    };
+    let segments = path
+        .path
+        .segments
+        .iter()
+        .map(|segment| segment.ident.to_string());
+    Some(segments.collect::<Vec<_>>().join("::"))
+}
+
+impl<'ast> Visit<'ast> for Found {
+    fn visit_expr(&mut self, expr: &'ast syn::Expr) {
+        match expr {
+            syn::Expr::Binary(binary) => match binary.op {
+                syn::BinOp::Add(_)
+                | syn::BinOp::Sub(_)
+                | syn::BinOp::Mul(_)
+                | syn::BinOp::Div(_) => {}
+                _ => self.add("an operator other than + - * /"),
+            },
+            syn::Expr::Unary(unary)
+                if matches!(unary.op, syn::UnOp::Neg(_) | syn::UnOp::Deref(_)) => {}
+            syn::Expr::Assign(_)
+            | syn::Expr::Array(_)
+            | syn::Expr::Field(_)
+            | syn::Expr::Lit(_)
+            | syn::Expr::Paren(_)
+            | syn::Expr::Path(_)
+            | syn::Expr::Struct(_) => {}
+            syn::Expr::Call(call) => match called(&call.func).as_deref() {
+                Some("R::from_f64" | "R::sin_cos" | "R::sin_cos_array" | "R::abs") => {}
+                other => self.add(format!("a call of {other:?}")),
+            },
+            syn::Expr::Index(index) => {
+                let is_integer = matches!(&*index.index, syn::Expr::Lit(literal) if matches!(literal.lit, syn::Lit::Int(_)));
+                if !is_integer {
+                    self.add("an index that is no integer literal");
+                }
+            }
+            other => self.add(format!(
+                "an expression of another kind: {:?}",
+                std::mem::discriminant(other)
+            )),
+        }
+        visit::visit_expr(self, expr);
+    }
+
+    fn visit_local(&mut self, local: &'ast syn::Local) {
+        if local
+            .init
+            .as_ref()
+            .is_none_or(|init| init.diverge.is_some())
+        {
+            self.add("a `let` without a value, or with `else`");
+        }
+        visit::visit_local(self, local);
+    }
+
+    fn visit_macro(&mut self, _: &'ast syn::Macro) {
+        self.add("a macro");
+    }
+
+    fn visit_item(&mut self, _: &'ast syn::Item) {
+        self.add("an item");
+    }
+}
+
+/// In a whole module: what may stand nowhere.
+#[derive(Default)]
+struct Anywhere(Vec<&'static str>);
+
+impl<'ast> Visit<'ast> for Anywhere {
+    fn visit_expr(&mut self, expr: &'ast syn::Expr) {
+        let found = match expr {
+            syn::Expr::Unsafe(_) => Some("unsafe"),
+            syn::Expr::ForLoop(_) | syn::Expr::While(_) | syn::Expr::Loop(_) => Some("a loop"),
+            syn::Expr::If(_) | syn::Expr::Match(_) => Some("a branch"),
+            syn::Expr::Closure(_) => Some("a closure"),
+            syn::Expr::Macro(_) => Some("a macro"),
+            _ => None,
+        };
+        self.0.extend(found);
+        visit::visit_expr(self, expr);
+    }
+
+    fn visit_attribute(&mut self, attribute: &'ast syn::Attribute) {
+        if matches!(attribute.style, syn::AttrStyle::Inner(_)) {
+            self.0.push("an inner attribute");
+        }
+    }
+
+    fn visit_signature(&mut self, signature: &'ast syn::Signature) {
+        if matches!(signature.safety, syn::Safety::Unsafe(_))
+            || signature.asyncness.is_some()
+            || signature.abi.is_some()
+        {
+            self.0.push("a function of another kind");
+        }
+    }
+
+    fn visit_item_use(&mut self, _: &'ast syn::ItemUse) {
+        self.0.push("a use");
+    }
+}
+
+#[test]
+fn generated_functions_are_straight_lines_of_arithmetic() {
+    for (name, text) in modules() {
+        let file = syn::parse_file(&text).expect("what is generated is Rust");
+        let mut anywhere = Anywhere::default();
+        anywhere.visit_file(&file);
+        assert!(anywhere.0.is_empty(), "{name}: {:?}", anywhere.0);
+        let mut n_functions = 0;
+        for item in &file.items {
+            // The free functions, and what prepares the parameters.
+            let bodies: Vec<(String, &syn::Block)> = match item {
+                syn::Item::Fn(function) => vec![(function.sig.ident.to_string(), &function.block)],
+                syn::Item::Impl(implementation) if implementation.trait_.is_none() => {
+                    implementation
+                        .items
+                        .iter()
+                        .filter_map(|item| match item {
+                            syn::ImplItem::Fn(method) if method.sig.ident == "new" => {
+                                Some(("Prepared::new".to_owned(), &method.block))
+                            }
+                            _ => None,
+                        })
+                        .collect()
+                }
+                _ => Vec::new(),
+            };
+            for (function, body) in bodies {
+                let mut found = Found::default();
+                found.visit_block(body);
+                assert!(found.0.is_empty(), "{name}, {function}: {:?}", found.0);
+                n_functions += 1;
+            }
+        }
+        assert_eq!(n_functions, CATALOGUE.len() + 1, "{name}");
+    }
+}
+
+/// The ways in which a user's crate can take a module in: attributes of the crate, and the module's declaration.
+const CRATES: [(&str, &str, &str); 4] = [
+    ("file", "", "#[path = \"TEXT\"] pub mod system;"),
+    ("include", "", "pub mod system { include!(\"TEXT\"); }"),
+    (
+        "without_std",
+        "#![no_std]",
+        "#[path = \"TEXT\"] pub mod system;",
+    ),
+    (
+        "without_unsafe",
+        "#![forbid(unsafe_code)]",
+        "pub mod system { include!(\"TEXT\"); }",
+    ),
+];
+
+/// A package with one module, which calls a function so that it is compiled and not only read.
+fn package(
+    folder: &Path,
+    name: &str,
+    edition: &str,
+    attributes: &str,
+    declaration: &str,
+    text: &Path,
+) {
+    let runtime = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let runtime = fs::canonicalize(runtime).expect("the workspace is there");
+    let source = folder.join(name).join("src");
+    fs::create_dir_all(&source).expect("the folder is ours");
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nedition = \"{edition}\"\n\n[dependencies]\nkane = {{ path = {:?}, default-features = false }}\n",
+        runtime
+    );
+    fs::write(folder.join(name).join("Cargo.toml"), manifest).expect("the folder is ours");
+    let declaration = declaration.replace("TEXT", &text.display().to_string().replace('\\', "/"));
+    let library = format!(
+        "//! One module.\n#![deny(warnings)]\n{attributes}\n\n/// The system.\n{declaration}\n\n\
+        /// Forward dynamics of it.\n\
+        pub fn call(q: &[f64; system::NQ], u: &[f64; system::NU], u_dot: &mut [f64; system::NU]) {{\n    \
+        system::forward_dynamics(&system::Prepared::nominal(), q, u, u, u_dot);\n}}\n"
+    );
+    fs::write(source.join("lib.rs"), library).expect("the folder is ours");
+}
+
+#[test]
+fn modules_compile_without_warnings_wherever_they_are_taken_in() {
+    let folder = tempfile::tempdir().expect("a folder for the packages");
+    let runtime_values = BAKED_RUNTIME_CHANGED[1];
+    // One without parameters, one with; the smallest of the random systems is enough.
+    let texts = [("baked", RANDOM[2]), ("runtime", runtime_values)].map(|(name, compiled)| {
+        let path = folder.path().join(format!("{name}.rs"));
+        let text = module(compiled.name, compiled.model, Formulation::Cheapest);
+        fs::write(&path, text).expect("the folder is ours");
+        path
+    });
+    let mut members = Vec::new();
+    for edition in ["2021", "2024"] {
+        for (place, (kind, attributes, declaration)) in CRATES.into_iter().enumerate() {
+            let name = format!("{kind}_{edition}");
+            package(
+                folder.path(),
+                &name,
+                edition,
+                attributes,
+                declaration,
+                &texts[place % 2],
+            );
+            members.push(name);
+        }
+    }
+    let manifest = format!("[workspace]\nresolver = \"3\"\nmembers = {members:?}\n");
+    fs::write(folder.path().join("Cargo.toml"), manifest).expect("the folder is ours");
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--offline", "--workspace"])
+        .current_dir(folder.path())
+        .env("CARGO_TARGET_DIR", folder.path().join("target"))
+        .env("CARGO_PROFILE_DEV_DEBUG", "0")
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(!said.contains("warning"), "{said}");
+}
+
+#[test]
+fn the_same_description_gives_the_same_text() {
+    for compiled in [RANDOM[0], BAKED_RUNTIME_CHANGED[1]] {
+        let [one, other] =
+            [0; 2].map(|_| module(compiled.name, compiled.model, Formulation::Cheapest));
+        assert!(one == other, "{}", compiled.name);
+    }
+}
