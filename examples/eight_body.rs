@@ -4,7 +4,10 @@
 //! none between the hub and the inertial frame. Then ten seconds without loads, where energy and both momenta must
 //! stay what they are. Run: `cargo run --release --example eight_body`
 
+#![expect(clippy::print_stdout, reason = "what it prints is what it is for")]
+
 use kane::{
+    Real,
     eight_body::{COORDINATE_NAMES, NB, NQ, NU, Prepared, SPEED_BODIES},
     functions::{AngularMomentum, KineticEnergy, LinearMomentum, Singularity},
     integrate::rk4_step,
@@ -33,8 +36,8 @@ fn control(q: &[f64; NQ], u: &[f64; NU], tau: &mut [f64; NU]) {
 
 /// A state that no coordinate shares with another: small angles and offsets, small relative rates.
 fn start() -> ([f64; NQ], [f64; NU]) {
-    let q = core::array::from_fn(|i| 0.2 * (1.7 * i as f64).sin());
-    let u = core::array::from_fn(|i| 0.03 * (2.3 * i as f64 + 1.0).cos());
+    let q = core::array::from_fn(|i| 0.2 * Real::sin_cos(1.7 * i as f64).0);
+    let u = core::array::from_fn(|i| 0.03 * Real::sin_cos(2.3 * i as f64 + 1.0).1);
     (q, u)
 }
 

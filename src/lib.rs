@@ -1,11 +1,4 @@
-//! Runtime of `kane`: what generated systems are written in, and what can be done with them.
-//!
-//! A generated module holds one straight-line function per quantity. This crate gives it its scalar
-//! ([`Real`]), its loads ([`Load`]) and its face to generic code ([`System`] and the traits in
-//! [`functions`]); and it integrates, checks and simulates any of them.
-//!
-//! No allocation (except under `simulate`), no `unsafe`, and no `std` without the feature of that name.
-
+#![doc = include_str!("../README.md")]
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -34,6 +27,16 @@ pub mod simulate;
 pub mod view;
 
 // The bundled systems, one feature each.
+/// A pole on a cart, with the pole's mass as a runtime parameter.
+#[cfg(feature = "cart_pole")]
+#[allow(
+    clippy::pedantic,
+    reason = "generated: nobody wrote these lines, and nobody will polish them"
+)]
+#[rustfmt::skip]
+#[path = "../generated/cart_pole.rs"]
+pub mod cart_pole;
+
 /// The eight-body example of the notes: eight free bodies, 48 speeds, no gravity.
 #[cfg(feature = "eight_body")]
 #[allow(clippy::pedantic, reason = "generated: nobody wrote these lines, and nobody will polish them")]

@@ -68,7 +68,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             bodies: 6,
             speeds: 14,
         },
-    );
+    )
+    .without_zeros();
     let changed = system.changed(1);
     all(
         &written(&system.with_runtime(false).named("baked"))?,

@@ -132,6 +132,27 @@ impl RandomSystem {
         self.map(|number| Number { runtime, ..number })
     }
 
+    /// The same tree with a small number in place of every zero: what runtime values cost shows only where baking folds none.
+    pub(crate) fn without_zeros(&self) -> Self {
+        let mut filled = self.clone();
+        let mut next = Random::new(self.bodies.len() as u64);
+        let mut fill = |numbers: &mut [Number], low: f64, high: f64| {
+            for number in numbers.iter_mut().filter(|number| number.value == 0.0) {
+                number.value = next.written(low, high);
+            }
+        };
+        fill(&mut filled.gravity, -9.81, 9.81);
+        for body in &mut filled.bodies {
+            fill(std::slice::from_mut(&mut body.mass), 0.5, 4.0);
+            fill(&mut body.mass_center, 0.1, 0.5);
+            // Nearly equal moments and small products: those of a body.
+            fill(&mut body.inertia[..3], 0.05, 0.06);
+            fill(&mut body.inertia[3..], 0.001, 0.004);
+            fill(&mut body.attachment, 0.1, 1.0);
+        }
+        filled
+    }
+
     /// The same tree with every length, mass and inertia some per cent away.
     pub(crate) fn changed(&self, seed: u64) -> Self {
         let mut random = Random::new(seed);

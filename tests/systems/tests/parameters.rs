@@ -173,8 +173,7 @@ fn generated(compiled: Compiled) -> (String, Vec<(&'static str, usize)>) {
     (generated.source, counts.collect())
 }
 
-/// What depends on parameters alone is computed outside: the loop may only lose the folding of the model's zeros and ones and of
-/// numbers with numbers.
+/// What depends on parameters alone is computed outside; the model has no zeros that baking would fold.
 #[test]
 fn runtime_values_cost_next_to_nothing_in_the_loop() {
     let [baked, runtime, _] = BAKED_RUNTIME_CHANGED.map(|compiled| generated(compiled).1);
@@ -185,7 +184,7 @@ fn runtime_values_cost_next_to_nothing_in_the_loop() {
     }
     println!("together: {all_baked} baked, {all_runtime} runtime");
     assert!(
-        all_runtime * 100 <= all_baked * 110,
+        all_runtime * 100 <= all_baked * 103,
         "{all_runtime} operations, {all_baked} baked"
     );
 }
