@@ -22,7 +22,7 @@ use std::{
 use crate::{
     compile::Options,
     config::{Formulation, Functions},
-    diagnostic::Source,
+    diagnostic::{Diagnostics, Severity, Source},
     error::Error,
     generate::generate,
     output::{self, Overwrite},
@@ -91,15 +91,17 @@ impl Build {
     )]
     fn run_in(&self, folder: &Path) -> Result<PathBuf, Error> {
         println!("cargo::rerun-if-changed={}", self.model.display());
-        let shown = self.model.to_string_lossy().replace('\\', "/");
+        let name = self.model.to_string_lossy().replace('\\', "/");
         let text = fs::read_to_string(&self.model).map_err(|source| Error::Io {
             path: self.model.clone(),
             source,
         })?;
-        let generated = generate(&Source::new(&*shown, text), &shown, &self.options)?;
-        for line in generated.warnings.to_string().lines() {
-            println!("cargo::warning={line}");
-        }
+        let generated = generate(
+            &Source::new(&*name, text),
+            &shown_path(&self.model),
+            &self.options,
+        )?;
+        report(&generated.warnings);
         let own = self.model.file_stem().unwrap_or(self.model.as_os_str());
         let name = self.name.as_ref().map_or(own, |name| name.as_ref());
         let mut file = name.to_owned();
@@ -107,5 +109,32 @@ impl Build {
         let path = folder.join(file);
         output::write(&path, &generated.source, Overwrite::Generated)?;
         Ok(path)
+    }
+}
+
+/// The path for the banner, which must not depend on the machine: an absolute one is its file name alone.
+fn shown_path(model: &Path) -> String {
+    let shown = match model.file_name() {
+        Some(name) if model.is_absolute() => Path::new(name),
+        _ => model,
+    };
+    shown.to_string_lossy().replace('\\', "/")
+}
+
+/// Warnings for cargo to show; notes go to the script's log.
+#[expect(
+    clippy::print_stdout,
+    reason = "a build script speaks to cargo on standard output"
+)]
+fn report(warnings: &Diagnostics) {
+    for diagnostic in warnings.list() {
+        let prefix = if diagnostic.severity == Severity::Note {
+            ""
+        } else {
+            "cargo::warning="
+        };
+        for line in diagnostic.render(warnings.source()).lines() {
+            println!("{prefix}{line}");
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Operation counts, pinned: a change that raises one explains itself.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::{fmt::Write as _, fs};
 
 use kane_codegen::{

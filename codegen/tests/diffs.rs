@@ -1,5 +1,7 @@
 //! Changes of a model show in its generated code where they matter and nowhere else.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::{collections::BTreeSet, fs};
 
 use kane_codegen::{

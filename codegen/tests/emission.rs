@@ -1,5 +1,7 @@
 //! The emitted text of the smallest systems, whole: what a user reads and reviews.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::fs;
 
 use kane_codegen::{compile::Options, config::Functions, diagnostic::Source, generate::generate};

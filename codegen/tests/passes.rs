@@ -1,5 +1,7 @@
 //! Passes and flattening, by meaning: on seeded random graphs every root keeps its value, and no pass raises a count.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use kane_codegen::{
     expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
@@ -10,7 +12,7 @@ use kane_codegen::{
     program::{self, Operations, Program},
 };
 
-/// SplitMix64 (Steele, Lea and Flood 2014): enough for choices, and the same everywhere.
+/// `SplitMix64` (Steele, Lea and Flood 2014): enough for choices, and the same everywhere.
 struct Random(u64);
 
 impl Random {

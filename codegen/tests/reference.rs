@@ -2,6 +2,8 @@
 //!
 //! `tests/reference/` holds six systems with three states each; nothing there shares code with this crate.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
 use std::fs;
 
 use kane_codegen::{
