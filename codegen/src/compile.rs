@@ -104,6 +104,13 @@ pub struct Choice {
 
 /// The function in the formulation that is wanted, where it has it: what is emitted.
 pub fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> Choice {
+    if wanted == config::Formulation::Cheapest && function.formulations().len() > 1 {
+        // On a large tree the literal sums alone would take longer than all the rest.
+        let recursive = candidate(tree, function, Formulation::Recursive);
+        if operations(&recursive.derived).total() < function.literal_terms(tree) {
+            return recursive;
+        }
+    }
     let candidates = function
         .formulations()
         .iter()

@@ -1,6 +1,6 @@
 //! The functions, in the order in which a module holds them.
 
-use super::{Argument, Derivation, Function, Shape, derive};
+use super::{Argument, Derivation, Function, Shape, derive, terms};
 use crate::{kane::dynamics as kane_dynamics, recursive::inverse_dynamics};
 
 /// Every function a user can ask for, in the order in which a module holds them.
@@ -231,6 +231,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: kane_dynamics::generalized_forces,
             recursive: inverse_dynamics::generalized_forces,
+            literal_terms: terms::of_vector,
         },
     },
     Function {
@@ -246,6 +247,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: derive::mass_matrix,
             recursive: derive::mass_matrix_recursive,
+            literal_terms: terms::of_matrix,
         },
     },
     Function {
@@ -261,6 +263,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: kane_dynamics::forcing,
             recursive: inverse_dynamics::forcing,
+            literal_terms: terms::of_vector,
         },
     },
     Function {
@@ -287,6 +290,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: derive::bias,
             recursive: derive::bias_recursive,
+            literal_terms: terms::of_vector,
         },
     },
     Function {
@@ -303,6 +307,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: derive::inverse_dynamics,
             recursive: derive::inverse_dynamics_recursive,
+            literal_terms: terms::of_vector,
         },
     },
     Function {
@@ -319,6 +324,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: derive::forward_dynamics,
             recursive: derive::forward_dynamics_recursive,
+            literal_terms: terms::of_matrix,
         },
     },
     Function {
@@ -334,6 +340,7 @@ pub static CATALOGUE: [Function; 30] = [
         derive: Derivation::Either {
             notes: derive::pivots,
             recursive: derive::pivots_recursive,
+            literal_terms: terms::of_matrix,
         },
     },
     Function {

@@ -6,6 +6,7 @@
 
 mod catalogue;
 mod derive;
+mod terms;
 
 use std::fmt;
 
@@ -121,7 +122,12 @@ enum Derivation {
     /// One formulation serves.
     Only(Entries),
     /// The sums over bodies can be associated in two ways.
-    Either { notes: Entries, recursive: Entries },
+    Either {
+        notes: Entries,
+        recursive: Entries,
+        /// How many terms the literal sums have at least.
+        literal_terms: fn(&Tree) -> usize,
+    },
     /// Compact partial velocities.
     Compact(Rows),
 }
@@ -137,6 +143,15 @@ impl Function {
         match self.derive {
             Derivation::Either { .. } => &[Formulation::Notes, Formulation::Recursive],
             Derivation::Only(_) | Derivation::Compact(_) => &[Formulation::Notes],
+        }
+    }
+
+    /// How many terms the notes' sums have at least: where the re-associated ones need fewer operations than that,
+    /// the literal ones need not be derived to know which is cheaper.
+    pub fn literal_terms(&self, tree: &Tree) -> usize {
+        match self.derive {
+            Derivation::Either { literal_terms, .. } => literal_terms(tree),
+            Derivation::Only(_) | Derivation::Compact(_) => 0,
         }
     }
 
