@@ -50,6 +50,7 @@ pub struct Parameters<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -65,14 +66,21 @@ impl<R: kane::Real> Default for Parameters<R> {
 #[allow(dead_code, reason = "a program calls what it needs")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prepared<R> {
-    cart_k1: R,
-    pole_moment_z: R,
-    pole_inertia_xx: R,
-    pole_k1: R,
-    pole_k2: R,
+    bias_pole_k1: R,
+    bias_pole_k2: R,
+    bias_pole_moment_z: R,
+    forward_dynamics_cart_k1: R,
+    forward_dynamics_pole_inverse_theta2: R,
+    forward_dynamics_pole_k1: R,
+    forward_dynamics_pole_k2: R,
+    forward_dynamics_pole_k3: R,
+    forward_dynamics_pole_moment_z: R,
+    inverse_dynamics_pole_inertia_o_xx: R,
+    inverse_dynamics_pole_moment_z: R,
+    mass_matrix_cart_k1: R,
+    mass_matrix_pole_inertia_o_xx: R,
+    mass_matrix_pole_moment_z: R,
     pole_mass: R,
-    pole_inverse_theta2: R,
-    pole_k3: R,
 }
 
 impl<R: kane::Real> Prepared<R> {
@@ -84,6 +92,7 @@ impl<R: kane::Real> Prepared<R> {
         unused_variables,
         clippy::approx_constant,
         clippy::many_single_char_names,
+        clippy::needless_late_init,
         clippy::too_many_arguments,
         reason = "generated: arguments follow one pattern, numbers are the model's"
     )]
@@ -91,22 +100,29 @@ impl<R: kane::Real> Prepared<R> {
     pub fn new(parameters: &Parameters<R>) -> Self {
         let pole_mass = parameters.pole_mass;
         let pole_moment_z = R::from_f64(0.4) * pole_mass;
-        let pole_inertia_xx = R::from_f64(0.03)
-            + R::from_f64(0.16000000000000003) * pole_mass;
-        let cart_t1 = R::from_f64(2.0) + pole_mass;
-        let pole_t1 = R::from_f64(9.81) * pole_mass;
-        let pole_t2 = R::from_f64(3.9240000000000004) * pole_mass;
-        let pole_inverse_theta2 = R::from_f64(1.0) / pole_inertia_xx;
-        let pole_t3 = pole_moment_z * pole_inverse_theta2;
+        let pole_inertia_o_xx = R::from_f64(0.16000000000000003) * pole_mass
+            + R::from_f64(0.03);
+        let cart_k1 = pole_mass + R::from_f64(2.0);
+        let pole_k1 = R::from_f64(9.81) * pole_mass;
+        let pole_k2 = R::from_f64(3.9240000000000004) * pole_mass;
+        let pole_inverse_theta2 = R::from_f64(1.0) / pole_inertia_o_xx;
+        let pole_k3 = pole_moment_z * pole_inverse_theta2;
         Self {
-            cart_k1: cart_t1,
-            pole_moment_z,
-            pole_inertia_xx,
-            pole_k1: pole_t1,
-            pole_k2: pole_t2,
+            bias_pole_k1: pole_k1,
+            bias_pole_k2: pole_k2,
+            bias_pole_moment_z: pole_moment_z,
+            forward_dynamics_cart_k1: cart_k1,
+            forward_dynamics_pole_inverse_theta2: pole_inverse_theta2,
+            forward_dynamics_pole_k1: pole_k1,
+            forward_dynamics_pole_k2: pole_k2,
+            forward_dynamics_pole_k3: pole_k3,
+            forward_dynamics_pole_moment_z: pole_moment_z,
+            inverse_dynamics_pole_inertia_o_xx: pole_inertia_o_xx,
+            inverse_dynamics_pole_moment_z: pole_moment_z,
+            mass_matrix_cart_k1: cart_k1,
+            mass_matrix_pole_inertia_o_xx: pole_inertia_o_xx,
+            mass_matrix_pole_moment_z: pole_moment_z,
             pole_mass,
-            pole_inverse_theta2,
-            pole_k3: pole_t3,
         }
     }
     /// Prepares the nominal parameters.
@@ -144,6 +160,7 @@ impl<R: kane::Real> kane::System<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -155,6 +172,10 @@ pub fn rotation<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    rotations[1][0][2] = -pole_sin2;
+    rotations[1][2][0] = pole_sin2;
+    rotations[1][0][0] = pole_cos2;
+    rotations[1][2][2] = pole_cos2;
     rotations[0][0][0] = R::from_f64(1.0);
     rotations[0][0][1] = R::from_f64(0.0);
     rotations[0][0][2] = R::from_f64(0.0);
@@ -164,15 +185,11 @@ pub fn rotation<R: kane::Real>(
     rotations[0][2][0] = R::from_f64(0.0);
     rotations[0][2][1] = R::from_f64(0.0);
     rotations[0][2][2] = R::from_f64(1.0);
-    rotations[1][0][0] = pole_cos2;
     rotations[1][0][1] = R::from_f64(0.0);
-    rotations[1][0][2] = -pole_sin2;
     rotations[1][1][0] = R::from_f64(0.0);
     rotations[1][1][1] = R::from_f64(1.0);
     rotations[1][1][2] = R::from_f64(0.0);
-    rotations[1][2][0] = pole_sin2;
     rotations[1][2][1] = R::from_f64(0.0);
-    rotations[1][2][2] = pole_cos2;
 }
 
 impl<R: kane::Real> kane::functions::Rotation<R> for Prepared<R> {
@@ -190,6 +207,7 @@ impl<R: kane::Real> kane::functions::Rotation<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -202,15 +220,15 @@ pub fn mass_center_position<R: kane::Real>(
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
     let cart_s1 = q[0];
-    let pole_p_o_x = pole_cos2 * cart_s1 - R::from_f64(0.1) * pole_sin2;
+    let pole_p_o_x = pole_cos2 * cart_s1 + R::from_f64(-0.1) * pole_sin2;
+    positions[1][0] = pole_p_o_x;
     let pole_p_o_z = pole_sin2 * cart_s1 + R::from_f64(0.1) * pole_cos2;
     let pole_p_g_z = pole_p_o_z + R::from_f64(0.4);
+    positions[1][2] = pole_p_g_z;
     positions[0][0] = cart_s1;
     positions[0][1] = R::from_f64(0.0);
     positions[0][2] = R::from_f64(0.0);
-    positions[1][0] = pole_p_o_x;
     positions[1][1] = R::from_f64(0.0);
-    positions[1][2] = pole_p_g_z;
 }
 
 impl<R: kane::Real> kane::functions::MassCenterPosition<R> for Prepared<R> {
@@ -228,6 +246,7 @@ impl<R: kane::Real> kane::functions::MassCenterPosition<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -235,11 +254,11 @@ impl<R: kane::Real> kane::functions::MassCenterPosition<R> for Prepared<R> {
 pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]; NU]) {
     let pole_theta2 = q[1];
     let (_, pole_cos2) = R::sin_cos(pole_theta2);
-    let pole_theta2_f_cart_x = p.pole_moment_z * pole_cos2;
-    m[0][0] = p.cart_k1;
+    let pole_theta2_f_cart_x = p.mass_matrix_pole_moment_z * pole_cos2;
     m[0][1] = pole_theta2_f_cart_x;
     m[1][0] = pole_theta2_f_cart_x;
-    m[1][1] = p.pole_inertia_xx;
+    m[0][0] = p.mass_matrix_cart_k1;
+    m[1][1] = p.mass_matrix_pole_inertia_o_xx;
 }
 
 impl<R: kane::Real> kane::functions::MassMatrix<R> for Prepared<R> {
@@ -258,6 +277,7 @@ impl<R: kane::Real> kane::functions::MassMatrix<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -269,8 +289,8 @@ pub fn q_dot<R: kane::Real>(
     q_dot: &mut [R; NQ],
 ) {
     let cart_s1_dot = u[0];
-    let pole_theta2_dot = u[1];
     q_dot[0] = cart_s1_dot;
+    let pole_theta2_dot = u[1];
     q_dot[1] = pole_theta2_dot;
 }
 
@@ -283,6 +303,7 @@ pub fn q_dot<R: kane::Real>(
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -297,16 +318,16 @@ pub fn bias<R: kane::Real>(
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
-    let pole_minus_f_x = p.pole_k1 * pole_sin2;
-    let pole_t1 = p.pole_k1 * pole_cos2;
-    let pole_t2 = p.pole_moment_z * pole_minus_u_xx;
-    let pole_n_y = -(p.pole_k2 * pole_sin2);
+    let pole_minus_f_x = p.bias_pole_k1 * pole_sin2;
+    let pole_t1 = p.bias_pole_k1 * pole_cos2;
+    let pole_t2 = p.bias_pole_moment_z * pole_minus_u_xx;
+    let pole_n_y = -(p.bias_pole_k2 * pole_sin2);
+    bias[1] = pole_n_y;
     let pole_f_z = pole_t1 - pole_t2;
     let pole_t3 = pole_cos2 * pole_minus_f_x;
     let pole_t4 = pole_sin2 * pole_f_z;
     let cart_f_x = pole_t4 - pole_t3;
     bias[0] = cart_f_x;
-    bias[1] = pole_n_y;
 }
 
 impl<R: kane::Real> kane::functions::Bias<R> for Prepared<R> {
@@ -325,6 +346,7 @@ impl<R: kane::Real> kane::functions::Bias<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -346,17 +368,17 @@ pub fn inverse_dynamics<R: kane::Real>(
     let pole_t1 = p.pole_mass * pole_a_x;
     let pole_t2 = p.pole_mass * pole_a_z;
     let pole_theta2_ddot = u_dot[1];
-    let pole_t3 = p.pole_moment_z * pole_theta2_ddot;
-    let pole_t4 = p.pole_moment_z * pole_minus_u_xx;
-    let pole_t5 = p.pole_moment_z * pole_a_x;
-    let pole_t6 = p.pole_inertia_xx * pole_theta2_ddot;
+    let pole_t3 = p.inverse_dynamics_pole_moment_z * pole_theta2_ddot;
+    let pole_t4 = p.inverse_dynamics_pole_moment_z * pole_minus_u_xx;
+    let pole_t5 = p.inverse_dynamics_pole_moment_z * pole_a_x;
+    let pole_t6 = p.inverse_dynamics_pole_inertia_o_xx * pole_theta2_ddot;
     let pole_f_x = pole_t1 + pole_t3;
     let pole_f_z = pole_t2 - pole_t4;
     let pole_n_y = pole_t5 + pole_t6;
+    tau[1] = pole_n_y;
     let pole_t7 = pole_cos2 * pole_f_x + pole_sin2 * pole_f_z;
     let cart_f_x = R::from_f64(2.0) * cart_s1_ddot + pole_t7;
     tau[0] = cart_f_x;
-    tau[1] = pole_n_y;
 }
 
 impl<R: kane::Real> kane::functions::InverseDynamics<R> for Prepared<R> {
@@ -381,6 +403,7 @@ impl<R: kane::Real> kane::functions::InverseDynamics<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -396,26 +419,27 @@ pub fn forward_dynamics<R: kane::Real>(
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
-    let pole_minus_f_x = p.pole_k1 * pole_sin2;
-    let pole_t1 = p.pole_k1 * pole_cos2;
-    let pole_t2 = p.pole_moment_z * pole_minus_u_xx;
-    let pole_minus_n_y = p.pole_k2 * pole_sin2;
+    let pole_minus_f_x = p.forward_dynamics_pole_k1 * pole_sin2;
+    let pole_t1 = p.forward_dynamics_pole_k1 * pole_cos2;
+    let pole_t2 = p.forward_dynamics_pole_moment_z * pole_minus_u_xx;
+    let pole_minus_n_y = p.forward_dynamics_pole_k2 * pole_sin2;
     let pole_f_z = pole_t1 - pole_t2;
     let pole_t3 = pole_cos2 * pole_minus_f_x;
     let pole_t4 = pole_sin2 * pole_f_z;
     let cart_f_x = pole_t4 - pole_t3;
-    let pole_theta2_f_cart_x = p.pole_moment_z * pole_cos2;
-    let pole_l_theta2_cart_s1 = p.pole_k3 * pole_cos2;
-    let cart_pivot_s1 = p.cart_k1 - pole_theta2_f_cart_x * pole_l_theta2_cart_s1;
+    let pole_theta2_f_cart_x = p.forward_dynamics_pole_moment_z * pole_cos2;
+    let pole_l_theta2_cart_s1 = p.forward_dynamics_pole_k3 * pole_cos2;
+    let cart_pivot_s1 = p.forward_dynamics_cart_k1
+        - pole_theta2_f_cart_x * pole_l_theta2_cart_s1;
     let cart_inverse_s1 = R::from_f64(1.0) / cart_pivot_s1;
     let pole_theta2_tau = tau[1];
     let pole_t5 = pole_minus_n_y + pole_theta2_tau;
     let cart_s1_tau = tau[0];
     let cart_s1_ddot = cart_inverse_s1
         * (cart_s1_tau - cart_f_x - pole_l_theta2_cart_s1 * pole_t5);
-    let pole_theta2_ddot = p.pole_inverse_theta2 * pole_t5
-        - pole_l_theta2_cart_s1 * cart_s1_ddot;
     u_dot[0] = cart_s1_ddot;
+    let pole_theta2_ddot = p.forward_dynamics_pole_inverse_theta2 * pole_t5
+        - pole_l_theta2_cart_s1 * cart_s1_ddot;
     u_dot[1] = pole_theta2_ddot;
 }
 
@@ -440,6 +464,7 @@ impl<R: kane::Real> kane::functions::ForwardDynamics<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -479,6 +504,7 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
     unused_variables,
     clippy::approx_constant,
     clippy::many_single_char_names,
+    clippy::needless_late_init,
     clippy::too_many_arguments,
     reason = "generated: arguments follow one pattern, numbers are the model's"
 )]
@@ -487,13 +513,13 @@ pub fn potential_energy<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], energy: &mu
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
     let cart_s1 = q[0];
-    let pole_p_o_x = pole_cos2 * cart_s1 - R::from_f64(0.1) * pole_sin2;
+    let pole_p_o_x = pole_cos2 * cart_s1 + R::from_f64(-0.1) * pole_sin2;
     let pole_p_o_z = pole_sin2 * cart_s1 + R::from_f64(0.1) * pole_cos2;
     let pole_p_g_z = pole_p_o_z + R::from_f64(0.4);
     let pole_g_x = R::from_f64(9.81) * pole_sin2;
-    let pole_minus_g_z = R::from_f64(9.81) * pole_cos2;
-    let pole_t1 = p.pole_mass * (pole_p_o_x * pole_g_x - pole_p_g_z * pole_minus_g_z);
-    *energy = -pole_t1;
+    let pole_g_z = R::from_f64(-9.81) * pole_cos2;
+    let pole_t1 = -(p.pole_mass * (pole_p_o_x * pole_g_x + pole_p_g_z * pole_g_z));
+    *energy = pole_t1;
 }
 
 impl<R: kane::Real> kane::functions::PotentialEnergy<R> for Prepared<R> {

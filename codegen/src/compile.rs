@@ -25,8 +25,10 @@ pub struct Options {
 /// A module's programs.
 #[derive(Clone, Debug)]
 pub struct Compiled {
-    /// What depends on parameters alone.
+    /// What depends on parameters alone: one store for each of `fields`.
     pub preparation: Program,
+    /// The fields of `Prepared`.
+    pub fields: Vec<String>,
     /// The functions, in the order of the catalogue.
     pub functions: Vec<Emittable>,
 }
@@ -73,7 +75,17 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
             formulation,
             derived,
         } = choose(tree, function, options.formulation);
-        let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &mut preparation);
+        let (graph, roots) = hoist::run(
+            &derived.graph,
+            &derived.roots,
+            function.name,
+            &mut preparation,
+        );
+        if derived.graph.overflowed() || graph.overflowed() {
+            return Err(Error::Unrepresentable {
+                function: function.name.to_owned(),
+            });
+        }
         let program = program::flatten(&graph, &roots);
         verify(&program, function.name)?;
         let operations = program.operations();
@@ -85,10 +97,17 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
             blocks: derived.blocks,
         });
     }
-    let preparation = program::flatten(&preparation.graph, &preparation.roots);
+    if preparation.graph.overflowed() {
+        return Err(Error::Unrepresentable {
+            function: "Prepared::new".to_owned(),
+        });
+    }
+    let fields = program::prepared_fields(&preparation, tree);
+    let preparation = program::flatten(&preparation.graph, &preparation.roots());
     verify(&preparation, "Prepared::new")?;
     Ok(Compiled {
         preparation,
+        fields,
         functions,
     })
 }
@@ -150,7 +169,8 @@ pub fn candidate(tree: &Tree, function: &Function, formulation: Formulation) -> 
 
 /// The operations that are left in the loop.
 pub fn operations(derived: &Derived) -> Operations {
-    let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &mut Preparation::default());
+    let mut preparation = Preparation::default();
+    let (graph, roots) = hoist::run(&derived.graph, &derived.roots, "", &mut preparation);
     program::flatten(&graph, &roots).operations()
 }
 

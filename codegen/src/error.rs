@@ -28,9 +28,9 @@ pub enum Error {
     /// The build.rs API was called outside of a build script.
     #[error("OUT_DIR is not set: this is for build scripts, which cargo runs")]
     NoBuildScript,
-    /// The numbers of a description multiply to a value that f64 does not hold.
+    /// The numbers of a description make a value that f64 does not hold.
     #[error(
-        "the numbers of the description are too large: `{function}` holds a value that f64 cannot"
+        "the numbers of the description are too large or too small: `{function}` needs one that f64 does not hold"
     )]
     Unrepresentable {
         /// The function in which it appeared.

@@ -51,6 +51,7 @@ pub fn generate(model: &Source, shown_path: &str, options: &Options) -> Result<G
         tree,
         banner: banner(tree, shown_path, options),
         preparation: compiled.preparation,
+        fields: compiled.fields,
         functions: compiled.functions,
     };
     Ok(Generated {

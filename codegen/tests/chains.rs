@@ -18,7 +18,8 @@ use kane_codegen::{
 /// A chain of free bodies. Numbers differ from body to body: equal ones would be shared.
 fn chain(n_bodies: u8) -> Tree {
     let lower: Vec<u8> = (0..n_bodies).collect();
-    let mut text = format!("name = \"chain\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = {lower:?}\n");
+    let mut text =
+        format!("name = \"chain\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = {lower:?}\n");
     for body in 1..=n_bodies {
         let number = |start: f64| start + f64::from(body) / 1000.0;
         let [a, b, c, d, e, f] = [0.3, 0.35, 0.4, 0.01, 0.02, 0.03].map(number);
@@ -53,7 +54,13 @@ fn right_hand_sides_of_chains_grow_by_the_same_with_every_body() {
     for function in ["bias", "inverse_dynamics"] {
         let costs: Vec<usize> = chains.iter().map(|tree| cost(tree, function)).collect();
         let steps: Vec<usize> = costs.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        println!("{function}: {} at 2 bodies, {} at 32, {} for each", costs[0], costs[30], steps[0]);
-        assert!(steps.iter().all(|step| *step == steps[0]), "{function}: {costs:?}");
+        println!(
+            "{function}: {} at 2 bodies, {} at 32, {} for each",
+            costs[0], costs[30], steps[0]
+        );
+        assert!(
+            steps.iter().all(|step| *step == steps[0]),
+            "{function}: {costs:?}"
+        );
     }
 }

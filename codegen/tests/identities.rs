@@ -113,10 +113,10 @@ fn flat(tree: &Tree, function: &Function, formulation: Formulation) -> Flat {
 /// The graph inside the loop, and the values of what is outside.
 fn hoisted(tree: &Tree, graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>, Vec<f64>) {
     let mut preparation = hoist::Preparation::default();
-    let (graph, roots) = hoist::run(graph, roots, &mut preparation);
+    let (graph, roots) = hoist::run(graph, roots, "f", &mut preparation);
     let prepared = preparation
         .graph
-        .evaluate(&preparation.roots, |given| match given {
+        .evaluate(&preparation.roots(), |given| match given {
             Input::Parameter(id) => tree.parameters[id.index()].nominal,
             other => unreachable!("{other:?} is no parameter"),
         });

@@ -165,8 +165,8 @@ fn hoisting_keeps_the_value_of_every_root_and_leaves_no_parameter_in_the_loop() 
     for seed in SEEDS {
         let (graph, roots) = random_graph(seed);
         let mut preparation = Preparation::default();
-        let (hoisted, new_roots) = hoist::run(&graph, &roots, &mut preparation);
-        let prepared = preparation.graph.evaluate(&preparation.roots, input);
+        let (hoisted, new_roots) = hoist::run(&graph, &roots, "f", &mut preparation);
+        let prepared = preparation.graph.evaluate(&preparation.roots(), input);
         let given = |given| match given {
             Input::Prepared(place) => prepared[place],
             Input::Parameter(_) => panic!("seed {seed}: a parameter is left in the loop"),

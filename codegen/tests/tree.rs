@@ -345,13 +345,13 @@ fn canonical_text_holds_every_value() {
     insta::assert_snapshot!(canonical(&build(&text).unwrap().tree), @r#"
     system "system" order body
     gravity 0.0 0.0 0.0
-    body 1 on 0 was 2 "base" as base
+    body 1 on 0 "base" as base
     mass runtime 2.5
     mass_center 0.01 0.02 -0.5
     inertia 0.1 0.1 0.02 0.01 0.0 0.0
     attachment 0.0 0.1 0.3
     joint 0.5 0.0 q0 u0 q1 u1 0.0 0.0
-    body 2 on 1 was 1 "Tip" as tip
+    body 2 on 1 "Tip" as tip
     mass runtime 2.5
     mass_center 0.01 0.02 -0.5
     inertia 0.1 0.1 0.02 0.01 0.0 0.0

@@ -1,18 +1,18 @@
 //! One function: documentation, signature, statements, stores, and the trait that holds it.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::quote;
 
 use super::{
     Emittable, allow_generated, allow_unused, doc,
-    expression::{self, Writer},
+    expression::Writer,
     ident,
+    statements::{self, Stores},
 };
 use crate::{
+    expr::Input,
     functions::{Argument, Function, Shape},
-    program::{self, Groups, Instruction, Operand, Origin, Program, ValueId},
+    program::{self, Groups, Origin, Place, Program, ValueId},
     tree::Tree,
 };
 
@@ -25,107 +25,6 @@ pub(super) fn items(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Ve
     items
 }
 
-/// The statements of a program whose inputs are arguments: bindings, computations.
-pub(super) fn statements(
-    program: &Program,
-    groups: &Groups,
-    names: &[String],
-    parameters: &[String],
-) -> Vec<TokenStream> {
-    let writer = Writer {
-        program,
-        groups,
-        names,
-    };
-    let mut body = Body {
-        writer,
-        parameters,
-        bound: BTreeSet::new(),
-        statements: Vec::new(),
-    };
-    for instruction in &program.instructions {
-        body.instruction(instruction);
-    }
-    for id in program.stores.iter().filter_map(|store| store.value()) {
-        let mut inputs = Vec::new();
-        body.writer.input_of(id, &mut inputs);
-        body.bind(inputs);
-    }
-    body.statements
-}
-
-struct Body<'a> {
-    writer: Writer<'a>,
-    parameters: &'a [String],
-    bound: BTreeSet<ValueId>,
-    statements: Vec<TokenStream>,
-}
-
-impl Body<'_> {
-    fn instruction(&mut self, instruction: &Instruction) {
-        let mut inputs = Vec::new();
-        match instruction {
-            Instruction::Compute { result, operation } => {
-                if self.writer.groups.inlined(*result).is_some() {
-                    return;
-                }
-                self.writer.inputs_of(*operation, &mut inputs);
-                self.bind(inputs);
-                let (name, value) = (self.name(*result), self.writer.operation(*operation));
-                self.statements.push(quote!(let #name = #value;));
-            }
-            Instruction::SinCos {
-                angles,
-                sines,
-                cosines,
-            } => {
-                for id in angles.iter().filter_map(|angle| angle.value()) {
-                    self.writer.input_of(id, &mut inputs);
-                }
-                self.bind(inputs);
-                let angles: Vec<_> = angles
-                    .iter()
-                    .map(|&angle| self.writer.operand(angle))
-                    .collect();
-                let names = |ids: &[Option<ValueId>]| {
-                    ids.iter().map(|&id| self.pattern(id)).collect::<Vec<_>>()
-                };
-                let (sines, cosines) = (names(sines), names(cosines));
-                if let ([angle], [sine], [cosine]) = (&angles[..], &sines[..], &cosines[..]) {
-                    self.statements
-                        .push(quote!(let (#sine, #cosine) = R::sin_cos(#angle);));
-                } else {
-                    // Three short lines: a pattern of two lists is printed over a dozen.
-                    self.statements
-                        .push(quote!(let (sines, cosines) = R::sin_cos_array([#(#angles),*]);));
-                    self.statements.push(quote!(let [#(#sines),*] = sines;));
-                    self.statements.push(quote!(let [#(#cosines),*] = cosines;));
-                }
-            }
-        }
-    }
-
-    /// Reads inputs into locals, each where it is first needed.
-    fn bind(&mut self, inputs: Vec<ValueId>) {
-        for id in inputs {
-            if let Origin::Input(input) = self.writer.program.value(id).origin
-                && self.bound.insert(id)
-            {
-                let (name, value) = (self.name(id), expression::input(input, self.parameters));
-                self.statements.push(quote!(let #name = #value;));
-            }
-        }
-    }
-
-    fn name(&self, id: ValueId) -> proc_macro2::Ident {
-        ident(&self.writer.names[id.index()])
-    }
-
-    fn pattern(&self, id: Option<ValueId>) -> TokenStream {
-        id.map_or(quote!(_), |id| self.name(id).into_token_stream())
-    }
-}
-
 fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> TokenStream {
     let Emittable {
         function,
@@ -135,24 +34,25 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
         ..
     } = emittable;
     let groups = Groups::of(program);
-    let names = program::names(program, &groups, tree, fields);
-    let statements = statements(program, &groups, &names, &[]);
+    let names = program::names(program, &groups, tree, Place::Function { fields });
+    let n_columns = program.stores.len() / 3;
+    let lengths = function.shape.lengths(tree, n_columns);
+    let output = ident(function.output);
     let writer = Writer {
         program,
         groups: &groups,
         names: &names,
     };
-    let n_columns = program.stores.len() / 3;
-    let lengths = function.shape.lengths(tree, n_columns);
-    let output = ident(function.output);
-    let stores = program
-        .stores
-        .iter()
-        .enumerate()
-        .map(|(place, &store): (usize, &Operand)| {
-            let (target, value) = (target(&output, &lengths, place), writer.operand(store));
-            quote!(#target = #value;)
-        });
+    let mut stores = Stores::default();
+    for (place, &store) in program.stores.iter().enumerate() {
+        let (target, value) = (target(&output, &lengths, place), writer.operand(store));
+        let statement = quote!(#target = #value;);
+        match store.value().filter(|&id| !is_field(program, id)) {
+            Some(id) => stores.of_values.entry(id).or_default().push(statement),
+            None => stores.of_constants.push(statement),
+        }
+    }
+    let statements = statements::of(program, &groups, &names, &[], stores);
     let mut lines: Vec<String> = function.doc.iter().map(ToString::to_string).collect();
     lines.push(String::new());
     let how = if function.formulations().len() > 1 {
@@ -170,9 +70,13 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
         #[inline(never)]
         pub fn #name<R: kane::Real>(p: &Prepared<R>, #(#arguments,)* #output: &mut #output_type) {
             #(#statements)*
-            #(#stores)*
         }
     }
+}
+
+/// True for a field of `Prepared`, which needs no statement before it is stored.
+fn is_field(program: &Program, id: ValueId) -> bool {
+    matches!(program.value(id).origin, Origin::Input(Input::Prepared(_)))
 }
 
 /// The place of an output's entry: `m[0][3]`.

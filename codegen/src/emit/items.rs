@@ -3,10 +3,13 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{Module, allow_generated, allow_unused, doc, expression, function, ident};
+use super::{
+    Module, allow_generated, allow_unused, doc, expression, ident,
+    statements::{self, Stores},
+};
 use crate::{
     id::BodyId,
-    program::{self, Groups, coordinate_names},
+    program::{self, Groups, Place, coordinate_names},
     tree::Tree,
 };
 
@@ -135,26 +138,22 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStrea
     let program = &module.preparation;
     let (allow, allow_generated) = (allow_unused(), allow_generated());
     let groups = Groups::of(program);
-    let names = program::names(program, &groups, module.tree, &[]);
+    let names = program::names(program, &groups, module.tree, Place::Preparation);
     let parameters: Vec<String> = module
         .tree
         .parameters
         .iter()
         .map(|parameter| parameter.name.clone())
         .collect();
-    let statements = function::statements(program, &groups, &names, &parameters);
+    let statements = statements::of(program, &groups, &names, &parameters, Stores::default());
     let writer = expression::Writer {
         program,
         groups: &groups,
         names: &names,
     };
+    // In order of name, whatever was asked for first.
     let mut order: Vec<usize> = (0..fields.len()).collect();
-    order.sort_by_key(|&place| {
-        let id = program.stores[place]
-            .value()
-            .expect("passes: numbers are not hoisted");
-        (program.value(id).scope, place)
-    });
+    order.sort_by_key(|&place| &fields[place]);
     let names = order.iter().map(|&place| ident(&fields[place]));
     let values = order
         .iter()

@@ -8,6 +8,7 @@
 mod expression;
 mod function;
 mod items;
+mod statements;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -40,8 +41,10 @@ pub struct Module<'a> {
     pub tree: &'a Tree,
     /// The lines above the code, without comment marks.
     pub banner: Vec<String>,
-    /// What depends on parameters alone: one store for each field of `Prepared`.
+    /// What depends on parameters alone: one store for each of `fields`.
     pub preparation: Program,
+    /// The fields of `Prepared`.
+    pub fields: Vec<String>,
     /// The functions, in the order of the catalogue.
     pub functions: Vec<Emittable>,
 }
@@ -53,13 +56,13 @@ pub fn source(module: &Module<'_>) -> String {
         text.push_str(format!("// {line}").trim_end());
         text.push('\n');
     }
-    let fields = crate::program::prepared_names(&module.preparation, module.tree);
+    let fields = &module.fields;
     let mut items = items::constants(module.tree);
     items.extend(items::parameters(module.tree));
-    items.extend(items::prepared(module, &fields));
+    items.extend(items::prepared(module, fields));
     items.push(items::system(module.tree));
     for function in &module.functions {
-        items.extend(function::items(module.tree, function, &fields));
+        items.extend(function::items(module.tree, function, fields));
     }
     for item in items {
         text.push('\n');
@@ -110,6 +113,7 @@ fn allow_generated() -> TokenStream {
             unused_variables,
             clippy::approx_constant,
             clippy::many_single_char_names,
+            clippy::needless_late_init,
             clippy::too_many_arguments,
             reason = "generated: arguments follow one pattern, numbers are the model's"
         )]

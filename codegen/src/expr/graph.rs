@@ -15,9 +15,12 @@ pub struct ExprGraph {
     bindings: Vec<Binding>,
     scopes: Vec<Option<BodyId>>,
     labels: Vec<Option<Label>>,
+    /// For each node, whether it was its negative that was written.
+    written_negative: Vec<bool>,
     // Ordered, though only ever looked up: nothing here may depend on hash order.
     known: BTreeMap<Node, NodeId>,
     scope: Option<BodyId>,
+    overflowed: bool,
 }
 
 impl ExprGraph {
@@ -77,13 +80,20 @@ impl ExprGraph {
         self.labels[id.index()].as_ref()
     }
 
+    /// The node with the sign with which it was written: canonical form may have turned it round.
+    pub fn as_written(&self, id: NodeId) -> Expr {
+        Expr::new(id, self.written_negative[id.index()])
+    }
+
     /// When the node's value is known.
     pub fn binding(&self, id: NodeId) -> Binding {
         self.bindings[id.index()]
     }
 
-    /// Gives a node the label that `original` has in another graph.
+    /// Gives a node the label and the sign that `original` has in another graph.
     pub fn name_like(&mut self, expr: Expr, other: &Self, original: Expr) {
+        let written = other.as_written(original.node()).is_negative() ^ original.is_negative();
+        self.written_negative[expr.node().index()] = written ^ expr.is_negative();
         if let Some(label) = other.label(original.node()) {
             let same = label.negative == original.is_negative();
             self.name(if same { expr } else { -expr }, label.text.clone());
@@ -104,10 +114,16 @@ impl ExprGraph {
         }
     }
 
-    /// A number. One that is not finite, from numbers too large to multiply, is refused when the program is verified.
+    /// A number; see [`Self::overflowed`] for one that is not finite.
     pub fn number(&mut self, value: f64) -> Expr {
+        self.overflowed |= !value.is_finite();
         let magnitude = self.intern(Node::Number(value.abs().to_bits()));
         Expr::new(magnitude, value < 0.0)
+    }
+
+    /// True if some number was not finite: the description's are too large, or too small to divide by.
+    pub fn overflowed(&self) -> bool {
+        self.overflowed
     }
 
     /// Zero.
@@ -167,7 +183,7 @@ impl ExprGraph {
         let (first, second) = if a.node() < b.node() { (a, b) } else { (b, a) };
         let negative = first.is_negative();
         let sum = Node::Add(first.signed(negative), second.signed(negative));
-        Expr::new(self.intern(sum), negative)
+        self.written(sum, negative)
     }
 
     /// `a - b`.
@@ -195,20 +211,19 @@ impl ExprGraph {
         }
         let key = |expr: Expr| (self.binding(expr.node()), expr.node());
         let (first, second) = if key(a) <= key(b) { (a, b) } else { (b, a) };
-        Expr::new(
-            self.intern(Node::Mul(first.node(), second.node())),
-            negative,
-        )
+        self.written(Node::Mul(first.node(), second.node()), negative)
     }
 
-    /// `a / b`. A division by the number zero is kept: it is what IEEE arithmetic makes of it.
+    /// `a / b`. A value divided by the number zero is kept: it is what IEEE arithmetic makes of it.
     pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
         let negative = a.is_negative() ^ b.is_negative();
-        if let (_, Some(divisor)) = (a, self.as_number(b))
-            && (1.0 / divisor).is_finite()
-        {
-            let reciprocal = self.number(1.0 / divisor);
-            return self.mul(a, reciprocal);
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => return self.number(x / y),
+            (None, Some(divisor)) if (1.0 / divisor).is_finite() => {
+                let reciprocal = self.number(1.0 / divisor);
+                return self.mul(a, reciprocal);
+            }
+            _ => {}
         }
         if self.is_zero(a) {
             return a;
@@ -216,7 +231,7 @@ impl ExprGraph {
         if a.node() == b.node() {
             return self.one().signed(negative);
         }
-        Expr::new(self.intern(Node::Div(a.node(), b.node())), negative)
+        self.written(Node::Div(a.node(), b.node()), negative)
     }
 
     /// `1 / a`.
@@ -283,6 +298,16 @@ impl ExprGraph {
         Some(self.mul(factor, Expr::new(x, false)))
     }
 
+    /// A node or its negative, which a new node remembers.
+    fn written(&mut self, node: Node, negative: bool) -> Expr {
+        let n_nodes = self.len();
+        let id = self.intern(node);
+        if self.len() > n_nodes {
+            self.written_negative[id.index()] = negative;
+        }
+        Expr::new(id, negative)
+    }
+
     /// The current scope, or the body further inward that all operands belong to: what several bodies can share there
     /// must not be named after the first that asks. A number among the operands is the current body's.
     fn innermost_scope(&self, node: Node) -> Option<BodyId> {
@@ -333,6 +358,7 @@ impl ExprGraph {
             self.product_label(node)
         });
         self.scopes.push(scope);
+        self.written_negative.push(false);
         self.known.insert(node, id);
         id
     }

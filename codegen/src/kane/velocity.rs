@@ -50,7 +50,10 @@ pub fn origin(graph: &mut ExprGraph, tree: &Tree, rotational: &Rotational) -> Bo
         let Some(lower) = tree.lower(body) else {
             return s_dot;
         };
+        // What bodies on one lower body share is the lower body's.
+        graph.enter(lower);
         let carried = graph.mul_vector(&rotational.relative[lower], v[lower]);
+        graph.enter(body);
         let offset = given::offset(graph, tree.body(body));
         let turned = graph.cross(rotational.w[lower], offset);
         let moved = graph.add_vectors(carried, s_dot);
@@ -88,7 +91,9 @@ pub fn partials(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) 
         let Some(lower) = tree.lower(body) else {
             return own;
         };
+        graph.enter(lower);
         let carried = rows[lower].premultiplied(graph, &relative[lower]);
+        graph.enter(body);
         let offset = given::offset(graph, tree.body(body));
         let turned = angular[lower].crossed(graph, offset);
         let row = carried.plus(graph, turned).plus(graph, own);
@@ -127,10 +132,12 @@ pub fn partials_dot(
         let Some(lower) = tree.lower(body) else {
             return Row::default();
         };
+        graph.enter(lower);
         let carried = rows[lower].premultiplied(graph, &relative[lower]);
         let turned = partials.origin[lower]
             .premultiplied(graph, &relative[lower])
             .crossed(graph, w_rel[lower]);
+        graph.enter(body);
         let s_dot = tree
             .body(body)
             .joint
@@ -193,9 +200,11 @@ pub fn accelerations(graph: &mut ExprGraph, tree: &Tree, accelerations: Accelera
         let Some(lower) = tree.lower(body) else {
             return second;
         };
+        graph.enter(lower);
         let carried = graph.mul_vector(&relative[lower], z[lower]);
         let v_lower = graph.mul_vector(&relative[lower], v_origin[lower]);
         let turned = graph.cross(v_lower, w_rel[lower]);
+        graph.enter(body);
         let s_dot = translations.map(|s| given::rate(graph, s));
         let extended = graph.cross(w[lower], s_dot);
         let offset = given::offset(graph, tree.body(body));

@@ -1,20 +1,32 @@
 //! Factor. Needs: nothing. Afterwards: no sum has two products with a common factor, `a b + a c`, where nothing
 //! else uses the products; each becomes `a (b + c)`. Keeps: the value of every root, up to rounding. Never
-//! raises the number of operations. Does not: touch a labelled value, one that is used twice, or a product of another
+//! raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice, or a product of another
 //! body, for what one body's terms have in common must not change another body's lines.
 
 use super::rebuild::Rebuilt;
-use crate::expr::{Expr, ExprGraph, Node, NodeId};
+use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 
 /// The graph with its sums factored, and its roots.
-pub fn run(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
+pub fn run(graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
+    let (mut graph, mut roots, mut changed) = once(graph, roots);
+    // What was pulled out of a sum can leave another sum behind. Each round lowers the count, so the rounds end.
+    while changed {
+        (graph, roots, changed) = once(&graph, &roots);
+    }
+    (graph, roots)
+}
+
+/// One round, and whether it found anything.
+fn once(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>, bool) {
     let sums = Sums::new(old, roots);
     let mut graph = ExprGraph::default();
     let mut rebuilt = Rebuilt::new(old);
+    let mut changed = false;
     for id in old.ids().filter(|id| sums.uses[id.index()] > 0) {
         graph.enter(old.scope(id));
         let is_head = sums.is_local_sum(id) && !sums.absorbed[id.index()];
         let terms = if is_head { sums.factored(id) } else { None };
+        changed |= terms.is_some();
         let expr = match terms {
             None => rebuilt.copy(&mut graph, old, id),
             Some(terms) => build_sum(&mut graph, &rebuilt, &terms),
@@ -23,7 +35,7 @@ pub fn run(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
         rebuilt.set(id, expr);
     }
     let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();
-    (graph, roots)
+    (graph, roots, changed)
 }
 
 /// A term of a sum.
@@ -70,9 +82,11 @@ impl<'a> Sums<'a> {
         sums
     }
 
-    /// True for a value without a label that is used once.
+    /// True for a value of the loop without a label that is used once. What depends on parameters alone costs nothing
+    /// there, and would if it were joined to what does not.
     fn is_private(&self, id: NodeId) -> bool {
-        self.uses[id.index()] == 1 && self.graph.label(id).is_none()
+        let in_loop = self.graph.binding(id) == Binding::State;
+        in_loop && self.uses[id.index()] == 1 && self.graph.label(id).is_none()
     }
 
     /// True for a sum that takes no product of another body's: there one body is joined to another.

@@ -1,9 +1,13 @@
 //! Hoist. Needs: nothing. Afterwards: a function's graph holds no operation that depends on parameters alone, and no
-//! parameter: each such value is an input `Prepared(i)`, computed once in [`Preparation`], which all functions of a
-//! module share. Keeps: the value of every root. Does not: move numbers, which cost nothing.
+//! parameter: each such value is an input `Prepared(i)`, computed once in [`Preparation`]. What two functions need is
+//! computed once, but each has a field of its own for it, so that no function's text depends on another.
+//! Keeps: the value of every root. Does not: move numbers, which cost nothing.
 
 use super::rebuild::Rebuilt;
-use crate::expr::{Binding, Expr, ExprGraph, Input, Node};
+use crate::{
+    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
+    id::BodyId,
+};
 
 /// The values that depend on parameters alone.
 #[derive(Clone, Debug, Default)]
@@ -11,13 +15,27 @@ pub struct Preparation {
     /// Their graph, whose inputs are parameters.
     pub graph: ExprGraph,
     /// The values in the order of `Input::Prepared`.
-    pub roots: Vec<Expr>,
+    pub fields: Vec<Field>,
+}
+
+/// A value that depends on parameters alone.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// The function that needs it; `None` for a parameter, which all share.
+    pub function: Option<&'static str>,
+    /// The body that it belongs to.
+    pub scope: Option<BodyId>,
+    /// What the function calls it.
+    pub label: Option<String>,
+    /// The value, with the sign that its label means.
+    pub root: Expr,
 }
 
 /// The graph with the parameters' own work taken out, and its roots.
 pub fn run(
     old: &ExprGraph,
     roots: &[Expr],
+    function: &'static str,
     preparation: &mut Preparation,
 ) -> (ExprGraph, Vec<Expr>) {
     let needed = old.reachable(roots);
@@ -48,7 +66,9 @@ pub fn run(
         graph.enter(old.scope(id));
         let expr = match old.binding(id) {
             Binding::Parameters if !boundary[id.index()] => continue,
-            Binding::Parameters => preparation.take(&mut graph, outside.node(id)),
+            Binding::Parameters => {
+                preparation.take(&mut graph, outside.node(id), function, old, id)
+            }
             Binding::Number | Binding::State => inside.copy(&mut graph, old, id),
         };
         graph.name_like(expr, old, Expr::of(id));
@@ -59,24 +79,40 @@ pub fn run(
 }
 
 impl Preparation {
-    /// A value of the preparation as an input of a function.
-    fn take(&mut self, graph: &mut ExprGraph, value: Expr) -> Expr {
+    /// The values of the fields.
+    pub fn roots(&self) -> Vec<Expr> {
+        self.fields.iter().map(|field| field.root).collect()
+    }
+
+    /// A value of the preparation as an input of the function in whose graph it is `id`.
+    fn take(
+        &mut self,
+        graph: &mut ExprGraph,
+        value: Expr,
+        function: &'static str,
+        old: &ExprGraph,
+        id: NodeId,
+    ) -> Expr {
         if let Node::Number(bits) = self.graph.node(value.node()) {
             return graph
                 .number(f64::from_bits(bits))
                 .signed(value.is_negative());
         }
-        let positive = value.abs_sign();
-        let place = self
-            .roots
-            .iter()
-            .position(|&root| root == positive)
-            .unwrap_or_else(|| {
-                self.roots.push(positive);
-                self.roots.len() - 1
+        let is_parameter = matches!(self.graph.node(value.node()), Node::Input(_));
+        let function = Some(function).filter(|_| !is_parameter);
+        let known = |field: &Field| field.root.node() == value.node() && field.function == function;
+        let place = self.fields.iter().position(known).unwrap_or_else(|| {
+            let label = old.label(id);
+            let negative = value.is_negative() ^ label.is_some_and(|label| label.negative);
+            self.fields.push(Field {
+                function,
+                scope: old.scope(id),
+                label: label.map(|label| label.text.clone()),
+                root: value.abs_sign().signed(negative),
             });
-        graph
-            .input(Input::Prepared(place))
-            .signed(value.is_negative())
+            self.fields.len() - 1
+        });
+        let negative = value.is_negative() ^ self.fields[place].root.is_negative();
+        graph.input(Input::Prepared(place)).signed(negative)
     }
 }

@@ -1,7 +1,7 @@
 //! From a graph to a program: dead nodes drop out, the order of derivation stays, signs find their place.
 //!
-//! A difference may be computed either way round: as its label means it, else as its first use wants it. A sum of two
-//! negatives is computed as their sum. The sign then passes on to what uses the value and ends in a subtraction or a store.
+//! A difference may be computed either way round: as its label means it, or as it was written. A sum of two negatives
+//! is computed as their sum. The sign then passes on to what uses the value and ends in a subtraction or a store.
 
 use std::collections::BTreeMap;
 
@@ -43,8 +43,8 @@ struct Flattening<'a> {
     needed: Vec<bool>,
     /// For each node, whether its negative is wanted.
     wanted: Vec<bool>,
-    /// For each node, whether it is stored.
-    stored: Vec<bool>,
+    /// For each node that is stored, whether its negative is.
+    stored: Vec<Option<bool>>,
     /// The nodes already flattened, as signed values.
     operands: Vec<Option<Operand>>,
     program: Program,
@@ -98,39 +98,58 @@ impl Flattening<'_> {
                 self.compute(id, Operation::Abs(unsigned(a)), false)
             }
             Node::Mul(a, b) => {
-                let (a, b) = (self.expr(of(a)), self.expr(of(b)));
-                let negative = a.is_negative() ^ b.is_negative();
-                self.compute(id, Operation::Mul(unsigned(a), unsigned(b)), negative)
+                let (a, b, negative) = self.factors(id, a, b);
+                self.compute(id, Operation::Mul(a, b), negative)
             }
             Node::Div(a, b) => {
-                let (a, b) = (self.expr(of(a)), self.expr(of(b)));
-                let negative = a.is_negative() ^ b.is_negative();
-                self.compute(id, Operation::Div(unsigned(a), unsigned(b)), negative)
+                let (a, b, negative) = self.factors(id, a, b);
+                self.compute(id, Operation::Div(a, b), negative)
             }
-            Node::Add(a, b) => {
-                let (a, b) = (self.expr(a), self.expr(b));
-                let wanted = self.wanted[id.index()];
-                // Two of one sign leave no choice.
-                let negative = if a.is_negative() == b.is_negative() {
-                    a.is_negative()
-                } else {
-                    wanted
-                };
-                let (a, b) = if negative { (-a, -b) } else { (a, b) };
-                let operation = if a.is_negative() {
-                    Operation::Add(b, a)
-                } else {
-                    Operation::Add(a, b)
-                };
-                self.compute(id, operation, negative)
-            }
+            Node::Add(a, b) => self.sum(id, a, b),
         }
+    }
+
+    /// The operands of a product or quotient, and whether they make the node's negative. A number takes the sign that is
+    /// wanted, so that the text does not depend on whether a constant of the model is positive.
+    fn factors(&self, id: NodeId, a: NodeId, b: NodeId) -> (Operand, Operand, bool) {
+        let (a, b) = (self.expr(Expr::of(a)), self.expr(Expr::of(b)));
+        let (natural, wanted) = (a.is_negative() ^ b.is_negative(), self.wanted[id.index()]);
+        match a {
+            Operand::Number(_) if natural != wanted => (-a, unsigned(b), wanted),
+            _ => (unsigned(a), unsigned(b), natural),
+        }
+    }
+
+    /// Where an operand stands in a sum whose order is free.
+    fn rank(&self, operand: Operand) -> (bool, Option<BodyId>) {
+        match operand.value() {
+            Some(value) => (false, self.program.value(value).scope),
+            None => (true, None),
+        }
+    }
+
+    fn sum(&mut self, id: NodeId, a: Expr, b: Expr) -> Operand {
+        let (a, b) = (self.expr(a), self.expr(b));
+        let has_number = matches!((a, b), (Operand::Number(_), _) | (_, Operand::Number(_)));
+        let same_sign = a.is_negative() == b.is_negative();
+        // Two values of one sign leave no choice.
+        let negative = if same_sign && !has_number {
+            a.is_negative()
+        } else {
+            self.wanted[id.index()]
+        };
+        let (a, b) = if negative { (-a, -b) } else { (a, b) };
+        // A value before a number, what is subtracted last, and else the body further inward first.
+        let swap = a.is_negative() || !b.is_negative() && self.rank(b) < self.rank(a);
+        let (a, b) = if swap { (b, a) } else { (a, b) };
+        self.compute(id, Operation::Add(a, b), negative)
     }
 
     /// One operation, whose result is the node or, where `negative`, its negative.
     fn compute(&mut self, id: NodeId, operation: Operation, negative: bool) -> Operand {
-        let meant = self.graph.label(id).map(|label| label.negative);
-        if self.stored[id.index()] && meant == Some(!negative) {
+        let label = self.graph.label(id).map(|label| label.negative);
+        let meant = self.stored[id.index()].map(|root| label.unwrap_or(root));
+        if meant == Some(!negative) {
             // A store would take the minus; taken here, the name means what it says to all who use it.
             let inner = self.labelled(Origin::Instruction, id, None);
             self.program.instructions.push(Instruction::Compute {
@@ -222,38 +241,26 @@ impl Flattening<'_> {
     }
 }
 
-/// For each node, whether it is a root.
-fn stored(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
-    let mut stored = vec![false; graph.len()];
+/// For each node that is a root, whether the root is its negative.
+fn stored(graph: &ExprGraph, roots: &[Expr]) -> Vec<Option<bool>> {
+    let mut stored = vec![None; graph.len()];
     for root in roots {
-        stored[root.node().index()] = true;
+        stored[root.node().index()] = Some(root.is_negative());
     }
     stored
 }
 
-/// For each node, whether its negative is wanted: by its label, else by the first that uses it.
+/// For each node, whether its negative is wanted: as its label means it, else as it is stored, else as it was written.
+/// Neither the signs of the model's constants nor what else uses the value has a say.
 fn wanted_signs(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
-    let needed = graph.reachable(roots);
-    let mut wanted = vec![false; graph.len()];
-    for root in roots {
-        wanted[root.node().index()] = root.is_negative();
-    }
-    for id in graph.ids().rev().filter(|id| needed[id.index()]) {
-        if let Some(label) = graph.label(id) {
-            wanted[id.index()] = label.negative;
-        }
-        match graph.node(id) {
-            Node::Add(a, b) => {
-                for operand in [a, b] {
-                    wanted[operand.node().index()] = operand.is_negative() ^ wanted[id.index()];
-                }
-            }
-            node => node
-                .operands()
-                .for_each(|operand| wanted[operand.index()] = false),
-        }
-    }
-    wanted
+    let stored = stored(graph, roots);
+    let wanted = |id: NodeId| {
+        let label = graph.label(id).map(|label| label.negative);
+        label
+            .or(stored[id.index()])
+            .unwrap_or_else(|| graph.as_written(id).is_negative())
+    };
+    graph.ids().map(wanted).collect()
 }
 
 /// The angle of a sine or cosine.

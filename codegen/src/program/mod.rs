@@ -14,7 +14,7 @@ mod verify;
 pub use cost::Operations;
 pub use flatten::flatten;
 pub use group::Groups;
-pub use name::{coordinate_names, names, prepared_names};
+pub use name::{Place, coordinate_names, names, prepared_fields};
 pub use verify::{VerifyError, verify};
 
 use crate::{expr::Input, id::BodyId};
@@ -78,11 +78,11 @@ pub enum Instruction {
 /// An operation on one or two operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operation {
-    /// `a + b`; at most one operand is negative, never both.
+    /// `a + b`; the first is not a value's negative.
     Add(Operand, Operand),
-    /// `a b`; neither is negative.
+    /// `a b`; neither is a value's negative.
     Mul(Operand, Operand),
-    /// `a / b`; neither is negative.
+    /// `a / b`; neither is a value's negative.
     Div(Operand, Operand),
     /// `|a|`; not negative.
     Abs(Operand),
@@ -162,12 +162,9 @@ impl Operand {
         }
     }
 
-    /// True where the sign is minus.
+    /// True for the negative of a value; a number holds its own sign.
     pub fn is_negative(self) -> bool {
-        match self {
-            Self::Number(number) => number.is_sign_negative(),
-            Self::Value { negative, .. } => negative,
-        }
+        matches!(self, Self::Value { negative: true, .. })
     }
 }
 

@@ -4,10 +4,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Groups, Instruction, Origin, Program, ValueId};
+use super::{Groups, Instruction, Origin, Program};
 use crate::{
-    expr::Input,
+    expr::{Input, Node},
     id::BodyId,
+    passes::hoist::{Field, Preparation},
     tree::{Coordinate, Tree},
 };
 
@@ -25,8 +26,20 @@ const RESERVED: [&str; 10] = [
     "cosines",
 ];
 
+/// Where a program's values stand.
+#[derive(Clone, Copy, Debug)]
+pub enum Place<'a> {
+    /// In a function, which reads these fields of `Prepared`.
+    Function {
+        /// The fields, in the order of the prepared values.
+        fields: &'a [String],
+    },
+    /// In what computes `Prepared`.
+    Preparation,
+}
+
 /// A name for each value that is an input or has a statement of its own; empty for the others.
-pub fn names(program: &Program, groups: &Groups, tree: &Tree, prepared: &[String]) -> Vec<String> {
+pub fn names(program: &Program, groups: &Groups, tree: &Tree, place: Place<'_>) -> Vec<String> {
     let coordinates = coordinate_names(tree);
     let mut names = vec![String::new(); program.values.len()];
     let mut taken: BTreeSet<String> = RESERVED.map(String::from).into();
@@ -38,11 +51,15 @@ pub fn names(program: &Program, groups: &Groups, tree: &Tree, prepared: &[String
         }
         unique
     };
+    let (fields, letter): (&[String], _) = match place {
+        Place::Function { fields } => (fields, "t"),
+        Place::Preparation => (&[], "k"),
+    };
     for (value, name) in program.values.iter().zip(&mut names) {
         if let Origin::Input(input) = value.origin {
             *name = match input {
                 // A field of `Prepared`, not a local.
-                Input::Prepared(place) => prepared[place].clone(),
+                Input::Prepared(place) => fields[place].clone(),
                 _ => claim(input_name(tree, &coordinates, input)),
             };
         }
@@ -60,29 +77,34 @@ pub fn names(program: &Program, groups: &Groups, tree: &Tree, prepared: &[String
         } else {
             let counter = counters.entry(value.scope).or_default();
             *counter += 1;
-            claim(format!("{body}_t{counter}"))
+            claim(format!("{body}_{letter}{counter}"))
         };
     }
     names
 }
 
-/// The names of the prepared values, unique among themselves.
-pub fn prepared_names(program: &Program, tree: &Tree) -> Vec<String> {
+/// The fields of `Prepared`, in the order of the prepared values: a parameter's own name, or the function, the body and
+/// what it is there.
+pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
     let mut taken = BTreeSet::new();
-    let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
-    let name = |store: &super::Operand| {
-        let id: ValueId = store.value().expect("passes: numbers are not hoisted");
-        let value = program.value(id);
-        let body = value
+    let mut counters: BTreeMap<_, usize> = BTreeMap::new();
+    let name = |field: &Field| {
+        let body = field
             .scope
             .map_or("system", |body| tree.body(body).identifier.as_str());
-        let mut name = match (value.origin, &value.label) {
-            (Origin::Input(input), _) => input_name(tree, &[], input),
-            (_, Some(label)) => format!("{body}_{label}"),
-            (_, None) => {
-                let counter = counters.entry(value.scope).or_default();
+        let mut name = match (
+            field.function,
+            &field.label,
+            preparation.graph.node(field.root.node()),
+        ) {
+            (_, _, Node::Input(input)) => input_name(tree, &[], input),
+            (function, Some(label), _) => {
+                format!("{}_{body}_{label}", function.unwrap_or_default())
+            }
+            (function, None, _) => {
+                let counter = counters.entry((function, field.scope)).or_default();
                 *counter += 1;
-                format!("{body}_k{counter}")
+                format!("{}_{body}_k{counter}", function.unwrap_or_default())
             }
         };
         while !taken.insert(name.clone()) {
@@ -90,7 +112,7 @@ pub fn prepared_names(program: &Program, tree: &Tree) -> Vec<String> {
         }
         name
     };
-    program.stores.iter().map(name).collect()
+    preparation.fields.iter().map(name).collect()
 }
 
 /// The name of an input: a coordinate's name with what it is a rate or force of.

@@ -30,7 +30,7 @@ pub fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
     };
     let own = point.moved(graph, center);
     graph.name_vector(own.moment, "moment");
-    name(graph, &own.inertia, "inertia");
+    name(graph, &own.inertia, "inertia_o");
     own
 }
 

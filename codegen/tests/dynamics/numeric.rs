@@ -96,7 +96,9 @@ pub(crate) fn condition(matrix: &Matrix) -> f64 {
         let mut size = 1.0;
         for _ in 0..100 {
             let norm = dot(&x, &x).sqrt();
-            x.iter_mut().for_each(|x| *x /= norm);
+            for x in &mut x {
+                *x /= norm;
+            }
             x = map(&x);
             size = dot(&x, &x).sqrt();
         }

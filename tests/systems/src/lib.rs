@@ -13,7 +13,7 @@ use platform::Libm;
 macro_rules! systems {
     ($($(#[$meaning:meta])* $name:ident)+) => {$(
         $(#[$meaning])*
-        #[allow(missing_docs, reason = "what a trait's method writes is said at the trait")]
+        #[allow(clippy::pedantic, reason = "names and digits are the model's; the rest of clippy is a test of what is generated")]
         pub mod $name {
             include!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".rs"));
         }
@@ -94,6 +94,8 @@ pub struct Compiled {
 pub struct Reference {
     /// The name in `tests/reference`.
     pub name: &'static str,
+    /// Its description.
+    pub model: &'static str,
     /// Every function, along the tree: `f64`.
     pub f64: Call,
     /// Every function, along the tree: `f32`.
@@ -123,9 +125,10 @@ macro_rules! dynamics {
 }
 
 macro_rules! reference {
-    ($name:literal, $module:path, $notes:path) => {
+    ($name:literal, $folder:literal, $module:path, $notes:path) => {
         Reference {
             name: $name,
+            model: include_str!(concat!("../../../", $folder, "/", $name, ".toml")),
             f64: all!($module, f64),
             f32: all!($module, f32),
             notes_f64: dynamics!($notes, f64),
@@ -136,12 +139,37 @@ macro_rules! reference {
 
 /// The systems with reference values.
 pub const REFERENCES: [Reference; 6] = [
-    reference!("one_body", crate::one_body, crate::one_body_notes),
-    reference!("chain3", crate::chain3, crate::chain3_notes),
-    reference!("star5", crate::star5, crate::star5_notes),
-    reference!("eight_body", kane::eight_body, crate::eight_body_notes),
-    reference!("two_roots", crate::two_roots, crate::two_roots_notes),
-    reference!("tree12", crate::tree12, crate::tree12_notes),
+    reference!(
+        "one_body",
+        "tests/reference",
+        crate::one_body,
+        crate::one_body_notes
+    ),
+    reference!(
+        "chain3",
+        "tests/reference",
+        crate::chain3,
+        crate::chain3_notes
+    ),
+    reference!("star5", "tests/reference", crate::star5, crate::star5_notes),
+    reference!(
+        "eight_body",
+        "models",
+        kane::eight_body,
+        crate::eight_body_notes
+    ),
+    reference!(
+        "two_roots",
+        "tests/reference",
+        crate::two_roots,
+        crate::two_roots_notes
+    ),
+    reference!(
+        "tree12",
+        "tests/reference",
+        crate::tree12,
+        crate::tree12_notes
+    ),
 ];
 
 macro_rules! compiled {
@@ -184,6 +212,7 @@ pub const RENUMBERED_NOTES_LIBM: Call = dynamics!(crate::renumbered_notes, Libm)
 pub const RUNTIME_LIBM: Call = all!(crate::runtime, Libm);
 
 /// The values with which the changed system is baked.
+#[allow(clippy::unreadable_literal, reason = "the digits are the model's")]
 pub fn changed_parameters<R: Real>() -> runtime::Parameters<R> {
     use runtime::Parameters;
     include!(concat!(env!("OUT_DIR"), "/changed_parameters.rs"))

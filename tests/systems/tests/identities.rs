@@ -15,14 +15,28 @@ use common::{
 use identities::{DIFFERENTIATED, EXACT};
 use kane_codegen::functions::{CATALOGUE, Function};
 use kane_test_systems::{
-    BAKED_RUNTIME_CHANGED, RANDOM, RENUMBERED_LIBM, RENUMBERED_NOTES, RENUMBERED_NOTES_LIBM,
-    RUNTIME_LIBM, TWINS,
+    BAKED_RUNTIME_CHANGED, Compiled, RANDOM, REFERENCES, RENUMBERED_LIBM, RENUMBERED_NOTES,
+    RENUMBERED_NOTES_LIBM, RUNTIME_LIBM, TWINS,
 };
 
-/// Requires an identity of every random system.
+/// The random systems, and those with reference values, of which `kane` bundles one.
+fn systems() -> impl Iterator<Item = Compiled> {
+    let references = REFERENCES.map(|reference| Compiled {
+        name: reference.name,
+        model: reference.model,
+        f64: reference.f64,
+    });
+    RANDOM
+        .into_iter()
+        .chain(TWINS)
+        .chain(BAKED_RUNTIME_CHANGED)
+        .chain(references)
+}
+
+/// Requires an identity of every system.
 fn hold(tolerance: f64, error: impl Fn(&dyn Model, &State) -> f64) {
     let mut most = (0.0, "no system");
-    for compiled in RANDOM.into_iter().chain(TWINS).chain(BAKED_RUNTIME_CHANGED) {
+    for compiled in systems() {
         let model = CompiledModel::new(compiled);
         for seed in [1, 2] {
             let state = State::random(model.tree(), seed);

@@ -128,6 +128,7 @@ fn check(name: &str) {
 fn check_case(reference: Reference, case: &Value, errors: &mut Errors) {
     let Reference {
         name,
+        model: _,
         f64,
         f32,
         notes_f64,
