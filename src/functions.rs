@@ -160,8 +160,8 @@ function_traits! {
     /// Right-hand side `f` of `M u_dot = f`: `generalized_forces - bias`, N m and N. Eq. (43).
     Forcing: forcing(q: &Self::Q, u: &Self::U, loads: &Self::Loads, f: &mut Self::U);
 
-    /// The terms of `M u_dot + bias = tau` without `u_dot` and `tau`: Coriolis, centrifugal, gravity and
-    /// whatever the joints add, N m and N. Also called the nonlinear effects.
+    /// The terms of `M u_dot + bias = tau` without `u_dot` and `tau`: Coriolis, centrifugal, gyroscopic terms
+    /// and weight, N m and N. Also called the nonlinear effects.
     Bias: bias(q: &Self::Q, u: &Self::U, bias: &mut Self::U);
 
     /// Inverse dynamics: the generalized forces `tau = M u_dot + bias` that a motion needs, N m and N. Often
@@ -188,8 +188,7 @@ function_traits! {
     /// Kinetic energy in the inertial frame, J.
     KineticEnergy: kinetic_energy(q: &Self::Q, u: &Self::U, energy: &mut R);
 
-    /// Potential energy, J: that of gravity, zero at the inertial origin, and of springs where joints have
-    /// them.
+    /// Potential energy, J: that of weight, zero at the inertial origin.
     PotentialEnergy: potential_energy(q: &Self::Q, energy: &mut R);
 
     /// Linear momentum of the whole system, inertial components, kg m/s.

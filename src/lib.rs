@@ -1,4 +1,8 @@
-#![doc = include_str!("../README.md")]
+#![cfg_attr(feature = "cart_pole", doc = include_str!("../README.md"))]
+#![cfg_attr(
+    not(feature = "cart_pole"),
+    doc = "Runtime of multibody systems compiled to flat Rust."
+)]
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -50,12 +50,7 @@ impl Options {
 
     /// True where the function is to be generated.
     pub fn selects(&self, function: &Function) -> bool {
-        let asked = match &self.functions {
-            Functions::Default => function.is_default,
-            Functions::All => true,
-            Functions::Named(names) => names.iter().any(|name| name == function.name),
-        };
-        asked || function.trait_name.is_none()
+        self.functions.names(function) || function.trait_name.is_none()
     }
 }
 

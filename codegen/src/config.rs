@@ -10,6 +10,7 @@ use std::path::Path;
 
 use crate::description::read::{Item, Reader, Table, list, span};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
+use crate::functions::Function;
 
 /// What a `kane.toml` asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +42,17 @@ pub enum Functions {
     All,
     /// These, in the order written.
     Named(Vec<String>),
+}
+
+impl Functions {
+    /// True where the function is among them.
+    pub fn names(&self, function: &Function) -> bool {
+        match self {
+            Self::Default => function.is_default,
+            Self::All => true,
+            Self::Named(names) => names.iter().any(|name| name == function.name),
+        }
+    }
 }
 
 /// Which of the equations' forms to generate.

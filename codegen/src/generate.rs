@@ -9,6 +9,7 @@ use crate::{
     diagnostic::{Diagnostics, Source},
     emit::{self, Module},
     error::Error,
+    functions::CATALOGUE,
     program::Operations,
     tree::{self, Tree},
 };
@@ -65,7 +66,16 @@ fn banner(tree: &Tree, shown_path: &str, options: &Options) -> Vec<String> {
     let functions = match &options.functions {
         Functions::Default => "default".to_owned(),
         Functions::All => "all".to_owned(),
-        Functions::Named(names) => names.join(", "),
+        // In the order of the catalogue, in which the module holds them.
+        Functions::Named(_) => {
+            let named = CATALOGUE
+                .iter()
+                .filter(|function| options.functions.names(function));
+            named
+                .map(|function| function.name)
+                .collect::<Vec<_>>()
+                .join(", ")
+        }
     };
     let formulation = Formulation::ALL
         .iter()

@@ -11,7 +11,7 @@
 //!
 //! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
 //! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
-//! same bytes everywhere; files are touched only in `main.rs`, [`output`] and [`build_script`].
+//! same bytes everywhere; files are touched only by the command line, [`output`] and [`build_script`].
 
 // Indexes that cannot be mixed up.
 pub mod id;

@@ -99,3 +99,27 @@ fn every_number_reads_back_bit_for_bit() {
         );
     }
 }
+
+/// A body with this mass on a hinge, its mass centre this far from it.
+fn hinged(mass: f64, distance: f64) -> Result<String, String> {
+    let text = format!(
+        "name = \"h\"\nlower_bodies = [0]\n[[body]]\nname = \"a\"\nmass = {mass:e}\nmass_center = [{distance:e}, 0, 0]\n\
+         inertia = {{ xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\nattachment = [0.0, 0.0, 0.0]\njoint = [\"theta3\"]\n"
+    );
+    let generated = generate(&Source::new("h.toml", text), "h.toml", &Options::default());
+    generated
+        .map(|generated| generated.source)
+        .map_err(|error| error.to_string())
+}
+
+#[test]
+fn numbers_that_f64_does_not_hold_are_an_error() {
+    assert!(hinged(1.0, 1.0).is_ok());
+    for (mass, distance) in [(1e300, 1e10), (5e-324, 1.0), (1e-200, 1e-70)] {
+        let error = hinged(mass, distance).unwrap_err();
+        assert!(
+            error.contains("too large or too small"),
+            "{mass:e} kg at {distance:e} m: {error}"
+        );
+    }
+}

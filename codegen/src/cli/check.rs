@@ -125,6 +125,12 @@ fn write_file(out: &mut dyn Write, file: &Compared<'_>) -> io::Result<()> {
         }
         Found::Differs(old) => {
             write_diff(out, file.path, old, file.new)?;
+            if report::differs_in_layout_only(old, file.new) {
+                writeln!(
+                    out,
+                    "{path} differs in layout only: `#[rustfmt::skip]` at its `mod` keeps `cargo fmt` from it"
+                )?;
+            }
             if !old.starts_with(BANNER_START) {
                 writeln!(out, "{path} was not written by `kane generate`")?;
             }

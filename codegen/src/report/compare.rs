@@ -142,3 +142,14 @@ fn parse(line: &str) -> Option<Counted> {
         formulation,
     })
 }
+
+/// True where two texts differ, by more than their line ends, and are the same code: one was formatted by something else.
+pub fn differs_in_layout_only(old: &str, new: &str) -> bool {
+    let layout = |text: &str| {
+        syn::parse_file(text)
+            .map(|file| prettyplease::unparse(&file))
+            .ok()
+    };
+    let differs = old.replace("\r\n", "\n") != new;
+    differs && layout(old).is_some() && layout(old) == layout(new)
+}

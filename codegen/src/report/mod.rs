@@ -8,7 +8,7 @@ mod counts;
 mod partitions;
 mod picture;
 
-pub use compare::{Change, Comparison, Counted, compare, counted};
+pub use compare::{Change, Comparison, Counted, compare, counted, differs_in_layout_only};
 pub use counts::{Counts, counts};
 pub use partitions::{Cell, Partitions, partitions};
 pub use picture::picture;

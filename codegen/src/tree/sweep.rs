@@ -55,8 +55,15 @@ impl Units {
             .iter()
             .flat_map(|body| [body.inertia.xx, body.inertia.yy, body.inertia.zz]);
         let inertias = largest(&mut inertias.map(|value| tree.nominal(value)));
+        // Lengths too short to weigh the inertias with are no measure of the tree.
+        let from_inertias = inertias / length / length;
+        let (mass, length) = if from_inertias.is_finite() {
+            (masses.max(from_inertias), length)
+        } else {
+            (masses.max(inertias), 1.0)
+        };
         Self {
-            mass: or_one(masses.max(inertias / length / length)),
+            mass: or_one(mass),
             length,
         }
     }
