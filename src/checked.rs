@@ -101,6 +101,21 @@ impl Error for CheckError {}
 /// Writes the `u_dot` that solves `M u_dot + bias = tau`, as
 /// [`ForwardDynamics::forward_dynamics`] does, if the state allows it.
 ///
+/// ```
+/// # #[cfg(feature = "eight_body")] {
+/// use kane::checked::{CheckError, Limits, forward_dynamics};
+/// use kane::eight_body::{NQ, NU, Prepared};
+///
+/// let system = Prepared::<f64>::nominal();
+/// let (mut q, u, tau, mut u_dot) = ([0.0; NQ], [0.0; NU], [0.0; NU], [0.0; NU]);
+/// assert!(forward_dynamics(&system, &q, &u, &tau, &mut u_dot, &Limits::default()).is_ok());
+///
+/// q[4] = core::f64::consts::FRAC_PI_2; // theta_2 of the second body, between its free theta_1 and theta_3
+/// let error = forward_dynamics(&system, &q, &u, &tau, &mut u_dot, &Limits::default());
+/// assert!(matches!(error, Err(CheckError::Singularity { body: "shoulder", .. })));
+/// # }
+/// ```
+///
 /// # Errors
 /// In this order, the first breach in the order of bodies and speeds, and `u_dot` is untouched: a body's
 /// angles too near their singularity, a pivot that does not exceed its limit, a result that is not finite.

@@ -38,6 +38,39 @@
 //! | [`PotentialEnergy`] | `potential_energy(q, energy)` | `R` | |
 //! | [`LinearMomentum`] | `linear_momentum(q, u, out)` | `[R; 3]` | |
 //! | [`AngularMomentum`] | `angular_momentum(q, u, out)` | `[R; 3]` | |
+//!
+//! ```
+//! use kane::functions::{Bias, MassMatrix};
+//! use kane::{Array, Real};
+//!
+//! /// `tau = M u_dot + bias`, for any system.
+//! fn computed_torque<R: Real, S: MassMatrix<R> + Bias<R>>(
+//!     system: &S,
+//!     q: &S::Q,
+//!     u: &S::U,
+//!     u_dot: &S::U,
+//! ) -> S::U {
+//!     let zero = S::U::filled(R::from_f64(0.0));
+//!     let (mut m, mut tau) = (S::Matrix::filled(zero), zero);
+//!     system.mass_matrix(q, &mut m);
+//!     system.bias(q, u, &mut tau);
+//!     for (tau, row) in tau.as_mut().iter_mut().zip(m.as_ref()) {
+//!         for (entry, u_dot) in row.as_ref().iter().zip(u_dot.as_ref()) {
+//!             *tau = *tau + *entry * *u_dot;
+//!         }
+//!     }
+//!     tau
+//! }
+//! # #[cfg(feature = "eight_body")] {
+//! # use kane::{eight_body::{NQ, NU, Prepared}, functions::InverseDynamics};
+//! # let system = Prepared::<f64>::nominal();
+//! # let (q, u, u_dot) = ([0.1; NQ], [0.2; NU], [0.3; NU]);
+//! # let mut tau = [0.0; NU];
+//! # system.inverse_dynamics(&q, &u, &u_dot, &mut tau);
+//! # let found = computed_torque(&system, &q, &u, &u_dot);
+//! # assert!(found.iter().zip(tau).all(|(a, b)| (a - b).abs() < 1e-10));
+//! # }
+//! ```
 
 use crate::{Array, Block, Real, System};
 

@@ -12,6 +12,23 @@ use crate::{Array, Real};
 /// digital controller's are (zero-order hold).
 ///
 /// Four evaluations of the forward dynamics; the error of a step is of order `dt⁵`.
+///
+/// ```
+/// # #[cfg(feature = "eight_body")] {
+/// use kane::eight_body::{NQ, NU, Prepared};
+/// use kane::integrate::rk4_step;
+///
+/// let system = Prepared::<f64>::nominal();
+/// let (mut q, mut u) = ([0.0; NQ], [0.0; NU]);
+/// u[24] = 0.5; // the hub's speed along the inertial x axis
+/// let tau = [0.0; NU];
+/// for _ in 0..100 {
+///     rk4_step(&system, &tau, 0.01, &mut q, &mut u);
+/// }
+/// // Nothing acts on the system: all its bodies move on together.
+/// assert!((q[24] - 0.5).abs() < 1e-12);
+/// # }
+/// ```
 pub fn rk4_step<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     tau: &S::U,
