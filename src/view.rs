@@ -3,7 +3,7 @@
 //! Vectors are viewed without copying. Generated matrices are arrays of rows, nalgebra's are columns, so
 //! what can be viewed without copying is the transpose; for the mass matrix, which is symmetric, that is the
 //! matrix itself. There are no views with strides on purpose: nalgebra 0.35 multiplies those out of
-//! bounds (its issue 1616). Into and out of `[R; N]`, nalgebra's vectors convert by themselves:
+//! bounds (nalgebra#1616). Into and out of `[R; N]`, nalgebra's vectors convert by themselves:
 //! `let q: [f64; 7] = vector.into()`.
 //!
 //! ```

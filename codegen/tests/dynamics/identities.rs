@@ -14,7 +14,7 @@ use super::{
     renumbered_output,
 };
 
-type Vector = [f64; 3];
+pub(crate) type Vector = [f64; 3];
 
 /// Identities of sums and products alone: some hundred to some thousand roundings, of which the chains that feed one number
 /// are some hundred long.
@@ -23,7 +23,7 @@ pub(crate) const EXACT: f64 = 2e-14;
 /// (see [`derivative`](super::numeric::derivative)), which is some ten to a hundred where terms cancel.
 pub(crate) const DIFFERENTIATED: f64 = 1e-12;
 
-fn vectors(model: &dyn Model, function: &str, state: &State) -> Vec<Vector> {
+pub(crate) fn vectors(model: &dyn Model, function: &str, state: &State) -> Vec<Vector> {
     let numbers = model.evaluate(function, state);
     numbers
         .chunks_exact(3)
@@ -31,7 +31,7 @@ fn vectors(model: &dyn Model, function: &str, state: &State) -> Vec<Vector> {
         .collect()
 }
 
-fn matrices(model: &dyn Model, function: &str, state: &State) -> Vec<[Vector; 3]> {
+pub(crate) fn matrices(model: &dyn Model, function: &str, state: &State) -> Vec<[Vector; 3]> {
     let rows = vectors(model, function, state);
     rows.chunks_exact(3)
         .map(|rows| [rows[0], rows[1], rows[2]])
@@ -39,7 +39,7 @@ fn matrices(model: &dyn Model, function: &str, state: &State) -> Vec<[Vector; 3]
 }
 
 /// One row of `NU` numbers for each body and component.
-fn rows(model: &dyn Model, function: &str, state: &State) -> Vec<Vec<f64>> {
+pub(crate) fn rows(model: &dyn Model, function: &str, state: &State) -> Vec<Vec<f64>> {
     let numbers = model.evaluate(function, state);
     numbers
         .chunks_exact(model.tree().n_speeds)
@@ -51,7 +51,7 @@ pub(crate) fn mass_matrix(model: &dyn Model, state: &State) -> Matrix {
     Matrix::new(model.tree().n_speeds, model.evaluate("mass_matrix", state))
 }
 
-fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -59,15 +59,15 @@ fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
-fn times(matrix: &[Vector; 3], v: Vector) -> Vector {
+pub(crate) fn times(matrix: &[Vector; 3], v: Vector) -> Vector {
     matrix.map(|row| dot(&row, &v))
 }
 
-fn transposed(matrix: &[Vector; 3]) -> [Vector; 3] {
+pub(crate) fn transposed(matrix: &[Vector; 3]) -> [Vector; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| matrix[j][i]))
 }
 
-fn scaled(factor: f64, v: Vector) -> Vector {
+pub(crate) fn scaled(factor: f64, v: Vector) -> Vector {
     v.map(|x| factor * x)
 }
 
@@ -87,14 +87,14 @@ fn gravity(tree: &Tree) -> Vector {
 }
 
 /// `f` of every body, in inertial components: `f` gives body components.
-fn in_inertial(model: &dyn Model, state: &State, vectors: &[Vector]) -> Vec<f64> {
+pub(crate) fn in_inertial(model: &dyn Model, state: &State, vectors: &[Vector]) -> Vec<f64> {
     let rotations = matrices(model, "rotation", state);
     let turn = |(rotation, vector): (&[Vector; 3], &Vector)| times(&transposed(rotation), *vector);
     rotations.iter().zip(vectors).flat_map(turn).collect()
 }
 
 /// As [`in_inertial`], of vectors in the components of the lower body.
-fn lower_in_inertial(model: &dyn Model, state: &State, vectors: &[Vector]) -> Vec<f64> {
+pub(crate) fn lower_in_inertial(model: &dyn Model, state: &State, vectors: &[Vector]) -> Vec<f64> {
     let tree = model.tree();
     let rotations = matrices(model, "rotation", state);
     tree.body_ids()
@@ -108,7 +108,7 @@ fn lower_in_inertial(model: &dyn Model, state: &State, vectors: &[Vector]) -> Ve
 }
 
 /// The largest relative error of several.
-fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
+pub(crate) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     largest(&errors.into_iter().collect::<Vec<_>>())
 }
 
@@ -428,177 +428,6 @@ fn momentum_error(model: &dyn Model, state: &State) -> f64 {
         relative_to(most[0].max(p), &linear, &force),
         relative_to(most[1].max(h), &angular, &moment),
     ])
-}
-
-/// `dR/dt = -tilde(w) R`, `dr/dt = v` of origins and mass centres, in inertial components.
-pub(crate) fn velocities_are_rates_of_positions(model: &dyn Model, state: &State) -> f64 {
-    let position = |function: &'static str| {
-        move |t: f64| {
-            let state = state.moved(t);
-            in_inertial(model, &state, &vectors(model, function, &state))
-        }
-    };
-    let rate = |position: &dyn Fn(f64) -> Vec<f64>, found: &[f64]| {
-        let expected = derivative(position);
-        relative_to(
-            largest(&expected).max(largest(&position(0.0))),
-            found,
-            &expected,
-        )
-    };
-    let origin = lower_in_inertial(model, state, &vectors(model, "origin_velocity", state));
-    let center = in_inertial(model, state, &vectors(model, "mass_center_velocity", state));
-    let rotations = matrices(model, "rotation", state);
-    let omegas = vectors(model, "angular_velocity", state);
-    let turning: Vec<f64> = rotations
-        .iter()
-        .zip(&omegas)
-        .flat_map(|(rotation, w)| {
-            let columns = transposed(rotation).map(|column| scaled(-1.0, cross(*w, column)));
-            transposed(&columns).into_iter().flatten()
-        })
-        .collect();
-    worst([
-        rate(&position("origin_position"), &origin),
-        rate(&position("mass_center_position"), &center),
-        rate(&|t| model.evaluate("rotation", &state.moved(t)), &turning),
-    ])
-}
-
-/// `dv/dt = a` of mass centres, `dw/dt = alpha`, in inertial components.
-pub(crate) fn accelerations_are_rates_of_velocities(model: &dyn Model, state: &State) -> f64 {
-    worst(
-        [
-            ("mass_center_velocity", "mass_center_acceleration"),
-            ("angular_velocity", "angular_acceleration"),
-        ]
-        .map(|(velocity, acceleration)| {
-            let velocity = |t: f64| {
-                let state = state.moved(t);
-                in_inertial(model, &state, &vectors(model, velocity, &state))
-            };
-            let found = in_inertial(model, state, &vectors(model, acceleration, state));
-            let expected = derivative(velocity);
-            relative_to(
-                largest(&expected).max(largest(&velocity(0.0))),
-                &found,
-                &expected,
-            )
-        }),
-    )
-}
-
-/// `v = V u`, and `V_dot` is the rate of `V`'s components.
-pub(crate) fn partial_velocities_make_velocities(model: &dyn Model, state: &State) -> f64 {
-    let pairs = [
-        (
-            "angular_velocity",
-            "partial_angular_velocity",
-            "partial_angular_velocity_dot",
-        ),
-        (
-            "origin_velocity",
-            "partial_velocity_origin",
-            "partial_velocity_origin_dot",
-        ),
-        (
-            "mass_center_velocity",
-            "partial_velocity",
-            "partial_velocity_dot",
-        ),
-    ];
-    worst(
-        pairs
-            .into_iter()
-            .flat_map(|(velocity, partial, partial_dot)| {
-                let made: Vec<f64> = rows(model, partial, state)
-                    .iter()
-                    .map(|row| dot(row, &state.u))
-                    .collect();
-                let partials = |t: f64| model.evaluate(partial, &state.moved(t));
-                let expected = derivative(partials);
-                let scale = largest(&expected).max(largest(&partials(0.0)));
-                [
-                    relative(&model.evaluate(velocity, state), &made),
-                    relative_to(scale, &model.evaluate(partial_dot, state), &expected),
-                ]
-            }),
-    )
-}
-
-/// Rotations are orthonormal and right-handed, and `R_K = JR_K R_J`.
-pub(crate) fn rotations_are_rotations(model: &dyn Model, state: &State) -> f64 {
-    let tree = model.tree();
-    let absolute = matrices(model, "rotation", state);
-    let relative_ones = matrices(model, "relative_rotation", state);
-    worst(tree.body_ids().flat_map(|body| {
-        let (r, step) = (&absolute[body.index()], &relative_ones[body.index()]);
-        let chained = tree.lower(body).map_or(*step, |lower| {
-            let below = transposed(&absolute[lower.index()]);
-            transposed(&below.map(|column| times(step, column)))
-        });
-        let third = cross(r[0], r[1]);
-        let unit = r.map(|row| dot(&row, &row));
-        [
-            relative(chained.as_flattened(), r.as_flattened()),
-            relative(&third, &r[2]),
-            relative(&unit, &[1.0; 3]),
-            dot(&r[0], &r[1]).abs(),
-        ]
-    }))
-}
-
-/// `angle_rates` gives back the rates of three free angles from the relative angular velocity; zero for other bodies.
-/// Relative to the nearness of the singularity, by which the inverse divides.
-pub(crate) fn angle_rates_undo_relative_angular_velocity(model: &dyn Model, state: &State) -> f64 {
-    let tree = model.tree();
-    let given = State {
-        w_rel: vectors(model, "relative_angular_velocity", state),
-        ..state.clone()
-    };
-    let mut least: f64 = 1.0;
-    let mut expected = Vec::new();
-    for body in &tree.bodies {
-        let rate = |angle: Coordinate| angle.speed().map(|speed| state.u[speed.index()]);
-        let rates = body.joint.angles.map(rate);
-        expected.extend(if rates.iter().all(Option::is_some) {
-            rates.map(|rate| rate.expect("all are free"))
-        } else {
-            [0.0; 3]
-        });
-    }
-    for distance in model.evaluate("singularity", state) {
-        least = least.min(distance);
-    }
-    least * relative_to(1.0, &model.evaluate("angle_rates", &given), &expected)
-}
-
-/// `singularity = |cos(theta_2)|` between free `theta_1` and `theta_3`, one elsewhere.
-pub(crate) fn singularity_is_the_cosine_of_the_second_angle(
-    model: &dyn Model,
-    state: &State,
-) -> f64 {
-    let expected: Vec<f64> = model
-        .tree()
-        .bodies
-        .iter()
-        .map(|body| match body.joint.angles {
-            [Coordinate::Free { .. }, second, Coordinate::Free { .. }] => {
-                let angle = match second {
-                    Coordinate::Free { coordinate, .. } => state.q[coordinate.index()],
-                    Coordinate::Locked(at) => at,
-                };
-                libm::cos(angle).abs()
-            }
-            _ => 1.0,
-        })
-        .collect();
-    relative(&model.evaluate("singularity", state), &expected)
-}
-
-/// `q_dot = u`.
-pub(crate) fn rates_of_coordinates_are_speeds(model: &dyn Model, state: &State) -> f64 {
-    relative(&model.evaluate("q_dot", state), &state.u)
 }
 
 /// The largest difference of pivots, each relative to itself and to the condition number: a pivot is the reciprocal of a

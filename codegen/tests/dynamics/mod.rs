@@ -5,6 +5,7 @@
 #![allow(dead_code, reason = "each package uses its part of these")]
 
 pub(crate) mod identities;
+pub(crate) mod kinematics;
 pub(crate) mod numeric;
 pub(crate) mod random;
 
