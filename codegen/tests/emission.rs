@@ -123,3 +123,31 @@ fn numbers_that_f64_does_not_hold_are_an_error() {
         );
     }
 }
+
+#[test]
+fn masses_that_add_up_to_more_than_f64_holds_are_an_error() {
+    let body = |name: &str, joint: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = 1.5e308\nmass_center = [0, 0, 0]\n\
+             inertia = {{ xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\nattachment = [0, 0, 0]\njoint = {joint}\n"
+        )
+    };
+    let text = format!(
+        "name = \"h\"\nlower_bodies = [0, 1]\n{}{}",
+        body("a", "[\"s1\"]"),
+        body("b", "[]")
+    );
+    for function in ["mass_matrix", "forward_dynamics"] {
+        let options = Options {
+            functions: named(&[function]),
+            ..Options::default()
+        };
+        let error = generate(&Source::new("h.toml", &*text), "h.toml", &options)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("too large or too small"),
+            "{function}: {error}"
+        );
+    }
+}

@@ -218,8 +218,10 @@ impl ExprGraph {
     pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
         let negative = a.is_negative() ^ b.is_negative();
         match (self.as_number(a), self.as_number(b)) {
-            (Some(x), Some(y)) => return self.number(x / y),
-            (None, Some(divisor)) if (1.0 / divisor).is_finite() => {
+            // A quotient of an overflow must not hide it.
+            (Some(x), Some(y)) if y.is_finite() => return self.number(x / y),
+            (Some(_), Some(_)) => return self.number(f64::NAN),
+            (None, Some(divisor)) if divisor.is_finite() && (1.0 / divisor).is_finite() => {
                 let reciprocal = self.number(1.0 / divisor);
                 return self.mul(a, reciprocal);
             }

@@ -1,7 +1,8 @@
-//! Factor. Needs: nothing. Afterwards: no sum has two products with a common factor, `a b + a c`, where nothing
-//! else uses the products; each becomes `a (b + c)`. Keeps: the value of every root, up to rounding. Never
-//! raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice, or a product of another
-//! body, for what one body's terms have in common must not change another body's lines.
+//! Factor. Needs: nothing. Afterwards: no sum whose products all belong to its own body has two with a common factor,
+//! `a b + a c`, where nothing else uses the products; each became `a (b + c)`. Keeps: the value of every root, up to
+//! rounding. Never raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice,
+//! or a sum that takes a product of another body, for what one body's terms have in common must not change another
+//! body's lines.
 
 use super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
@@ -75,9 +76,6 @@ impl<'a> Sums<'a> {
                 sums.absorbed[operand.index()] =
                     same_body && sums.is_private(operand) && sums.is_local_sum(operand);
             }
-        }
-        for root in roots {
-            sums.absorbed[root.node().index()] = false;
         }
         sums
     }

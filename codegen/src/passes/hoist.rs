@@ -1,6 +1,7 @@
 //! Hoist. Needs: nothing. Afterwards: a function's graph holds no operation that depends on parameters alone, and no
 //! parameter: each such value is an input `Prepared(i)`, computed once in [`Preparation`]. What two functions need is
-//! computed once, but each has a field of its own for it, so that no function's text depends on another.
+//! computed once, but each has a field of its own for it, so that no function's text depends on another; plain parameters
+//! are shared.
 //! Keeps: the value of every root. Does not: move numbers, which cost nothing.
 
 use super::rebuild::Rebuilt;

@@ -143,13 +143,18 @@ fn parse(line: &str) -> Option<Counted> {
     })
 }
 
-/// True where two texts differ, by more than their line ends, and are the same code: one was formatted by something else.
+/// True where two texts differ, by more than their line ends, and have the same banner and the same code: one was
+/// formatted by something else.
 pub fn differs_in_layout_only(old: &str, new: &str) -> bool {
     let layout = |text: &str| {
         syn::parse_file(text)
             .map(|file| prettyplease::unparse(&file))
             .ok()
     };
-    let differs = old.replace("\r\n", "\n") != new;
+    let banner = |text: &str| -> Vec<String> {
+        let lines = text.lines().take_while(|line| line.starts_with("//"));
+        lines.map(str::to_owned).collect()
+    };
+    let differs = old.replace("\r\n", "\n") != new && banner(old) == banner(new);
     differs && layout(old).is_some() && layout(old) == layout(new)
 }
