@@ -5,17 +5,22 @@
 
 use crate::{
     config::{self, Functions},
+    description::Reading,
     emit::Emittable,
     error::Error,
     functions::{CATALOGUE, Derived, Formulation, Function, Shape},
     passes::{factor, hoist, hoist::Preparation},
     program::{self, Operations, Program},
-    tree::Tree,
+    tree::{Changes, Tree},
 };
 
-/// What to generate.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// How a model is read, what is changed of it, and what is generated.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
+    /// What a URDF or MJCF leaves to the user.
+    pub reading: Reading,
+    /// What is changed of the description.
+    pub changes: Changes,
     /// Which functions. `q_dot` is always among them: the runtime's trait `System` needs it.
     pub functions: Functions,
     /// In which formulation.

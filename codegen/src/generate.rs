@@ -39,8 +39,9 @@ pub struct Generated {
 /// # Errors
 /// [`Error::Invalid`] with every rule that the description breaks; [`Error::Unrepresentable`].
 pub fn generate(model: &Source, shown_path: &str, options: &Options) -> Result<Generated, Error> {
-    let description = description::toml::parse(model);
-    let checked = tree::build(&description)?;
+    let include = |_: &str| Err(std::io::Error::from(std::io::ErrorKind::Unsupported));
+    let description = description::read(model, &options.reading, &include);
+    let checked = tree::build_with(&description, &options.changes)?;
     let tree = &checked.tree;
     let compiled = compile::compile(tree, options)?;
     let functions = compiled

@@ -7,11 +7,48 @@
 //!
 //! Reading never fails: a file that is no description at all is an empty description with faults.
 
+pub mod mjcf;
 pub(crate) mod read;
 pub mod toml;
+pub mod urdf;
+
+use std::io;
 
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 use crate::tree::Order;
+
+/// What a URDF or MJCF leaves to the user.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reading {
+    /// How the root link of a URDF hangs from the inertial frame; absent: fixed.
+    pub base: Option<Base>,
+    /// How the orientations of free and ball joints are described; absent: by Euler parameters.
+    pub chart: Option<Chart>,
+}
+
+/// How the root link of a URDF hangs from the inertial frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Base {
+    /// It is part of the inertial frame.
+    Fixed,
+    /// By a free joint.
+    Free,
+}
+
+/// Reads a file that a model includes, given its path as the model writes it.
+pub type Include<'a> = &'a dyn Fn(&str) -> io::Result<String>;
+
+/// Reads a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or
+/// `.mjcf`, our own format otherwise.
+pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Description {
+    let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
+    match extension.to_ascii_lowercase().as_str() {
+        "urdf" => urdf::parse(source, reading),
+        "xml" | "mjcf" if urdf::is_urdf(source) => urdf::parse(source, reading),
+        "xml" | "mjcf" => mjcf::parse(source, reading, include),
+        _ => toml::parse(source),
+    }
+}
 
 /// A value with its place; `None` where the file holds none that can be used, which is then among the faults.
 pub type Given<T> = Option<Spanned<T>>;
@@ -35,7 +72,14 @@ pub struct Description {
     pub faults: Vec<Diagnostic>,
 }
 
-/// A body and the joint to its lower body, as the user wrote them.
+/// A value that may be absent: `None` where it is, or where what is written cannot be used, which is then a fault.
+pub type Optional<T> = Option<Spanned<T>>;
+
+/// A rotation matrix by rows: each row is an axis of the frame that it leads to, in components of the frame that it
+/// leads from.
+pub type Rotation = [[f64; 3]; 3];
+
+/// A body, as the user wrote it.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// Where the body begins in the file.
@@ -46,14 +90,133 @@ pub struct Body {
     pub mass: Given<Scalar>,
     /// From the body's origin to its mass centre, body components, m.
     pub mass_center: [Given<Scalar>; 3],
-    /// Inertia about the mass centre: xx, yy, zz, xy, xz, yz of the tensor, body components, kg m².
+    /// Inertia about the mass centre: xx, yy, zz, xy, xz, yz of the tensor, kg m².
     pub inertia: [Given<Scalar>; 6],
+    /// From the body's axes to those in which the inertia is given; absent: the same.
+    pub inertia_rotation: Optional<Rotation>,
+    /// The joint with its lower body.
+    pub joint: Joint,
+}
+
+/// A joint between two constant frames: one in the lower body, one in the body.
+///
+/// Where the coordinates are zero, the frames coincide. The coordinates are those of the notes: angles about the
+/// axes of the joint, and translations along its axes in the lower body.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Which motion the joint leaves free.
+    pub kind: Given<JointKind>,
+    /// The joint's own name; absent: the body's name serves.
+    pub name: Optional<String>,
+    /// For a joint about or along one axis: the axis, in the joint's axes; of any length but zero.
+    pub axis: Optional<[f64; 3]>,
     /// From the lower body's origin to where the joint sits, lower-body components, m.
     pub attachment: [Given<Scalar>; 3],
-    /// The free coordinates of the joint.
-    pub joint: Given<Vec<Spanned<Axis>>>,
+    /// From the lower body's axes to the joint's; absent: the same.
+    pub attachment_rotation: Optional<Rotation>,
+    /// From the body's origin to where the joint sits in the body, body components, m; absent: the origin.
+    pub body_attachment: Option<[Given<Scalar>; 3]>,
+    /// From the joint's axes, moved, to the body's; absent: the same.
+    pub body_rotation: Optional<Rotation>,
     /// The constant values of coordinates that are not free; those not listed are zero.
     pub locked: Vec<(Spanned<Axis>, Given<f64>)>,
+    /// How the orientation is described, where all three angles are free; absent: by the angles.
+    pub chart: Optional<Chart>,
+    /// What the speeds of rotation are; absent: the angles' rates, or with a quaternion the angular velocity.
+    pub speeds: Optional<Speeds>,
+    /// Stiffness of a spring, N m/rad, N/m.
+    pub stiffness: PerCoordinate<Scalar>,
+    /// The coordinate at which the spring is at rest, rad, m; absent: zero.
+    pub rest: PerCoordinate<Scalar>,
+    /// Viscous damping, N m s/rad, N s/m.
+    pub damping: PerCoordinate<Scalar>,
+    /// Inertia of a rotor as the joint feels it, kg m², kg.
+    pub armature: PerCoordinate<Scalar>,
+    /// Coulomb friction, N m, N: data only.
+    pub friction: PerCoordinate<f64>,
+    /// Limits: data only.
+    pub limits: PerCoordinate<Limits>,
+    /// The joint whose coordinate this one's follows.
+    pub mimic: Optional<Mimic>,
+}
+
+/// Which motion a joint leaves free.
+#[derive(Clone, Debug, PartialEq)]
+pub enum JointKind {
+    /// None: the body is part of its lower body.
+    Fixed,
+    /// Rotation about an axis.
+    Revolute,
+    /// Rotation about an axis, without limits.
+    Continuous,
+    /// Translation along an axis.
+    Prismatic,
+    /// Rotation about and translation along an axis.
+    Cylindrical,
+    /// Translation along the two axes normal to the given one, and rotation about it.
+    Planar,
+    /// The first two angles.
+    Universal,
+    /// The three angles.
+    Spherical,
+    /// All six coordinates.
+    Free,
+    /// These coordinates.
+    List(Vec<Spanned<Axis>>),
+}
+
+/// How an orientation is described.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chart {
+    /// By 1-2-3 body-fixed angles, Eq. (4).
+    Angles,
+    /// By Euler parameters: a unit quaternion, scalar first.
+    Quaternion,
+}
+
+/// What the speeds of a rotation are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Speeds {
+    /// The angles' rates, Eq. (44).
+    Rates,
+    /// Components of the relative angular velocity along the joint's moved axes, Eqs. (8), (9).
+    AngularVelocity,
+}
+
+/// A quantity of a joint's free coordinates.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum PerCoordinate<T> {
+    /// None is given.
+    #[default]
+    Absent,
+    /// One for every free coordinate.
+    Same(Spanned<T>),
+    /// One for each of these coordinates.
+    Each(Vec<(Spanned<Axis>, Spanned<T>)>),
+}
+
+/// Limits of a coordinate; what is absent is unlimited.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// The least value, rad, m.
+    pub lower: Optional<f64>,
+    /// The greatest value, rad, m.
+    pub upper: Optional<f64>,
+    /// The greatest speed, rad/s, m/s.
+    pub velocity: Optional<f64>,
+    /// The greatest force, N m, N.
+    pub effort: Optional<f64>,
+}
+
+/// A coordinate that is `multiplier` times another plus `offset`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mimic {
+    /// The joint that it follows, by its name, or by its body's.
+    pub joint: Spanned<String>,
+    /// Times the other coordinate.
+    pub multiplier: f64,
+    /// Plus, rad, m.
+    pub offset: f64,
 }
 
 /// A number in one of its binding times.
@@ -90,6 +253,54 @@ impl Scalar {
     pub fn nominal(self) -> f64 {
         match self {
             Self::Baked(number) | Self::Runtime(number) => number,
+        }
+    }
+}
+
+impl JointKind {
+    /// The joints that have a name of their own.
+    pub const NAMED: [(&str, Self); 9] = [
+        ("fixed", Self::Fixed),
+        ("revolute", Self::Revolute),
+        ("continuous", Self::Continuous),
+        ("prismatic", Self::Prismatic),
+        ("cylindrical", Self::Cylindrical),
+        ("planar", Self::Planar),
+        ("universal", Self::Universal),
+        ("spherical", Self::Spherical),
+        ("free", Self::Free),
+    ];
+
+    /// True for a joint about or along an axis that has to be given.
+    pub fn has_axis(&self) -> bool {
+        matches!(
+            self,
+            Self::Revolute | Self::Continuous | Self::Prismatic | Self::Cylindrical | Self::Planar
+        )
+    }
+}
+
+impl Joint {
+    /// A joint of which nothing is known yet.
+    pub fn unknown() -> Self {
+        Self {
+            kind: None,
+            name: None,
+            axis: None,
+            attachment: [None; 3],
+            attachment_rotation: None,
+            body_attachment: None,
+            body_rotation: None,
+            locked: Vec::new(),
+            chart: None,
+            speeds: None,
+            stiffness: PerCoordinate::Absent,
+            rest: PerCoordinate::Absent,
+            damping: PerCoordinate::Absent,
+            armature: PerCoordinate::Absent,
+            friction: PerCoordinate::Absent,
+            limits: PerCoordinate::Absent,
+            mimic: None,
         }
     }
 }

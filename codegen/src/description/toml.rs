@@ -5,7 +5,9 @@
 //! (`"body"`) and `locked` (zero) may be absent.
 
 use crate::description::read::{Item, Reader, Table, list, span};
-use crate::description::{Axis, Body, Description, Given, INERTIA_COMPONENTS, Scalar};
+use crate::description::{
+    Axis, Body, Description, Given, INERTIA_COMPONENTS, Joint, JointKind, Scalar,
+};
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned, nearest};
 use crate::tree::Order;
 
@@ -98,9 +100,8 @@ fn body(reader: &mut Reader, item: &Item<'_>, number: usize) -> Body {
         mass: None,
         mass_center: [None; 3],
         inertia: [None; 6],
-        attachment: [None; 3],
-        joint: None,
-        locked: Vec::new(),
+        inertia_rotation: None,
+        joint: Joint::unknown(),
     };
     let name = item
         .get_ref()
@@ -129,11 +130,11 @@ fn body(reader: &mut Reader, item: &Item<'_>, number: usize) -> Body {
         body.inertia = inertia(reader, item, &table.what("inertia"));
     }
     if let Some(item) = reader.required(&table, "attachment", "attachment = [0.0, 0.0, 0.0]") {
-        body.attachment = vector(reader, item, &table.what("attachment"));
+        body.joint.attachment = vector(reader, item, &table.what("attachment"));
     }
     let joint_item = reader.required(&table, "joint", "joint = [\"theta1\"]");
-    body.joint = joint_item.and_then(|item| joint(reader, item, &table.what("joint")));
-    body.locked = locked(reader, &table);
+    body.joint.kind = joint_item.and_then(|item| joint(reader, item, &table.what("joint")));
+    body.joint.locked = locked(reader, &table);
     body
 }
 
@@ -184,15 +185,14 @@ fn scalar(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<Scalar> {
     Some(Spanned::new(Scalar::Runtime(number.value), number.span))
 }
 
-fn joint(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<Vec<Spanned<Axis>>> {
+fn joint(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<JointKind> {
     let help = format!(
         "a joint is \"free\", or a list of those of {} that are free to move",
         list(&Axis::NAMES)
     );
     if let Some(text) = item.get_ref().as_str() {
         if text == "free" {
-            let axes = Axis::ALL.map(|axis| Spanned::new(axis, span(item)));
-            return Some(Spanned::new(axes.to_vec(), span(item)));
+            return Some(Spanned::new(JointKind::Free, span(item)));
         }
         let fault = Diagnostic::error(format!(
             "{what} is `{}`, which is no joint",
@@ -225,7 +225,7 @@ fn joint(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<Vec<Spanned<
         }
     }
     // With an entry lost, what moves and what does not is unknown, and judging it would mislead.
-    (reader.faults.len() == before).then(|| Spanned::new(axes, span(item)))
+    (reader.faults.len() == before).then(|| Spanned::new(JointKind::List(axes), span(item)))
 }
 
 fn axis(reader: &mut Reader, name: &str, span: Span, what: &str) -> Option<Axis> {

@@ -4,8 +4,8 @@ use crate::description::{Body as Written, Description, Given, INERTIA_COMPONENTS
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Spanned};
 use crate::id::{BodyId, CoordinateId, ParameterId, SpeedId};
 use crate::tree::{
-    Body, Coordinate, Inertia, Joint, Order, Parameter, Tree, Value, inertia, joints, mobility,
-    names, numbering,
+    Body, Changes, Coordinate, Inertia, Joint, Order, Parameter, Tree, Value, inertia, joints,
+    mobility, names, numbering,
 };
 
 /// A tree, and what the user should know about it.
@@ -49,6 +49,14 @@ pub struct Checked {
 /// # Errors
 /// Every rule that the description breaks, with what was wrong already while reading it, and the warnings.
 pub fn build(description: &Description) -> Result<Checked, Diagnostics> {
+    build_with(description, &Changes::default())
+}
+
+/// As [`build`], with changes to the description.
+///
+/// # Errors
+/// As [`build`]; and changes that name what is not there.
+pub fn build_with(description: &Description, _changes: &Changes) -> Result<Checked, Diagnostics> {
     let mut findings = description.faults.clone();
     names::check(description, &mut findings);
     let order = numbering::order(description, &mut findings);
@@ -113,7 +121,12 @@ pub(crate) fn assemble(
             mass: parameters.value(body.mass, quantity("mass"), id, "kg")?,
             mass_center: parameters.vector(&body.mass_center, &quantity("mass_center"), id, "m")?,
             inertia: parameters.inertia(&body.inertia, &quantity("inertia"), id)?,
-            attachment: parameters.vector(&body.attachment, &quantity("attachment"), id, "m")?,
+            attachment: parameters.vector(
+                &body.joint.attachment,
+                &quantity("attachment"),
+                id,
+                "m",
+            )?,
             joint: locked_joint(body)?,
             name: name.value,
             identifier,
@@ -136,10 +149,11 @@ pub(crate) fn assemble(
 /// The joint with its free coordinates not yet numbered.
 fn locked_joint(body: &Written) -> Option<Joint> {
     let mut coordinates = [Coordinate::Locked(0.0); 6];
-    for (axis, value) in &body.locked {
+    for (axis, value) in &body.joint.locked {
         coordinates[axis.value.index()] = Coordinate::Locked(value.as_ref()?.value);
     }
-    for axis in &body.joint.as_ref()?.value {
+    body.joint.kind.as_ref()?;
+    for axis in joints::free_axes(body) {
         coordinates[axis.value.index()] = Coordinate::Free {
             coordinate: CoordinateId::new(0),
             speed: SpeedId::new(0),

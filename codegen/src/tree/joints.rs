@@ -1,6 +1,6 @@
 //! Joints: which coordinates are free, and at which values the others are locked.
 
-use crate::description::{Axis, Body, Description};
+use crate::description::{Axis, Body, Description, JointKind};
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::tree::names::shown;
 
@@ -14,7 +14,7 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) -
     let mut stands = true;
     for (index, body) in description.bodies.iter().enumerate() {
         let name = shown(description, index);
-        for (locked, _) in &body.locked {
+        for (locked, _) in &body.joint.locked {
             let Some(free) = free(body, locked.value) else {
                 continue;
             };
@@ -37,13 +37,11 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) -
     let bodies = &description.bodies;
     if !bodies.is_empty()
         && bodies.iter().all(|body| {
-            body.joint
-                .as_ref()
-                .is_some_and(|joint| joint.value.is_empty())
+            matches!(&body.joint.kind, Some(kind) if kind.value == JointKind::List(Vec::new()))
         })
     {
         let fault = Diagnostic::error("no body has a free coordinate, so nothing can move");
-        let joints = bodies.iter().take(3).filter_map(|body| body.joint.as_ref());
+        let joints = bodies.iter().take(3).filter_map(|body| body.joint.kind.as_ref());
         findings.push(joints.fold(fault, |fault, joint| {
             fault.at(joint.span, "no free coordinate")
         }));
@@ -53,12 +51,7 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) -
 }
 
 fn free(body: &Body, axis: Axis) -> Option<Spanned<Axis>> {
-    body.joint
-        .as_ref()?
-        .value
-        .iter()
-        .find(|free| free.value == axis)
-        .copied()
+    free_axes(body).into_iter().find(|free| free.value == axis)
 }
 
 /// A `theta2` locked at a right angle between free `theta1` and `theta3`; true with an error, false with a warning.
@@ -69,6 +62,7 @@ fn singular(body: &Body, name: &str) -> Option<(Diagnostic, bool)> {
         return None;
     }
     let (_, locked) = body
+        .joint
         .locked
         .iter()
         .find(|(axis, _)| axis.value == Axis::Theta2)?;
@@ -105,4 +99,15 @@ fn singular(body: &Body, name: &str) -> Option<(Diagnostic, bool)> {
         ),
         is_error,
     ))
+}
+
+/// The free coordinates.
+pub(crate) fn free_axes(body: &Body) -> Vec<Spanned<Axis>> {
+    match &body.joint.kind {
+        Some(kind) => match &kind.value {
+            JointKind::List(axes) => axes.clone(),
+            _ => Axis::ALL.map(|axis| Spanned::new(axis, kind.span)).to_vec(),
+        },
+        None => Vec::new(),
+    }
 }

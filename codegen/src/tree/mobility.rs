@@ -14,6 +14,7 @@ use crate::description::{Axis, Description};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::id::BodyId;
 use crate::tree::Tree;
+use crate::tree::joints::free_axes;
 use crate::tree::names::shown;
 use crate::tree::rows::Random;
 use crate::tree::sweep::{Joint, Units, inward, moved_along};
@@ -127,9 +128,10 @@ fn at_joints(
 ) -> Diagnostic {
     let mut places: Vec<Span> = Vec::new();
     for (body, axis) in motion.iter().take(MOST_NAMED) {
-        let joint = description.bodies[user_place(tree, *body)].joint.as_ref();
-        let place = joint
-            .and_then(|joint| joint.value.iter().find(|free| free.value == *axis))
+        let body = &description.bodies[user_place(tree, *body)];
+        let place = free_axes(body)
+            .into_iter()
+            .find(|free| free.value == *axis)
             .map(|free| free.span);
         // All six coordinates of "free" stand in one place.
         places.extend(place.filter(|place| !places.contains(place)));
