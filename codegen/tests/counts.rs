@@ -40,6 +40,7 @@ fn counts(
         &Options {
             functions,
             formulation,
+            ..Options::default()
         },
     )
     .unwrap();

@@ -76,6 +76,7 @@ fn module(text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All,
         formulation,
+        ..Options::default()
     };
     generate(
         &Source::new("model.toml", text),

@@ -220,6 +220,7 @@ mod bits {
         let options = Options {
             functions,
             formulation,
+            ..Options::default()
         };
         let compiled = compile::compile(&model.tree, &options).expect("it was generated before");
         let mut n_compared = 0;

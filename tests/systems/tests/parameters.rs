@@ -163,6 +163,7 @@ fn generated(compiled: Compiled) -> (String, Vec<(&'static str, usize)>) {
     let options = Options {
         functions: Functions::All,
         formulation: Formulation::Recursive,
+        ..Options::default()
     };
     let model = Source::new(compiled.name, compiled.model);
     let generated = generate(&model, compiled.name, &options).expect("it was generated before");

@@ -17,6 +17,7 @@ fn module(name: &str, text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All,
         formulation,
+        ..Options::default()
     };
     generate(&Source::new(name, text), name, &options)
         .expect("a right description")
