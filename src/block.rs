@@ -23,7 +23,8 @@ pub struct Block {
     pub first: usize,
 }
 
-/// Writes the dense `3 x NU` matrix of one body, `dense[component][speed]`, zeros included.
+/// Writes the dense `3 x NU` matrix of one body, `dense[component][speed]`, zeros included. A speed that moves several
+/// joints, because others follow its coordinate, has several columns, which are added.
 ///
 /// `columns` and `blocks` are the output and the pattern of one and the same function. A block that does
 /// not fit into `columns` or into `NU` is passed over: it cannot come from one function.
@@ -47,7 +48,7 @@ pub fn expand<R: Real, const NU: usize>(
     each_column(columns, blocks, body, |speed, column| {
         for (row, value) in dense.iter_mut().zip(column) {
             if let Some(entry) = row.get_mut(speed) {
-                *entry = *value;
+                *entry = *entry + *value;
             }
         }
     });
@@ -73,7 +74,7 @@ pub fn expand_matrix<R, NU, S>(
     each_column(columns, blocks, body, |speed, column| {
         if speed < n_speeds {
             for (component, value) in column.iter().enumerate() {
-                dense[(component, speed)] = *value;
+                dense[(component, speed)] = dense[(component, speed)] + *value;
             }
         }
     });

@@ -11,7 +11,8 @@ use crate::{Array, Real};
 /// Advances `q` and `u` by `dt` (s) under generalized forces `tau` that are held over the step, as a
 /// digital controller's are (zero-order hold).
 ///
-/// Four evaluations of the forward dynamics; the error of a step is of order `dt⁵`.
+/// Four evaluations of the forward dynamics; the error of a step is of order `dt⁵`. Quaternions among the coordinates
+/// come out with length one.
 ///
 /// ```
 /// # #[cfg(feature = "eight_body")] {
@@ -78,6 +79,7 @@ pub fn rk4_step_with<R: Real, S: ForwardDynamics<R>>(
     }
     add_scaled(q, sixth, &q_dot);
     add_scaled(u, sixth, &u_dot);
+    system.normalize(q);
 }
 
 /// `x += factor * rate`.

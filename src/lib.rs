@@ -14,6 +14,7 @@ extern crate self as kane;
 // The scalar, and what the generated functions take and give.
 mod array;
 pub mod block;
+mod joint;
 mod load;
 mod real;
 mod sin_cos;
@@ -23,6 +24,8 @@ pub mod functions;
 mod system;
 
 // What can be done with any system.
+#[cfg(feature = "std")]
+pub mod chart;
 pub mod checked;
 pub mod integrate;
 #[cfg(feature = "simulate")]
@@ -50,6 +53,7 @@ pub mod eight_body;
 
 pub use array::Array;
 pub use block::Block;
+pub use joint::{Chart, Frame, Joint};
 pub use load::Load;
 pub use real::Real;
 pub use system::System;

@@ -188,7 +188,8 @@ pub fn simulate<S: ForwardDynamics<f64>>(
                 return Err(SimulateError::NotFinite { t: method.t() });
             }
         }
-        let Point { q, u } = *method.y();
+        let Point { mut q, u } = *method.y();
+        system.normalize(&mut q);
         samples.push(Sample { t, q, u });
     }
     Ok(samples)

@@ -4,7 +4,7 @@
 //! alone. Every other function has a trait of its own in [`functions`](crate::functions), implemented for
 //! what the module holds.
 
-use crate::{Array, Load, Real};
+use crate::{Array, Frame, Joint, Load, Real};
 
 /// A tree of `NB` rigid bodies with `NQ` generalized coordinates `q` and `NU` generalized speeds `u`.
 ///
@@ -39,6 +39,26 @@ pub trait System<R: Real> {
     /// For each of the `NU` speeds the index, from 0, of the body whose relative motion it is.
     const SPEED_BODIES: &'static [usize];
 
-    /// Writes the derivatives of the coordinates, Eq. (44).
+    /// For each of the `NB` bodies its joint: where its coordinates and speeds stand.
+    const JOINTS: &'static [Joint] = &[];
+    /// The frames of bodies that are fixed to others and part of them.
+    const FRAMES: &'static [Frame] = &[];
+    /// The least values of the `NQ` coordinates, rad, m: data only; infinite where there is no limit.
+    const LOWER_LIMITS: &'static [f64] = &[];
+    /// The greatest values of the `NQ` coordinates, rad, m.
+    const UPPER_LIMITS: &'static [f64] = &[];
+    /// The greatest magnitudes of the `NU` speeds, rad/s, m/s.
+    const VELOCITY_LIMITS: &'static [f64] = &[];
+    /// The greatest magnitudes of the `NU` generalized forces, N m, N.
+    const EFFORT_LIMITS: &'static [f64] = &[];
+    /// Coulomb friction along the `NU` speeds, N m, N.
+    const FRICTION: &'static [f64] = &[];
+
+    /// Writes the derivatives of the coordinates, Eqs. (44), (9), or those of Euler parameters.
     fn q_dot(&self, q: &Self::Q, u: &Self::U, q_dot: &mut Self::Q);
+
+    /// Brings quaternions among the coordinates back to length one, after an integrator's step; nothing where there are none.
+    fn normalize(&self, q: &mut Self::Q) {
+        let _ = q;
+    }
 }

@@ -21,7 +21,8 @@ pub struct Options {
     pub reading: Reading,
     /// What is changed of the description.
     pub changes: Changes,
-    /// Which functions. `q_dot` is always among them: the runtime's trait `System` needs it.
+    /// Which functions. `q_dot` is always among them, and with quaternions `normalize`: the runtime's trait `System` needs
+    /// them.
     pub functions: Functions,
     /// In which formulation.
     pub formulation: config::Formulation,
@@ -54,8 +55,13 @@ impl Options {
     }
 
     /// True where the function is to be generated.
-    pub fn selects(&self, function: &Function) -> bool {
-        self.functions.names(function) || function.trait_name.is_none()
+    pub fn selects(&self, tree: &Tree, function: &Function) -> bool {
+        let always = match function.name {
+            "q_dot" => true,
+            "normalize" => tree.has_quaternions(),
+            _ => false,
+        };
+        always || self.functions.names(function)
     }
 }
 
@@ -69,7 +75,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     let mut functions = Vec::new();
     for function in CATALOGUE
         .iter()
-        .filter(|function| options.selects(function))
+        .filter(|function| options.selects(tree, function))
     {
         let Choice {
             formulation,

@@ -157,6 +157,11 @@ impl Diagnostic {
         self
     }
 
+    /// True for an error.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+
     /// The text to show: message, `file:line:column`, line, labels, advice.
     pub fn render(&self, source: &Source) -> String {
         let level = match self.severity {

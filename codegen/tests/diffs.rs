@@ -228,6 +228,10 @@ impl Names {
 fn is_size_or_table(statement: &str) -> bool {
     let table = [
         "kane::Block {",
+        "kane::Joint {",
+        "name: ",
+        "chart: ",
+        "q: [",
         "body: ",
         "partition: ",
         "speed: ",

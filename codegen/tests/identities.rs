@@ -208,7 +208,7 @@ fn random_trees_have_many_bodies_roots_and_values() {
     assert!(any(&|tree| tree
         .bodies
         .iter()
-        .any(|body| tree.nominal(body.mass) == 0.0)));
+        .any(|body| tree.nominal(body.parts[0].mass) == 0.0)));
     assert!(any(&|tree| tree
         .gravity
         .iter()

@@ -16,20 +16,18 @@ fn lower_bodies(tree: &Tree) -> Vec<usize> {
 
 /// For each body its six coordinates: the place of a free one, `-` for a locked one.
 fn coordinates(tree: &Tree) -> Vec<String> {
-    let shown = |coordinate: &Coordinate| match coordinate {
-        Coordinate::Free { coordinate, speed } => {
+    let shown = |coordinate: Option<Coordinate>| match coordinate {
+        Some(Coordinate::Free { coordinate, speed }) => {
             assert_eq!(coordinate.index(), speed.index());
             format!("{}", coordinate.index())
         }
-        Coordinate::Locked(_) => "-".to_owned(),
+        Some(Coordinate::Locked(_)) => "-".to_owned(),
+        Some(Coordinate::Mimic { coordinate, .. }) => format!("={}", coordinate.index()),
+        None => "w".to_owned(),
     };
     let joint = |joint: &kane_codegen::tree::Joint| {
-        joint
-            .coordinates()
-            .iter()
-            .map(shown)
-            .collect::<Vec<_>>()
-            .join(" ")
+        let coordinates = (0..6).map(|motion| shown(joint.coordinate_of(motion)));
+        coordinates.collect::<Vec<_>>().join(" ")
     };
     tree.bodies.iter().map(|body| joint(&body.joint)).collect()
 }
@@ -159,23 +157,41 @@ fn notes_order_counts_all_angles_first() {
 #[test]
 fn locked_coordinates_keep_their_values() {
     let text = system("[0]", &[("a", "[\"theta1\"]")]) + "locked = { s3 = -2, theta2 = 0.5 }\n";
-    let joint = build(&text).unwrap().tree.bodies[0].joint;
-    let values = joint.coordinates().map(|coordinate| {
-        if let Coordinate::Locked(value) = coordinate {
-            value
-        } else {
-            f64::NAN
-        }
+    let tree = build(&text).unwrap().tree;
+    let joint = &tree.bodies[0].joint;
+    let values = [0, 1, 2, 3, 4, 5].map(|motion| match joint.coordinate_of(motion) {
+        Some(Coordinate::Locked(value)) => value,
+        _ => f64::NAN,
     });
     assert_eq!(values[1..], [0.5, 0.0, 0.0, 0.0, -2.0]);
 }
 
 #[test]
-fn bodies_may_be_fixed() {
-    let tree = build(&system("[0, 1]", &[("a", "[\"theta1\"]"), ("b", "[]")]))
-        .unwrap()
-        .tree;
-    assert_eq!(coordinates(&tree), ["0 - - - - -", "- - - - - -"]);
+fn fixed_bodies_are_part_of_what_they_are_fixed_to() {
+    let text = system(
+        "[0, 1, 2, 0]",
+        &[
+            ("a", "[\"theta1\"]"),
+            ("b", "[]"),
+            ("c", "[\"s2\"]"),
+            ("ground", "[]"),
+        ],
+    );
+    let checked = build(&text).unwrap();
+    let tree = &checked.tree;
+    assert_eq!(coordinates(tree), ["0 - - - - -", "- - - - 1 -"]);
+    assert_eq!(lower_bodies(tree), [0, 1]);
+    assert_eq!(tree.bodies[0].parts.len(), 2);
+    let frames: Vec<_> = tree
+        .frames
+        .iter()
+        .map(|frame| (frame.name.as_str(), frame.body.map(BodyId::index)))
+        .collect();
+    assert_eq!(frames, [("b", Some(0)), ("ground", None)]);
+    assert_eq!(
+        checked.warnings.list()[0].message,
+        "bodies that are fixed are part of what they are fixed to: `b` of `a`, `ground` of the inertial frame"
+    );
 }
 
 #[test]
@@ -210,7 +226,9 @@ fn parameters_are_gravity_then_body_by_body_in_the_new_order() {
         ("tip_attachment_y", Some(1), 0.25, "m"),
     ];
     assert_eq!(parameters, expected);
-    assert!(matches!(tree.bodies[1].mass, Value::Runtime(parameter) if parameter.index() == 3));
+    assert!(
+        matches!(tree.bodies[1].parts[0].mass, Value::Runtime(parameter) if parameter.index() == 3)
+    );
 }
 
 #[test]
@@ -349,13 +367,15 @@ fn canonical_text_holds_every_value() {
     mass runtime 2.5
     mass_center 0.01 0.02 -0.5
     inertia 0.1 0.1 0.02 0.01 0.0 0.0
-    attachment 0.0 0.1 0.3
-    joint 0.5 0.0 q0 u0 q1 u1 0.0 0.0
+    pose
+    joint "base" body's as base 0.0 0.1 0.3
+    coordinates 0.5 0.0 q0 u0 q1 u1 0.0 0.0
     body 2 on 1 "Tip" as tip
     mass runtime 2.5
     mass_center 0.01 0.02 -0.5
     inertia 0.1 0.1 0.02 0.01 0.0 0.0
-    attachment 0.0 0.1 0.3
-    joint q2 u2 0.0 0.0 0.0 0.0 0.0
+    pose
+    joint "Tip" body's as tip 0.0 0.1 0.3
+    coordinates q2 u2 0.0 0.0 0.0 0.0 0.0
     "#);
 }

@@ -7,10 +7,10 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    description::{Axis, toml},
+    description::toml,
     functions::Formulation,
     id::BodyId,
-    program::{Operations, coordinate_names},
+    program::Operations,
     report::{self, Cell, Counts, Partitions},
     tree::{self, Coordinate, Order, Tree},
 };
@@ -91,7 +91,7 @@ fn write(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
         out,
         "\nCoordinates, {order}: place in q; the rate has the same place in u\n"
     )?;
-    for (place, name) in coordinate_names(tree).iter().enumerate() {
+    for (place, name) in tree.coordinate_names().iter().enumerate() {
         writeln!(out, "{place:4}  {name}")?;
     }
     write_partitions(out, tree, &report::partitions(tree))?;
@@ -243,13 +243,24 @@ fn value(tree: &Tree) -> Value {
 
 fn body_value(tree: &Tree, id: BodyId) -> Value {
     let body = tree.body(id);
+    let joint = &body.joint;
     let mut free = Vec::new();
     let mut locked = Map::new();
-    for (kind, coordinate) in Axis::NAMES.into_iter().zip(body.joint.coordinates()) {
-        match coordinate {
-            Coordinate::Free { .. } => free.push(kind),
-            Coordinate::Locked(value) => {
+    let mut mimics = Map::new();
+    for (motion, kind) in joint.motion_names().into_iter().enumerate() {
+        match joint.coordinate_of(motion) {
+            Some(Coordinate::Free { .. }) | None => free.push(kind),
+            Some(Coordinate::Locked(value)) => {
                 locked.insert(kind.to_owned(), value.into());
+            }
+            Some(Coordinate::Mimic {
+                coordinate,
+                multiplier,
+                offset,
+                ..
+            }) => {
+                let value = json!({ "coordinate": coordinate.index(), "multiplier": multiplier, "offset": offset });
+                mimics.insert(kind.to_owned(), value);
             }
         }
     }
@@ -258,26 +269,26 @@ fn body_value(tree: &Tree, id: BodyId) -> Value {
         "user_number": body.user_number,
         "name": body.name,
         "identifier": body.identifier,
+        "joint": joint.name,
         "lower_body": lower_number(tree, id),
         "free": free,
         "locked": locked,
+        "mimics": mimics,
     })
 }
 
 fn coordinates_value(tree: &Tree) -> Value {
     let mut values = vec![Value::Null; tree.n_coordinates];
-    let names = coordinate_names(tree);
+    let names = tree.coordinate_names();
     for (body, number) in tree.bodies.iter().zip(1..) {
-        for (kind, known) in Axis::NAMES.into_iter().zip(body.joint.coordinates()) {
-            if let Coordinate::Free { coordinate, .. } = known {
-                let place = coordinate.index();
-                let unit = if kind.starts_with("theta") {
-                    "rad"
-                } else {
-                    "m"
-                };
-                values[place] = json!({ "place": place, "name": names[place], "body": number, "kind": kind, "unit": unit });
-            }
+        for (kind, coordinate) in body.joint.coordinates() {
+            let unit = match kind.as_bytes()[0] {
+                b't' => "rad",
+                b's' => "m",
+                _ => "1",
+            };
+            let place = coordinate.index();
+            values[place] = json!({ "place": place, "name": names[place], "body": number, "kind": kind, "unit": unit });
         }
     }
     values.into()

@@ -6,10 +6,10 @@ use quote::quote;
 use super::{
     Module, allow_generated, allow_unused, doc, expression, ident,
     statements::{self, Stores},
+    tables,
 };
 use crate::{
-    id::BodyId,
-    program::{self, Groups, Place, coordinate_names},
+    program::{self, Groups, Place},
     tree::Tree,
 };
 
@@ -37,12 +37,13 @@ pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
             quote!(#doc #allow pub const #name: usize = #size;)
         })
         .collect();
-    let coordinates = coordinate_names(tree);
-    let speeds = coordinates.iter().map(|name| format!("{name}_dot"));
+    let coordinates = tree.coordinate_names();
+    let speeds = tree.speed_names();
     let lower = tree
         .body_ids()
         .map(|body| literal(tree.lower(body).map_or(0, |lower| lower.index() + 1)));
-    let speed_bodies = speed_bodies(tree)
+    let speed_bodies = tree
+        .speed_bodies()
         .into_iter()
         .map(|body| literal(body.index()));
     let names = tree.bodies.iter().map(|body| &body.name);
@@ -61,17 +62,18 @@ pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
         quote!(pub const BODY_NAMES: [&str; NB] = [#(#names),*];),
     );
     table(
-        "The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; s in m, lower-body components.",
+        "The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.",
         quote!(pub const COORDINATE_NAMES: [&str; NQ] = [#(#coordinates),*];),
     );
     table(
-        "The speeds' names, rad/s and m/s.",
+        "The speeds' names, rad/s and m/s; w is a component of the relative angular velocity.",
         quote!(pub const SPEED_NAMES: [&str; NU] = [#(#speeds),*];),
     );
     table(
         "The body that each speed moves relative to its lower body, as an index into `BODY_NAMES`.",
         quote!(pub const SPEED_BODIES: [usize; NU] = [#(#speed_bodies),*];),
     );
+    items.extend(tables::of(tree));
     items
 }
 
@@ -203,6 +205,15 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStrea
 /// The trait that every system has.
 pub(super) fn system(tree: &Tree) -> TokenStream {
     debug_assert!(!tree.bodies.is_empty(), "tree: a system has bodies");
+    let normalize = tree.has_quaternions().then(|| {
+        quote! {
+            #[inline]
+            fn normalize(&self, q: &mut [R; NQ]) {
+                let given = *q;
+                self::normalize(self, &given, q);
+            }
+        }
+    });
     quote! {
         impl<R: kane::Real> kane::System<R> for Prepared<R> {
             type Q = [R; NQ];
@@ -217,27 +228,18 @@ pub(super) fn system(tree: &Tree) -> TokenStream {
             const COORDINATE_NAMES: &'static [&'static str] = &COORDINATE_NAMES;
             const SPEED_NAMES: &'static [&'static str] = &SPEED_NAMES;
             const SPEED_BODIES: &'static [usize] = &SPEED_BODIES;
+            const JOINTS: &'static [kane::Joint] = &JOINTS;
+            const FRAMES: &'static [kane::Frame] = &FRAMES;
+            const LOWER_LIMITS: &'static [f64] = &LOWER_LIMITS;
+            const UPPER_LIMITS: &'static [f64] = &UPPER_LIMITS;
+            const VELOCITY_LIMITS: &'static [f64] = &VELOCITY_LIMITS;
+            const EFFORT_LIMITS: &'static [f64] = &EFFORT_LIMITS;
+            const FRICTION: &'static [f64] = &FRICTION;
             #[inline]
             fn q_dot(&self, q: &[R; NQ], u: &[R; NU], q_dot: &mut [R; NQ]) {
                 self::q_dot(self, q, u, q_dot);
             }
+            #normalize
         }
     }
-}
-
-/// The body of each speed.
-fn speed_bodies(tree: &Tree) -> Vec<BodyId> {
-    let mut bodies = vec![BodyId::new(0); tree.n_speeds];
-    for body in tree.body_ids() {
-        for speed in tree
-            .body(body)
-            .joint
-            .coordinates()
-            .into_iter()
-            .filter_map(crate::tree::Coordinate::speed)
-        {
-            bodies[speed.index()] = body;
-        }
-    }
-    bodies
 }

@@ -9,6 +9,7 @@ mod expression;
 mod function;
 mod items;
 mod statements;
+mod tables;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;

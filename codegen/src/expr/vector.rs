@@ -141,6 +141,22 @@ impl ExprGraph {
         std::array::from_fn(|row| self.dot(tensor.column(row), v))
     }
 
+    /// `m^T I m`: the symmetric tensor before a rotation `m`, given by its components after it.
+    pub fn turn_back_symmetric(&mut self, m: &Matrix, tensor: &Symmetric) -> Symmetric {
+        if *m == self.identity() {
+            return *tensor;
+        }
+        let columns = transpose(m);
+        let turned = columns.map(|column| self.mul_symmetric(tensor, column));
+        Symmetric {
+            diagonal: std::array::from_fn(|i| self.dot(columns[i], turned[i])),
+            mixed: Axis::ALL.map(|axis| {
+                let (i, j) = axis.others();
+                self.dot(columns[i], turned[j])
+            }),
+        }
+    }
+
     /// Labels the components of a vector `text_x`, `text_y`, `text_z`.
     pub fn name_vector(&mut self, v: Vector, text: &str) {
         for axis in Axis::ALL {

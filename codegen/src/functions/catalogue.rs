@@ -1,10 +1,9 @@
 //! The functions, in the order in which a module holds them.
 
 use super::{Argument, Derivation, Function, Shape, derive, terms};
-use crate::{kane::dynamics as kane_dynamics, recursive::inverse_dynamics};
 
 /// Every function a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 30] = [
+pub static CATALOGUE: [Function; 31] = [
     Function {
         name: "relative_rotation",
         trait_name: Some("RelativeRotation"),
@@ -229,8 +228,8 @@ pub static CATALOGUE: [Function; 30] = [
             "A load is the resultant force at the mass centre and the resultant moment, body components.",
         ],
         derive: Derivation::Either {
-            notes: kane_dynamics::generalized_forces,
-            recursive: inverse_dynamics::generalized_forces,
+            notes: derive::generalized_forces,
+            recursive: derive::generalized_forces_recursive,
             literal_terms: terms::of_vector,
         },
     },
@@ -261,8 +260,8 @@ pub static CATALOGUE: [Function; 30] = [
             "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
         ],
         derive: Derivation::Either {
-            notes: kane_dynamics::forcing,
-            recursive: inverse_dynamics::forcing,
+            notes: derive::forcing,
+            recursive: derive::forcing_recursive,
             literal_terms: terms::of_vector,
         },
     },
@@ -273,8 +272,23 @@ pub static CATALOGUE: [Function; 30] = [
         output: "q_dot",
         shape: Shape::Coordinates,
         is_default: true,
-        doc: &["Rates of the coordinates, Eq. (44): each speed is the rate of its coordinate."],
+        doc: &[
+            "Rates of the coordinates: speeds that are rates, Eq. (44); from angular velocities those of angles, Eq. (9), or half of Hamilton's product `e (0, w)`.",
+        ],
         derive: Derivation::Only(derive::q_dot),
+    },
+    Function {
+        name: "normalize",
+        trait_name: None,
+        arguments: &[Argument::Q],
+        output: "normalized",
+        shape: Shape::Coordinates,
+        is_default: false,
+        doc: &[
+            "The coordinates with every quaternion `e` brought back to length 1 by `e (3 - e.e)/2`, twice: for integrators, whose steps leave it slightly.",
+            "A length that is off by d comes out off by about 3.4 d^4. All other coordinates are copied.",
+        ],
+        derive: Derivation::Only(derive::normalize),
     },
     Function {
         name: "bias",

@@ -1,9 +1,13 @@
 //! The root expressions of each function, put together from the equations.
 
+use super::frames;
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Vector},
     id::BodyMap,
-    kane::{Accelerations, angular, dynamics, energy, given, orientation, position, velocity},
+    kane::{
+        Accelerations, angular, dynamics, dynamics::SpeedMatrix, energy, mechanics, orientation,
+        position, velocity,
+    },
     partition::Row,
     recursive::{composite, inverse_dynamics},
     solve::{self, Factors},
@@ -19,20 +23,24 @@ fn matrices(matrices: BodyMap<Matrix>) -> Vec<Expr> {
 }
 
 pub(super) fn relative_rotation(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    matrices(orientation::relative(graph, tree))
+    let relative = orientation::relative(graph, tree);
+    matrices(frames::relative_rotations(graph, tree, &relative))
 }
 
 pub(super) fn rotation(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
-    matrices(orientation::absolute(graph, tree, &relative))
+    let absolute = orientation::absolute(graph, tree, &relative);
+    matrices(frames::rotations(graph, tree, &absolute))
 }
 
 pub(super) fn relative_angular_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vectors(angular::relative_velocity(graph, tree))
+    let w_rel = angular::relative_velocity(graph, tree);
+    vectors(frames::vectors(graph, tree, &w_rel))
 }
 
 pub(super) fn angular_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vectors(velocity::rotational(graph, tree).w)
+    let w = velocity::rotational(graph, tree).w;
+    vectors(frames::vectors(graph, tree, &w))
 }
 
 pub(super) fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -42,45 +50,51 @@ pub(super) fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 pub(super) fn angular_acceleration(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let rotational = velocity::rotational(graph, tree);
     let velocity::Rotational { relative, w_rel, w } = &rotational;
-    vectors(angular::acceleration(
-        graph,
-        tree,
-        relative,
-        w_rel,
-        w,
-        Accelerations::Given,
-    ))
+    let given = Accelerations::Given;
+    let alpha = angular::acceleration(graph, tree, relative, w_rel, w, given);
+    vectors(frames::vectors(graph, tree, &alpha))
 }
 
 pub(super) fn partial_angular_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
     let relative = orientation::relative(graph, tree);
-    angular::partial(graph, tree, &relative)
+    let partial = angular::partial(graph, tree, &relative);
+    frames::rows(graph, tree, partial)
 }
 
 pub(super) fn partial_angular_velocity_dot(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
-    partials_dot(graph, tree).angular
+    let dot = partials_dot(graph, tree).angular;
+    frames::rows(graph, tree, dot)
 }
 
 pub(super) fn origin_position(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
-    vectors(position::origin(graph, tree, &relative))
+    let origins = position::origin(graph, tree, &relative);
+    vectors(frames::origins(graph, tree, &origins))
 }
 
 pub(super) fn mass_center_position(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
     let origins = position::origin(graph, tree, &relative);
-    vectors(position::mass_center(graph, tree, &origins))
+    let centers = position::mass_center(graph, tree, &origins);
+    vectors(frames::vectors(graph, tree, &centers))
 }
 
 pub(super) fn origin_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let rotational = velocity::rotational(graph, tree);
-    vectors(velocity::origin(graph, tree, &rotational))
+    let velocities = velocity::origin(graph, tree, &rotational);
+    vectors(frames::origin_velocities(
+        graph,
+        tree,
+        &rotational,
+        &velocities,
+    ))
 }
 
 pub(super) fn mass_center_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let rotational = velocity::rotational(graph, tree);
     let origin = velocity::origin(graph, tree, &rotational);
-    vectors(velocity::mass_center(graph, tree, &rotational, &origin))
+    let velocities = velocity::mass_center(graph, tree, &rotational, &origin);
+    vectors(frames::vectors(graph, tree, &velocities))
 }
 
 fn partials(graph: &mut ExprGraph, tree: &Tree) -> velocity::Partials {
@@ -95,69 +109,117 @@ fn partials_dot(graph: &mut ExprGraph, tree: &Tree) -> velocity::Partials {
 }
 
 pub(super) fn partial_velocity_origin(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
-    partials(graph, tree).origin
+    let relative = orientation::relative(graph, tree);
+    let partials = velocity::partials(graph, tree, &relative);
+    frames::origin_rows(graph, tree, &relative, &partials.angular, &partials.origin)
 }
 
 pub(super) fn partial_velocity_origin_dot(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
-    partials_dot(graph, tree).origin
+    let rotational = velocity::rotational(graph, tree);
+    let partials = velocity::partials(graph, tree, &rotational.relative);
+    let dot = velocity::partials_dot(graph, tree, &rotational, &partials);
+    let angular = (&partials.angular, &dot.angular);
+    frames::origin_rows_dot(graph, tree, &rotational, angular, &dot.origin)
 }
 
 pub(super) fn partial_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
-    partials(graph, tree).mass_center
+    let partial = partials(graph, tree).mass_center;
+    frames::rows(graph, tree, partial)
 }
 
 pub(super) fn partial_velocity_dot(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
-    partials_dot(graph, tree).mass_center
+    let dot = partials_dot(graph, tree).mass_center;
+    frames::rows(graph, tree, dot)
 }
 
 pub(super) fn mass_center_acceleration(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vectors(velocity::accelerations(graph, tree, Accelerations::Given).mass_center)
+    let accelerations = velocity::accelerations(graph, tree, Accelerations::Given).mass_center;
+    vectors(frames::vectors(graph, tree, &accelerations))
 }
 
 pub(super) fn q_dot(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let mut rates = vec![graph.zero(); tree.n_coordinates];
-    for body in tree.body_ids() {
-        graph.enter(body);
-        for coordinate in tree.body(body).joint.coordinates() {
-            if let crate::tree::Coordinate::Free {
-                coordinate: place, ..
-            } = coordinate
-            {
-                rates[place.index()] = given::rate(graph, coordinate);
-            }
-        }
-    }
-    rates
+    angular::coordinate_rates(graph, tree)
+}
+
+pub(super) fn normalize(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    orientation::normalized(graph, tree)
+}
+
+fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> SpeedMatrix {
+    mechanics::add_rotors(graph, tree, &mut a);
+    a
+}
+
+fn with_forces(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    accelerations: Accelerations,
+    mut tau: Vec<Expr>,
+) -> Vec<Expr> {
+    mechanics::add_forces(graph, tree, accelerations, &mut tau);
+    tau
+}
+
+fn matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+    let a = dynamics::mass_matrix(graph, tree);
+    with_rotors(graph, tree, a)
+}
+
+fn matrix_recursive(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+    let a = composite::mass_matrix(graph, tree);
+    with_rotors(graph, tree, a)
 }
 
 pub(super) fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    dynamics::mass_matrix(graph, tree)
-        .into_iter()
-        .flatten()
-        .collect()
+    matrix(graph, tree).concat()
 }
 
 pub(super) fn mass_matrix_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    composite::mass_matrix(graph, tree)
-        .into_iter()
-        .flatten()
-        .collect()
+    matrix_recursive(graph, tree).concat()
+}
+
+pub(super) fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    dynamics::generalized_forces(graph, tree)
+}
+
+pub(super) fn generalized_forces_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    inverse_dynamics::generalized_forces(graph, tree)
+}
+
+pub(super) fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let f = dynamics::forcing(graph, tree);
+    less_forces(graph, tree, f)
+}
+
+pub(super) fn forcing_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let f = inverse_dynamics::forcing(graph, tree);
+    less_forces(graph, tree, f)
+}
+
+fn less_forces(graph: &mut ExprGraph, tree: &Tree, f: Vec<Expr>) -> Vec<Expr> {
+    let minus = f.into_iter().map(|entry| -entry).collect();
+    let sum = with_forces(graph, tree, Accelerations::Zero, minus);
+    sum.into_iter().map(|entry| -entry).collect()
 }
 
 pub(super) fn bias(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    dynamics::inverse_dynamics(graph, tree, Accelerations::Zero)
+    let tau = dynamics::inverse_dynamics(graph, tree, Accelerations::Zero);
+    with_forces(graph, tree, Accelerations::Zero, tau)
 }
 
 pub(super) fn bias_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Zero)
+    let tau = inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Zero);
+    with_forces(graph, tree, Accelerations::Zero, tau)
 }
 
 pub(super) fn inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    dynamics::inverse_dynamics(graph, tree, Accelerations::Given)
+    let tau = dynamics::inverse_dynamics(graph, tree, Accelerations::Given);
+    with_forces(graph, tree, Accelerations::Given, tau)
 }
 
 pub(super) fn inverse_dynamics_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Given)
+    let tau = inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Given);
+    with_forces(graph, tree, Accelerations::Given, tau)
 }
 
 pub(super) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -182,13 +244,7 @@ fn solve_forward(
     let mut net = bias.to_vec();
     for body in tree.body_ids() {
         graph.enter(body);
-        for speed in tree
-            .body(body)
-            .joint
-            .coordinates()
-            .into_iter()
-            .filter_map(crate::tree::Coordinate::speed)
-        {
+        for (_, speed) in tree.body(body).joint.speeds() {
             let tau = graph.input(crate::expr::Input::Tau(speed));
             net[speed.index()] = graph.sub(tau, bias[speed.index()]);
         }
@@ -197,12 +253,12 @@ fn solve_forward(
 }
 
 fn factors(graph: &mut ExprGraph, tree: &Tree) -> Factors {
-    let a = dynamics::mass_matrix(graph, tree);
+    let a = matrix(graph, tree);
     solve::factorise(graph, tree, a)
 }
 
 fn factors_recursive(graph: &mut ExprGraph, tree: &Tree) -> Factors {
-    let a = composite::mass_matrix(graph, tree);
+    let a = matrix_recursive(graph, tree);
     solve::factorise(graph, tree, a)
 }
 

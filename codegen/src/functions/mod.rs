@@ -6,6 +6,7 @@
 
 mod catalogue;
 mod derive;
+mod frames;
 mod terms;
 
 use std::fmt;
@@ -204,7 +205,7 @@ pub fn pattern(tree: &Tree, rows: &BodyMap<Row>) -> Vec<Block> {
         for partition in row.partitions() {
             let speeds: Vec<_> = partition
                 .free_columns(tree)
-                .map(|(_, speed)| speed.index())
+                .map(|(_, motion)| motion.speed.index())
                 .collect();
             let index = Partition::index(partition, tree.bodies.len());
             blocks.push(Block {

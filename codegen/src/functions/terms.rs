@@ -1,9 +1,6 @@
 //! How many terms the notes' sums over bodies have.
 
-use crate::{
-    id::BodyId,
-    tree::{Coordinate, Tree},
-};
+use crate::{id::BodyId, tree::Tree};
 
 /// Eq. (42): for every body, one term for each pair of speeds that move it.
 pub(super) fn of_matrix(tree: &Tree) -> usize {
@@ -23,9 +20,9 @@ fn moving(tree: &Tree, body: BodyId) -> usize {
     let free = |body| {
         tree.body(body)
             .joint
-            .coordinates()
+            .motions()
             .into_iter()
-            .filter_map(Coordinate::speed)
+            .flatten()
             .count()
     };
     tree.path(body).map(free).sum()

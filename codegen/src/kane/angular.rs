@@ -2,34 +2,39 @@
 
 use super::{Accelerations, given, orientation::trigonometry};
 use crate::{
-    expr::{ExprGraph, Input, Matrix, Vector, negated},
-    id::{BodyId, BodyMap},
+    expr::{Expr, ExprGraph, Input, Matrix, Vector, negated},
+    id::{BodyId, BodyMap, CoordinateId},
     partition::{Block, Partition, Row},
-    tree::Tree,
+    tree::{Chart, Coordinate, Orientation, Tree},
 };
 
-/// `P_K`, Eq. (17): rates of the angles to relative angular velocity, body components.
-pub fn rate_matrix(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matrix {
-    let t = trigonometry(graph, &tree.body(body).joint);
+/// `P_K`, Eq. (17): speeds of rotation to relative angular velocity, body components; where these are the speeds, the
+/// identity.
+pub fn rate_matrix(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Block {
+    let Orientation::Rates(angles) = tree.body(body).joint.orientation else {
+        return Block::Identity;
+    };
+    let t = trigonometry(graph, tree, angles);
     let (s3, c2, c3) = (t.sines[2], t.cosines[1], t.cosines[2]);
     let (zero, one) = (graph.zero(), graph.one());
-    [
+    Block::Full([
         [graph.mul(c2, c3), s3, zero],
         [graph.mul(-c2, s3), c3, zero],
         [t.sines[1], zero, one],
-    ]
+    ])
 }
 
-/// `P_dot_K`, the time derivative of Eq. (17).
+/// `P_dot_K`, the time derivative of Eq. (17); zero where the speeds are the relative angular velocity.
 pub fn rate_matrix_dot(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matrix {
     let joint = &tree.body(body).joint;
-    let t = trigonometry(graph, joint);
-    let ([_, s2, s3], [_, c2, c3]) = (t.sines, t.cosines);
-    let (d2, d3) = (
-        given::rate(graph, joint.angles[1]),
-        given::rate(graph, joint.angles[2]),
-    );
     let zero = graph.zero();
+    let Orientation::Rates(angles) = joint.orientation else {
+        return [[zero; 3]; 3];
+    };
+    let t = trigonometry(graph, tree, angles);
+    let ([_, s2, s3], [_, c2, c3]) = (t.sines, t.cosines);
+    let turns = joint.turns();
+    let (d2, d3) = (given::speed(graph, turns[1]), given::speed(graph, turns[2]));
     let (s2_dot, c2_dot) = (graph.mul(c2, d2), graph.mul(-s2, d2));
     let (s3_dot, c3_dot) = (graph.mul(c3, d3), graph.mul(-s3, d3));
     let mut derivative = |c2_dot, c3, c2, c3_dot| {
@@ -45,13 +50,10 @@ pub fn rate_matrix_dot(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matr
 pub fn relative_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let p = rate_matrix(graph, tree, body);
-        let rates = tree
-            .body(body)
-            .joint
-            .angles
-            .map(|angle| given::rate(graph, angle));
-        let w_rel = graph.mul_vector(&p, rates);
+        let p = rate_matrix(graph, tree, body).matrix(graph);
+        let turns = tree.body(body).joint.turns();
+        let speeds = turns.map(|turn| given::speed(graph, turn));
+        let w_rel = graph.mul_vector(&p, speeds);
         graph.name_vector(w_rel, "w_rel");
         w_rel
     })
@@ -64,20 +66,79 @@ pub fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let joint = &tree.body(body).joint;
-        if !joint.angles.iter().all(|angle| angle.is_free()) {
-            return graph.zero_vector();
+        match joint.angles() {
+            Some(angles) if angles.iter().all(|angle| angle.is_free()) => {
+                let w_rel = given::relative_angular_velocity(graph, tree, body);
+                rates(graph, tree, angles, w_rel)
+            }
+            _ => graph.zero_vector(),
         }
-        let t = trigonometry(graph, joint);
-        let [w1, w2, w3] = [0, 1, 2].map(|i| graph.input(Input::RelativeAngularVelocity(body, i)));
-        let (s3, c3) = (t.sines[2], t.cosines[2]);
-        let (a, b) = (graph.mul(c3, w1), graph.mul(s3, w2));
-        let along_lower_axis = graph.sub(a, b);
-        let theta1_dot = graph.div(along_lower_axis, t.cosines[1]);
-        let (a, b) = (graph.mul(s3, w1), graph.mul(c3, w2));
-        let theta2_dot = graph.add(a, b);
-        let shared = graph.mul(t.sines[1], theta1_dot);
-        [theta1_dot, theta2_dot, graph.sub(w3, shared)]
     })
+}
+
+/// The rates of three free angles, Eq. (9).
+pub fn rates(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    angles: [Coordinate; 3],
+    [w1, w2, w3]: Vector,
+) -> Vector {
+    let t = trigonometry(graph, tree, angles);
+    let (s3, c3) = (t.sines[2], t.cosines[2]);
+    let (a, b) = (graph.mul(c3, w1), graph.mul(s3, w2));
+    let along_lower_axis = graph.sub(a, b);
+    let theta1_dot = graph.div(along_lower_axis, t.cosines[1]);
+    let (a, b) = (graph.mul(s3, w1), graph.mul(c3, w2));
+    let theta2_dot = graph.add(a, b);
+    let shared = graph.mul(t.sines[1], theta1_dot);
+    [theta1_dot, theta2_dot, graph.sub(w3, shared)]
+}
+
+/// The rates of Euler parameters: half of Hamilton's product with `(0, w)`, body components.
+pub fn parameter_rates(graph: &mut ExprGraph, e: [CoordinateId; 4], w: Vector) -> [Expr; 4] {
+    let [e0, e1, e2, e3] = e.map(|parameter| graph.input(Input::Q(parameter)));
+    let half = graph.number(0.5);
+    let [w1, w2, w3] = graph.scale(half, w);
+    let scalar = graph.dot([e1, e2, e3], [w1, w2, w3]);
+    let along = graph.scale(e0, [w1, w2, w3]);
+    let across = graph.cross([e1, e2, e3], [w1, w2, w3]);
+    let [x, y, z] = graph.add_vectors(along, across);
+    [-scalar, x, y, z]
+}
+
+/// The rates of all coordinates, Eqs. (44), (9): zero for none.
+pub fn coordinate_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let mut rates = vec![graph.zero(); tree.n_coordinates];
+    let mut set = |coordinate: CoordinateId, rate| rates[coordinate.index()] = rate;
+    for body in tree.body_ids() {
+        graph.enter(body);
+        let joint = &tree.body(body).joint;
+        let mut plain = 0..6;
+        if let Orientation::AngularVelocity { chart, speeds } = joint.orientation {
+            plain = 3..6;
+            let w = speeds.map(|speed| graph.input(Input::U(speed)));
+            match (chart, joint.angles()) {
+                (Chart::EulerParameters(e), _) => {
+                    let own = parameter_rates(graph, e, w);
+                    e.into_iter().zip(own).for_each(|(e, rate)| set(e, rate));
+                }
+                (Chart::Angles(places), Some(angles)) => {
+                    let own = self::rates(graph, tree, angles, w);
+                    places
+                        .into_iter()
+                        .zip(own)
+                        .for_each(|(place, rate)| set(place, rate));
+                }
+                (Chart::Angles(_), None) => {}
+            }
+        }
+        for motion in plain {
+            if let Some(Coordinate::Free { coordinate, speed }) = joint.coordinate_of(motion) {
+                set(coordinate, graph.input(Input::U(speed)));
+            }
+        }
+    }
+    rates
 }
 
 /// `w_K = JR_K w_J + w_rel_K`, Eq. (11), body components, for every body.
@@ -104,7 +165,7 @@ pub fn partial(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -
     BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
         graph.enter(body);
         let own = rate_matrix(graph, tree, body);
-        let own = Row::single(tree, Partition::Angles(body), Block::Full(own));
+        let own = Row::single(tree, Partition::Angles(body), own);
         let row = match tree.lower(body) {
             None => own,
             Some(lower) => rows[lower]
@@ -156,13 +217,13 @@ pub fn acceleration(
 ) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, alpha| {
         graph.enter(body);
-        let angles = tree.body(body).joint.angles;
+        let turns = tree.body(body).joint.turns();
         let (p, p_dot) = (
-            rate_matrix(graph, tree, body),
+            rate_matrix(graph, tree, body).matrix(graph),
             rate_matrix_dot(graph, tree, body),
         );
-        let rates = angles.map(|angle| given::rate(graph, angle));
-        let second = angles.map(|angle| given::acceleration(graph, angle, accelerations));
+        let rates = turns.map(|turn| given::speed(graph, turn));
+        let second = turns.map(|turn| given::acceleration(graph, turn, accelerations));
         let own = graph.mul_vector(&p, second);
         let own_dot = graph.mul_vector(&p_dot, rates);
         let mut sum = graph.add_vectors(own_dot, own);

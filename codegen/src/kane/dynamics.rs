@@ -27,10 +27,10 @@ pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids() {
         graph.enter(body);
-        let mass = given::value(graph, tree.body(body).mass);
+        let mass = given::mass(graph, tree.body(body));
         let inertia = given::inertia(graph, tree.body(body));
-        let v = partials.mass_center[body].columns(graph, tree);
-        let w = partials.angular[body].columns(graph, tree);
+        let v = partials.mass_center[body].merged_columns(graph, tree);
+        let w = partials.angular[body].merged_columns(graph, tree);
         add_gram(graph, &mut a, &v, |graph, column| graph.scale(mass, column));
         add_gram(graph, &mut a, &w, |graph, column| {
             graph.mul_symmetric(&inertia, column)
@@ -62,7 +62,10 @@ pub fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let inertial = inertia_and_weight(graph, tree, Accelerations::Zero);
     let net = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let (force, moment) = (given::force(graph, body), given::moment(graph, body));
+        let (force, moment) = (
+            given::force(graph, tree, body),
+            given::moment(graph, tree, body),
+        );
         Wrench {
             force: graph.sub_vectors(force, inertial[body].force),
             moment: graph.sub_vectors(moment, inertial[body].moment),
@@ -92,8 +95,8 @@ pub fn loads(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         Wrench {
-            force: given::force(graph, body),
-            moment: given::moment(graph, body),
+            force: given::force(graph, tree, body),
+            moment: given::moment(graph, tree, body),
         }
     })
 }
@@ -108,7 +111,7 @@ fn inertia_and_weight(
     let weights = gravity_in_bodies(graph, tree, &motion.rotational.relative);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let mass = given::value(graph, tree.body(body).mass);
+        let mass = given::mass(graph, tree.body(body));
         let felt = graph.sub_vectors(motion.mass_center[body], weights[body]);
         let inertia = given::inertia(graph, tree.body(body));
         let moment = euler(
@@ -187,8 +190,9 @@ pub fn singularity(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Expr {
     if !joint.has_singular_chart() {
         return graph.one();
     }
-    let angle = given::coordinate(graph, joint.angles[1]);
-    let cosine = graph.cos(angle);
-    graph.name(cosine, "cos2");
+    let Some(angles) = joint.angles() else {
+        return graph.one();
+    };
+    let cosine = orientation::trigonometry(graph, tree, angles).cosines[1];
     graph.abs(cosine)
 }

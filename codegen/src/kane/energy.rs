@@ -1,21 +1,21 @@
 //! Energies and momenta: the integrals against which motion is checked. Each body hands the sum of what it carries
 //! to its lower body, so that a body's share shows in the lines of its path alone.
 
-use super::{given, orientation, position, velocity};
+use super::{given, mechanics, orientation, position, velocity};
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Vector, transpose},
     id::BodyMap,
     tree::Tree,
 };
 
-/// `1/2 sum_K m_K v_G_K · v_G_K + w_K · I_K w_K`, J.
+/// `1/2 sum_K m_K v_G_K · v_G_K + w_K · I_K w_K`, and that of the rotors, J.
 pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let rotational = velocity::rotational(graph, tree);
     let v_origin = velocity::origin(graph, tree, &rotational);
     let v = velocity::mass_center(graph, tree, &rotational, &v_origin);
     let twice = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let mass = given::value(graph, tree.body(body).mass);
+        let mass = given::mass(graph, tree.body(body));
         let inertia = given::inertia(graph, tree.body(body));
         let square = graph.dot(v[body], v[body]);
         let translational = graph.mul(mass, square);
@@ -26,10 +26,12 @@ pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let twice = gather(graph, tree, twice);
     graph.enter(None);
     let half = graph.number(0.5);
-    graph.mul(half, twice)
+    let of_bodies = graph.mul(half, twice);
+    let of_rotors = mechanics::kinetic(graph, tree);
+    graph.add(of_bodies, of_rotors)
 }
 
-/// `-sum_K m_K g · p_G_K`, J: zero at the inertial origin.
+/// `-sum_K m_K g · p_G_K`, zero at the inertial origin, and that of the springs, zero at rest, J.
 pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let relative = orientation::relative(graph, tree);
     let origins = position::origin(graph, tree, &relative);
@@ -37,11 +39,13 @@ pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let gravity = super::dynamics::gravity_in_bodies(graph, tree, &relative);
     let potentials = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let mass = given::value(graph, tree.body(body).mass);
+        let mass = given::mass(graph, tree.body(body));
         let along = graph.dot(gravity[body], centers[body]);
         -graph.mul(mass, along)
     });
-    gather(graph, tree, potentials)
+    let of_weights = gather(graph, tree, potentials);
+    let of_springs = mechanics::potential(graph, tree);
+    graph.add(of_weights, of_springs)
 }
 
 /// `sum_K m_K v_G_K`, kg m/s, inertial components.
@@ -77,7 +81,7 @@ fn linear_momenta(
     let v = velocity::mass_center(graph, tree, rotational, &v_origin);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let mass = given::value(graph, tree.body(body).mass);
+        let mass = given::mass(graph, tree.body(body));
         graph.scale(mass, v[body])
     })
 }

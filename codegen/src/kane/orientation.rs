@@ -1,10 +1,10 @@
-//! Transformation matrices, Eqs. (2)-(5).
+//! Transformation matrices, Eqs. (2)-(5), or of Euler parameters.
 
 use super::given;
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector},
+    expr::{Expr, ExprGraph, Input, Matrix, Vector, transpose},
     id::BodyMap,
-    tree::{Joint, Tree},
+    tree::{Chart, Coordinate, Joint, Orientation, Tree, exact},
 };
 
 /// Sine and cosine of a joint's three angles.
@@ -16,11 +16,21 @@ pub struct Trigonometry {
     pub cosines: Vector,
 }
 
-/// Sines and cosines of a joint's angles: numbers where they are locked.
-pub fn trigonometry(graph: &mut ExprGraph, joint: &Joint) -> Trigonometry {
-    let angles = joint.angles.map(|angle| given::coordinate(graph, angle));
-    let sines = angles.map(|angle| graph.sin(angle));
-    let cosines = angles.map(|angle| graph.cos(angle));
+/// Sines and cosines of three angles: numbers where they are locked, made exact as entries of rotations are.
+pub fn trigonometry(graph: &mut ExprGraph, tree: &Tree, angles: [Coordinate; 3]) -> Trigonometry {
+    let exact = |entry| exact(entry, tree.snap).unwrap_or(entry);
+    let values = angles.map(|angle| match angle {
+        Coordinate::Locked(angle) => Err(angle),
+        _ => Ok(given::coordinate(graph, angle)),
+    });
+    let sines = values.map(|angle| match angle {
+        Ok(angle) => graph.sin(angle),
+        Err(locked) => graph.number(exact(libm::sin(locked))),
+    });
+    let cosines = values.map(|angle| match angle {
+        Ok(angle) => graph.cos(angle),
+        Err(locked) => graph.number(exact(libm::cos(locked))),
+    });
     for i in 0..3 {
         graph.name(sines[i], format!("sin{}", i + 1));
         graph.name(cosines[i], format!("cos{}", i + 1));
@@ -28,15 +38,61 @@ pub fn trigonometry(graph: &mut ExprGraph, joint: &Joint) -> Trigonometry {
     Trigonometry { sines, cosines }
 }
 
-/// `JR_K`, Eq. (4): lower-body components to body components, for every body.
+/// From the joint's axes in the lower body to the body's: Eq. (4), or `C(e)^T`.
+pub fn of_joint(graph: &mut ExprGraph, tree: &Tree, joint: &Joint) -> Matrix {
+    match joint.orientation {
+        Orientation::AngularVelocity {
+            chart: Chart::EulerParameters(parameters),
+            ..
+        } => {
+            let e = parameters.map(|parameter| graph.input(Input::Q(parameter)));
+            transpose(&quaternion(graph, e))
+        }
+        _ => {
+            let angles = joint
+                .angles()
+                .expect("tree: all other orientations have angles");
+            let trigonometry = trigonometry(graph, tree, angles);
+            body_fixed_123(graph, &trigonometry)
+        }
+    }
+}
+
+/// `JR_K`, Eq. (4), after the constant `A_K`: lower-body components to body components, for every body.
 pub fn relative(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Matrix> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let trigonometry = trigonometry(graph, &tree.body(body).joint);
-        let matrix = body_fixed_123(graph, &trigonometry);
+        let joint = &tree.body(body).joint;
+        let turned = of_joint(graph, tree, joint);
+        let constant = given::constant(graph, &joint.rotation);
+        let matrix = graph.mul_matrices(&turned, &constant);
         graph.name_matrix(&matrix, "rel");
         matrix
     })
+}
+
+/// `C(e)` of a unit quaternion, scalar first, Hamilton's product: body components to lower-body components.
+fn quaternion(graph: &mut ExprGraph, [e0, e1, e2, e3]: [Expr; 4]) -> Matrix {
+    let two = graph.number(2.0);
+    let (d1, d2, d3) = (graph.mul(two, e1), graph.mul(two, e2), graph.mul(two, e3));
+    let one = graph.one();
+    let (s1, s2, s3) = (graph.mul(d1, e1), graph.mul(d2, e2), graph.mul(d3, e3));
+    let mut sum = |a: Expr, b: Expr, c: Expr, d: Expr| {
+        let (a, b) = (graph.mul(a, b), graph.mul(c, d));
+        (graph.add(a, b), graph.sub(a, b))
+    };
+    let (yx, xy) = sum(d1, e2, d3, e0);
+    let (xz, zx) = sum(d1, e3, d2, e0);
+    let (zy, yz) = sum(d2, e3, d1, e0);
+    let mut diagonal = |a: Expr, b: Expr| {
+        let both = graph.add(a, b);
+        graph.sub(one, both)
+    };
+    [
+        [diagonal(s2, s3), xy, xz],
+        [yx, diagonal(s1, s3), yz],
+        [zx, zy, diagonal(s1, s2)],
+    ]
 }
 
 /// `R_K = JR_K R_J`, Eq. (3): inertial components to body components, for every body.
@@ -69,4 +125,43 @@ fn body_fixed_123(graph: &mut ExprGraph, trigonometry: &Trigonometry) -> Matrix 
         [graph.mul(-c2, s3), yy, yz],
         [s2, graph.mul(-s1, c2), graph.mul(c1, c2)],
     ]
+}
+
+/// The coordinates with their quaternions brought back to length one: `e (3 - e·e) / 2`, twice.
+pub fn normalized(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let mut coordinates = vec![graph.zero(); tree.n_coordinates];
+    for body in tree.body_ids() {
+        graph.enter(body);
+        let joint = &tree.body(body).joint;
+        for (_, coordinate) in joint.coordinates() {
+            coordinates[coordinate.index()] = graph.input(Input::Q(coordinate));
+        }
+        if let Orientation::AngularVelocity {
+            chart: Chart::EulerParameters(parameters),
+            ..
+        } = joint.orientation
+        {
+            let mut e = parameters.map(|parameter| graph.input(Input::Q(parameter)));
+            for _ in 0..2 {
+                e = nearer_to_unit(graph, e);
+            }
+            for (parameter, e) in parameters.into_iter().zip(e) {
+                coordinates[parameter.index()] = e;
+            }
+        }
+    }
+    coordinates
+}
+
+/// A step of Newton's iteration for `e / |e|`.
+fn nearer_to_unit(graph: &mut ExprGraph, e: [Expr; 4]) -> [Expr; 4] {
+    let mut square = graph.mul(e[0], e[0]);
+    for entry in &e[1..] {
+        let term = graph.mul(*entry, *entry);
+        square = graph.add(square, term);
+    }
+    let (three, half) = (graph.number(3.0), graph.number(0.5));
+    let rest = graph.sub(three, square);
+    let factor = graph.mul(half, rest);
+    e.map(|entry| graph.mul(factor, entry))
 }

@@ -29,7 +29,7 @@ pub fn mass_center(
 ) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let r = given::vector(graph, tree.body(body).mass_center);
+        let r = given::mass_center(graph, tree.body(body));
         let position = graph.add_vectors(origins[body], r);
         graph.name_vector(position, "p_g");
         position

@@ -2,10 +2,10 @@
 
 use super::{Accelerations, angular, given, orientation};
 use crate::{
-    expr::{ExprGraph, Matrix, Vector},
+    expr::{ExprGraph, Matrix, Vector, transpose},
     id::BodyMap,
     partition::{Block, Partition, Row},
-    tree::Tree,
+    tree::{IDENTITY, Joint, Tree},
 };
 
 /// Rotations and angular velocities, from which the translational quantities follow.
@@ -38,15 +38,27 @@ pub fn rotational(graph: &mut ExprGraph, tree: &Tree) -> Rotational {
     Rotational { relative, w_rel, w }
 }
 
+/// `s_dot_K`, lower-body components.
+fn shift_velocity(graph: &mut ExprGraph, joint: &Joint) -> Vector {
+    let s_dot = given::shift_speeds(graph, joint);
+    given::constant_back(graph, &joint.rotation, s_dot)
+}
+
+/// The directions of the translations by columns, lower-body components: the identity of Eq. (30) where the joint's axes
+/// are the lower body's.
+fn shift_block(graph: &mut ExprGraph, joint: &Joint) -> Block {
+    if joint.rotation == IDENTITY {
+        return Block::Identity;
+    }
+    let directions = given::shift_directions(graph, joint);
+    Block::Full(transpose(&directions))
+}
+
 /// `v_O_K = LJR_J v_O_J + s_dot_K + tilde(w_J)(q_K + s_K)`, Eq. (25): lower-body components, for every body.
 pub fn origin(graph: &mut ExprGraph, tree: &Tree, rotational: &Rotational) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, v| {
         graph.enter(body);
-        let s_dot = tree
-            .body(body)
-            .joint
-            .translations
-            .map(|s| given::rate(graph, s));
+        let s_dot = shift_velocity(graph, &tree.body(body).joint);
         let Some(lower) = tree.lower(body) else {
             return s_dot;
         };
@@ -73,7 +85,7 @@ pub fn mass_center(
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let carried = graph.mul_vector(&rotational.relative[body], v_origin[body]);
-        let r = given::vector(graph, tree.body(body).mass_center);
+        let r = given::mass_center(graph, tree.body(body));
         let turned = graph.cross(rotational.w[body], r);
         let sum = graph.add_vectors(carried, turned);
         graph.name_vector(sum, "v_g");
@@ -87,7 +99,8 @@ pub fn partials(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) 
     let angular = angular::partial(graph, tree, relative);
     let origin = BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
         graph.enter(body);
-        let own = Row::single(tree, Partition::Translations(body), Block::Identity);
+        let directions = shift_block(graph, &tree.body(body).joint);
+        let own = Row::single(tree, Partition::Translations(body), directions);
         let Some(lower) = tree.lower(body) else {
             return own;
         };
@@ -102,7 +115,7 @@ pub fn partials(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) 
     });
     let mass_center = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let r = given::vector(graph, tree.body(body).mass_center);
+        let r = given::mass_center(graph, tree.body(body));
         let carried = origin[body].premultiplied(graph, &relative[body]);
         let turned = angular[body].crossed(graph, r);
         let row = carried.plus(graph, turned);
@@ -138,11 +151,7 @@ pub fn partials_dot(
             .premultiplied(graph, &relative[lower])
             .crossed(graph, w_rel[lower]);
         graph.enter(body);
-        let s_dot = tree
-            .body(body)
-            .joint
-            .translations
-            .map(|s| given::rate(graph, s));
+        let s_dot = shift_velocity(graph, &tree.body(body).joint);
         let extended = partials.angular[lower].crossed(graph, s_dot);
         let offset = given::offset(graph, tree.body(body));
         let accelerated = angular[lower].crossed(graph, offset);
@@ -159,7 +168,7 @@ pub fn partials_dot(
         let turned = partials.origin[body]
             .premultiplied(graph, &relative[body])
             .crossed(graph, w_rel[body]);
-        let r = given::vector(graph, tree.body(body).mass_center);
+        let r = given::mass_center(graph, tree.body(body));
         let accelerated = angular[body].crossed(graph, r);
         let row = carried.plus(graph, turned).plus(graph, accelerated);
         row.name(graph, tree, "v_dot");
@@ -195,8 +204,11 @@ pub fn accelerations(graph: &mut ExprGraph, tree: &Tree, accelerations: Accelera
     // V_O y_dot + V_O_dot y, lower-body components: Eqs. (28) and (34).
     let z = BodyMap::outward(tree.bodies.len(), |body, z| {
         graph.enter(body);
-        let translations = tree.body(body).joint.translations;
-        let second = translations.map(|s| given::acceleration(graph, s, accelerations));
+        let joint = &tree.body(body).joint;
+        let second = joint
+            .shifts()
+            .map(|s| given::acceleration(graph, s, accelerations));
+        let second = given::constant_back(graph, &joint.rotation, second);
         let Some(lower) = tree.lower(body) else {
             return second;
         };
@@ -205,7 +217,7 @@ pub fn accelerations(graph: &mut ExprGraph, tree: &Tree, accelerations: Accelera
         let v_lower = graph.mul_vector(&relative[lower], v_origin[lower]);
         let turned = graph.cross(v_lower, w_rel[lower]);
         graph.enter(body);
-        let s_dot = translations.map(|s| given::rate(graph, s));
+        let s_dot = shift_velocity(graph, joint);
         let extended = graph.cross(w[lower], s_dot);
         let offset = given::offset(graph, tree.body(body));
         let accelerated = graph.cross(alpha[lower], offset);
@@ -218,7 +230,7 @@ pub fn accelerations(graph: &mut ExprGraph, tree: &Tree, accelerations: Accelera
         let carried = graph.mul_vector(&relative[body], z[body]);
         let v = graph.mul_vector(&relative[body], v_origin[body]);
         let turned = graph.cross(v, w_rel[body]);
-        let r = given::vector(graph, tree.body(body).mass_center);
+        let r = given::mass_center(graph, tree.body(body));
         let accelerated = graph.cross(alpha[body], r);
         let convected = graph.cross(w[body], v_mass_center[body]);
         let sum = [turned, accelerated, convected]

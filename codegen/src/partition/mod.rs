@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use crate::{
     expr::{ExprGraph, Matrix, Vector, transpose},
     id::{BodyId, SpeedId},
-    tree::{Coordinate, Tree},
+    tree::{Motion, Tree},
 };
 
 /// One column block of a 3 x 6N matrix of partial velocities.
@@ -52,19 +52,19 @@ impl Partition {
         }
     }
 
-    /// The three coordinates of the partition.
-    pub fn coordinates(self, tree: &Tree) -> [Coordinate; 3] {
+    /// The three motions of the partition.
+    pub fn motions(self, tree: &Tree) -> [Option<Motion>; 3] {
         let joint = &tree.body(self.body()).joint;
         match self {
-            Self::Angles(_) => joint.angles,
-            Self::Translations(_) => joint.translations,
+            Self::Angles(_) => joint.turns(),
+            Self::Translations(_) => joint.shifts(),
         }
     }
 
-    /// The columns of the partition whose coordinates are free, with their speeds.
-    pub fn free_columns(self, tree: &Tree) -> impl Iterator<Item = (usize, SpeedId)> {
-        let coordinates = self.coordinates(tree).into_iter().enumerate();
-        coordinates.filter_map(|(column, coordinate)| Some((column, coordinate.speed()?)))
+    /// The columns of the partition that speeds move.
+    pub fn free_columns(self, tree: &Tree) -> impl Iterator<Item = (usize, Motion)> {
+        let motions = self.motions(tree).into_iter().enumerate();
+        motions.filter_map(|(column, motion)| Some((column, motion?)))
     }
 }
 
@@ -124,32 +124,50 @@ impl Row {
         })
     }
 
-    /// The column of every speed that the row holds, by partitions.
+    /// A column for every motion of the partitions that the row holds, with its speed. A speed that moves several
+    /// joints has several: their sum is its own.
     pub fn columns(&self, graph: &mut ExprGraph, tree: &Tree) -> Vec<(SpeedId, Vector)> {
         let mut columns = Vec::new();
         for (partition, block) in self.blocks() {
             let matrix = block.matrix(graph);
-            columns.extend(
-                partition
-                    .free_columns(tree)
-                    .map(|(j, speed)| (speed, matrix.map(|row: Vector| row[j]))),
-            );
+            for (j, Motion { speed, factor }) in partition.free_columns(tree) {
+                let factor = graph.number(factor);
+                let column = graph.scale(factor, matrix.map(|row: Vector| row[j]));
+                columns.push((speed, column));
+            }
         }
         columns
+    }
+
+    /// The column of every speed that the row holds.
+    pub fn merged_columns(&self, graph: &mut ExprGraph, tree: &Tree) -> Vec<(SpeedId, Vector)> {
+        let mut places: BTreeMap<SpeedId, usize> = BTreeMap::new();
+        let mut merged: Vec<(SpeedId, Vector)> = Vec::new();
+        for (speed, column) in self.columns(graph, tree) {
+            if let Some(&place) = places.get(&speed) {
+                merged[place].1 = graph.add_vectors(merged[place].1, column);
+            } else {
+                places.insert(speed, merged.len());
+                merged.push((speed, column));
+            }
+        }
+        merged
     }
 
     /// Labels every entry with `text`, the partition's body and its place.
     pub fn name(&self, graph: &mut ExprGraph, tree: &Tree, text: &str) {
         for (partition, block) in self.blocks() {
             if let Block::Full(matrix) = block {
-                let kind = if matches!(partition, Partition::Angles(_)) {
-                    "theta"
+                let body = tree.body(partition.body());
+                let first = if matches!(partition, Partition::Angles(_)) {
+                    0
                 } else {
-                    "s"
+                    3
                 };
-                let body = &tree.body(partition.body()).identifier;
+                let names = body.joint.motion_names();
+                let body = &body.identifier;
                 for (column, _) in partition.free_columns(tree) {
-                    let text = format!("{text}_{body}_{kind}{}", column + 1);
+                    let text = format!("{text}_{body}_{}", names[first + column]);
                     graph.name_vector(matrix.map(|row: Vector| row[column]), &text);
                 }
             }

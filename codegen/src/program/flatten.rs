@@ -208,16 +208,16 @@ impl Flattening<'_> {
         let mut cosines = vec![None; angles.len()];
         for &id in &group {
             let place = places[&argument(self.graph, id)];
-            let result = self.value(Origin::Instruction, id, false);
             let is_sine = matches!(self.graph.node(id), Node::Sin(_));
+            // sin(-x) = -sin(x).
+            let negative = is_sine && angles[place].is_negative();
+            let result = self.value(Origin::Instruction, id, negative);
             let slot = if is_sine {
                 &mut sines[place]
             } else {
                 &mut cosines[place]
             };
             *slot = Some(result);
-            // sin(-x) = -sin(x).
-            let negative = is_sine && angles[place].is_negative();
             self.operands[id.index()] = Some(Operand::Value {
                 id: result,
                 negative,

@@ -9,7 +9,7 @@ use crate::{
     expr::{Input, Node},
     id::BodyId,
     passes::hoist::{Field, Preparation},
-    tree::{Coordinate, Tree},
+    tree::Tree,
 };
 
 /// Names that generated functions use for other things.
@@ -40,7 +40,7 @@ pub enum Place<'a> {
 
 /// A name for each value that is an input or has a statement of its own; empty for the others.
 pub fn names(program: &Program, groups: &Groups, tree: &Tree, place: Place<'_>) -> Vec<String> {
-    let coordinates = coordinate_names(tree);
+    let known = Known::of(tree);
     let mut names = vec![String::new(); program.values.len()];
     let mut taken: BTreeSet<String> = RESERVED.map(String::from).into();
     let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
@@ -60,7 +60,7 @@ pub fn names(program: &Program, groups: &Groups, tree: &Tree, place: Place<'_>) 
             *name = match input {
                 // A field of `Prepared`, not a local.
                 Input::Prepared(place) => fields[place].clone(),
-                _ => claim(input_name(tree, &coordinates, input)),
+                _ => claim(known.input(tree, input)),
             };
         }
     }
@@ -97,7 +97,7 @@ pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
             &field.label,
             preparation.graph.node(field.root.node()),
         ) {
-            (_, _, Node::Input(input)) => input_name(tree, &[], input),
+            (_, _, Node::Input(input)) => Known::default().input(tree, input),
             (function, Some(label), _) => {
                 format!("{}_{body}_{label}", function.unwrap_or_default())
             }
@@ -115,39 +115,43 @@ pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
     preparation.fields.iter().map(name).collect()
 }
 
-/// The name of an input: a coordinate's name with what it is a rate or force of.
-fn input_name(tree: &Tree, coordinates: &[String], input: Input) -> String {
-    let component = |body: BodyId, quantity: &str, axis: usize| {
-        format!(
-            "{}_{quantity}_{}",
-            tree.body(body).identifier,
-            ["x", "y", "z"][axis]
-        )
-    };
-    let coordinate = |place: usize, suffix: &str| format!("{}{suffix}", coordinates[place]);
-    match input {
-        Input::Q(coordinate_id) => coordinate(coordinate_id.index(), ""),
-        Input::U(speed) => coordinate(speed.index(), "_dot"),
-        Input::UDot(speed) => coordinate(speed.index(), "_ddot"),
-        Input::Tau(speed) => coordinate(speed.index(), "_tau"),
-        Input::Force(body, axis) => component(body, "force", axis),
-        Input::Moment(body, axis) => component(body, "moment", axis),
-        Input::RelativeAngularVelocity(body, axis) => component(body, "w_rel", axis),
-        Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
-        Input::Prepared(place) => format!("prepared_{place}"),
-    }
+/// The names of coordinates, speeds and what belongs to these.
+#[derive(Default)]
+struct Known {
+    q: Vec<String>,
+    u: Vec<String>,
+    u_dot: Vec<String>,
+    tau: Vec<String>,
 }
 
-/// The name of every coordinate, in the order of `q`: `hub_theta1`.
-pub fn coordinate_names(tree: &Tree) -> Vec<String> {
-    let mut names = vec![String::new(); tree.n_coordinates];
-    for body in &tree.bodies {
-        let kinds = ["theta1", "theta2", "theta3", "s1", "s2", "s3"];
-        for (kind, coordinate) in kinds.into_iter().zip(body.joint.coordinates()) {
-            if let Coordinate::Free { coordinate, .. } = coordinate {
-                names[coordinate.index()] = format!("{}_{kind}", body.identifier);
-            }
+impl Known {
+    fn of(tree: &Tree) -> Self {
+        Self {
+            q: tree.coordinate_names(),
+            u: tree.speed_names(),
+            u_dot: tree.along_speeds("_ddot", "_dot"),
+            tau: tree.along_speeds("_tau", "_tau"),
         }
     }
-    names
+
+    fn input(&self, tree: &Tree, input: Input) -> String {
+        let component = |body: BodyId, quantity: &str, axis: usize| {
+            format!(
+                "{}_{quantity}_{}",
+                tree.body(body).identifier,
+                ["x", "y", "z"][axis]
+            )
+        };
+        match input {
+            Input::Q(coordinate) => self.q[coordinate.index()].clone(),
+            Input::U(speed) => self.u[speed.index()].clone(),
+            Input::UDot(speed) => self.u_dot[speed.index()].clone(),
+            Input::Tau(speed) => self.tau[speed.index()].clone(),
+            Input::Force(body, axis) => component(body, "force", axis),
+            Input::Moment(body, axis) => component(body, "moment", axis),
+            Input::RelativeAngularVelocity(body, axis) => component(body, "w_rel", axis),
+            Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
+            Input::Prepared(place) => format!("prepared_{place}"),
+        }
+    }
 }

@@ -2,14 +2,14 @@
 //! rigid body, whose momentum for a unit speed is carried inward and read off at every speed that it passes.
 
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
-    id::{BodyId, BodyMap, SpeedId},
+    expr::{Expr, ExprGraph, Vector, transpose},
+    id::{BodyId, BodyMap},
     kane::dynamics::SpeedMatrix,
     recursive::{
-        frames::{self, Rotation},
+        frames::{self, Turning},
         inertia::{self, Composite},
     },
-    tree::Tree,
+    tree::{Motion, Tree},
 };
 
 /// Momentum of a composite body for a unit value of one speed: a column of the mass matrix on its way inward.
@@ -17,8 +17,8 @@ use crate::{
 struct Column {
     /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
     body: BodyId,
-    speed: SpeedId,
-    /// The speed's coordinate among its body's: "theta1" to "s3".
+    motion: Motion,
+    /// The speed's coordinate among its body's: "theta1" or "w1" to "s3".
     coordinate: &'static str,
     linear: Vector,
     /// About the current origin.
@@ -40,21 +40,43 @@ pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
         inertia::name(graph, &composite.inertia, "composite");
         graph.name_vector(composite.moment, "composite");
         let mut carried = std::mem::take(&mut columns[body]);
-        for rotation in frames[body].rotations.iter().rev() {
-            read_angle(graph, &mut a, body, rotation, &composite, &mut carried);
-            composite = rotation.backward_composite(graph, &composite);
-            for column in &mut carried {
-                graph.enter(column.body);
-                column.linear = rotation.backward(graph, column.linear);
-                column.angular = rotation.backward(graph, column.angular);
-            }
-            graph.enter(body);
-        }
-        for (axis, s) in tree.body(body).joint.translations.iter().enumerate() {
-            if let Some(speed) = s.speed() {
-                read_translation(graph, &mut a, body, axis, speed, &composite, &mut carried);
+        let frame = &frames[body];
+        let joint = &tree.body(body).joint;
+        if let Some(motions) = frames::angular_velocity(joint) {
+            let names = joint.motion_names();
+            for axis in 0..3 {
+                let reading = Reading::turn(body, axis, Some(motions[axis]), names[axis]);
+                reading.run(graph, &mut a, &composite, &mut carried);
             }
         }
+        match &frame.turning {
+            Turning::Angles(rotations) => {
+                for rotation in rotations.iter().rev() {
+                    let axis = rotation.axis.index();
+                    let name = ["theta1", "theta2", "theta3"][axis];
+                    let reading = Reading::turn(body, axis, rotation.motion, name);
+                    reading.run(graph, &mut a, &composite, &mut carried);
+                    composite = rotation.backward_composite(graph, &composite);
+                    turn_columns(graph, &mut carried, |graph, v| rotation.backward(graph, v));
+                    graph.enter(body);
+                }
+            }
+            Turning::Matrix(matrix) => {
+                composite = frames::turned_back(graph, matrix, &composite);
+                let back = transpose(matrix);
+                turn_columns(graph, &mut carried, |graph, v| graph.mul_vector(&back, v));
+                graph.enter(body);
+            }
+        }
+        for (axis, shift) in joint.shifts().into_iter().enumerate() {
+            let reading = Reading::shift(body, axis, shift);
+            reading.run(graph, &mut a, &composite, &mut carried);
+        }
+        composite = frame.composite_before_constant(graph, &composite);
+        turn_columns(graph, &mut carried, |graph, v| {
+            frame.before_constant(graph, v)
+        });
+        graph.enter(body);
         if let Some(lower) = tree.lower(body) {
             let offset = frames[body].offset;
             for column in &mut carried {
@@ -73,52 +95,91 @@ pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     a
 }
 
-/// The row of an angle, and its column: a rotation about an axis through the origin.
-fn read_angle(
+/// Turns the columns that are on their way inward.
+fn turn_columns(
     graph: &mut ExprGraph,
-    a: &mut SpeedMatrix,
-    body: BodyId,
-    rotation: &Rotation,
-    composite: &Composite,
-    carried: &mut Vec<Column>,
+    columns: &mut [Column],
+    turn: impl Fn(&mut ExprGraph, Vector) -> Vector,
 ) {
-    let Some(speed) = rotation.coordinate.speed() else {
-        return;
-    };
-    let axis = rotation.axis.index();
-    let unit = graph.unit_vector(axis);
-    carried.push(Column {
-        body,
-        speed,
-        coordinate: ["theta1", "theta2", "theta3"][axis],
-        linear: graph.cross(unit, composite.moment),
-        angular: composite.inertia.column(axis),
-    });
-    for column in carried {
-        set(a, speed, column.speed, column.angular[axis]);
+    for column in columns {
+        graph.enter(column.body);
+        column.linear = turn(graph, column.linear);
+        column.angular = turn(graph, column.angular);
     }
 }
 
-/// The row of a translation, and its column.
-fn read_translation(
-    graph: &mut ExprGraph,
-    a: &mut SpeedMatrix,
+/// Where a speed moves a composite body: its column begins here, and its row is read off all columns.
+#[derive(Clone, Copy)]
+struct Reading {
     body: BodyId,
     axis: usize,
-    speed: SpeedId,
-    composite: &Composite,
-    carried: &mut Vec<Column>,
-) {
-    let unit = graph.unit_vector(axis);
-    carried.push(Column {
-        body,
-        speed,
-        coordinate: ["s1", "s2", "s3"][axis],
-        linear: graph.scale(composite.mass, unit),
-        angular: graph.cross(composite.moment, unit),
-    });
-    for column in carried {
-        set(a, speed, column.speed, column.linear[axis]);
+    motion: Option<Motion>,
+    coordinate: &'static str,
+    is_turn: bool,
+}
+
+impl Reading {
+    /// A rotation about an axis through the origin.
+    fn turn(body: BodyId, axis: usize, motion: Option<Motion>, coordinate: &'static str) -> Self {
+        Self {
+            body,
+            axis,
+            motion,
+            coordinate,
+            is_turn: true,
+        }
+    }
+
+    /// A translation along an axis.
+    fn shift(body: BodyId, axis: usize, motion: Option<Motion>) -> Self {
+        Self {
+            body,
+            axis,
+            motion,
+            coordinate: ["s1", "s2", "s3"][axis],
+            is_turn: false,
+        }
+    }
+
+    fn run(
+        self,
+        graph: &mut ExprGraph,
+        a: &mut SpeedMatrix,
+        composite: &Composite,
+        carried: &mut Vec<Column>,
+    ) {
+        let Some(motion) = self.motion else {
+            return;
+        };
+        let unit = graph.unit_vector(self.axis);
+        let (linear, angular) = if self.is_turn {
+            (
+                graph.cross(unit, composite.moment),
+                composite.inertia.column(self.axis),
+            )
+        } else {
+            (
+                graph.scale(composite.mass, unit),
+                graph.cross(composite.moment, unit),
+            )
+        };
+        carried.push(Column {
+            body: self.body,
+            motion,
+            coordinate: self.coordinate,
+            linear,
+            angular,
+        });
+        let last = carried.len() - 1;
+        for (place, column) in carried.iter().enumerate() {
+            let momentum = if self.is_turn {
+                column.angular
+            } else {
+                column.linear
+            };
+            let entry = momentum[self.axis];
+            add(graph, a, (motion, column.motion), entry, place == last);
+        }
     }
 }
 
@@ -129,7 +190,22 @@ fn name_column(graph: &mut ExprGraph, tree: &Tree, at: BodyId, column: &Column) 
     graph.name_vector(column.angular, &format!("{}_n_{at}", column.coordinate));
 }
 
-fn set(a: &mut SpeedMatrix, row: SpeedId, column: SpeedId, entry: Expr) {
-    a[row.index()][column.index()] = entry;
-    a[column.index()][row.index()] = entry;
+/// Adds an entry, and its mirror image where it is not on the diagonal of all motions.
+fn add(
+    graph: &mut ExprGraph,
+    a: &mut SpeedMatrix,
+    (row, column): (Motion, Motion),
+    entry: Expr,
+    is_diagonal: bool,
+) {
+    let factor = graph.number(row.factor * column.factor);
+    let entry = graph.mul(factor, entry);
+    let (row, column) = (row.speed.index(), column.speed.index());
+    let mut sum = graph.add(a[row][column], entry);
+    if row == column && !is_diagonal {
+        // Two motions of one speed: the entry and its mirror image fall together.
+        sum = graph.add(sum, entry);
+    }
+    a[row][column] = sum;
+    a[column][row] = sum;
 }

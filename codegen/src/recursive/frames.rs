@@ -4,11 +4,11 @@
 //! change: the rate of an angle enters there, and the generalized force of the angle is read off there.
 
 use crate::{
-    expr::{Axis, Expr, ExprGraph, Vector},
+    expr::{Axis, Expr, ExprGraph, Matrix, Vector, transpose},
     id::{BodyId, BodyMap},
     kane::{given, orientation},
     recursive::inertia::Composite,
-    tree::{Coordinate, Tree},
+    tree::{Joint, Motion, Orientation, Tree},
 };
 
 /// A rotation about a coordinate axis, from the components before it to those after it.
@@ -16,8 +16,8 @@ use crate::{
 pub struct Rotation {
     /// The axis.
     pub axis: Axis,
-    /// The angle's coordinate.
-    pub coordinate: Coordinate,
+    /// The speed that is the angle's rate.
+    pub motion: Option<Motion>,
     sine: Expr,
     cosine: Expr,
 }
@@ -27,8 +27,19 @@ pub struct Rotation {
 pub struct Frame {
     /// q'_K + s'_K, lower-body components.
     pub offset: Vector,
-    /// The 1-2-3 body-fixed rotations, in order from the lower body's axes to the body's.
-    pub rotations: [Rotation; 3],
+    /// The directions of the three translations by rows, lower-body components: from the lower body's axes to the joint's.
+    pub constant: Matrix,
+    /// How the body is turned from the joint's axes.
+    pub turning: Turning,
+}
+
+/// How a body is turned from its joint's axes in the lower body.
+#[derive(Clone, Debug)]
+pub enum Turning {
+    /// By the 1-2-3 body-fixed rotations, in order; each may have a coordinate that moves.
+    Angles([Rotation; 3]),
+    /// By a matrix.
+    Matrix(Matrix),
 }
 
 /// The frames of every body.
@@ -39,16 +50,76 @@ pub fn frames(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Frame> {
 fn frame(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Frame {
     graph.enter(body);
     let joint = &tree.body(body).joint;
-    let trigonometry = orientation::trigonometry(graph, joint);
-    let rotations = Axis::ALL.map(|axis| Rotation {
-        axis,
-        coordinate: joint.angles[axis.index()],
-        sine: trigonometry.sines[axis.index()],
-        cosine: trigonometry.cosines[axis.index()],
-    });
+    let turning = match joint.angles() {
+        None => {
+            let matrix = orientation::of_joint(graph, tree, joint);
+            graph.name_matrix(&matrix, "rel");
+            Turning::Matrix(matrix)
+        }
+        Some(angles) => {
+            let trigonometry = orientation::trigonometry(graph, tree, angles);
+            let rates = match joint.orientation {
+                Orientation::Rates(_) => joint.turns(),
+                Orientation::AngularVelocity { .. } => [None; 3],
+            };
+            Turning::Angles(Axis::ALL.map(|axis| Rotation {
+                axis,
+                motion: rates[axis.index()],
+                sine: trigonometry.sines[axis.index()],
+                cosine: trigonometry.cosines[axis.index()],
+            }))
+        }
+    };
     Frame {
         offset: given::offset(graph, tree.body(body)),
-        rotations,
+        constant: given::shift_directions(graph, joint),
+        turning,
+    }
+}
+
+/// The motions of a joint that are components of its angular velocity: they enter in the body's axes, all at once.
+pub fn angular_velocity(joint: &Joint) -> Option<[Motion; 3]> {
+    match joint.orientation {
+        Orientation::Rates(_) => None,
+        Orientation::AngularVelocity { speeds, .. } => {
+            Some(speeds.map(|speed| Motion { speed, factor: 1.0 }))
+        }
+    }
+}
+
+impl Frame {
+    /// Components in the body's axes of a vector given by those in the lower body's.
+    pub fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        let v = graph.mul_vector(&self.constant, v);
+        match &self.turning {
+            Turning::Matrix(matrix) => graph.mul_vector(matrix, v),
+            Turning::Angles(rotations) => rotations
+                .iter()
+                .fold(v, |v, rotation| rotation.forward(graph, v)),
+        }
+    }
+
+    /// Components before the constant rotation of a vector given by those after it.
+    pub fn before_constant(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        graph.mul_vector(&transpose(&self.constant), v)
+    }
+
+    /// As [`Self::before_constant`], of a composite body.
+    pub fn composite_before_constant(
+        &self,
+        graph: &mut ExprGraph,
+        composite: &Composite,
+    ) -> Composite {
+        turned_back(graph, &self.constant, composite)
+    }
+}
+
+/// Components before a rotation of a composite body given by those after it.
+pub fn turned_back(graph: &mut ExprGraph, matrix: &Matrix, composite: &Composite) -> Composite {
+    Composite {
+        mass: composite.mass,
+        moment: graph.mul_vector(&transpose(matrix), composite.moment),
+        inertia: graph.turn_back_symmetric(matrix, &composite.inertia),
     }
 }
 

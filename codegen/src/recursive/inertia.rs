@@ -3,7 +3,7 @@
 use crate::{
     expr::{Expr, ExprGraph, Symmetric, Vector},
     kane::given,
-    tree::Body,
+    tree::{Body, Part},
 };
 
 /// Mass, first moment and inertia about a point that moves with the bodies.
@@ -17,21 +17,31 @@ pub struct Composite {
     pub inertia: Symmetric,
 }
 
-/// A body's inertia about its own origin: `m`, `m r`, `I_G + m (r·r 1 - r r^T)`, body components.
+/// A body's inertia about its own origin: `m`, `m r`, `I_G + m (r·r 1 - r r^T)`, body components, summed over its parts.
 pub fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
-    let mass = given::value(graph, body.mass);
-    let at_center = given::inertia(graph, body);
-    let center = given::vector(graph, body.mass_center);
+    let mut parts = body.parts.iter();
+    let first = parts.next().expect("tree: a body has a part, itself");
+    let mut own = of_part(graph, first);
+    for part in parts {
+        let part = of_part(graph, part);
+        own = own.plus(graph, &part);
+    }
+    graph.name_vector(own.moment, "moment");
+    name(graph, &own.inertia, "inertia_o");
+    own
+}
+
+fn of_part(graph: &mut ExprGraph, part: &Part) -> Composite {
+    let mass = given::value(graph, part.mass);
+    let at_center = given::part_inertia(graph, part);
+    let center = given::fixed(graph, &part.mass_center);
     let zero = graph.zero();
     let point = Composite {
         mass,
         moment: [zero; 3],
         inertia: at_center,
     };
-    let own = point.moved(graph, center);
-    graph.name_vector(own.moment, "moment");
-    name(graph, &own.inertia, "inertia_o");
-    own
+    point.moved(graph, center)
 }
 
 impl Composite {

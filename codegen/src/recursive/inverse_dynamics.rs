@@ -5,14 +5,14 @@
 //! and the moment is `h × a` plus products of the inertia's components with entries of U and of `w w^T`.
 
 use crate::{
-    expr::{Axis, Expr, ExprGraph, Matrix, Symmetric, Vector, negated},
+    expr::{Axis, Expr, ExprGraph, Matrix, Symmetric, Vector, negated, transpose},
     id::{BodyId, BodyMap},
     kane::{Accelerations, given},
     recursive::{
-        frames::{self, Frame, Rotation},
+        frames::{self, Frame, Rotation, Turning},
         inertia,
     },
-    tree::Tree,
+    tree::{Motion, Tree},
 };
 
 /// `A y_dot - f` without loads: `tau` for given accelerations, the bias for none.
@@ -56,7 +56,7 @@ struct Wrench {
 
 /// A body's motion, body components.
 #[derive(Clone, Copy, Debug)]
-struct Motion {
+struct BodyMotion {
     /// Angular velocity.
     w: Vector,
     /// `tilde(alpha) + tilde(w)^2`: what a point's position is multiplied by for its acceleration.
@@ -72,8 +72,11 @@ struct Motion {
 /// The load of a body about its origin.
 fn load(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Wrench {
     graph.enter(body);
-    let center = given::vector(graph, tree.body(body).mass_center);
-    let (force, moment) = (given::force(graph, body), given::moment(graph, body));
+    let center = given::mass_center(graph, tree.body(body));
+    let (force, moment) = (
+        given::force(graph, tree, body),
+        given::moment(graph, tree, body),
+    );
     let lever = graph.cross(center, force);
     Wrench {
         force,
@@ -89,7 +92,7 @@ fn inertia_and_weight(
     accelerations: Accelerations,
 ) -> BodyMap<Wrench> {
     let gravity = given::gravity(graph, tree);
-    let motions = BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<Motion>| {
+    let motions = BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<BodyMotion>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| &motions[lower]);
         outward(
@@ -123,15 +126,17 @@ fn outward(
     tree: &Tree,
     body: BodyId,
     frame: &Frame,
-    lower: Option<&Motion>,
+    lower: Option<&BodyMotion>,
     base: Vector,
     accelerations: Accelerations,
-) -> Motion {
+) -> BodyMotion {
     let joint = &tree.body(body).joint;
-    let s_dot = joint.translations.map(|s| given::rate(graph, s));
-    let mut a = joint
-        .translations
+    let s_dot = given::shift_speeds(graph, joint);
+    let s_dot = frame.before_constant(graph, s_dot);
+    let s_ddot = joint
+        .shifts()
         .map(|s| given::acceleration(graph, s, accelerations));
+    let mut a = frame.before_constant(graph, s_ddot);
     let (mut w, mut alpha) = ([graph.zero(); 3], [graph.zero(); 3]);
     match lower {
         None => a = graph.add_vectors(base, a),
@@ -146,16 +151,27 @@ fn outward(
                 .fold(a, |sum, term| graph.add_vectors(sum, term));
         }
     }
-    for rotation in &frame.rotations {
-        (w, alpha) = turn(graph, rotation, w, alpha, accelerations);
-        a = rotation.forward(graph, a);
+    [w, alpha, a] = [w, alpha, a].map(|v| graph.mul_vector(&frame.constant, v));
+    match &frame.turning {
+        Turning::Angles(rotations) => {
+            for rotation in rotations {
+                (w, alpha) = turn(graph, rotation, w, alpha, accelerations);
+                a = rotation.forward(graph, a);
+            }
+        }
+        Turning::Matrix(matrix) => {
+            [w, alpha, a] = [w, alpha, a].map(|v| graph.mul_vector(matrix, v));
+        }
+    }
+    if let Some(motions) = frames::angular_velocity(joint) {
+        (w, alpha) = spin(graph, motions, w, alpha, accelerations);
     }
     graph.name_vector(w, "w");
     graph.name_vector(alpha, "alpha");
     graph.name_vector(a, "a");
     let (u, products) = acceleration_matrix(graph, w, alpha);
     graph.name_matrix(&u, "u");
-    Motion {
+    BodyMotion {
         w,
         u,
         products,
@@ -173,8 +189,8 @@ fn turn(
     accelerations: Accelerations,
 ) -> (Vector, Vector) {
     let (mut w, mut alpha) = (rotation.forward(graph, w), rotation.forward(graph, alpha));
-    let rate = given::rate(graph, rotation.coordinate);
-    let second = given::acceleration(graph, rotation.coordinate, accelerations);
+    let rate = given::speed(graph, rotation.motion);
+    let second = given::acceleration(graph, rotation.motion, accelerations);
     let (a, (b, c)) = (rotation.axis.index(), rotation.axis.others());
     // (w × e_a) times the rate: the lower axes turn under the new ones.
     let (along_b, along_c) = (graph.mul(w[c], rate), graph.mul(w[b], rate));
@@ -183,6 +199,25 @@ fn turn(
     alpha[a] = graph.add(alpha[a], second);
     w[a] = graph.add(w[a], rate);
     (w, alpha)
+}
+
+/// Angular velocity and acceleration with a relative angular velocity whose components are the speeds.
+fn spin(
+    graph: &mut ExprGraph,
+    motions: [Motion; 3],
+    w: Vector,
+    alpha: Vector,
+    accelerations: Accelerations,
+) -> (Vector, Vector) {
+    let relative = motions.map(|motion| given::speed(graph, Some(motion)));
+    let second = motions.map(|motion| given::acceleration(graph, Some(motion), accelerations));
+    // The lower axes turn under the new ones.
+    let turned = graph.cross(w, relative);
+    let alpha = graph.add_vectors(alpha, turned);
+    (
+        graph.add_vectors(w, relative),
+        graph.add_vectors(alpha, second),
+    )
 }
 
 /// `tilde(alpha) + tilde(w)^2`, and the mixed products of `w`.
@@ -204,8 +239,8 @@ fn acceleration_matrix(graph: &mut ExprGraph, w: Vector, alpha: Vector) -> (Matr
 
 /// `I alpha + tilde(w) I w` by the entries of `U`: about x it is
 /// `I_xx alpha_x + (I_zz - I_yy) w_y w_z - I_xy U_zx + I_xz U_yx + I_yz (U_yy - U_zz)`.
-fn euler(graph: &mut ExprGraph, tensor: &Symmetric, motion: &Motion) -> Vector {
-    let Motion {
+fn euler(graph: &mut ExprGraph, tensor: &Symmetric, motion: &BodyMotion) -> Vector {
+    let BodyMotion {
         u, products, alpha, ..
     } = motion;
     Axis::ALL.map(|axis| {
@@ -245,18 +280,36 @@ fn project(
         } = wrenches[body];
         graph.name_vector(force, "f");
         graph.name_vector(moment, "n");
-        for rotation in frame.rotations.iter().rev() {
-            if let Some(speed) = rotation.coordinate.speed() {
-                tau[speed.index()] = moment[rotation.axis.index()];
-            }
-            force = rotation.backward(graph, force);
-            moment = rotation.backward(graph, moment);
+        let joint = &tree.body(body).joint;
+        for (axis, motion) in frames::angular_velocity(joint)
+            .into_iter()
+            .flatten()
+            .enumerate()
+        {
+            add(graph, &mut tau, Some(motion), moment[axis]);
         }
-        for (axis, s) in tree.body(body).joint.translations.iter().enumerate() {
-            if let Some(speed) = s.speed() {
-                tau[speed.index()] = force[axis];
+        match &frame.turning {
+            Turning::Angles(rotations) => {
+                for rotation in rotations.iter().rev() {
+                    add(
+                        graph,
+                        &mut tau,
+                        rotation.motion,
+                        moment[rotation.axis.index()],
+                    );
+                    force = rotation.backward(graph, force);
+                    moment = rotation.backward(graph, moment);
+                }
+            }
+            Turning::Matrix(matrix) => {
+                let back = transpose(matrix);
+                [force, moment] = [force, moment].map(|v| graph.mul_vector(&back, v));
             }
         }
+        for (axis, shift) in joint.shifts().into_iter().enumerate() {
+            add(graph, &mut tau, shift, force[axis]);
+        }
+        [force, moment] = [force, moment].map(|v| frame.before_constant(graph, v));
         if let Some(lower) = tree.lower(body) {
             let lever = graph.cross(frame.offset, force);
             let moment = graph.add_vectors(moment, lever);
@@ -269,4 +322,14 @@ fn project(
         }
     }
     tau
+}
+
+/// Adds what acts along a motion to the generalized force of its speed.
+fn add(graph: &mut ExprGraph, tau: &mut [Expr], motion: Option<Motion>, along: Expr) {
+    let Some(Motion { speed, factor }) = motion else {
+        return;
+    };
+    let factor = graph.number(factor);
+    let share = graph.mul(factor, along);
+    tau[speed.index()] = graph.add(tau[speed.index()], share);
 }

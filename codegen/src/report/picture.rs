@@ -1,9 +1,8 @@
 //! The tree as text.
 
 use crate::{
-    description::Axis,
     id::BodyId,
-    tree::{Body, Coordinate, Tree},
+    tree::{Body, Coordinate, Orientation, Tree},
 };
 
 /// A line for the inertial frame and for each body, with its number, joint and, where it differs, the user's number.
@@ -15,6 +14,7 @@ use crate::{
 ///     `-- 3 panel (2 in the model): s2
 /// ```
 pub fn picture(tree: &Tree) -> String {
+    let coordinates = tree.coordinate_names();
     let mut text = String::from("0 inertial frame\n");
     let mut bodies_on = vec![Vec::new(); tree.bodies.len() + 1];
     for body in tree.body_ids() {
@@ -36,7 +36,7 @@ pub fn picture(tree: &Tree) -> String {
         } else {
             ("|-- ", "|   ")
         };
-        let line = line(tree.body(body), body);
+        let line = line(tree.body(body), body, &coordinates);
         text.extend([&own_indent, branch, &line, "\n"]);
         indent = own_indent + below;
         lower = Some(body);
@@ -48,27 +48,53 @@ fn number(body: Option<BodyId>) -> usize {
     body.map_or(0, |body| body.index() + 1)
 }
 
-fn line(body: &Body, id: BodyId) -> String {
+fn line(body: &Body, id: BodyId, coordinates: &[String]) -> String {
     let number = number(Some(id));
     let renumbered = if body.user_number == number {
         String::new()
     } else {
         format!(" ({} in the model)", body.user_number)
     };
-    let mut free = Vec::new();
+    let joint = &body.joint;
+    let names = joint.motion_names();
+    let mut free: Vec<String> = Vec::new();
     let mut locked = Vec::new();
-    for (axis, coordinate) in Axis::NAMES.into_iter().zip(body.joint.coordinates()) {
-        match coordinate {
-            Coordinate::Free { .. } => free.push(axis),
-            Coordinate::Locked(value) if value != 0.0 => {
+    if let Orientation::AngularVelocity { .. } = joint.orientation {
+        let turning = joint.coordinates().into_iter().map(|(name, _)| name);
+        free.extend(
+            turning
+                .take_while(|name| !name.starts_with('s'))
+                .map(str::to_owned),
+        );
+    }
+    for (motion, axis) in names.into_iter().enumerate() {
+        match joint.coordinate_of(motion) {
+            Some(Coordinate::Free { .. }) => free.push(axis.to_owned()),
+            Some(Coordinate::Mimic {
+                coordinate,
+                multiplier,
+                offset,
+                ..
+            }) => {
+                let other = &coordinates[coordinate.index()];
+                let plus = if offset == 0.0 {
+                    String::new()
+                } else {
+                    format!(" + {offset:?}")
+                };
+                free.push(format!("{axis} = {multiplier:?} {other}{plus}"));
+            }
+            Some(Coordinate::Locked(value)) if value != 0.0 => {
                 locked.push(format!("; {axis} = {value:?}"));
             }
-            Coordinate::Locked(_) => {}
+            Some(Coordinate::Locked(_)) | None => {}
         }
     }
-    if free.is_empty() {
-        free.push("fixed");
-    }
+    let named = if joint.is_named {
+        format!(" by {}", joint.name)
+    } else {
+        String::new()
+    };
     let (name, free, locked) = (&body.name, free.join(" "), locked.concat());
-    format!("{number} {name}{renumbered}: {free}{locked}")
+    format!("{number} {name}{renumbered}{named}: {free}{locked}")
 }

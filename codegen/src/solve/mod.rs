@@ -114,24 +114,16 @@ fn inverse(graph: &mut ExprGraph, k: Place, pivot: Expr) -> Expr {
 }
 
 /// Bodies from the leaves inward; in a body its translations first, for they are not coupled with one another
-/// before a body that it carries is eliminated, then its angles.
+/// before a body that it carries is eliminated, then its rotations. A speed that others follow has its own body's place.
 fn elimination_order(tree: &Tree) -> Vec<Place> {
-    const INWARD: [(usize, &str); 6] = [
-        (5, "s3"),
-        (4, "s2"),
-        (3, "s1"),
-        (2, "theta3"),
-        (1, "theta2"),
-        (0, "theta1"),
-    ];
     let places = |body| {
-        let coordinates = tree.body(body).joint.coordinates();
-        INWARD.into_iter().filter_map(move |(index, coordinate)| {
-            Some(Place {
-                body,
-                speed: coordinates[index].speed()?,
-                coordinate,
-            })
+        let joint = &tree.body(body).joint;
+        let names = joint.motion_names();
+        let speeds = joint.speeds().into_iter().rev();
+        speeds.map(move |(motion, speed)| Place {
+            body,
+            speed,
+            coordinate: names[motion],
         })
     };
     tree.body_ids().rev().flat_map(places).collect()

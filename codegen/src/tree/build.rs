@@ -1,11 +1,10 @@
 //! From a description to a tree: every rule a description can break, all breaches reported at once.
 
-use crate::description::{Body as Written, Description, Given, INERTIA_COMPONENTS, Scalar};
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Spanned};
-use crate::id::{BodyId, CoordinateId, ParameterId, SpeedId};
+use crate::description::Description;
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::tree::resolve::Resolved;
 use crate::tree::{
-    Body, Changes, Coordinate, Inertia, Joint, Order, Parameter, Tree, Value, inertia, joints,
-    mobility, names, numbering,
+    Changes, Tree, assemble, inertia, joint_check, mimic, mobility, names, numbering, resolve,
 };
 
 /// A tree, and what the user should know about it.
@@ -56,22 +55,23 @@ pub fn build(description: &Description) -> Result<Checked, Diagnostics> {
 ///
 /// # Errors
 /// As [`build`]; and changes that name what is not there.
-pub fn build_with(description: &Description, _changes: &Changes) -> Result<Checked, Diagnostics> {
+pub fn build_with(description: &Description, changes: &Changes) -> Result<Checked, Diagnostics> {
     let mut findings = description.faults.clone();
     names::check(description, &mut findings);
     let order = numbering::order(description, &mut findings);
-    let joints_stand = joints::check(description, &mut findings);
+    let joints = joints(description, changes, &mut findings);
     let bodies_stand = inertia::check(description, &mut findings);
-    let tree = order.and_then(|order| assemble(description, &order, &mut findings));
+    let tree = order.zip(joints.as_deref()).and_then(|(order, joints)| {
+        assemble::assemble(description, &order, joints, changes, &mut findings)
+    });
     // Whether anything moves no mass can be judged only where masses and joints are right.
-    if let Some(tree) = tree.as_ref().filter(|_| joints_stand && bodies_stand) {
+    if let Some(tree) = tree.as_ref().filter(|_| bodies_stand) {
         mobility::check(tree, description, &mut findings);
     }
-    let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
-    if description.bodies.is_empty() && !findings.iter().any(is_error) {
+    if description.bodies.is_empty() && !findings.iter().any(Diagnostic::is_error) {
         findings.push(Diagnostic::error("the system has no bodies"));
     }
-    if findings.iter().any(is_error) {
+    if findings.iter().any(Diagnostic::is_error) {
         // What was decided about names and numbers is no news while there is no tree.
         findings.retain(|finding| finding.severity != Severity::Note);
     }
@@ -85,187 +85,21 @@ pub fn build_with(description: &Description, _changes: &Changes) -> Result<Check
     }
 }
 
-/// The tree of a description in which nothing is missing.
-pub(crate) fn assemble(
+/// The joints, if they stand.
+fn joints(
     description: &Description,
-    order: &[usize],
+    changes: &Changes,
     findings: &mut Vec<Diagnostic>,
-) -> Option<Tree> {
-    let lower_bodies = &description.lower_bodies.as_ref()?.value;
-    let written: Vec<&Written> = order
-        .iter()
-        .map(|place| &description.bodies[*place])
-        .collect();
-    let names: Vec<Spanned<String>> = written
-        .iter()
-        .map(|body| body.name.clone())
-        .collect::<Option<_>>()?;
-    let identifiers = names::identifiers(&names, findings);
-    let mut new_places = vec![0; order.len()];
-    for (new, old) in order.iter().enumerate() {
-        new_places[*old] = new;
+) -> Option<Vec<Resolved>> {
+    let joints = resolve::joints(description, changes.snap);
+    let before = findings.len();
+    joint_check::check(description, &joints, findings);
+    let mut joints: Vec<Resolved> = joints.into_iter().collect::<Option<_>>()?;
+    if !findings[before..].iter().any(Diagnostic::is_error) {
+        resolve::change(description, &mut joints, changes, findings);
+        mimic::resolve(description, &mut joints, findings);
+        joint_check::check_motions(description, &joints, findings);
     }
-
-    let mut parameters = Parameters::default();
-    let gravity = parameters.vector(&description.gravity, "gravity", None, "m/s^2")?;
-    let mut bodies = Vec::with_capacity(order.len());
-    for (new, (body, name)) in written.iter().zip(names).enumerate() {
-        let identifier = identifiers[new].clone();
-        let id = Some(BodyId::new(new));
-        let user_number = order[new] + 1;
-        let lower = usize::try_from(lower_bodies.get(order[new])?.as_ref()?.value).ok()?;
-        let quantity = |quantity: &str| format!("{identifier}_{quantity}");
-        bodies.push(Body {
-            lower: lower.checked_sub(1).map(|old| BodyId::new(new_places[old])),
-            user_number,
-            mass: parameters.value(body.mass, quantity("mass"), id, "kg")?,
-            mass_center: parameters.vector(&body.mass_center, &quantity("mass_center"), id, "m")?,
-            inertia: parameters.inertia(&body.inertia, &quantity("inertia"), id)?,
-            attachment: parameters.vector(
-                &body.joint.attachment,
-                &quantity("attachment"),
-                id,
-                "m",
-            )?,
-            joint: locked_joint(body)?,
-            name: name.value,
-            identifier,
-        });
-    }
-    let order = description.order?.value;
-    let n_free = number_coordinates(&mut bodies, order);
-    let name = description.name.as_ref()?.value.clone();
-    Some(Tree {
-        name,
-        gravity,
-        order,
-        bodies,
-        parameters: parameters.list,
-        n_coordinates: n_free,
-        n_speeds: n_free,
-    })
-}
-
-/// The joint with its free coordinates not yet numbered.
-fn locked_joint(body: &Written) -> Option<Joint> {
-    let mut coordinates = [Coordinate::Locked(0.0); 6];
-    for (axis, value) in &body.joint.locked {
-        coordinates[axis.value.index()] = Coordinate::Locked(value.as_ref()?.value);
-    }
-    body.joint.kind.as_ref()?;
-    for axis in joints::free_axes(body) {
-        coordinates[axis.value.index()] = Coordinate::Free {
-            coordinate: CoordinateId::new(0),
-            speed: SpeedId::new(0),
-        };
-    }
-    let [t1, t2, t3, s1, s2, s3] = coordinates;
-    Some(Joint {
-        angles: [t1, t2, t3],
-        translations: [s1, s2, s3],
-    })
-}
-
-/// Numbers the free coordinates and their speeds; the result is how many there are.
-fn number_coordinates(bodies: &mut [Body], order: Order) -> usize {
-    let mut next = 0;
-    let mut number = |coordinates: &mut [Coordinate; 3]| {
-        for coordinate in coordinates
-            .iter_mut()
-            .filter(|coordinate| coordinate.is_free())
-        {
-            *coordinate = Coordinate::Free {
-                coordinate: CoordinateId::new(next),
-                speed: SpeedId::new(next),
-            };
-            next += 1;
-        }
-    };
-    match order {
-        Order::Body => {
-            for body in bodies {
-                number(&mut body.joint.angles);
-                number(&mut body.joint.translations);
-            }
-        }
-        Order::Notes => {
-            for body in bodies.iter_mut() {
-                number(&mut body.joint.angles);
-            }
-            for body in bodies {
-                number(&mut body.joint.translations);
-            }
-        }
-    }
-    next
-}
-
-/// The runtime values met so far.
-#[derive(Default)]
-struct Parameters {
-    list: Vec<Parameter>,
-}
-
-impl Parameters {
-    fn value(
-        &mut self,
-        given: Given<Scalar>,
-        name: String,
-        body: Option<BodyId>,
-        unit: &'static str,
-    ) -> Option<Value> {
-        Some(match given?.value {
-            Scalar::Baked(number) => Value::Baked(number),
-            Scalar::Runtime(nominal) => {
-                self.list.push(Parameter {
-                    name,
-                    body,
-                    nominal,
-                    unit,
-                });
-                Value::Runtime(ParameterId::new(self.list.len() - 1))
-            }
-        })
-    }
-
-    fn vector(
-        &mut self,
-        given: &[Given<Scalar>; 3],
-        name: &str,
-        body: Option<BodyId>,
-        unit: &'static str,
-    ) -> Option<[Value; 3]> {
-        let [x, y, z] = given;
-        Some([
-            self.value(*x, format!("{name}_x"), body, unit)?,
-            self.value(*y, format!("{name}_y"), body, unit)?,
-            self.value(*z, format!("{name}_z"), body, unit)?,
-        ])
-    }
-
-    fn inertia(
-        &mut self,
-        given: &[Given<Scalar>; 6],
-        name: &str,
-        body: Option<BodyId>,
-    ) -> Option<Inertia> {
-        let mut components = [Value::Baked(0.0); 6];
-        for (index, component) in components.iter_mut().enumerate() {
-            *component = self.value(
-                given[index],
-                format!("{name}_{}", INERTIA_COMPONENTS[index]),
-                body,
-                "kg m^2",
-            )?;
-        }
-        let [xx, yy, zz, xy, xz, yz] = components;
-        Some(Inertia {
-            xx,
-            yy,
-            zz,
-            xy,
-            xz,
-            yz,
-        })
-    }
+    let stand = !findings[before..].iter().any(Diagnostic::is_error);
+    stand.then_some(joints)
 }

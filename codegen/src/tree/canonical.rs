@@ -5,7 +5,10 @@
 
 use std::fmt::Write as _;
 
-use crate::tree::{Coordinate, Order, Tree, Value};
+use crate::description::Rotation;
+use crate::tree::{
+    Coordinate, IDENTITY, Joint, Mechanics, Offset, Order, Orientation, Step, Tree, Value,
+};
 
 /// The canonical text of a tree.
 pub fn canonical(tree: &Tree) -> String {
@@ -33,30 +36,84 @@ pub fn canonical(tree: &Tree) -> String {
                 body.name, body.identifier
             ),
         );
+        for part in &body.parts {
+            line(
+                &mut text,
+                format_args!("mass{}", values(tree, &[part.mass])),
+            );
+            line(
+                &mut text,
+                format_args!("mass_center{}", offset(tree, &part.mass_center)),
+            );
+            let inertia = part.inertia;
+            let components = [
+                inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz,
+            ];
+            let (components, axes) = (values(tree, &components), rotation(&part.axes));
+            line(&mut text, format_args!("inertia{components}{axes}"));
+        }
+        let (axes, origin) = (
+            rotation(&body.pose.rotation),
+            offset(tree, &body.pose.origin),
+        );
+        line(&mut text, format_args!("pose{axes}{origin}"));
+        joint(&mut text, tree, &body.joint);
+    }
+    for frame in &tree.frames {
+        let body = frame.body.map_or(0, |body| body.index() + 1);
+        let (name, axes, position) = (&frame.name, rotation(&frame.rotation), frame.position);
         line(
             &mut text,
-            format_args!("mass{}", values(tree, &[body.mass])),
+            format_args!("frame {name:?} of {body}{axes} {position:?}"),
         );
-        line(
-            &mut text,
-            format_args!("mass_center{}", values(tree, &body.mass_center)),
-        );
-        let inertia = body.inertia;
-        let components = [
-            inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz,
-        ];
-        line(
-            &mut text,
-            format_args!("inertia{}", values(tree, &components)),
-        );
-        line(
-            &mut text,
-            format_args!("attachment{}", values(tree, &body.attachment)),
-        );
-        let joint: String = body.joint.coordinates().iter().map(coordinate).collect();
-        line(&mut text, format_args!("joint{joint}"));
     }
     text
+}
+
+fn joint(text: &mut String, tree: &Tree, joint: &Joint) {
+    let own = if joint.is_named { "own" } else { "body's" };
+    let attachment = offset(tree, &joint.attachment);
+    line(
+        text,
+        format_args!(
+            "joint {:?} {own} as {}{}{attachment}",
+            joint.name,
+            joint.identifier,
+            rotation(&joint.rotation)
+        ),
+    );
+    let mut coordinates: Vec<String> = Vec::new();
+    if let Orientation::AngularVelocity { speeds, .. } = joint.orientation {
+        let speeds = speeds.map(|speed| format!(" u{}", speed.index()));
+        coordinates.push(format!(" angular velocity{}", speeds.concat()));
+        let places = joint.coordinates();
+        let turning = places.iter().filter(|(name, _)| !name.starts_with('s'));
+        coordinates.extend(turning.map(|(name, place)| format!(" {name} q{}", place.index())));
+    }
+    coordinates.extend((0..6).filter_map(|motion| Some(coordinate(joint.coordinate_of(motion)?))));
+    line(text, format_args!("coordinates{}", coordinates.concat()));
+    for (motion, mechanics) in joint.mechanics.iter().enumerate() {
+        if *mechanics == Mechanics::default() {
+            continue;
+        }
+        let Mechanics {
+            stiffness,
+            rest,
+            damping,
+            armature,
+            friction,
+            range,
+            velocity,
+            effort,
+        } = *mechanics;
+        let values = values(tree, &[stiffness, rest, damping, armature]);
+        line(
+            text,
+            format_args!(
+                "mechanics {motion}{values} {friction:?} {range:?} {velocity:?} {effort:?}"
+            ),
+        );
+    }
 }
 
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
@@ -71,10 +128,40 @@ fn values(tree: &Tree, values: &[Value]) -> String {
     values.iter().map(value).collect()
 }
 
-fn coordinate(coordinate: &Coordinate) -> String {
+/// A rotation, where it is one.
+fn rotation(rotation: &Rotation) -> String {
+    if *rotation == IDENTITY {
+        String::new()
+    } else {
+        format!(" turned {rotation:?}")
+    }
+}
+
+fn offset(tree: &Tree, offset: &Offset) -> String {
+    let step = |step: &Step| {
+        let sign = if step.negative { " back" } else { "" };
+        format!(
+            "{}{sign}{}",
+            rotation(&step.rotation),
+            values(tree, &step.vector)
+        )
+    };
+    offset.steps().iter().map(step).collect()
+}
+
+fn coordinate(coordinate: Coordinate) -> String {
     match coordinate {
         Coordinate::Free { coordinate, speed } => {
             format!(" q{} u{}", coordinate.index(), speed.index())
+        }
+        Coordinate::Mimic {
+            coordinate,
+            speed,
+            multiplier,
+            offset,
+        } => {
+            let (q, u) = (coordinate.index(), speed.index());
+            format!(" mimic q{q} u{u} {multiplier:?} {offset:?}")
         }
         Coordinate::Locked(value) => format!(" {value:?}"),
     }

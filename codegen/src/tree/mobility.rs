@@ -14,7 +14,7 @@ use crate::description::{Axis, Description};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::id::BodyId;
 use crate::tree::Tree;
-use crate::tree::joints::free_axes;
+use crate::tree::joint_check::free_axes;
 use crate::tree::names::shown;
 use crate::tree::rows::Random;
 use crate::tree::sweep::{Joint, Units, inward, moved_along};
@@ -105,7 +105,10 @@ fn named(tree: &Tree, description: &Description, motion: &Motion) -> String {
     {
         let axes: Vec<String> = coordinates
             .iter()
-            .map(|(_, axis)| format!("`{}`", axis.name()))
+            .map(|(body, axis)| {
+                let names = tree.body(*body).joint.motion_names();
+                format!("`{}`", names[axis.index()])
+            })
             .collect();
         groups.push(format!(
             "{} of {}",

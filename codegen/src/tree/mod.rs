@@ -6,20 +6,34 @@
 //! bodies, and every free coordinate moves mass; later stages do not fail on a user's mistake.
 //! Does not: derive anything.
 
+mod assemble;
 mod build;
 mod canonical;
 mod inertia;
-mod joints;
+mod joint;
+mod joint_check;
+mod mimic;
 mod mobility;
 mod names;
 mod numbering;
+mod offset;
+mod places;
+mod resolve;
+mod rotation;
 mod rows;
 mod sweep;
+mod values;
 
 pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
+pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation};
+pub use offset::{Offset, Step};
+pub use rotation::{IDENTITY, exact, then, transposed};
 
-use crate::id::{BodyId, CoordinateId, ParameterId, SpeedId};
+use crate::{
+    description::Rotation,
+    id::{BodyId, ParameterId},
+};
 
 /// What is changed of a description on its way to a tree.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +68,10 @@ pub struct Tree {
     pub order: Order,
     /// The bodies; `bodies[k]` is `BodyId::new(k)`.
     pub bodies: Vec<Body>,
+    /// The bodies that are part of others, in the order of the description.
+    pub frames: Vec<Frame>,
+    /// How near to 0, 1 or -1 entries of constant rotations are made exact.
+    pub snap: f64,
     /// The values that the user sets at run time: gravity's, then body by body.
     pub parameters: Vec<Parameter>,
     /// The number of generalized coordinates, the length of `q`.
@@ -62,7 +80,10 @@ pub struct Tree {
     pub n_speeds: usize,
 }
 
-/// One rigid body and the joint to its lower body.
+/// One rigid body, with all that is fixed to it, and the joint to its lower body.
+///
+/// Its equations are written in axes of our own choice, the body's internal ones: those of the joint, moved with the
+/// body, with their origin where the joint sits. [`Pose`] leads from there to the user's.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// The name, as the user wrote it.
@@ -73,16 +94,47 @@ pub struct Body {
     pub user_number: usize,
     /// The lower body (parent); `None` is the inertial frame. Smaller than the body's own id.
     pub lower: Option<BodyId>,
+    /// What the body is made of: itself, and what is fixed to it.
+    pub parts: Vec<Part>,
+    /// The joint with the lower body, whose internal axes are meant where it speaks of the lower body's.
+    pub joint: Joint,
+    /// The user's axes and origin.
+    pub pose: Pose,
+}
+
+/// A rigid part of a body.
+#[derive(Clone, Debug)]
+pub struct Part {
     /// Mass, kg.
     pub mass: Value,
-    /// r'_K: from the body's origin `O_K` to its mass centre, body components, m.
-    pub mass_center: [Value; 3],
-    /// Inertia about the mass centre, body components.
+    /// r'_K: from the body's internal origin to the part's mass centre, internal axes, m.
+    pub mass_center: Offset,
+    /// Inertia about the part's mass centre, along axes of its own.
     pub inertia: Inertia,
-    /// q'_K: from the lower body's origin (for a root, the inertial origin), lower-body components, m.
-    pub attachment: [Value; 3],
-    /// Which of the six relative coordinates are free.
-    pub joint: Joint,
+    /// From the body's internal axes to those of the inertia.
+    pub axes: Rotation,
+}
+
+/// A frame fixed in a body, or in the inertial frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// From the internal axes to the frame's.
+    pub rotation: Rotation,
+    /// From the internal origin to the frame's, internal axes, m.
+    pub origin: Offset,
+}
+
+/// A frame that the user gave a name: a body that is fixed to another, and is part of that.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The name, as the user wrote it.
+    pub name: String,
+    /// The body of which it is part; `None` is the inertial frame.
+    pub body: Option<BodyId>,
+    /// From the user's axes of that body to the frame's.
+    pub rotation: Rotation,
+    /// From the user's origin of that body to the frame's, that body's axes, m; at the nominal values.
+    pub position: [f64; 3],
 }
 
 /// Components of an inertia tensor, kg m²; `xy` is the tensor's component: minus the product of inertia integral.
@@ -98,29 +150,6 @@ pub struct Inertia {
     pub xy: Value,
     pub xz: Value,
     pub yz: Value,
-}
-
-/// The joint of a body with its lower body: three 1-2-3 body-fixed angles and three translations.
-#[derive(Clone, Copy, Debug)]
-pub struct Joint {
-    /// `theta_1`, `theta_2`, `theta_3`, rad: the rotations about x, y, z that lead from the lower body's axes to the body's.
-    pub angles: [Coordinate; 3],
-    /// `s_1`, `s_2`, `s_3`, m: translation of the body's origin, lower-body components.
-    pub translations: [Coordinate; 3],
-}
-
-/// One of the six relative coordinates of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Coordinate {
-    /// Free to move, with its places in `q` and `u`.
-    Free {
-        /// The place in `q`.
-        coordinate: CoordinateId,
-        /// The place in `u`: the speed is the coordinate's rate, Eq. (44).
-        speed: SpeedId,
-    },
-    /// Held at a constant value, rad or m.
-    Locked(f64),
 }
 
 /// A number of the description, in one of its binding times.
@@ -175,40 +204,77 @@ impl Tree {
         std::iter::successors(Some(body), |&body| self.lower(body))
     }
 
+    /// The name of every coordinate, in the order of `q`: `hub_theta1`; that of its joint where that has one name and one
+    /// coordinate.
+    pub fn coordinate_names(&self) -> Vec<String> {
+        let mut names = vec![String::new(); self.n_coordinates];
+        for body in &self.bodies {
+            let coordinates = body.joint.coordinates();
+            let is_only = coordinates.len() == 1;
+            for (kind, coordinate) in coordinates {
+                names[coordinate.index()] = names::of_coordinate(&body.joint, kind, is_only);
+            }
+        }
+        names
+    }
+
+    /// The name of every speed, in the order of `u`: that of its coordinate with `_dot`, or `hub_w1` for a component of
+    /// an angular velocity.
+    pub fn speed_names(&self) -> Vec<String> {
+        self.along_speeds("_dot", "")
+    }
+
+    /// For every speed the name of its coordinate with `of_rate`, or of its component of an angular velocity with
+    /// `of_component`.
+    pub fn along_speeds(&self, of_rate: &str, of_component: &str) -> Vec<String> {
+        let mut names = vec![String::new(); self.n_speeds];
+        for body in &self.bodies {
+            let joint = &body.joint;
+            let speeds = joint.speeds();
+            let is_only = speeds.len() == 1;
+            let kinds = joint.motion_names();
+            for (motion, speed) in speeds {
+                let suffix = if joint.coordinate_of(motion).is_some() {
+                    of_rate
+                } else {
+                    of_component
+                };
+                names[speed.index()] = names::of_coordinate(joint, kinds[motion], is_only) + suffix;
+            }
+        }
+        names
+    }
+
+    /// The body whose joint a speed belongs to, for every speed.
+    pub fn speed_bodies(&self) -> Vec<BodyId> {
+        let mut bodies = vec![BodyId::new(0); self.n_speeds];
+        for body in self.body_ids() {
+            for (_, speed) in self.body(body).joint.speeds() {
+                bodies[speed.index()] = body;
+            }
+        }
+        bodies
+    }
+
+    /// True where some orientation is described by a quaternion.
+    pub fn has_quaternions(&self) -> bool {
+        let is_quaternion = |body: &Body| {
+            matches!(
+                body.joint.orientation,
+                Orientation::AngularVelocity {
+                    chart: Chart::EulerParameters(_),
+                    ..
+                }
+            )
+        };
+        self.bodies.iter().any(is_quaternion)
+    }
+
     /// The nominal value of a number of the description.
     pub fn nominal(&self, value: Value) -> f64 {
         match value {
             Value::Baked(number) => number,
             Value::Runtime(parameter) => self.parameters[parameter.index()].nominal,
-        }
-    }
-}
-
-impl Joint {
-    /// The six coordinates: the angles, then the translations.
-    pub fn coordinates(&self) -> [Coordinate; 6] {
-        let [t1, t2, t3] = self.angles;
-        let [s1, s2, s3] = self.translations;
-        [t1, t2, t3, s1, s2, s3]
-    }
-
-    /// True where `theta_1` and `theta_3` are both free: the angles are then singular at `cos(theta_2) = 0`.
-    pub fn has_singular_chart(&self) -> bool {
-        self.angles[0].is_free() && self.angles[2].is_free()
-    }
-}
-
-impl Coordinate {
-    /// True for a free coordinate.
-    pub fn is_free(self) -> bool {
-        matches!(self, Self::Free { .. })
-    }
-
-    /// The speed of a free coordinate.
-    pub fn speed(self) -> Option<SpeedId> {
-        match self {
-            Self::Free { speed, .. } => Some(speed),
-            Self::Locked(_) => None,
         }
     }
 }

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Spanned};
+use crate::tree::{Joint, Tree};
 
 /// "body `hub`", or "body 3" where it has no name.
 pub(crate) fn shown(description: &Description, body: usize) -> String {
@@ -154,3 +155,61 @@ const KEYWORDS: [&str; 51] = [
     "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
+
+/// The identifiers that stand before coordinates: of a joint's own name, or its body's.
+pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
+    let bodies: Vec<Spanned<String>> = description
+        .bodies
+        .iter()
+        .map(|body| match &body.name {
+            Some(name) => name.clone(),
+            None => Spanned::new(String::new(), body.span),
+        })
+        .collect();
+    let own = identifiers(&bodies, &mut Vec::new());
+    let mut taken: BTreeSet<String> = description
+        .bodies
+        .iter()
+        .zip(&own)
+        .filter(|(body, _)| body.joint.name.is_none())
+        .map(|(_, own)| own.clone())
+        .collect();
+    let joints = description.bodies.iter().zip(own);
+    joints
+        .map(|(body, own)| {
+            let Some(name) = &body.joint.name else {
+                return own;
+            };
+            let plain = identifier(&name.value);
+            let mut unique = plain.clone();
+            let mut suffix = 2;
+            while !taken.insert(unique.clone()) {
+                unique = format!("{plain}_{suffix}");
+                suffix += 1;
+            }
+            unique
+        })
+        .collect()
+}
+
+/// The name of a joint's coordinate or component of an angular velocity, `kind`: where a joint has a name and only one,
+/// the joint's.
+pub(crate) fn of_coordinate(joint: &Joint, kind: &str, is_only: bool) -> String {
+    if joint.is_named && is_only {
+        joint.identifier.clone()
+    } else {
+        format!("{}_{kind}", joint.identifier)
+    }
+}
+
+/// Two coordinates with one name, which a joint's own name can make.
+pub(crate) fn check_coordinates(tree: &Tree, findings: &mut Vec<Diagnostic>) {
+    let mut known = BTreeSet::new();
+    for name in tree.coordinate_names() {
+        if let Some(name) = known.replace(name) {
+            findings.push(Diagnostic::error(format!(
+                "two coordinates are called `{name}`; give one of their joints another name"
+            )));
+        }
+    }
+}

@@ -8,6 +8,7 @@ use std::collections::BinaryHeap;
 
 use crate::description::{Description, Given};
 use crate::diagnostic::{Diagnostic, Span};
+use crate::tree::Body;
 use crate::tree::names::shown;
 
 /// The bodies in the tree's order: `order[k]` is the place of body `k` in the user's list.
@@ -37,7 +38,6 @@ pub(crate) fn order(
         ready.extend(bodies_on[body].iter().copied().map(Reverse));
     }
     if order.len() == lower.len() {
-        note_moved(description, &order, findings);
         return Some(order);
     }
     findings.extend(cycles(&lower).iter().map(|cycle| {
@@ -179,18 +179,23 @@ fn label(description: &Description, cycle: &[usize], fault: Diagnostic) -> Diagn
         })
 }
 
-fn note_moved(description: &Description, order: &[usize], findings: &mut Vec<Diagnostic>) {
-    let moved: Vec<String> = order
+/// Tells which bodies of the tree do not stand in the order of the user's list.
+pub(crate) fn note_moved(
+    description: &Description,
+    bodies: &[Body],
+    findings: &mut Vec<Diagnostic>,
+) {
+    let mut in_list: Vec<usize> = bodies.iter().map(|body| body.user_number).collect();
+    in_list.sort_unstable();
+    let moved: Vec<String> = bodies
         .iter()
+        .zip(in_list)
         .enumerate()
-        .filter(|(new, old)| new != *old)
-        .map(|(new, old)| {
-            format!(
-                "{} from {} to {}",
-                shown(description, *old),
-                old + 1,
-                new + 1
-            )
+        .filter(|(_, (body, in_list))| body.user_number != *in_list)
+        .map(|(new, (body, _))| {
+            let old = body.user_number;
+            let name = shown(description, old - 1);
+            format!("{name} from {old} to {}", new + 1)
         })
         .collect();
     let Some(array) = description

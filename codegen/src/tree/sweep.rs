@@ -1,10 +1,10 @@
 //! The sweeps of [`mobility`](super::mobility): mass-weighted velocities, from the tips inward and back.
 
 use crate::description::Axis;
-use crate::id::BodyId;
+use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::tree::inertia::principal;
 use crate::tree::rows::{Random, Twist, cross, dot, join, project_out, triangle};
-use crate::tree::{Coordinate, Tree};
+use crate::tree::{Coordinate, Orientation, Part, Tree, rotation};
 
 /// Part of what a column could move at most, below which it moves nothing.
 const IDLE: f64 = 1e-10;
@@ -17,6 +17,8 @@ pub(crate) struct Joint {
     axes: Vec<Axis>,
     /// For each the twist that its unit rate gives the body.
     columns: Vec<Twist>,
+    /// For each the root of twice the energy of what turns or shifts with its unit rate alone: a rotor.
+    rotors: Vec<f64>,
     /// For each the most that its unit rate could move: root of twice the energy.
     bounds: Vec<f64>,
     /// The twist of the body where that of the lower body is a unit: `carried[i]` for component `i`.
@@ -44,16 +46,14 @@ impl Units {
             numbers.fold(0.0, |most: f64, number| most.max(number.abs()))
         };
         let or_one = |unit: f64| if unit > 0.0 { unit } else { 1.0 };
-        let lengths = tree
-            .bodies
-            .iter()
-            .flat_map(|body| body.attachment.into_iter().chain(body.mass_center));
-        let length = or_one(largest(&mut lengths.map(|value| tree.nominal(value))));
-        let masses = largest(&mut tree.bodies.iter().map(|body| tree.nominal(body.mass)));
-        let inertias = tree
-            .bodies
-            .iter()
-            .flat_map(|body| [body.inertia.xx, body.inertia.yy, body.inertia.zz]);
+        let parts = || tree.bodies.iter().flat_map(|body| &body.parts);
+        let attachments = tree.bodies.iter().map(|body| &body.joint.attachment);
+        let lengths = attachments.chain(parts().map(|part| &part.mass_center));
+        let length = or_one(largest(
+            &mut lengths.flat_map(|offset| offset.nominal(tree)),
+        ));
+        let masses = largest(&mut parts().map(|part| tree.nominal(part.mass)));
+        let inertias = parts().flat_map(|part| [part.inertia.xx, part.inertia.yy, part.inertia.zz]);
         let inertias = largest(&mut inertias.map(|value| tree.nominal(value)));
         // Lengths too short to weigh the inertias with are no measure of the tree.
         let from_inertias = inertias / length / length;
@@ -81,10 +81,11 @@ struct Beyond {
 /// All joints at a state that `random` chooses, from the tips inward.
 pub(crate) fn inward(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Joint> {
     let mut beyond: Vec<Beyond> = tree.body_ids().map(|body| own(tree, units, body)).collect();
+    let followers = followers(tree, units);
     let mut joints: Vec<Joint> = Vec::with_capacity(beyond.len());
     for body in tree.body_ids().rev() {
         let here = std::mem::take(&mut beyond[body.index()]);
-        let (joint, lever) = place(tree, units, body, &here, random);
+        let (joint, lever) = place(tree, units, body, (&here, &followers), random);
         let (joint, passed) = eliminate(joint, &here.rows);
         if let Some(lower) = tree.lower(body) {
             let lower = &mut beyond[lower.index()];
@@ -101,12 +102,23 @@ pub(crate) fn inward(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Joi
 
 /// The rows of a body's own mass and inertia.
 fn own(tree: &Tree, units: &Units, body: BodyId) -> Beyond {
-    let body = tree.body(body);
-    let mass = tree.nominal(body.mass) / units.mass;
-    let center = body
+    let mut all = Beyond::default();
+    for part in &tree.body(body).parts {
+        let one = own_part(tree, units, part);
+        all.rows.extend(one.rows);
+        all.mass += one.mass;
+        all.turning = (all.turning * all.turning + one.turning * one.turning).sqrt();
+    }
+    all
+}
+
+fn own_part(tree: &Tree, units: &Units, part: &Part) -> Beyond {
+    let mass = tree.nominal(part.mass) / units.mass;
+    let center = part
         .mass_center
-        .map(|value| tree.nominal(value) / units.length);
-    let tensor = body.inertia;
+        .nominal(tree)
+        .map(|part| part / units.length);
+    let tensor = part.inertia;
     let tensor = [
         tensor.xx, tensor.yy, tensor.zz, tensor.xy, tensor.xz, tensor.yz,
     ];
@@ -120,7 +132,9 @@ fn own(tree: &Tree, units: &Units, body: BodyId) -> Beyond {
         rows.push([wx, wy, wz, unit[0], unit[1], unit[2]]);
     }
     let (moments, axes) = principal(tensor);
-    for (moment, [x, y, z]) in moments.into_iter().zip(axes) {
+    let back = rotation::transposed(&part.axes);
+    for (moment, axis) in moments.into_iter().zip(axes) {
+        let [x, y, z] = rotation::apply(&back, axis);
         let root = moment.max(0.0).sqrt();
         rows.push([root * x, root * y, root * z, 0.0, 0.0, 0.0]);
     }
@@ -137,69 +151,80 @@ fn place(
     tree: &Tree,
     units: &Units,
     body: BodyId,
-    here: &Beyond,
+    (here, followers): (&Beyond, &[f64]),
     random: &mut Random,
 ) -> (Joint, f64) {
-    let body = tree.body(body);
+    let joint = &tree.body(body).joint;
     let mut value = |coordinate: Coordinate, free: f64, unit: f64| match coordinate {
         Coordinate::Free { .. } => free * random.signed(),
+        Coordinate::Mimic { offset, .. } => offset / unit,
         Coordinate::Locked(value) => value / unit,
     };
-    let angles = body.joint.angles.map(|angle| value(angle, 3.0, 1.0));
-    let shift = body
-        .joint
+    // Whatever describes an orientation, some angles lead to it.
+    let anywhere = [Coordinate::Free {
+        coordinate: CoordinateId::new(0),
+        speed: SpeedId::new(0),
+    }; 3];
+    let is_rates = matches!(joint.orientation, Orientation::Rates(_));
+    let angles = joint.angles().unwrap_or(anywhere);
+    let angles = angles.map(|angle| value(angle, 3.0, 1.0));
+    let shift = joint
         .translations
         .map(|translation| value(translation, 1.0, units.length));
-    let [[s1, c1], [s2, c2], [s3, c3]] = angles.map(|angle| [libm::sin(angle), libm::cos(angle)]);
-    // JR_K, Eq. (4), and P_K, Eq. (17).
-    let rotation = [
-        [c2 * c3, s1 * s2 * c3 + c1 * s3, -c1 * s2 * c3 + s1 * s3],
-        [-c2 * s3, -s1 * s2 * s3 + c1 * c3, c1 * s2 * s3 + s1 * c3],
-        [s2, -s1 * c2, c1 * c2],
-    ];
-    let turns = [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]];
-    let turned = |vector: [f64; 3]| rotation.map(|row| dot(&row, &vector));
-    let attachment = body
+    let turned = rotation::body_fixed_123(angles);
+    let whole = rotation::then(&joint.rotation, &turned);
+    let [_, (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
+    // P_K by columns, Eq. (17).
+    let turns = if is_rates {
+        [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]]
+    } else {
+        rotation::IDENTITY
+    };
+    let attachment = joint
         .attachment
-        .map(|value| tree.nominal(value) / units.length);
-    let lever = [
-        attachment[0] + shift[0],
-        attachment[1] + shift[1],
-        attachment[2] + shift[2],
-    ];
+        .nominal(tree)
+        .map(|part| part / units.length);
+    let shift = rotation::apply(&rotation::transposed(&joint.rotation), shift);
+    let lever = std::array::from_fn(|i| attachment[i] + shift[i]);
 
     let mut carried = [[0.0; 6]; 6];
-    let mut columns = Vec::new();
-    let mut bounds = Vec::new();
-    let axes: Vec<Axis> = Axis::ALL
-        .into_iter()
-        .zip(body.joint.coordinates())
-        .filter(|(_, c)| c.is_free())
-        .map(|(a, _)| a)
-        .collect();
     for component in 0..3 {
         let mut unit = [0.0; 3];
         unit[component] = 1.0;
-        carried[component] = join(turned(unit), turned(cross(unit, lever)));
-        carried[component + 3] = join([0.0; 3], turned(unit));
+        let lever = rotation::apply(&whole, cross(unit, lever));
+        let unit = rotation::apply(&whole, unit);
+        carried[component] = join(unit, lever);
+        carried[component + 3] = join([0.0; 3], unit);
     }
-    for axis in &axes {
-        let is_angle = axis.is_angle();
-        columns.push(if is_angle {
-            join(turns[axis.index()], [0.0; 3])
+    let mut columns = Vec::new();
+    let mut bounds = Vec::new();
+    let mut rotors = Vec::new();
+    let mut axes = Vec::new();
+    for (motion, speed) in joint.speeds() {
+        let axis = Axis::ALL[motion];
+        let along = turned.map(|row| row[motion % 3]);
+        let (column, bound) = if axis.is_angle() {
+            (join(turns[motion], [0.0; 3]), here.turning)
         } else {
-            carried[axis.index()]
-        });
-        bounds.push(if is_angle {
-            here.turning
+            (join([0.0; 3], along), here.mass.sqrt())
+        };
+        let unit = if axis.is_angle() {
+            units.length * units.length
         } else {
-            here.mass.sqrt()
-        });
+            1.0
+        };
+        let armature = tree.nominal(joint.mechanics[motion].armature) / units.mass / unit;
+        let rotor = armature + followers[speed.index()];
+        axes.push(axis);
+        columns.push(column);
+        rotors.push(rotor.sqrt());
+        bounds.push((bound * bound + rotor).sqrt());
     }
     let joint = Joint {
         axes,
         columns,
         bounds,
+        rotors,
         carried,
         pivots: vec![],
         upper: vec![],
@@ -209,19 +234,57 @@ fn place(
     (joint, dot(&lever, &lever).sqrt())
 }
 
+/// For every speed, what the coordinates that follow it move at least: what of their own bodies does. They are held
+/// otherwise.
+fn followers(tree: &Tree, units: &Units) -> Vec<f64> {
+    let mut moved = vec![0.0; tree.n_speeds];
+    for body in tree.body_ids() {
+        let joint = &tree.body(body).joint;
+        for (motion, follower) in joint.motions().into_iter().enumerate() {
+            let is_mimic = matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }));
+            let Some(follower) = follower.filter(|_| is_mimic) else {
+                continue;
+            };
+            let own = own(tree, units, body);
+            let (bound, length) = if motion < 3 {
+                (own.turning, 1.0)
+            } else {
+                (own.mass.sqrt(), units.length)
+            };
+            let root = follower.factor * bound / length;
+            moved[follower.speed.index()] += root * root;
+        }
+    }
+    moved
+}
+
 /// Finds the joint's pivots, and what of the rows is left for the lower body's twist.
 fn eliminate(mut joint: Joint, rows: &[Twist]) -> (Joint, Vec<Twist>) {
     let on = |twist: &Twist| -> Vec<f64> { rows.iter().map(|row| dot(row, twist)).collect() };
+    // Below the rows of what lies beyond, one for each rotor, which the lower body's twist does not move.
+    let n_rows = rows.len() + joint.rotors.len();
     let mut columns: Vec<Vec<f64>> = joint
         .columns
         .iter()
-        .zip(&joint.bounds)
-        .map(|(column, bound)| {
-            let scale = if *bound > 0.0 { 1.0 / bound } else { 0.0 };
-            on(column).into_iter().map(|entry| entry * scale).collect()
+        .enumerate()
+        .map(|(place, column)| {
+            let bound = joint.bounds[place];
+            let scale = if bound > 0.0 { 1.0 / bound } else { 0.0 };
+            let mut column = on(column);
+            column.resize(n_rows, 0.0);
+            column[rows.len() + place] = joint.rotors[place];
+            column.into_iter().map(|entry| entry * scale).collect()
         })
         .collect();
-    let mut lower: Vec<Vec<f64>> = joint.carried.iter().map(on).collect();
+    let mut lower: Vec<Vec<f64>> = joint
+        .carried
+        .iter()
+        .map(|twist| {
+            let mut column = on(twist);
+            column.resize(n_rows, 0.0);
+            column
+        })
+        .collect();
     joint.idle = (0..columns.len()).collect();
     let norm = |column: &[f64]| dot(column, column).sqrt();
     while let Some(at) = (0..joint.idle.len())
@@ -246,7 +309,7 @@ fn eliminate(mut joint: Joint, rows: &[Twist]) -> (Joint, Vec<Twist>) {
         joint.upper.push(upper);
         joint.pulled.push(pulled);
     }
-    let passed = (0..rows.len())
+    let passed = (0..n_rows)
         .map(|row| std::array::from_fn(|component| lower[component][row]))
         .collect();
     (joint, passed)

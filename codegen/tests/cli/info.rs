@@ -106,7 +106,7 @@ fn json_has_the_documented_keys() {
     );
     assert_eq!(
         keys(&report["bodies"][0]),
-        "free identifier locked lower_body name number user_number"
+        "free identifier joint locked lower_body mimics name number user_number"
     );
     assert_eq!(keys(&report["coordinates"][0]), "body kind name place unit");
     assert_eq!(keys(&report["partitions"][0]), "V_G V_O W body");

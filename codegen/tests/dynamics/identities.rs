@@ -5,7 +5,7 @@
 use kane_codegen::{
     functions::{CATALOGUE, Function},
     id::BodyId,
-    tree::{Coordinate, Tree},
+    tree::{Part, Tree},
 };
 
 use super::{
@@ -75,11 +75,42 @@ fn sum(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|i| a[i] + b[i])
 }
 
+/// The inertia of a body with all that is fixed to it about its mass centre, the user's axes.
 fn inertia(tree: &Tree, body: BodyId) -> [Vector; 3] {
-    let i = &tree.body(body).inertia;
-    let [xx, yy, zz, xy, xz, yz] =
-        [i.xx, i.yy, i.zz, i.xy, i.xz, i.yz].map(|value| tree.nominal(value));
-    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    let body = tree.body(body);
+    let total: f64 = body.parts.iter().map(|part| tree.nominal(part.mass)).sum();
+    let center = |part: &Part| part.mass_center.nominal(tree);
+    let mut common = [0.0; 3];
+    for part in body.parts.iter().filter(|_| total > 0.0) {
+        common = sum(
+            common,
+            scaled(tree.nominal(part.mass) / total, center(part)),
+        );
+    }
+    let mut whole = [[0.0; 3]; 3];
+    for part in &body.parts {
+        let i = &part.inertia;
+        let [xx, yy, zz, xy, xz, yz] =
+            [i.xx, i.yy, i.zz, i.xy, i.xz, i.yz].map(|value| tree.nominal(value));
+        let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        // From the part's own axes to the user's.
+        let turn = product(&body.pose.rotation, &transposed(&part.axes));
+        let turned = product(&product(&turn, &own), &transposed(&turn));
+        let d = times(&body.pose.rotation, sum(center(part), scaled(-1.0, common)));
+        let m = tree.nominal(part.mass);
+        for (i, row) in whole.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let around = if i == j { dot(&d, &d) } else { 0.0 };
+                *entry += turned[i][j] + m * (around - d[i] * d[j]);
+            }
+        }
+    }
+    whole
+}
+
+fn product(a: &[Vector; 3], b: &[Vector; 3]) -> [Vector; 3] {
+    let columns = transposed(b);
+    a.map(|row| columns.map(|column| dot(&row, &column)))
 }
 
 fn gravity(tree: &Tree) -> Vector {
@@ -373,10 +404,8 @@ pub(crate) fn momenta_of_a_floating_tree_change_by_external_loads(
         }
         // The joints' forces: all but those between a root and the inertial frame.
         for body in tree.bodies.iter().filter(|body| body.lower.is_none()) {
-            for coordinate in body.joint.coordinates() {
-                if let Coordinate::Free { speed, .. } = coordinate {
-                    state.tau[speed.index()] = 0.0;
-                }
+            for (_, speed) in body.joint.speeds() {
+                state.tau[speed.index()] = 0.0;
             }
         }
         let loads = model.evaluate("generalized_forces", &state);

@@ -137,15 +137,18 @@ pub(crate) fn angle_rates_undo_relative_angular_velocity(model: &dyn Model, stat
         w_rel: vectors(model, "relative_angular_velocity", state),
         ..state.clone()
     };
+    let q_dot = model.evaluate("q_dot", state);
     let mut least: f64 = 1.0;
     let mut expected = Vec::new();
     for body in &tree.bodies {
-        let rate = |angle: Coordinate| angle.speed().map(|speed| state.u[speed.index()]);
-        let rates = body.joint.angles.map(rate);
-        expected.extend(if rates.iter().all(Option::is_some) {
-            rates.map(|rate| rate.expect("all are free"))
-        } else {
-            [0.0; 3]
+        let rate = |angle: Coordinate| match angle {
+            Coordinate::Free { coordinate, .. } => Some(q_dot[coordinate.index()]),
+            Coordinate::Mimic { .. } | Coordinate::Locked(_) => None,
+        };
+        let rates = body.joint.angles().map(|angles| angles.map(rate));
+        expected.extend(match rates {
+            Some([Some(first), Some(second), Some(third)]) => [first, second, third],
+            _ => [0.0; 3],
         });
     }
     for distance in model.evaluate("singularity", state) {
@@ -163,11 +166,12 @@ pub(crate) fn singularity_is_the_cosine_of_the_second_angle(
         .tree()
         .bodies
         .iter()
-        .map(|body| match body.joint.angles {
-            [Coordinate::Free { .. }, second, Coordinate::Free { .. }] => {
+        .map(|body| match body.joint.angles() {
+            Some([Coordinate::Free { .. }, second, Coordinate::Free { .. }]) => {
                 let angle = match second {
                     Coordinate::Free { coordinate, .. } => state.q[coordinate.index()],
                     Coordinate::Locked(at) => at,
+                    Coordinate::Mimic { .. } => unreachable!("it has two other coordinates"),
                 };
                 libm::cos(angle).abs()
             }

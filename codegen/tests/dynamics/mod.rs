@@ -12,8 +12,7 @@ pub(crate) mod random;
 use kane_codegen::{
     functions::{Argument, Function, Shape},
     id::BodyId,
-    program::coordinate_names,
-    tree::{Coordinate, Tree},
+    tree::{Part, Tree},
 };
 
 use random::Random;
@@ -49,15 +48,21 @@ impl State {
         let mut q = vec![0.0; tree.n_coordinates];
         for body in &tree.bodies {
             let singular = body.joint.has_singular_chart();
-            for (axis, coordinate) in body.joint.coordinates().into_iter().enumerate() {
-                if let Coordinate::Free { coordinate, .. } = coordinate {
-                    let most = match axis {
-                        1 if singular => 1.3,
-                        0..3 => 3.0,
-                        _ => 1.0,
-                    };
-                    q[coordinate.index()] = most * random.symmetric();
+            let mut parameters = Vec::new();
+            for (kind, coordinate) in body.joint.coordinates() {
+                let most = match kind {
+                    "theta2" if singular => 1.3,
+                    "theta1" | "theta2" | "theta3" => 3.0,
+                    _ => 1.0,
+                };
+                q[coordinate.index()] = most * random.symmetric();
+                if kind.starts_with('e') {
+                    parameters.push(coordinate.index());
                 }
+            }
+            let length = parameters.iter().map(|&e| q[e] * q[e]).sum::<f64>().sqrt();
+            for e in parameters {
+                q[e] /= length;
             }
         }
         let mut speeds = || (0..tree.n_speeds).map(|_| random.symmetric()).collect();
@@ -114,7 +119,7 @@ impl State {
 
 /// For each speed of `to`, its place in `from`; coordinates, their names apart, are numbered alike.
 fn speed_map(from: &Tree, to: &Tree) -> Vec<usize> {
-    places(&coordinate_names(from), &coordinate_names(to))
+    places(&from.coordinate_names(), &to.coordinate_names())
 }
 
 /// For each body of `to`, its place in `from`.
@@ -171,12 +176,7 @@ pub(crate) fn floats(tree: &Tree) -> bool {
     tree.bodies
         .iter()
         .filter(|body| body.lower.is_none())
-        .all(|body| {
-            body.joint
-                .coordinates()
-                .into_iter()
-                .all(Coordinate::is_free)
-        })
+        .all(|body| body.joint.speeds().len() == 6)
 }
 
 /// True where the function is given something of this kind.
@@ -184,7 +184,8 @@ pub(crate) fn takes(function: &Function, argument: Argument) -> bool {
     function.arguments.contains(&argument)
 }
 
-/// A body's mass, kg.
+/// The mass of a body with all that is fixed to it, kg.
 pub(crate) fn mass(tree: &Tree, body: BodyId) -> f64 {
-    tree.nominal(tree.body(body).mass)
+    let own = |part: &Part| tree.nominal(part.mass);
+    tree.body(body).parts.iter().map(own).sum()
 }

@@ -5,9 +5,10 @@ use std::fmt::Write as _;
 use crate::description::Axis;
 use crate::id::BodyId;
 use crate::tree::Tree;
-use crate::tree::build::assemble;
+use crate::tree::assemble::assemble;
 use crate::tree::rows::{Random, Twist, dot, project_out};
 use crate::tree::sweep::{Joint, Units, inward, moved_along, own};
+use crate::tree::{Changes, resolve};
 
 /// A tree in which much is zero or aligned, so that about half of all trees have idle coordinates.
 fn tree(random: &mut Random) -> Tree {
@@ -51,7 +52,10 @@ fn tree(random: &mut Random) -> Tree {
     );
     let description = crate::description::toml::parse(&crate::diagnostic::Source::new("s", text));
     let places: Vec<usize> = (0..lower.len()).collect();
-    assemble(&description, &places, &mut Vec::new()).unwrap()
+    let joints = resolve::joints(&description, 0.0);
+    let joints: Vec<_> = joints.into_iter().flatten().collect();
+    let changes = Changes::default();
+    assemble(&description, &places, &joints, &changes, &mut Vec::new()).unwrap()
 }
 
 /// For each free coordinate, body by body, the root of the mass times the velocity of everything.

@@ -1,0 +1,486 @@
+//! The tree of a description in which nothing is missing: bodies with all that is fixed to them, in axes of our choice.
+
+use crate::description::{
+    Body as Written, Chart as ChartKind, Description, Limits, PerCoordinate, Rotation, Scalar,
+};
+use crate::diagnostic::{Diagnostic, Spanned};
+use crate::id::{BodyId, CoordinateId, SpeedId};
+use crate::tree::resolve::{Freedom, Resolved};
+use crate::tree::values::Parameters;
+use crate::tree::{
+    Body, Changes, Chart, Coordinate, Frame, Joint, Mechanics, Offset, Orientation, Part, Pose,
+    Step, Tree, Value, names, numbering, places, rotation,
+};
+
+/// Where a written body's own frame is: in which body of the tree, and where there.
+#[derive(Clone)]
+struct Placed {
+    host: Option<BodyId>,
+    pose: Pose,
+}
+
+/// The tree; `order` holds the places of bodies in the user's list, from the inertial frame outward.
+pub(crate) fn assemble(
+    description: &Description,
+    order: &[usize],
+    joints: &[Resolved],
+    changes: &Changes,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Tree> {
+    let lower_bodies = &description.lower_bodies.as_ref()?.value;
+    let names: Vec<Spanned<String>> = order
+        .iter()
+        .map(|place| description.bodies[*place].name.clone())
+        .collect::<Option<_>>()?;
+    let identifiers = names::identifiers(&names, findings);
+
+    let mut builder = Builder {
+        snapping: Snapping::new(changes.snap),
+        parameters: Parameters::default(),
+        bodies: Vec::new(),
+        frames: Vec::new(),
+    };
+    let gravity = builder
+        .parameters
+        .vector(&description.gravity, "gravity", None, "m/s^2")?;
+    let mut placed: Vec<Option<Placed>> = vec![None; order.len()];
+    for ((old, name), identifier) in order.iter().zip(names).zip(identifiers) {
+        let lower = usize::try_from(lower_bodies.get(*old)?.as_ref()?.value).ok()?;
+        let below = match lower.checked_sub(1) {
+            None => Placed {
+                host: None,
+                pose: Pose {
+                    rotation: rotation::IDENTITY,
+                    origin: Offset::default(),
+                },
+            },
+            Some(lower) => placed.get(lower)?.clone()?,
+        };
+        let new = New {
+            written: &description.bodies[*old],
+            joint: &joints[*old],
+            user_number: old + 1,
+            name: name.value,
+            identifier,
+        };
+        placed[*old] = Some(builder.place(new, &below)?);
+    }
+    let host = |old: usize| placed[old].as_ref().and_then(|placed| placed.host);
+    let mut bodies = builder.bodies;
+    let numbers = places::number(&mut bodies, description.order?.value);
+    places::follow(&mut bodies, joints, &host);
+
+    builder.snapping.report(findings);
+    numbering::note_moved(description, &bodies, findings);
+    let mut tree = Tree {
+        name: description.name.as_ref()?.value.clone(),
+        gravity,
+        order: description.order?.value,
+        bodies,
+        frames: Vec::new(),
+        snap: changes.snap,
+        parameters: builder.parameters.list,
+        n_coordinates: numbers.coordinates,
+        n_speeds: numbers.speeds,
+    };
+    tree.frames = frames(&tree, &builder.frames);
+    note_merged(&tree, findings);
+    names::check_coordinates(&tree, findings);
+    Some(tree)
+}
+
+/// A body on its way into the tree.
+struct New<'a> {
+    written: &'a Written,
+    joint: &'a Resolved,
+    user_number: usize,
+    name: String,
+    identifier: String,
+}
+
+struct Builder {
+    snapping: Snapping,
+    parameters: Parameters,
+    bodies: Vec<Body>,
+    /// Names and poses of what is part of another body.
+    frames: Vec<(String, Placed)>,
+}
+
+impl Builder {
+    /// Adds a body to the tree, or to the body that it is fixed to.
+    fn place(&mut self, new: New<'_>, below: &Placed) -> Option<Placed> {
+        let New { written, joint, .. } = new;
+        let moving = !joint.is_fixed();
+        let id = BodyId::new(self.bodies.len());
+        let host = if moving { Some(id) } else { below.host };
+        let part = self.part(written, &new.identifier, host)?;
+        let (attachment, body_attachment) = self.attachments(written, &new.identifier, host)?;
+        let to_joint = self.to_joint(&new, below);
+        let to_body = self.to_body(&new);
+        let point = below
+            .pose
+            .origin
+            .clone()
+            .join(&Offset::new(below.pose.rotation, attachment), false);
+
+        let mut pose = if moving {
+            Pose {
+                rotation: to_body,
+                origin: Offset::default(),
+            }
+        } else {
+            let turned = rotation::body_fixed_123(joint.locked(0));
+            let turned = rotation::then(&rotation::then(&to_joint, &turned), &to_body);
+            let shift = joint.locked(3);
+            let origin = if shift == [0.0; 3] {
+                point.clone()
+            } else {
+                let shift = Offset::new(to_joint, shift.map(Value::Baked));
+                point.clone().join(&shift, false)
+            };
+            Pose {
+                rotation: self.snapping.quietly(&turned),
+                origin,
+            }
+        };
+        if let Some(vector) = body_attachment {
+            pose.origin = pose.origin.plus(Step {
+                rotation: pose.rotation,
+                vector,
+                negative: true,
+            });
+        }
+        let part = Part {
+            mass_center: pose
+                .origin
+                .clone()
+                .join(&part.mass_center.before(&pose.rotation), false),
+            axes: self
+                .snapping
+                .quietly(&rotation::then(&pose.rotation, &part.axes)),
+            ..part
+        };
+        let placed = Placed {
+            host,
+            pose: pose.clone(),
+        };
+        if moving {
+            let body = self.body(new, id, below.host, (to_joint, point), (part, pose))?;
+            self.bodies.push(body);
+        } else {
+            self.frames.push((new.name, placed.clone()));
+            if let Some(host) = host {
+                self.bodies[host.index()].parts.push(part);
+            }
+        }
+        Some(placed)
+    }
+
+    /// The body itself, in its own axes.
+    fn part(&mut self, written: &Written, identifier: &str, host: Option<BodyId>) -> Option<Part> {
+        let quantity = |quantity: &str| format!("{identifier}_{quantity}");
+        let parameters = &mut self.parameters;
+        let mass = parameters.value(written.mass, quantity("mass"), host, "kg")?;
+        let center = quantity("mass_center");
+        let center = parameters.vector(&written.mass_center, &center, host, "m")?;
+        let inertia = parameters.inertia(&written.inertia, &quantity("inertia"), host)?;
+        let axes = written.inertia_rotation.map(|axes| {
+            let what = format!("`inertia_rotation` of `{}`", shown(written));
+            self.snapping.of(&axes.value, what)
+        });
+        Some(Part {
+            mass,
+            mass_center: Offset::new(rotation::IDENTITY, center),
+            inertia,
+            axes: axes.unwrap_or(rotation::IDENTITY),
+        })
+    }
+
+    /// Where the joint sits in the lower body, and in the body if not in its origin.
+    fn attachments(
+        &mut self,
+        written: &Written,
+        identifier: &str,
+        host: Option<BodyId>,
+    ) -> Option<([Value; 3], Option<[Value; 3]>)> {
+        let joint = &written.joint;
+        let name = format!("{identifier}_attachment");
+        let lower = self
+            .parameters
+            .vector(&joint.attachment, &name, host, "m")?;
+        let Some(given) = &joint.body_attachment else {
+            return Some((lower, None));
+        };
+        let name = format!("{identifier}_body_attachment");
+        Some((
+            lower,
+            Some(self.parameters.vector(given, &name, host, "m")?),
+        ))
+    }
+
+    /// From the internal axes of the body below to those of the joint's coordinates.
+    fn to_joint(&mut self, new: &New<'_>, below: &Placed) -> Rotation {
+        let own = new.written.joint.attachment_rotation.map(|own| {
+            let what = format!("`attachment_rotation` of `{}`", shown(new.written));
+            self.snapping.of(&own.value, what)
+        });
+        let own = rotation::then(&own.unwrap_or(rotation::IDENTITY), &new.joint.align);
+        self.snapping
+            .quietly(&rotation::then(&below.pose.rotation, &own))
+    }
+
+    /// From the axes of the joint's coordinates, moved, to the body's.
+    fn to_body(&mut self, new: &New<'_>) -> Rotation {
+        let own = new.written.joint.body_rotation.map(|own| {
+            let what = format!("`body_rotation` of `{}`", shown(new.written));
+            self.snapping.of(&own.value, what)
+        });
+        let back = rotation::transposed(&new.joint.align);
+        let own = own.unwrap_or(rotation::IDENTITY);
+        self.snapping.quietly(&rotation::then(&back, &own))
+    }
+
+    fn body(
+        &mut self,
+        new: New<'_>,
+        id: BodyId,
+        lower: Option<BodyId>,
+        (rotation, attachment): (Rotation, Offset),
+        (part, pose): (Part, Pose),
+    ) -> Option<Body> {
+        let New { written, joint, .. } = new;
+        let mechanics = self.mechanics(&new, id);
+        let own_name = written.joint.name.as_ref();
+        let joint = Joint {
+            name: own_name.map_or_else(|| new.name.clone(), |name| name.value.clone()),
+            identifier: joint.identifier.clone(),
+            is_named: own_name.is_some(),
+            rotation,
+            attachment,
+            orientation: orientation(joint),
+            translations: [3, 4, 5].map(|motion| coordinate(joint.motions[motion])),
+            mechanics,
+        };
+        Some(Body {
+            name: new.name,
+            identifier: new.identifier,
+            user_number: new.user_number,
+            lower,
+            parts: vec![part],
+            joint,
+            pose,
+        })
+    }
+
+    fn mechanics(&mut self, new: &New<'_>, id: BodyId) -> [Mechanics; 6] {
+        let (written, joint) = (&new.written.joint, new.joint);
+        let mut mechanics = [Mechanics::default(); 6];
+        let units =
+            |of_angle, of_length| move |motion| if motion < 3 { of_angle } else { of_length };
+        let mut set = |quantity: &str,
+                       given: &PerCoordinate<Scalar>,
+                       unit: &dyn Fn(usize) -> &'static str,
+                       put: fn(&mut Mechanics) -> &mut Value| {
+            let moving = |motion: &usize| !matches!(joint.motions[*motion], Freedom::Locked(_));
+            match given {
+                PerCoordinate::Absent => {}
+                PerCoordinate::Same(value) => {
+                    let name = format!("{}_{quantity}", joint.identifier);
+                    let mut motions = (0..6).filter(moving);
+                    let first = motions.next().unwrap_or(0);
+                    let value = self
+                        .parameters
+                        .value(Some(*value), name, Some(id), unit(first));
+                    for motion in (0..6).filter(moving) {
+                        *put(&mut mechanics[motion]) = value.unwrap_or(Value::Baked(0.0));
+                    }
+                }
+                PerCoordinate::Each(values) => {
+                    for (axis, value) in values {
+                        let name = format!("{}_{}_{quantity}", joint.identifier, axis.value.name());
+                        let motion = axis.value.index();
+                        let value =
+                            self.parameters
+                                .value(Some(*value), name, Some(id), unit(motion));
+                        *put(&mut mechanics[motion]) = value.unwrap_or(Value::Baked(0.0));
+                    }
+                }
+            }
+        };
+        set(
+            "stiffness",
+            &written.stiffness,
+            &units("N m/rad", "N/m"),
+            |m| &mut m.stiffness,
+        );
+        set("rest", &written.rest, &units("rad", "m"), |m| &mut m.rest);
+        set(
+            "damping",
+            &written.damping,
+            &units("N m s/rad", "N s/m"),
+            |m| &mut m.damping,
+        );
+        set("armature", &written.armature, &units("kg m^2", "kg"), |m| {
+            &mut m.armature
+        });
+        for (motion, mechanics) in mechanics.iter_mut().enumerate() {
+            if let Some(friction) = at(&written.friction, motion) {
+                mechanics.friction = friction;
+            }
+            if let Some(limits) = at(&written.limits, motion) {
+                limit(mechanics, &limits);
+            }
+        }
+        mechanics
+    }
+}
+
+fn shown(written: &Written) -> String {
+    written
+        .name
+        .as_ref()
+        .map_or_else(String::new, |name| name.value.escape_debug().to_string())
+}
+
+fn at<T: Copy>(quantity: &PerCoordinate<T>, motion: usize) -> Option<T> {
+    match quantity {
+        PerCoordinate::Absent => None,
+        PerCoordinate::Same(value) => Some(value.value),
+        PerCoordinate::Each(values) => values
+            .iter()
+            .find(|(axis, _)| axis.value.index() == motion)
+            .map(|(_, value)| value.value),
+    }
+}
+
+fn limit(mechanics: &mut Mechanics, limits: &Limits) {
+    let [lower, upper] = mechanics.range;
+    mechanics.range = [
+        limits.lower.map_or(lower, |limit| limit.value),
+        limits.upper.map_or(upper, |limit| limit.value),
+    ];
+    mechanics.velocity = limits.velocity.map_or(f64::INFINITY, |limit| limit.value);
+    mechanics.effort = limits.effort.map_or(f64::INFINITY, |limit| limit.value);
+}
+
+/// Places are given later, when all bodies are there.
+const NO_COORDINATE: fn() -> CoordinateId = || CoordinateId::new(0);
+const NO_SPEED: fn() -> SpeedId = || SpeedId::new(0);
+
+fn coordinate(freedom: Freedom) -> Coordinate {
+    match freedom {
+        Freedom::Locked(value) => Coordinate::Locked(value),
+        Freedom::Free(_) => Coordinate::Free {
+            coordinate: NO_COORDINATE(),
+            speed: NO_SPEED(),
+        },
+        Freedom::Follows {
+            multiplier, offset, ..
+        } => Coordinate::Mimic {
+            coordinate: NO_COORDINATE(),
+            speed: NO_SPEED(),
+            multiplier,
+            offset,
+        },
+    }
+}
+
+fn orientation(joint: &Resolved) -> Orientation {
+    if !joint.has_angular_velocity() {
+        return Orientation::Rates([0, 1, 2].map(|motion| coordinate(joint.motions[motion])));
+    }
+    let chart = match joint.chart {
+        ChartKind::Angles => Chart::Angles([NO_COORDINATE(); 3]),
+        ChartKind::Quaternion => Chart::EulerParameters([NO_COORDINATE(); 4]),
+    };
+    Orientation::AngularVelocity {
+        chart,
+        speeds: [NO_SPEED(); 3],
+    }
+}
+
+/// The frames of bodies that are part of others, in the user's axes of those.
+fn frames(tree: &Tree, frames: &[(String, Placed)]) -> Vec<Frame> {
+    let inertial = Pose {
+        rotation: rotation::IDENTITY,
+        origin: Offset::default(),
+    };
+    frames
+        .iter()
+        .map(|(name, Placed { host, pose })| {
+            let base = host.map_or(&inertial, |host| &tree.body(host).pose);
+            let from = pose.origin.clone().join(&base.origin, true).nominal(tree);
+            let back = rotation::transposed(&base.rotation);
+            Frame {
+                name: name.clone(),
+                body: *host,
+                rotation: rotation::snapped(&rotation::then(&back, &pose.rotation), tree.snap).0,
+                position: rotation::apply(&base.rotation, from),
+            }
+        })
+        .collect()
+}
+
+/// Tells which bodies are part of others.
+fn note_merged(tree: &Tree, findings: &mut Vec<Diagnostic>) {
+    let merged: Vec<String> = tree
+        .frames
+        .iter()
+        .map(|frame| {
+            let name = frame.name.escape_debug();
+            match frame.body {
+                Some(body) => format!("`{name}` of `{}`", tree.body(body).name.escape_debug()),
+                None => format!("`{name}` of the inertial frame"),
+            }
+        })
+        .collect();
+    if !merged.is_empty() {
+        findings.push(Diagnostic::note(format!(
+            "bodies that are fixed are part of what they are fixed to: {}",
+            merged.join(", ")
+        )));
+    }
+}
+
+/// Makes entries of constant rotations exact, and remembers where.
+struct Snapping {
+    tolerance: f64,
+    changed: Vec<String>,
+    most: f64,
+}
+
+impl Snapping {
+    fn new(tolerance: f64) -> Self {
+        Self {
+            tolerance,
+            changed: Vec::new(),
+            most: 0.0,
+        }
+    }
+
+    /// A rotation that the user wrote.
+    fn of(&mut self, rotation: &Rotation, what: String) -> Rotation {
+        let (snapped, change) = rotation::snapped(rotation, self.tolerance);
+        if change > 0.0 {
+            self.changed.push(what);
+            self.most = self.most.max(change);
+        }
+        snapped
+    }
+
+    /// A product of rotations, which rounding may have left near exact.
+    fn quietly(&self, rotation: &Rotation) -> Rotation {
+        rotation::snapped(rotation, self.tolerance).0
+    }
+
+    fn report(&self, findings: &mut Vec<Diagnostic>) {
+        if !self.changed.is_empty() {
+            findings.push(Diagnostic::note(format!(
+                "entries of constant rotations nearer than {:?} to 0, 1 or -1 were made exact, which changed none by more than {:.1e}: {}",
+                self.tolerance,
+                self.most,
+                self.changed.join(", ")
+            )));
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! A joint: which of a body's relative coordinates are free, and what they are called in `q` and `u`.
+
+use crate::{
+    description::Rotation,
+    id::{CoordinateId, SpeedId},
+    tree::{Offset, Value},
+};
+
+/// The joint of a body with its lower body: an orientation and three translations between two constant frames.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// The joint's own name, as the user wrote it; the body's where it has none.
+    pub name: String,
+    /// What stands before the names of its coordinates: lower snake case, unique.
+    pub identifier: String,
+    /// True where the joint has a name of its own, which is then that of its coordinate if it has only one.
+    pub is_named: bool,
+    /// `A_K`: from the lower body's axes to those of the joint in the lower body.
+    pub rotation: Rotation,
+    /// q'_K: from the lower body's origin to where the joint sits, lower-body components, m.
+    pub attachment: Offset,
+    /// How the body is turned relative to the joint's axes in the lower body.
+    pub orientation: Orientation,
+    /// `s_1`, `s_2`, `s_3`, m: translation of the body's origin along the joint's axes in the lower body.
+    pub translations: [Coordinate; 3],
+    /// Springs, dampers, rotors and limits of the six motions: about, then along the three axes.
+    pub mechanics: [Mechanics; 6],
+}
+
+/// How a body is turned relative to its joint's axes in the lower body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Orientation {
+    /// By 1-2-3 body-fixed angles `theta_1`, `theta_2`, `theta_3`, rad, whose rates are the speeds, Eq. (44).
+    Rates([Coordinate; 3]),
+    /// By three free angles or Euler parameters; the speeds are components of the relative angular velocity along the
+    /// body's axes, rad/s, Eq. (8).
+    AngularVelocity {
+        /// The coordinates.
+        chart: Chart,
+        /// `w_1`, `w_2`, `w_3`.
+        speeds: [SpeedId; 3],
+    },
+}
+
+/// Coordinates of an orientation that is free in all directions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chart {
+    /// The three angles; singular at `cos(theta_2) = 0`.
+    Angles([CoordinateId; 3]),
+    /// Euler parameters, a unit quaternion: `e_0` is the scalar; `JR_K = C(e)^T` with Hamilton's product.
+    EulerParameters([CoordinateId; 4]),
+}
+
+/// One of the six relative coordinates of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Coordinate {
+    /// Free to move, with its places in `q` and `u`.
+    Free {
+        /// The place in `q`.
+        coordinate: CoordinateId,
+        /// The place in `u`: the speed is the coordinate's rate, Eq. (44).
+        speed: SpeedId,
+    },
+    /// Follows the coordinate of another joint: `multiplier` times that one plus `offset`.
+    Mimic {
+        /// The other's place in `q`.
+        coordinate: CoordinateId,
+        /// The other's place in `u`.
+        speed: SpeedId,
+        /// Times the other; not zero.
+        multiplier: f64,
+        /// Plus, rad or m.
+        offset: f64,
+    },
+    /// Held at a constant value, rad or m.
+    Locked(f64),
+}
+
+/// What a speed does to a relative motion: the motion's own speed is `factor` times it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// The speed.
+    pub speed: SpeedId,
+    /// One, but for a coordinate that follows another.
+    pub factor: f64,
+}
+
+/// What acts along one motion of a joint, and how far it goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mechanics {
+    /// Stiffness of a spring, N m/rad, N/m.
+    pub stiffness: Value,
+    /// Where the spring is at rest, rad, m.
+    pub rest: Value,
+    /// Viscous damping, N m s/rad, N s/m.
+    pub damping: Value,
+    /// Inertia of a rotor as the joint feels it, kg m², kg.
+    pub armature: Value,
+    /// Coulomb friction, N m, N: data only.
+    pub friction: f64,
+    /// The least and the greatest value of the coordinate, rad, m: data only; infinite where there is no limit.
+    pub range: [f64; 2],
+    /// The greatest speed, rad/s, m/s: data only.
+    pub velocity: f64,
+    /// The greatest force, N m, N: data only.
+    pub effort: f64,
+}
+
+impl Default for Mechanics {
+    /// Nothing acts, and nothing is limited.
+    fn default() -> Self {
+        let zero = Value::Baked(0.0);
+        Self {
+            stiffness: zero,
+            rest: zero,
+            damping: zero,
+            armature: zero,
+            friction: 0.0,
+            range: [f64::NEG_INFINITY, f64::INFINITY],
+            velocity: f64::INFINITY,
+            effort: f64::INFINITY,
+        }
+    }
+}
+
+impl Joint {
+    /// The angles, where the orientation has these coordinates; in the second kind of orientation their speeds are none
+    /// of theirs.
+    pub fn angles(&self) -> Option<[Coordinate; 3]> {
+        match self.orientation {
+            Orientation::Rates(angles) => Some(angles),
+            Orientation::AngularVelocity {
+                chart: Chart::Angles(angles),
+                speeds,
+            } => Some(std::array::from_fn(|i| Coordinate::Free {
+                coordinate: angles[i],
+                speed: speeds[i],
+            })),
+            Orientation::AngularVelocity {
+                chart: Chart::EulerParameters(_),
+                ..
+            } => None,
+        }
+    }
+
+    /// The motions about the three axes.
+    pub fn turns(&self) -> [Option<Motion>; 3] {
+        match self.orientation {
+            Orientation::Rates(angles) => angles.map(Coordinate::motion),
+            Orientation::AngularVelocity { speeds, .. } => {
+                speeds.map(|speed| Some(Motion { speed, factor: 1.0 }))
+            }
+        }
+    }
+
+    /// The motions along the three axes.
+    pub fn shifts(&self) -> [Option<Motion>; 3] {
+        self.translations.map(Coordinate::motion)
+    }
+
+    /// The six motions: about, then along the three axes.
+    pub fn motions(&self) -> [Option<Motion>; 6] {
+        let ([a, b, c], [d, e, f]) = (self.turns(), self.shifts());
+        [a, b, c, d, e, f]
+    }
+
+    /// What the six motions are called: `theta1` or `w1`, to `s3`.
+    pub fn motion_names(&self) -> [&'static str; 6] {
+        match self.orientation {
+            Orientation::Rates(_) => ["theta1", "theta2", "theta3", "s1", "s2", "s3"],
+            Orientation::AngularVelocity { .. } => ["w1", "w2", "w3", "s1", "s2", "s3"],
+        }
+    }
+
+    /// The coordinates that are the joint's own, with what they are called: `theta1` or `e0`, to `s3`.
+    pub fn coordinates(&self) -> Vec<(&'static str, CoordinateId)> {
+        let mut coordinates = Vec::new();
+        match self.orientation {
+            Orientation::Rates(angles) => {
+                coordinates.extend(own(["theta1", "theta2", "theta3"], angles));
+            }
+            Orientation::AngularVelocity {
+                chart: Chart::Angles(angles),
+                ..
+            } => coordinates.extend(["theta1", "theta2", "theta3"].into_iter().zip(angles)),
+            Orientation::AngularVelocity {
+                chart: Chart::EulerParameters(parameters),
+                ..
+            } => coordinates.extend(["e0", "e1", "e2", "e3"].into_iter().zip(parameters)),
+        }
+        coordinates.extend(own(["s1", "s2", "s3"], self.translations));
+        coordinates
+    }
+
+    /// The speeds that are the joint's own, each with the place of its motion among the six.
+    pub fn speeds(&self) -> Vec<(usize, SpeedId)> {
+        let is_own = |place: &usize| match self.orientation {
+            Orientation::Rates(angles) if *place < 3 => angles[*place].is_free(),
+            Orientation::AngularVelocity { .. } if *place < 3 => true,
+            _ => self.translations[*place - 3].is_free(),
+        };
+        let motions = self.motions();
+        (0..6)
+            .filter(is_own)
+            .filter_map(|place| Some((place, motions[place]?.speed)))
+            .collect()
+    }
+
+    /// The coordinate whose rate is this motion; `None` for a component of an angular velocity.
+    pub fn coordinate_of(&self, motion: usize) -> Option<Coordinate> {
+        match (self.orientation, motion) {
+            (Orientation::Rates(angles), 0..3) => Some(angles[motion]),
+            (Orientation::AngularVelocity { .. }, 0..3) => None,
+            _ => Some(self.translations[motion - 3]),
+        }
+    }
+
+    /// True where `theta_1` and `theta_3` are both free: the angles are then singular at `cos(theta_2) = 0`.
+    pub fn has_singular_chart(&self) -> bool {
+        self.angles()
+            .is_some_and(|angles| angles[0].motion().is_some() && angles[2].motion().is_some())
+    }
+}
+
+/// The coordinates that are free, not those that follow others.
+fn own(
+    names: [&'static str; 3],
+    coordinates: [Coordinate; 3],
+) -> impl Iterator<Item = (&'static str, CoordinateId)> {
+    names
+        .into_iter()
+        .zip(coordinates)
+        .filter_map(|(name, coordinate)| match coordinate {
+            Coordinate::Free { coordinate, .. } => Some((name, coordinate)),
+            Coordinate::Mimic { .. } | Coordinate::Locked(_) => None,
+        })
+}
+
+impl Coordinate {
+    /// True for a coordinate with a place of its own in `q`.
+    pub fn is_free(self) -> bool {
+        matches!(self, Self::Free { .. })
+    }
+
+    /// The speed that moves it, if any does.
+    pub fn motion(self) -> Option<Motion> {
+        match self {
+            Self::Free { speed, .. } => Some(Motion { speed, factor: 1.0 }),
+            Self::Mimic {
+                speed, multiplier, ..
+            } => Some(Motion {
+                speed,
+                factor: multiplier,
+            }),
+            Self::Locked(_) => None,
+        }
+    }
+}

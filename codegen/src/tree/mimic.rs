@@ -1,0 +1,168 @@
+//! Coordinates that follow others: each is traced to the free coordinate at the end of its chain.
+
+use crate::description::{Description, Mimic};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::tree::names::shown;
+use crate::tree::resolve::{Freedom, Resolved, joint_name};
+
+/// Makes every mimicking coordinate follow a free one, or hold where that one is held.
+pub(crate) fn resolve(
+    description: &Description,
+    joints: &mut [Resolved],
+    findings: &mut Vec<Diagnostic>,
+) {
+    let mut links: Vec<Option<Link>> = Vec::with_capacity(joints.len());
+    for body in 0..joints.len() {
+        links.push(link(description, joints, body, findings));
+    }
+    let mut on_cycle = vec![false; joints.len()];
+    for body in 0..joints.len() {
+        let Some(link) = links[body] else { continue };
+        if on_cycle[body] {
+            continue;
+        }
+        let (mut multiplier, mut offset, mut leader) = (link.multiplier, link.offset, link.leader);
+        let mut chain = vec![body];
+        while let Some(next) = links[leader] {
+            if chain.contains(&leader) {
+                break;
+            }
+            chain.push(leader);
+            offset += multiplier * next.offset;
+            multiplier *= next.multiplier;
+            leader = next.leader;
+        }
+        if links[leader].is_some() {
+            let start = chain.iter().position(|link| *link == leader).unwrap_or(0);
+            for body in &chain[start..] {
+                on_cycle[*body] = true;
+            }
+            if start == 0 {
+                findings.push(cycle(description, &chain));
+            }
+            continue;
+        }
+        let Some(leading) = leading(&joints[leader]) else {
+            continue;
+        };
+        let span = match joints[body].motions[link.motion] {
+            Freedom::Free(span) | Freedom::Follows { span, .. } => span,
+            Freedom::Locked(_) => continue,
+        };
+        joints[body].motions[link.motion] = match joints[leader].motions[leading] {
+            Freedom::Locked(value) => Freedom::Locked(multiplier * value + offset + 0.0),
+            _ if multiplier == 0.0 => Freedom::Locked(offset),
+            _ => Freedom::Follows {
+                body: leader,
+                motion: leading,
+                multiplier,
+                offset,
+                span,
+            },
+        };
+    }
+}
+
+/// A coordinate and the joint that it names.
+#[derive(Clone, Copy)]
+struct Link {
+    motion: usize,
+    leader: usize,
+    multiplier: f64,
+    offset: f64,
+}
+
+/// What the joint of a body follows, if it can.
+fn link(
+    description: &Description,
+    joints: &[Resolved],
+    body: usize,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Link> {
+    let mimic = description.bodies[body].joint.mimic.as_ref()?;
+    let Mimic {
+        joint,
+        multiplier,
+        offset,
+    } = &mimic.value;
+    if joints[body].is_fixed() {
+        return None;
+    }
+    let name = shown(description, body);
+    let Some(motion) = joints[body].only() else {
+        let fault =
+            format!("the joint of {name} mimics another, but has more than one free coordinate");
+        findings
+            .push(Diagnostic::error(fault).at(mimic.span, "one coordinate can follow one other"));
+        return None;
+    };
+    let leader =
+        (0..joints.len()).find(|other| joint_name(description, *other) == Some(&joint.value));
+    let Some(leader) = leader else {
+        let fault = format!(
+            "the joint of {name} mimics `{}`, which is no joint",
+            joint.value.escape_debug()
+        );
+        let known: Vec<&str> = (0..joints.len())
+            .filter_map(|other| joint_name(description, other))
+            .collect();
+        let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
+        findings.push(match nearest(&joint.value, &known) {
+            Some(near) => fault.help(format!("did you mean `{near}`?")),
+            None => fault,
+        });
+        return None;
+    };
+    if leading(&joints[leader]).is_none() {
+        let fault = format!(
+            "the joint of {name} mimics `{}`, which has not one coordinate",
+            joint.value.escape_debug()
+        );
+        findings.push(
+            Diagnostic::error(fault).at(joint.span, "expected a joint with one free coordinate"),
+        );
+        return None;
+    }
+    Some(Link {
+        motion,
+        leader,
+        multiplier: *multiplier,
+        offset: *offset,
+    })
+}
+
+/// The motion of a joint that others can follow: its only free one, or in a joint that is held altogether, the one that
+/// is held off zero, or any.
+fn leading(joint: &Resolved) -> Option<usize> {
+    if joint.is_fixed() {
+        let held = |motion: &Freedom| *motion != Freedom::Locked(0.0);
+        return Some(joint.motions.iter().position(held).unwrap_or(0));
+    }
+    let moving = |motion: &Freedom| !matches!(motion, Freedom::Locked(_));
+    let mut moving = (0..6).filter(|place| moving(&joint.motions[*place]));
+    moving.next().filter(|_| moving.next().is_none())
+}
+
+fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {
+    let name = |body: &usize| {
+        joint_name(description, *body)
+            .map_or_else(String::new, |name| format!("`{}`", name.escape_debug()))
+    };
+    let [first, rest @ ..] = chain else {
+        return Diagnostic::error("joints mimic one another");
+    };
+    let others: Vec<String> = rest.iter().chain([first]).map(name).collect();
+    let fault = format!(
+        "joints mimic one another: {} mimics {}",
+        name(first),
+        others.join(", that ")
+    );
+    let places = chain.iter().filter_map(|body| {
+        let mimic = description.bodies[*body].joint.mimic.as_ref()?;
+        Some((mimic.value.joint.span, *body))
+    });
+    let fault = places.fold(Diagnostic::error(fault), |fault, (span, body)| {
+        fault.at(span, format!("mimicked by {}", name(&body)))
+    });
+    fault.help("one joint of the cycle must be free")
+}

@@ -1,0 +1,193 @@
+//! Constant rotations: products, the frame of an axis, and the snapping of what rounded angles leave.
+//!
+//! A matrix has as rows the axes of the frame it leads to, in components of the frame it leads from: it maps
+//! components in the latter to components in the former.
+
+use crate::description::Rotation;
+
+/// No rotation.
+pub const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The first rotation, then the second.
+pub fn then(first: &Rotation, second: &Rotation) -> Rotation {
+    if *first == IDENTITY {
+        return *second;
+    }
+    let columns = transposed(first);
+    second.map(|row| columns.map(|column| dot(row, column)))
+}
+
+/// The way back.
+pub fn transposed(rotation: &Rotation) -> Rotation {
+    std::array::from_fn(|i| std::array::from_fn(|j| rotation[j][i]))
+}
+
+/// Components after the rotation of a vector given by its components before it.
+pub(super) fn apply(rotation: &Rotation, v: [f64; 3]) -> [f64; 3] {
+    rotation.map(|row| dot(row, v))
+}
+
+/// Zero has one sign, and an exact factor leaves the other exact.
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 0.0
+}
+
+/// The 1-2-3 body-fixed rotation by three angles, rad, Eq. (4).
+pub(super) fn body_fixed_123(angles: [f64; 3]) -> Rotation {
+    let [(s1, c1), (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
+    [
+        [c2 * c3, c1 * s3 + s1 * s2 * c3, s1 * s3 - c1 * s2 * c3],
+        [-c2 * s3, c1 * c3 - s1 * s2 * s3, s1 * c3 + c1 * s2 * s3],
+        [s2, -s1 * c2, c1 * c2],
+    ]
+}
+
+/// A rotation to axes of which the one at the returned place is `axis` (of any length): as few of them as possible
+/// are turned. About a coordinate axis, or its opposite, that place is its own.
+pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize) {
+    let largest = axis
+        .iter()
+        .fold(0.0, |most: f64, part| most.max(part.abs()));
+    // Scaled first, so that no square overflows or vanishes.
+    let scaled = axis.map(|part| part / largest);
+    let length = libm::sqrt(dot(scaled, scaled));
+    let unit = snapped_row(scaled.map(|part| part / length), tolerance);
+    if let Some(place) = unit.iter().position(|part| part.abs() == 1.0) {
+        let mut turned = IDENTITY;
+        if unit[place] < 0.0 {
+            // Half a turn about the next axis.
+            turned[place][place] = -1.0;
+            turned[(place + 2) % 3][(place + 2) % 3] = -1.0;
+        }
+        return (turned, place);
+    }
+    // The other two: normal to the axis and to the coordinate axis along which it has least, and normal to both.
+    let least = (0..3).fold(0, |least, i| {
+        if unit[i].abs() < unit[least].abs() {
+            i
+        } else {
+            least
+        }
+    });
+    let mut along = [0.0; 3];
+    along[least] = 1.0;
+    let first = cross(along, unit);
+    let length = libm::sqrt(dot(first, first));
+    let first = first.map(|part| part / length);
+    ([first, cross(unit, first), unit], 2)
+}
+
+fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+/// The rotation with its entries near 0, 1 and -1 made exact, and the largest change of any entry.
+///
+/// The others are then moved, by no more, until the rows are orthonormal again.
+pub(super) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
+    let exact = rotation.map(|row| row.map(|entry| exact(entry, tolerance)));
+    let changes = |i: usize, j: usize| exact[i][j].is_some_and(|entry| entry != rotation[i][j]);
+    if !(0..9).any(|k| changes(k / 3, k % 3)) {
+        return (*rotation, 0.0);
+    }
+    let pin = |matrix: Rotation| -> Rotation {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| exact[i][j].map_or(matrix[i][j], |entry| entry + 0.0))
+        })
+    };
+    let mut snapped = pin(*rotation);
+    // In turn the nearest orthonormal matrix and the exact entries: where these leave no rotation, it ends near one.
+    for _ in 0..ORTHONORMAL_STEPS {
+        let next = pin(nearer_to_orthonormal(&snapped));
+        if next == snapped {
+            break;
+        }
+        snapped = next;
+    }
+    let change = snapped
+        .iter()
+        .flatten()
+        .zip(rotation.iter().flatten())
+        .fold(0.0, |most: f64, (new, old)| most.max((new - old).abs()));
+    (snapped, change)
+}
+
+const ORTHONORMAL_STEPS: usize = 100;
+
+/// `R (3 - R^T R) / 2`: a step of Newton's iteration for the nearest orthonormal matrix.
+fn nearer_to_orthonormal(rotation: &Rotation) -> Rotation {
+    let columns = transposed(rotation);
+    let gram = columns.map(|a| columns.map(|b| dot(a, b)));
+    rotation.map(|row| {
+        std::array::from_fn(|j| {
+            1.5 * row[j] - 0.5 * (0..3).map(|k| row[k] * gram[k][j]).sum::<f64>()
+        })
+    })
+}
+
+fn snapped_row(row: [f64; 3], tolerance: f64) -> [f64; 3] {
+    row.map(|entry| exact(entry, tolerance).unwrap_or(entry))
+}
+
+/// The exact number that an entry of a rotation is as near to as this.
+pub fn exact(entry: f64, tolerance: f64) -> Option<f64> {
+    [0.0, 1.0, -1.0]
+        .into_iter()
+        .find(|exact| entry == *exact || (entry - exact).abs() < tolerance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rounded_right_angle_becomes_exact() {
+        let rounded = body_fixed_123([1.570_796_326_79, 0.0, 0.3]);
+        let (snapped, change) = snapped(&rounded, 1e-9);
+        assert!(snapped[2] == [0.0, -1.0, 0.0] && snapped[0][1] == 0.0);
+        assert!(change > 1e-12 && change < 1e-11);
+    }
+
+    #[test]
+    fn what_is_snapped_is_orthonormal_again() {
+        let (snapped, _) = snapped(&body_fixed_123([1.5708, 0.2, -0.7]), 1e-5);
+        let back = transposed(&snapped);
+        for (i, row) in then(&back, &snapped).iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                // A few roundings of numbers below one.
+                assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_snapped_at_zero_tolerance() {
+        let rounded = body_fixed_123([1.570_796_326_79, 0.1, 0.3]);
+        assert_eq!(snapped(&rounded, 0.0), (rounded, 0.0));
+    }
+
+    #[test]
+    fn the_frame_of_an_axis_is_right_handed_and_has_it() {
+        for axis in [
+            [0.0, 0.0, -2.0],
+            [0.0, -1.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [0.3, -0.4, 0.5],
+            [1e200, 1e200, 0.0],
+        ] {
+            let (frame, place) = toward(axis, 1e-9);
+            let largest = axis
+                .iter()
+                .fold(0.0, |most: f64, part: &f64| most.max(part.abs()));
+            let scaled = axis.map(|part| part / largest);
+            let length = libm::sqrt(dot(scaled, scaled));
+            for (entry, part) in frame[place].iter().zip(scaled) {
+                assert!((entry - part / length).abs() < 1e-15);
+            }
+            let third = cross(frame[0], frame[1]);
+            for (entry, part) in frame[2].iter().zip(third) {
+                assert!((entry - part).abs() < 1e-15);
+            }
+        }
+    }
+}

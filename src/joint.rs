@@ -1,0 +1,84 @@
+//! [`Joint`] and [`Frame`]: where a joint's coordinates stand, and where what is fixed to a body is.
+//!
+//! Constants of a generated module, for code that holds any system: conversion between charts, tools, logs.
+
+use crate::Real;
+
+/// How a joint's orientation is described, and what its speeds are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Chart {
+    /// By those of three 1-2-3 body-fixed angles that are free, rad; the speeds are their rates, Eq. (44).
+    AngleRates,
+    /// By three angles, rad; the speeds are components of the relative angular velocity along the body's side of the
+    /// joint, rad/s, Eqs. (8), (9).
+    Angles,
+    /// By Euler parameters, a unit quaternion, scalar first, Hamilton's product: it maps components on the body's side of
+    /// the joint to those on the lower body's. The speeds as with [`Chart::Angles`].
+    EulerParameters,
+}
+
+/// The places of a joint's coordinates and speeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Joint {
+    /// The joint's name in the model; its body's where it has none.
+    pub name: &'static str,
+    /// How its orientation is described.
+    pub chart: Chart,
+    /// Places in `q`, from 0: `theta_1`, `theta_2`, `theta_3` and none, or `e_0` to `e_3`; then `s_1`, `s_2`, `s_3`. None
+    /// for a coordinate that is locked or follows another joint's.
+    pub q: [Option<usize>; 7],
+    /// Places in `u`, from 0: of the three rotations, then of the three translations.
+    pub u: [Option<usize>; 6],
+}
+
+/// A frame that is fixed in a body: that of a body of the model that is fixed to another, and part of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The name in the model.
+    pub name: &'static str,
+    /// The index, from 0, of the body of which it is part; none for the inertial frame.
+    pub body: Option<usize>,
+    /// Components in that body's axes to components in the frame's, by rows.
+    pub rotation: [[f64; 3]; 3],
+    /// From that body's origin to the frame's, that body's components, m; at the parameters' nominal values.
+    pub position: [f64; 3],
+}
+
+impl Frame {
+    /// Inertial components to components in the frame's axes, by rows; `rotations` are those of all bodies, Eqs. (2)-(5).
+    ///
+    /// # Panics
+    /// If `rotations` is not of the frame's system.
+    pub fn rotation<R: Real>(&self, rotations: &[[[R; 3]; 3]]) -> [[R; 3]; 3] {
+        let own = self.rotation.map(|row| row.map(R::from_f64));
+        let Some(body) = self.body else {
+            return own;
+        };
+        let body = &rotations[body];
+        own.map(|row| [0, 1, 2].map(|j| dot(row, [body[0][j], body[1][j], body[2][j]])))
+    }
+
+    /// The position of the frame's origin from the inertial origin, inertial components, m; `rotations` and `origins` are
+    /// those of all bodies, Eqs. (2)-(5), (22).
+    ///
+    /// # Panics
+    /// If `rotations` or `origins` are not of the frame's system.
+    pub fn position<R: Real>(&self, rotations: &[[[R; 3]; 3]], origins: &[[R; 3]]) -> [R; 3] {
+        let own = self.position.map(R::from_f64);
+        let Some(body) = self.body else {
+            return own;
+        };
+        let (rotation, origin) = (&rotations[body], &origins[body]);
+        let from_inertial = [0, 1, 2].map(|i| origin[i] + own[i]);
+        [0, 1, 2].map(|j| {
+            dot(
+                from_inertial,
+                [rotation[0][j], rotation[1][j], rotation[2][j]],
+            )
+        })
+    }
+}
+
+fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
