@@ -181,7 +181,7 @@ impl<'d> Element<'d> {
     pub(crate) fn span(self) -> Span {
         let start = self.node.range().start;
         let name = start + 1 + self.name().len();
-        let last = self.node.attributes().map(|a| a.range().end).last();
+        let last = self.node.attributes().map(|a| a.range().end).next_back();
         let from = last.unwrap_or(name);
         let rest = self.text().get(from..).unwrap_or_default();
         let end = from + rest.find('>').map_or(0, |at| at + 1);
@@ -297,6 +297,22 @@ impl Reader {
         Some(first)
     }
 
+    /// The child element of this name, which must be there.
+    pub(crate) fn required_child<'d>(
+        &mut self,
+        element: Element<'d>,
+        owner: &str,
+        name: &str,
+    ) -> Option<Element<'d>> {
+        let child = self.child(element, owner, name);
+        if child.is_none() {
+            let fault = Diagnostic::error(format!("{owner} has no `{name}`"));
+            self.faults
+                .push(fault.at(element.span(), format!("`{name}` is missing")));
+        }
+        child
+    }
+
     /// The value of an attribute that must be there.
     pub(crate) fn required<'d>(
         &mut self,
@@ -311,6 +327,17 @@ impl Reader {
                 .push(fault.at(element.span(), format!("`{name}` is missing")));
         }
         value
+    }
+
+    /// A finite number, of an attribute that may be absent.
+    pub(crate) fn optional_number(
+        &mut self,
+        element: Element<'_>,
+        owner: &str,
+        name: &str,
+    ) -> Option<Spanned<f64>> {
+        let value = element.attribute(name)?;
+        self.number(value, &format!("`{name}` of {owner}"))
     }
 
     /// A finite number; `what` is the words for it, such as "`value` of `mass` of link `hub`".
