@@ -135,6 +135,8 @@ fn malformed(text: &str, base: usize, error: &Error) -> Diagnostic {
             format!("expected `{}`, found {found_shown}", char::from(*expected))
         }
         Error::InvalidChar2(expected, _, _) => format!("expected {expected}, found {found_shown}"),
+        Error::InvalidString(expected, _) => format!("expected `{expected}`, found {found_shown}"),
+        Error::InvalidName(_) => format!("expected a name, found {found_shown}"),
         Error::NonXmlChar(..) => format!("{found_shown} must not stand in XML"),
         // The place is shown already.
         other => other.to_string().replace(&format!(" at {position}"), ""),
@@ -271,6 +273,8 @@ impl Reader {
         let mut warning = Diagnostic::warning(message).at(name.span, "ignored");
         if let Some(near) = nearest(name.value, known) {
             warning = warning.help(format!("did you mean `{near}`?"));
+        } else if let [only] = known {
+            warning = warning.help(format!("the only {what} here is `{only}`"));
         } else if !known.is_empty() {
             warning = warning.help(format!("the {what}s here are {}", list(known)));
         }
@@ -447,7 +451,7 @@ impl Reader {
     }
 }
 
-/// The place of a word of a value; that of the whole value where entities make the two differ in length.
+/// The place of a word of a value; that of the whole value where entities or line ends of two bytes move its words.
 fn word_span(value: Spanned<&str>, word: &str) -> Span {
     let at = word.as_ptr() as usize - value.value.as_ptr() as usize;
     if value.span.end - value.span.start == value.value.len() {

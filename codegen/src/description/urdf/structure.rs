@@ -127,10 +127,12 @@ pub(super) fn hang(reader: &mut Reader, links: &[Link<'_>], joints: &[JointEleme
 /// Looks up the links that joints name.
 struct Ends<'d> {
     places: BTreeMap<&'d str, usize>,
-    /// How many names no link has.
-    n_missing: usize,
-    /// True while every link has a name of its own and every name is that of a link.
+    /// True where every link has a name of its own: else one that is not found may be that of a link without.
+    all_named: bool,
+    /// True while every name was that of a link, and every link has one.
     all_found: bool,
+    /// How many names were not that of a link.
+    n_missing: usize,
 }
 
 impl<'d> Ends<'d> {
@@ -139,10 +141,12 @@ impl<'d> Ends<'d> {
         let places = names.enumerate();
         let places = places.filter_map(|(place, name)| Some((name?.value, place)));
         let places: BTreeMap<&str, usize> = places.collect();
+        let all_named = places.len() == links.len();
         Self {
-            n_missing: 0,
-            all_found: places.len() == links.len(),
             places,
+            all_named,
+            all_found: all_named,
+            n_missing: 0,
         }
     }
 
@@ -155,7 +159,7 @@ impl<'d> Ends<'d> {
     ) -> Option<usize> {
         let place = name.and_then(|name| self.places.get(name.value).copied());
         self.all_found &= place.is_some();
-        if let (Some(name), None) = (name, place) {
+        if let (Some(name), None, true) = (name, place, self.all_named) {
             self.n_missing += 1;
             let link = shown(name.value);
             let fault = format!(
