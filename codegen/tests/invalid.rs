@@ -25,12 +25,17 @@ fn folder() -> PathBuf {
 
 /// The file with this name below the folder, shown under its name alone.
 fn source(name: &str) -> Source {
-    let path = folder().join(format!("{name}.toml"));
+    file(&format!("{name}.toml"))
+}
+
+/// The same, with the ending in its name.
+fn file(name: &str) -> Source {
+    let path = folder().join(name);
     // Whatever git made of the line ends, columns and messages are the same; but a raw return would be shown.
     let text = fs::read_to_string(&path)
         .expect("the file is listed because it is there")
         .replace("\r\n", "\n");
-    Source::new(format!("{name}.toml"), text)
+    Source::new(name, text)
 }
 
 fn description_is_refused(name: &str) {
@@ -77,7 +82,124 @@ mod config_file {
 
     #[test]
     fn every_file_is_listed() {
-        super::same("config", FILES);
+        super::same("config", ".toml", FILES);
+    }
+}
+
+/// In a module of its own, for some faults are common to both kinds of file.
+mod urdf_file {
+    use kane_codegen::description::{Reading, urdf};
+    use kane_codegen::diagnostic::{Diagnostics, Severity};
+
+    use super::file;
+
+    /// All but notes: that a URDF has no gravity is no fault of these files.
+    fn faults(name: &str) -> Diagnostics {
+        let source = file(&format!("urdf/{name}.urdf"));
+        let mut faults = urdf::parse(&source, &Reading::default()).faults;
+        faults.retain(|fault| fault.severity != Severity::Note);
+        Diagnostics::new(source, faults)
+    }
+
+    fn is_refused(name: &str) {
+        let faults = faults(name);
+        assert!(faults.has_error());
+        insta::assert_snapshot!(format!("urdf_{name}"), faults);
+    }
+
+    fn is_warned_of(name: &str) {
+        let faults = faults(name);
+        assert!(!faults.has_error() && !faults.is_empty());
+        insta::assert_snapshot!(format!("urdf_{name}"), faults);
+    }
+
+    files! { FILES, is_refused:
+        axis_too_short
+        bare_ampersand
+        cycle
+        cycle_beside_the_root
+        damping_is_text
+        doctype
+        empty_file
+        file_ends_early
+        inertia_is_nan
+        inertia_without_components
+        inertial_without_inertia
+        inertial_without_mass
+        joint_without_child
+        joint_without_name
+        joint_without_parent
+        joint_without_type
+        limit_is_infinite
+        link_on_itself
+        link_with_empty_name
+        link_without_name
+        mass_is_empty
+        mass_is_no_number
+        mass_is_text
+        mass_too_large
+        mass_without_value
+        mimic_without_joint
+        missing_link
+        misspelt_joint_type
+        misspelt_link
+        no_link
+        parent_without_link
+        prefix_not_declared
+        raw_character
+        repeated_attribute
+        repeated_joint
+        repeated_link
+        robot_not_closed
+        robot_without_name
+        root_is_no_robot
+        rpy_in_words
+        rpy_too_long
+        several_faults
+        several_roots
+        tag_never_ends
+        two_parents
+        unknown_joint_type
+        wrong_end_tag
+        xyz_too_short
+        xyz_with_commas
+        zero_axis
+    }
+
+    files! { WARNINGS, is_warned_of:
+        limit_of_no_range
+        limit_without_range
+        missing_limit
+        repeated_elements
+        unknown_attributes
+        unknown_elements
+        xacro_leftovers
+    }
+
+    /// Read without a fault: what is wrong with them is the tree's to say.
+    const OF_THE_TREE: &[&str] = &[
+        "indefinite_inertia",
+        "indefinite_product_of_inertia",
+        "inertia_breaks_the_triangle_inequality",
+        "link_name_with_line_end",
+        "massless_tip",
+        "mimic_cycle",
+        "mimic_of_fixed_joint",
+        "mimic_of_itself",
+        "mimic_of_unknown_joint",
+        "negative_mass",
+    ];
+
+    #[test]
+    fn what_the_tree_refuses_is_read() {
+        for name in OF_THE_TREE {
+            assert!(faults(name).is_empty(), "{}", faults(name));
+        }
+    }
+
+    #[test]
+    fn every_file_is_listed() {
+        super::same("urdf", ".urdf", &[FILES, WARNINGS, OF_THE_TREE].concat());
     }
 }
 
@@ -154,15 +276,15 @@ files! { FILES, description_is_refused:
 
 #[test]
 fn every_file_is_listed() {
-    same("", FILES);
+    same("", ".toml", FILES);
 }
 
-fn same(below: &str, listed: &[&str]) {
+fn same(below: &str, ending: &str, listed: &[&str]) {
     let names = fs::read_dir(folder().join(below))
         .expect("the folder is in the repository")
         .map(|entry| entry.expect("a folder can be read to its end").file_name());
     let found: BTreeSet<String> = names
-        .filter_map(|name| Some(name.to_str()?.strip_suffix(".toml")?.to_owned()))
+        .filter_map(|name| Some(name.to_str()?.strip_suffix(ending)?.to_owned()))
         .collect();
     let listed: BTreeSet<String> = listed.iter().map(|name| (*name).to_owned()).collect();
     assert_eq!(found, listed);

@@ -11,6 +11,7 @@ pub mod mjcf;
 pub(crate) mod read;
 pub mod toml;
 pub mod urdf;
+pub(crate) mod xml;
 
 use std::io;
 

@@ -1,0 +1,222 @@
+//! `joint`: a joint, and the two links that it joins.
+
+use crate::description::urdf::{IGNORED, named, origin};
+use crate::description::xml::{Element, Known, Reader};
+use crate::description::{
+    Chart, Given, Joint, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar,
+};
+use crate::diagnostic::{Diagnostic, Spanned};
+
+/// The types of joints.
+const TYPES: [(&str, JointKind); 6] = [
+    ("fixed", JointKind::Fixed),
+    ("revolute", JointKind::Revolute),
+    ("continuous", JointKind::Continuous),
+    ("prismatic", JointKind::Prismatic),
+    ("planar", JointKind::Planar),
+    ("floating", JointKind::Free),
+];
+
+/// A joint, and the two links that it joins.
+pub(super) struct JointElement<'d> {
+    /// The name.
+    pub(super) name: Given<&'d str>,
+    /// The words for it in messages.
+    pub(super) words: String,
+    /// The name of the lower link.
+    pub(super) parent: Given<&'d str>,
+    /// The name of the link that it moves.
+    pub(super) child: Given<&'d str>,
+    /// The joint itself.
+    pub(super) joint: Joint,
+}
+
+/// Reads a `joint`, the `number`-th of the file.
+pub(super) fn read<'d>(
+    reader: &mut Reader,
+    element: Element<'d>,
+    number: usize,
+    chart: Chart,
+) -> JointElement<'d> {
+    let (name, words) = named(reader, element, "joint", number);
+    let known = Known {
+        attributes: &["name", "type"],
+        children: &[
+            "origin", "parent", "child", "axis", "limit", "dynamics", "mimic",
+        ],
+        ignored_children: &IGNORED,
+        ..Known::NONE
+    };
+    reader.unknown(element, &words, &known);
+    let kind = reader
+        .required(element, &words, "type")
+        .and_then(|kind| reader.keyword(kind, &format!("`type` of {words}"), &TYPES));
+    let origin = origin::read(reader, element, &words);
+    let mut joint = Joint {
+        name: name.map(|name| Spanned::new(name.value.to_owned(), name.span)),
+        attachment: origin.position,
+        attachment_rotation: origin.rotation,
+        ..Joint::unknown()
+    };
+    let what = kind.as_ref().map(|kind| &kind.value);
+    if what.is_none_or(JointKind::has_axis) {
+        joint.axis = axis(reader, element, &words);
+    }
+    if what != Some(&JointKind::Fixed) {
+        joint.mimic = mimic(reader, element, &words);
+        dynamics(reader, element, &words, &mut joint);
+    }
+    match &kind {
+        Some(kind) if kind.value == JointKind::Free => {
+            joint.chart = Some(Spanned::new(chart, kind.span));
+        }
+        Some(kind) if matches!(kind.value, JointKind::Fixed | JointKind::Planar) => {}
+        _ => joint.limits = limits(reader, element, &words, what),
+    }
+    joint.kind = kind;
+    JointElement {
+        parent: end(reader, element, &words, "parent"),
+        child: end(reader, element, &words, "child"),
+        name,
+        words,
+        joint,
+    }
+}
+
+/// The link that `parent` or `child` names.
+fn end<'d>(reader: &mut Reader, joint: Element<'d>, words: &str, name: &str) -> Given<&'d str> {
+    let element = reader.required_child(joint, words, name)?;
+    let owner = format!("`{name}` of {words}");
+    let known = Known {
+        attributes: &["link"],
+        ..Known::NONE
+    };
+    reader.unknown(element, &owner, &known);
+    reader.required(element, &owner, "link")
+}
+
+fn axis(reader: &mut Reader, joint: Element<'_>, words: &str) -> Optional<[f64; 3]> {
+    let absent = Some(Spanned::new([1.0, 0.0, 0.0], joint.span()));
+    let Some(element) = reader.child(joint, words, "axis") else {
+        return absent;
+    };
+    let owner = format!("`axis` of {words}");
+    let known = Known {
+        attributes: &["xyz"],
+        ..Known::NONE
+    };
+    reader.unknown(element, &owner, &known);
+    let Some(xyz) = element.attribute("xyz") else {
+        return absent;
+    };
+    let axis: [_; 3] = reader.numbers(xyz, &format!("`xyz` of {owner}"))?;
+    let axis = axis.map(|entry| entry.value);
+    if axis == [0.0; 3] {
+        let fault = Diagnostic::error(format!("{owner} is zero; expected a direction"));
+        reader.faults.push(fault.at(xyz.span, "no direction"));
+        return None;
+    }
+    Some(Spanned::new(axis, xyz.span))
+}
+
+/// The limits; of a joint that has to have them, a warning where there are none.
+fn limits(
+    reader: &mut Reader,
+    joint: Element<'_>,
+    words: &str,
+    kind: Option<&JointKind>,
+) -> PerCoordinate<Limits> {
+    let is_ranged = matches!(kind, Some(JointKind::Revolute | JointKind::Prismatic));
+    let Some(element) = reader.child(joint, words, "limit") else {
+        if is_ranged {
+            let warning = Diagnostic::warning(format!("{words} has no `limit`"));
+            let warning = warning.at(joint.span(), "read as without limits");
+            reader.faults.push(warning);
+        }
+        return PerCoordinate::Absent;
+    };
+    let owner = format!("`limit` of {words}");
+    let known = Known {
+        attributes: &["lower", "upper", "velocity", "effort"],
+        ignored_attributes: &["acceleration", "deceleration", "jerk"],
+        ..Known::NONE
+    };
+    reader.unknown(element, &owner, &known);
+    let mut limits = Limits {
+        velocity: reader.optional_number(element, &owner, "velocity"),
+        effort: reader.optional_number(element, &owner, "effort"),
+        ..Limits::default()
+    };
+    if is_ranged {
+        let mut bound = |name| {
+            if element.attribute(name).is_none() {
+                return Some(Spanned::new(0.0, element.span()));
+            }
+            reader.optional_number(element, &owner, name)
+        };
+        limits.lower = bound("lower");
+        limits.upper = bound("upper");
+        warn_of_range(reader, element, &owner, limits);
+    }
+    PerCoordinate::Same(Spanned::new(limits, element.span()))
+}
+
+/// An absent end of the range is zero, which may surprise; and a range may be empty.
+fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str, limits: Limits) {
+    let is_given = |name: &str| element.attribute(name).is_some();
+    if !is_given("lower") && !is_given("upper") {
+        let warning = format!("{owner} has neither `lower` nor `upper`; both are zero then");
+        let warning = Diagnostic::warning(warning).at(element.span(), "from 0 to 0");
+        reader.faults.push(warning);
+    }
+    let (Some(lower), Some(upper)) = (limits.lower, limits.upper) else {
+        return;
+    };
+    if lower.value > upper.value {
+        let (lower, upper) = (lower.value, upper.value);
+        let warning = format!("{owner} is from {lower:?} to {upper:?}, which is no range");
+        let warning = Diagnostic::warning(warning).at(element.span(), "`lower` above `upper`");
+        reader.faults.push(warning);
+    }
+}
+
+fn dynamics(reader: &mut Reader, element: Element<'_>, words: &str, joint: &mut Joint) {
+    let Some(element) = reader.child(element, words, "dynamics") else {
+        return;
+    };
+    let owner = format!("`dynamics` of {words}");
+    let known = Known {
+        attributes: &["damping", "friction"],
+        ..Known::NONE
+    };
+    reader.unknown(element, &owner, &known);
+    if let Some(damping) = reader.optional_number(element, &owner, "damping") {
+        let value = Scalar::Baked(damping.value);
+        joint.damping = PerCoordinate::Same(Spanned::new(value, damping.span));
+    }
+    if let Some(friction) = reader.optional_number(element, &owner, "friction") {
+        joint.friction = PerCoordinate::Same(friction);
+    }
+}
+
+fn mimic(reader: &mut Reader, joint: Element<'_>, words: &str) -> Optional<Mimic> {
+    let element = reader.child(joint, words, "mimic")?;
+    let owner = format!("`mimic` of {words}");
+    let known = Known {
+        attributes: &["joint", "multiplier", "offset"],
+        ..Known::NONE
+    };
+    reader.unknown(element, &owner, &known);
+    let mut number = |name, absent: f64| match element.attribute(name) {
+        Some(_) => reader.optional_number(element, &owner, name),
+        None => Some(Spanned::new(absent, element.span())),
+    };
+    let (multiplier, offset) = (number("multiplier", 1.0), number("offset", 0.0));
+    let followed = reader.required(element, &owner, "joint")?;
+    let mimic = Mimic {
+        joint: Spanned::new(followed.value.to_owned(), followed.span),
+        multiplier: multiplier?.value,
+        offset: offset?.value,
+    };
+    Some(Spanned::new(mimic, element.span()))
+}
