@@ -258,20 +258,8 @@ fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulatio
         return Some(Formulation::default());
     };
     let what = system.what("formulation");
-    let text = reader.string(item, &what)?;
-    let found = Formulation::ALL
-        .into_iter()
-        .find(|(name, _)| *name == text.value);
-    if found.is_none() {
-        let fault = format!(
-            "{what} is `{}`; expected `cheapest`, `notes` or `recursive`",
-            text.value.escape_debug()
-        );
-        reader
-            .faults
-            .push(Diagnostic::error(fault).at(text.span, "unknown formulation"));
-    }
-    found.map(|(_, formulation)| formulation)
+    let found = reader.choice(item, &what, &Formulation::ALL, "unknown formulation");
+    found.map(|found| found.value)
 }
 
 /// Two systems that write one file would each undo the other.

@@ -257,6 +257,25 @@ impl Scalar {
     }
 }
 
+impl Base {
+    /// Both, with their names.
+    pub const NAMED: [(&str, Self); 2] = [("fixed", Self::Fixed), ("free", Self::Free)];
+}
+
+impl Chart {
+    /// Both, with their names.
+    pub const NAMED: [(&str, Self); 2] =
+        [("angles", Self::Angles), ("quaternion", Self::Quaternion)];
+}
+
+impl Speeds {
+    /// Both, with their names.
+    pub const NAMED: [(&str, Self); 2] = [
+        ("rates", Self::Rates),
+        ("angular_velocity", Self::AngularVelocity),
+    ];
+}
+
 impl JointKind {
     /// The joints that have a name of their own.
     pub const NAMED: [(&str, Self); 9] = [
