@@ -7,6 +7,9 @@
 mod body;
 mod joint;
 mod value;
+mod write;
+
+pub use write::write;
 
 use crate::description::read::{Item, Reader, span};
 use crate::description::{Description, Given, Scalar};
