@@ -60,14 +60,23 @@ mod config_file {
         backslash
         empty_path
         functions_is_string
+        lock_is_list
+        locked_at_text
         missing_model
         missing_output
         no_functions
         no_systems
         output_is_no_rust_file
+        remove_is_string
+        removed_twice
         repeated_function
         several_faults
+        several_faults_of_changes
+        snap_is_negative
+        snap_too_large
         two_systems_one_output
+        unknown_base
+        unknown_chart
         unknown_formulation
         unknown_function
         unknown_function_far_from_any

@@ -1,15 +1,17 @@
 //! One module to generate, and the generation of all that are asked for.
 
 use std::{
-    fs,
+    fs, io,
     path::{Path, PathBuf},
 };
 
 use kane_codegen::{
     compile::Options,
+    description::{self, Reading},
     diagnostic::{Diagnostics, Source},
     error::Error,
     generate::{self, Generated},
+    tree::{self, Changes, Checked},
 };
 
 use super::{Failures, paths, say};
@@ -96,6 +98,21 @@ pub(crate) fn read(model: &Path) -> Result<Source, Error> {
     Ok(Source::new(model.to_string_lossy(), text))
 }
 
+/// Reads the files that a model includes: their paths are relative to its folder.
+pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<String> {
+    |path| fs::read_to_string(paths::parent(model).join(path))
+}
+
+/// Reads a model and checks it.
+pub(crate) fn check(
+    model: &Path,
+    reading: &Reading,
+    changes: &Changes,
+) -> Result<Checked, Failures> {
+    let description = description::read(&read(model)?, reading, &include(model));
+    Ok(tree::build_with(&description, changes)?)
+}
+
 fn generate_one(job: &Job) -> Result<Generated, Failures> {
     if job.target.is_same_file(&job.model) {
         let model = job.model.display();
@@ -104,7 +121,8 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         )));
     }
     let source = read(&job.model)?;
-    generate::generate(&source, &job.shown, &job.options).map_err(|error| match error {
+    let include = include(&job.model);
+    generate::generate(&source, &job.shown, &job.options, &include).map_err(|error| match error {
         Error::Unrepresentable { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }

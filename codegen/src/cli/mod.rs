@@ -10,10 +10,12 @@ mod eval;
 mod generate;
 mod info;
 // What they share: which systems, where they stand, what is wrong with them, how it is written.
+mod changes;
 mod failure;
 mod job;
 mod json;
 mod listed;
+mod parse;
 mod paths;
 mod pipe;
 mod selection;
@@ -44,7 +46,7 @@ pub(crate) const BAD_INPUT: u8 = 2;
     name = "kane",
     version,
     long_about = "Compiler from multibody systems (trees of rigid bodies) to flat, allocation-free Rust.\n\n\
-        A model (TOML) describes the bodies and their joints. `kane generate` writes a Rust module with one \
+        A model (TOML, URDF or MJCF) describes the bodies and their joints. `kane generate` writes a Rust module with one \
         straight-line function per quantity: mass matrix, bias, forward dynamics and so on. `kane.toml` lists the \
         models of a repository and the files generated from them; `kane check` tells in continuous integration \
         whether those files are what their models say.",
@@ -67,7 +69,12 @@ pub(crate) const BAD_INPUT: u8 = 2;
         model = \"models/arm.toml\"\n  \
         output = \"generated/arm.rs\"\n  \
         functions = [\"all\"]          # or names; absent: the default set\n  \
-        formulation = \"cheapest\"     # or notes, recursive; absent: cheapest"
+        formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
+        base = \"free\"                # a URDF's root link; absent: fixed\n  \
+        chart = \"angles\"             # of free and ball joints of a URDF or MJCF; absent: quaternion\n  \
+        snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
+        lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
+        remove = [\"finger_1\"]        # joints to fix at zero"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
