@@ -39,6 +39,12 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// A file that would be overwritten and may hold what was written by hand.
+    #[error("`{}` is there already; move it away, or overwrite it with --force", path.display())]
+    Exists {
+        /// The file.
+        path: PathBuf,
+    },
     /// The build.rs API was called outside of a build script.
     #[error("OUT_DIR is not set: this is for build scripts, which cargo runs")]
     NoBuildScript,

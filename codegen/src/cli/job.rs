@@ -11,6 +11,7 @@ use kane_codegen::{
     diagnostic::{Diagnostics, Source},
     error::Error,
     generate::{self, Generated},
+    output::Staged,
     tree::{self, Changes, Checked},
 };
 
@@ -80,6 +81,18 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
         }
     }
     Ok(modules)
+}
+
+/// Puts a text in the place of its file, and tells which.
+pub(crate) fn commit(staged: Staged, path: &Path) -> Result<(), Error> {
+    let path = path.display();
+    if staged.is_up_to_date() {
+        say(format_args!("{path} is up to date"));
+    } else {
+        staged.commit()?;
+        say(format_args!("wrote {path}"));
+    }
+    Ok(())
 }
 
 /// Tells the user what should be known about a model.

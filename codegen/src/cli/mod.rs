@@ -6,6 +6,7 @@
 
 // One subcommand each.
 mod check;
+mod convert;
 mod eval;
 mod generate;
 mod info;
@@ -63,7 +64,8 @@ pub(crate) const BAD_INPUT: u8 = 2;
         kane check                                         is it up to date?\n  \
         kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
         kane info models/arm.toml                          tree, coordinates, partitions, operation counts\n  \
-        kane eval models/arm.toml --function mass_matrix --state state.json\n\n\
+        kane eval models/arm.toml --function mass_matrix --state state.json\n  \
+        kane convert panda.urdf --output models/panda.toml\n\n\
         kane.toml, with paths relative to it:\n  \
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \
@@ -87,6 +89,7 @@ enum Command {
     Check(check::Arguments),
     Info(info::Arguments),
     Eval(eval::Arguments),
+    Convert(convert::Arguments),
 }
 
 /// How a command ended that was not given bad input.
@@ -105,6 +108,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         Command::Check(arguments) => check::run(arguments, out)?,
         Command::Info(arguments) => info::run(arguments, out)?,
         Command::Eval(arguments) => eval::run(arguments, out)?,
+        Command::Convert(arguments) => convert::run(arguments, out)?,
     };
     out.flush()?;
     Ok(outcome)

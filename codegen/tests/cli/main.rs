@@ -6,6 +6,7 @@
 
 mod changes;
 mod check;
+mod convert;
 mod eval;
 mod generate;
 mod info;
