@@ -72,11 +72,14 @@ pub(crate) const BAD_INPUT: u8 = 2;
         output = \"generated/arm.rs\"\n  \
         functions = [\"all\"]          # or names; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
-        base = \"free\"                # a URDF's root link; absent: fixed\n  \
-        chart = \"angles\"             # of free and ball joints of a URDF or MJCF; absent: quaternion\n  \
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
-        remove = [\"finger_1\"]        # joints to fix at zero"
+        remove = [\"finger_1\"]        # joints to fix at zero\n\n  \
+        [[system]]\n  \
+        model = \"models/panda.urdf\"\n  \
+        output = \"generated/panda.rs\"\n  \
+        base = \"free\"                # how its root link hangs; absent: fixed\n  \
+        chart = \"angles\"             # of free and ball joints, also of an MJCF; absent: quaternion"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
