@@ -22,6 +22,7 @@ use std::{
 use crate::{
     compile::Options,
     config::{Formulation, Functions},
+    description::{Base, Chart},
     diagnostic::{Diagnostics, Severity, Source},
     error::Error,
     generate::generate,
@@ -72,10 +73,45 @@ impl Build {
         self
     }
 
+    /// Says how the root link of a URDF hangs from the inertial frame, in place of fixed.
+    #[must_use]
+    pub fn base(mut self, base: Base) -> Self {
+        self.options.reading.base = Some(base);
+        self
+    }
+
+    /// Says how orientations of free and ball joints of a URDF or MJCF are described, in place of by quaternions.
+    #[must_use]
+    pub fn chart(mut self, chart: Chart) -> Self {
+        self.options.reading.chart = Some(chart);
+        self
+    }
+
+    /// Snaps entries of constant rotations to 0, 1 and -1 where they are as near as `tolerance`, in place of 1e-9.
+    #[must_use]
+    pub fn snap(mut self, tolerance: f64) -> Self {
+        self.options.changes.snap = tolerance;
+        self
+    }
+
+    /// Holds a coordinate at a value, rad or m; the name is that of the coordinate, or of its joint.
+    #[must_use]
+    pub fn lock(mut self, name: impl Into<String>, value: f64) -> Self {
+        self.options.changes.lock.push((name.into(), value));
+        self
+    }
+
+    /// Fixes a joint where its coordinates are zero; the name is that of the joint, or of its body.
+    #[must_use]
+    pub fn remove(mut self, name: impl Into<String>) -> Self {
+        self.options.changes.remove.push(name.into());
+        self
+    }
+
     /// Writes the module, tells cargo when to run the script again, and passes warnings on. Returns the file's path.
     ///
     /// # Errors
-    /// Everything that is wrong with the description; an unknown function; a file that cannot be read or written.
+    /// Everything that is wrong with the description; an option that cannot be; a file that cannot be read or written.
     #[expect(
         clippy::disallowed_methods,
         reason = "cargo names the output folder of a build script in its environment"
@@ -90,16 +126,22 @@ impl Build {
         reason = "a build script speaks to cargo on standard output"
     )]
     fn run_in(&self, folder: &Path) -> Result<PathBuf, Error> {
-        println!("cargo::rerun-if-changed={}", self.model.display());
+        // Told before the file is read, so that one that is missing now is looked for again.
+        let read = |path: &Path| {
+            println!("cargo::rerun-if-changed={}", path.display());
+            fs::read_to_string(path)
+        };
         let name = self.model.to_string_lossy().replace('\\', "/");
-        let text = fs::read_to_string(&self.model).map_err(|source| Error::Io {
+        let text = read(&self.model).map_err(|source| Error::Io {
             path: self.model.clone(),
             source,
         })?;
+        let model_folder = self.model.parent().unwrap_or(Path::new(""));
         let generated = generate(
             &Source::new(&*name, text),
             &shown_path(&self.model),
             &self.options,
+            &|path| read(&model_folder.join(path)),
         )?;
         report(&generated.warnings);
         let own = self.model.file_stem().unwrap_or(self.model.as_os_str());

@@ -3,6 +3,8 @@
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
+use std::ops::Range;
+
 use crate::{
     config::{self, Functions},
     description::Reading,
@@ -13,6 +15,9 @@ use crate::{
     program::{self, Operations, Program},
     tree::{Changes, Tree},
 };
+
+/// The tolerances to which constant rotations may be snapped: beyond, a joint would be another one.
+pub const SNAP_TOLERANCES: Range<f64> = 0.0..1e-2;
 
 /// How a model is read, what is changed of it, and what is generated.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,7 +45,19 @@ pub struct Compiled {
 }
 
 impl Options {
-    fn check(&self) -> Result<(), Error> {
+    /// Refuses what no description can make right.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let tolerance = self.changes.snap;
+        if !SNAP_TOLERANCES.contains(&tolerance) {
+            return Err(Error::SnapTolerance { tolerance });
+        }
+        let mut locked = self.changes.lock.iter();
+        if let Some((name, value)) = locked.find(|(_, value)| !value.is_finite()) {
+            return Err(Error::LockedValue {
+                name: name.clone(),
+                value: *value,
+            });
+        }
         let Functions::Named(names) = &self.functions else {
             return Ok(());
         };
@@ -68,7 +85,7 @@ impl Options {
 /// Compiles the functions that the options select; no other is derived.
 ///
 /// # Errors
-/// [`Error::UnknownFunction`]; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
+/// Options that cannot be; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
 pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     options.check()?;
     let mut preparation = Preparation::default();

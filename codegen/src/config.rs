@@ -8,24 +8,31 @@ use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::Path;
 
+use crate::compile::SNAP_TOLERANCES;
 use crate::description::read::{Item, Reader, Table, list, span};
+use crate::description::{Base, Chart, Reading};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
 use crate::functions::Function;
+use crate::tree::Changes;
 
 /// What a `kane.toml` asks for.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Config {
     /// The systems, in the order of the file.
     pub systems: Vec<System>,
 }
 
 /// One system to generate.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct System {
     /// The description's path, relative to `kane.toml`.
     pub model: String,
     /// The generated file's path, relative to `kane.toml`.
     pub output: String,
+    /// How the model is read.
+    pub reading: Reading,
+    /// What is changed of it.
+    pub changes: Changes,
     /// What to generate.
     pub functions: Functions,
     /// From which formulation.
@@ -76,7 +83,17 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 4] = ["model", "output", "functions", "formulation"];
+const SYSTEM_KEYS: [&str; 9] = [
+    "model",
+    "output",
+    "functions",
+    "formulation",
+    "base",
+    "chart",
+    "snap",
+    "lock",
+    "remove",
+];
 
 /// Reads a `kane.toml`; `known` are the names of the functions that can be generated.
 ///
@@ -119,6 +136,8 @@ pub fn parse(source: &Source, known: &[&str]) -> Result<Config, Diagnostics> {
 struct Written {
     model: Option<Spanned<String>>,
     output: Option<Spanned<String>>,
+    reading: Reading,
+    changes: Changes,
     functions: Option<Functions>,
     formulation: Option<Formulation>,
 }
@@ -128,6 +147,8 @@ impl Written {
         Some(System {
             model: self.model?.value,
             output: self.output?.value,
+            reading: self.reading,
+            changes: self.changes,
             functions: self.functions?,
             formulation: self.formulation?,
         })
@@ -156,6 +177,8 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
     Some(Written {
         model,
         output,
+        reading: reading(reader, &table),
+        changes: changes(reader, &table),
         functions: functions(reader, &table, known),
         formulation: formulation(reader, &table),
     })
@@ -258,20 +281,81 @@ fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulatio
         return Some(Formulation::default());
     };
     let what = system.what("formulation");
-    let text = reader.string(item, &what)?;
-    let found = Formulation::ALL
-        .into_iter()
-        .find(|(name, _)| *name == text.value);
-    if found.is_none() {
-        let fault = format!(
-            "{what} is `{}`; expected `cheapest`, `notes` or `recursive`",
-            text.value.escape_debug()
-        );
-        reader
-            .faults
-            .push(Diagnostic::error(fault).at(text.span, "unknown formulation"));
+    let found = reader.choice(item, &what, &Formulation::ALL, "unknown formulation");
+    found.map(|found| found.value)
+}
+
+fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
+    let base = system.get("base");
+    let base = base
+        .and_then(|item| reader.choice(item, &system.what("base"), &Base::NAMED, "unknown base"));
+    let chart = system.get("chart");
+    let chart = chart.and_then(|item| {
+        reader.choice(item, &system.what("chart"), &Chart::NAMED, "unknown chart")
+    });
+    Reading {
+        base: base.map(|base| base.value),
+        chart: chart.map(|chart| chart.value),
     }
-    found.map(|(_, formulation)| formulation)
+}
+
+fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> Changes {
+    let mut changes = Changes::default();
+    let snap = system.get("snap");
+    if let Some(snap) = snap.and_then(|item| reader.number(item, &system.what("snap"))) {
+        if SNAP_TOLERANCES.contains(&snap.value) {
+            changes.snap = snap.value;
+        } else {
+            let fault = format!(
+                "{} is {:?}; expected at least {} and less than {}",
+                system.what("snap"),
+                snap.value,
+                SNAP_TOLERANCES.start,
+                SNAP_TOLERANCES.end
+            );
+            reader
+                .faults
+                .push(Diagnostic::error(fault).at(snap.span, "no tolerance"));
+        }
+    }
+    if let Some(item) = system.get("lock") {
+        let table = reader.any_table(item, &system.what("lock"));
+        for (name, item) in table.iter().flat_map(Table::entries) {
+            let what = system.what("lock");
+            let what = format!("`{}` of {what}", name.value.escape_debug());
+            let value = reader.number(item, &what);
+            changes
+                .lock
+                .extend(value.map(|value| (name.value.to_owned(), value.value)));
+        }
+        changes.lock.sort_by(|(one, _), (other, _)| one.cmp(other));
+    }
+    if let Some(item) = system.get("remove") {
+        changes.remove = names(reader, item, &system.what("remove"));
+    }
+    changes
+}
+
+/// Names, none of them twice.
+fn names(reader: &mut Reader, item: &Item<'_>, what: &str) -> Vec<String> {
+    let mut names: Vec<Spanned<String>> = Vec::new();
+    let entries = reader.list(item, what, "names").unwrap_or_default();
+    for (index, entry) in entries.into_iter().enumerate() {
+        let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
+            continue;
+        };
+        if let Some(first) = names.iter().find(|first| first.value == name.value) {
+            let fault = format!("{what} names `{}` twice", name.value.escape_debug());
+            reader.faults.push(
+                Diagnostic::error(fault)
+                    .at(name.span, "the second one")
+                    .at(first.span, "the first one"),
+            );
+        } else {
+            names.push(name);
+        }
+    }
+    names.into_iter().map(|name| name.value).collect()
 }
 
 /// Two systems that write one file would each undo the other.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::diagnostic::Diagnostics;
+use crate::{compile::SNAP_TOLERANCES, diagnostic::Diagnostics};
 
 /// Why nothing was generated.
 #[derive(Debug, thiserror::Error)]
@@ -19,9 +19,29 @@ pub enum Error {
         /// The names there are.
         known: Vec<&'static str>,
     },
+    /// A tolerance that is none, or so large that it would make another system.
+    #[error("the snap tolerance is {tolerance:?}; expected at least {} and less than {}", SNAP_TOLERANCES.start, SNAP_TOLERANCES.end)]
+    SnapTolerance {
+        /// The tolerance.
+        tolerance: f64,
+    },
+    /// A coordinate that would be held at no number.
+    #[error("`{name}` is locked at {value}; expected a finite number")]
+    LockedValue {
+        /// The coordinate or joint.
+        name: String,
+        /// The value.
+        value: f64,
+    },
     /// A file that would be overwritten does not begin with our banner.
     #[error("`{}` was not written by `kane generate`; move it away, or overwrite it with --force", path.display())]
     NotGenerated {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file that would be overwritten and may hold what was written by hand.
+    #[error("`{}` is there already; move it away, or overwrite it with --force", path.display())]
+    Exists {
         /// The file.
         path: PathBuf,
     },

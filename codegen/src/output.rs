@@ -1,4 +1,4 @@
-//! Writing a generated file: whole or not at all, and never over a file that is not ours.
+//! Writing a file: whole or not at all, and never over a file that is not ours.
 
 use std::{
     fs,
@@ -8,10 +8,12 @@ use std::{
 
 use crate::{error::Error, generate::BANNER_START};
 
-/// Whether a file that does not begin with our banner may be overwritten.
+/// Which files may be overwritten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overwrite {
-    /// Only files that we wrote.
+    /// None.
+    Nothing,
+    /// Only files that begin with our banner.
     Generated,
     /// Any file.
     Anything,
@@ -49,7 +51,8 @@ impl Staged {
 /// is left alone.
 ///
 /// # Errors
-/// [`Error::NotGenerated`] where the file is not ours; [`Error::Io`]. The old file is then as it was.
+/// [`Error::NotGenerated`] or [`Error::Exists`] where the file may not be overwritten; [`Error::Io`]. The old file is
+/// then as it was.
 pub fn write(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Error> {
     stage(path, text, overwrite)?.commit()
 }
@@ -57,7 +60,7 @@ pub fn write(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Error>
 /// Writes `text` beside the file at `path`, which stays as it is; folders that are missing are made.
 ///
 /// # Errors
-/// [`Error::NotGenerated`] where the file is not ours; [`Error::Io`].
+/// [`Error::NotGenerated`] or [`Error::Exists`] where the file may not be overwritten; [`Error::Io`].
 pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Error> {
     let io = |source| Error::Io {
         path: path.to_owned(),
@@ -69,6 +72,11 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
     };
     match read(path)? {
         Some(old) if old == text.as_bytes() => return Ok(staged(None)),
+        Some(_) if overwrite == Overwrite::Nothing => {
+            return Err(Error::Exists {
+                path: path.to_owned(),
+            });
+        }
         Some(old)
             if overwrite == Overwrite::Generated && !old.starts_with(BANNER_START.as_bytes()) =>
         {

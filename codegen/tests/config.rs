@@ -1,7 +1,9 @@
 //! Reading `kane.toml`.
 
 use kane_codegen::config::{self, Formulation, Functions};
+use kane_codegen::description::{Base, Chart, Reading};
 use kane_codegen::diagnostic::Source;
+use kane_codegen::tree::Changes;
 
 const KNOWN: [&str; 3] = ["mass_matrix", "bias", "rotation"];
 
@@ -65,4 +67,45 @@ fn file_that_is_not_toml_has_that_fault_alone() {
     1 | [[system]
       |          ^ here
     "#);
+}
+
+#[test]
+fn reading_and_changes_are_read_in_an_order_of_their_own() {
+    let text = r#"
+        [[system]]
+        model = "panda.urdf"
+        output = "panda.rs"
+        base = "free"
+        chart = "angles"
+        snap = 1e-5
+        lock = { wrist = 1, "elbow joint" = -0.5 }
+        remove = ["finger_2", "finger_1"]
+
+        [[system]]
+        model = "arm.toml"
+        output = "arm.rs"
+    "#;
+    let config = config::parse(&Source::new("kane.toml", text), &KNOWN).unwrap();
+    let [panda, arm] = config.systems.as_slice() else {
+        panic!("two systems")
+    };
+    assert_eq!(
+        panda.reading,
+        Reading {
+            base: Some(Base::Free),
+            chart: Some(Chart::Angles)
+        }
+    );
+    assert_eq!(
+        panda.changes,
+        Changes {
+            snap: 1e-5,
+            lock: vec![("elbow joint".to_owned(), -0.5), ("wrist".to_owned(), 1.0)],
+            remove: vec!["finger_2".to_owned(), "finger_1".to_owned()],
+        }
+    );
+    assert_eq!(
+        (arm.reading, &arm.changes),
+        (Reading::default(), &Changes::default())
+    );
 }

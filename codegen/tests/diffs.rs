@@ -10,6 +10,7 @@ use std::{
 use kane_codegen::{
     compile::Options,
     config::{Formulation, Functions},
+    description::no_includes,
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
@@ -82,6 +83,7 @@ fn module(text: &str, formulation: Formulation) -> String {
         &Source::new("model.toml", text),
         "models/model.toml",
         &options,
+        &no_includes,
     )
     .unwrap()
     .source
@@ -395,9 +397,14 @@ fn a_function_s_text_does_not_depend_on_what_else_is_asked_for() {
             functions,
             ..Options::default()
         };
-        let alone = generate(&Source::new("m.toml", &*text), "m.toml", &options)
-            .unwrap()
-            .source;
+        let alone = generate(
+            &Source::new("m.toml", &*text),
+            "m.toml",
+            &options,
+            &no_includes,
+        )
+        .unwrap()
+        .source;
         let body = |module: &str| {
             let start = module.find(&format!("pub fn {}<", function.name)).unwrap();
             module[start..start + module[start..].find("\n}\n").unwrap()].to_owned()

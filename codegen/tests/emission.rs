@@ -2,9 +2,22 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use std::fs;
+use std::{collections::BTreeSet, fs};
 
-use kane_codegen::{compile::Options, config::Functions, diagnostic::Source, generate::generate};
+use kane_codegen::{
+    compile::Options,
+    config::Functions,
+    description::{Base, Chart, Reading, no_includes},
+    diagnostic::Source,
+    error::Error,
+    generate::{self, Generated},
+    tree::Changes,
+};
+
+/// The module of a model that stands alone.
+fn generate(source: &Source, shown: &str, options: &Options) -> Result<Generated, Error> {
+    generate::generate(source, shown, options, &no_includes)
+}
 
 fn module(name: &str, functions: Functions) -> String {
     let path = format!("{}/tests/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -150,4 +163,109 @@ fn masses_that_add_up_to_more_than_f64_holds_are_an_error() {
             "{function}: {error}"
         );
     }
+}
+
+#[test]
+fn banner_shows_every_change_and_its_hash_covers_them() {
+    let path = format!("{}/tests/models/cart_pole.toml", env!("CARGO_MANIFEST_DIR"));
+    let source = Source::new("cart_pole.toml", fs::read_to_string(path).unwrap());
+    let banner = |changes: Changes| {
+        let options = Options {
+            functions: named(&["bias"]),
+            changes,
+            ..Options::default()
+        };
+        let generated = generate(&source, "cart_pole.toml", &options).unwrap();
+        let line = generated.source.lines().nth(1).unwrap().to_owned();
+        let (hash, options) = line
+            .split_once(", format 2; functions: bias; formulation: cheapest; ")
+            .unwrap();
+        (hash.to_owned(), options.to_owned())
+    };
+    let default = Changes::default;
+    let banners = [
+        (default(), "snap: 1e-9."),
+        (
+            Changes {
+                snap: 1e-5,
+                ..default()
+            },
+            "snap: 1e-5.",
+        ),
+        (
+            Changes {
+                lock: vec![("pole".to_owned(), 0.5)],
+                ..default()
+            },
+            "snap: 1e-9; lock: \"pole\" = 0.5.",
+        ),
+        (
+            Changes {
+                remove: vec!["pole".to_owned()],
+                ..default()
+            },
+            "snap: 1e-9; remove: \"pole\".",
+        ),
+    ];
+    let mut hashes = BTreeSet::new();
+    for (changes, expected) in banners {
+        let (hash, options) = banner(changes);
+        assert_eq!(options, expected);
+        assert!(hashes.insert(hash), "{expected}");
+    }
+}
+
+#[test]
+fn tolerances_and_values_that_are_none_are_an_error() {
+    let error = |changes: Changes| {
+        let options = Options {
+            changes,
+            ..Options::default()
+        };
+        let error = generate(&Source::new("a.toml", ""), "a.toml", &options).unwrap_err();
+        error.to_string()
+    };
+    for snap in [f64::NAN, -1e-9, 0.01] {
+        let changes = Changes {
+            snap,
+            ..Changes::default()
+        };
+        assert_eq!(
+            error(changes),
+            format!("the snap tolerance is {snap:?}; expected at least 0 and less than 0.01")
+        );
+    }
+    let lock = vec![("elbow".to_owned(), f64::INFINITY)];
+    let changes = Changes {
+        lock,
+        ..Changes::default()
+    };
+    assert_eq!(
+        error(changes),
+        "`elbow` is locked at inf; expected a finite number"
+    );
+}
+
+#[test]
+fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
+    let options = Options {
+        reading: Reading {
+            base: Some(Base::Free),
+            chart: Some(Chart::Angles),
+        },
+        ..Options::default()
+    };
+    let text = fs::read_to_string(format!(
+        "{}/tests/models/pendulum.toml",
+        env!("CARGO_MANIFEST_DIR")
+    ));
+    let source = Source::new("pendulum.toml", text.unwrap());
+    let error = generate(&source, "pendulum.toml", &options).unwrap_err();
+    insta::assert_snapshot!(error, @"
+    error: the base can be chosen for a URDF alone: this model says itself by which joints its bodies hang from the inertial frame
+    --> pendulum.toml
+
+    error: the chart can be chosen for a URDF or MJCF alone: each joint of this model says it itself, with the key `chart`
+    --> pendulum.toml
+    ");
 }

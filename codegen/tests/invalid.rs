@@ -65,14 +65,23 @@ mod config_file {
         backslash
         empty_path
         functions_is_string
+        lock_is_list
+        locked_at_text
         missing_model
         missing_output
         no_functions
         no_systems
         output_is_no_rust_file
+        remove_is_string
+        removed_twice
         repeated_function
         several_faults
+        several_faults_of_changes
+        snap_is_negative
+        snap_too_large
         two_systems_one_output
+        unknown_base
+        unknown_chart
         unknown_formulation
         unknown_function
         unknown_function_far_from_any
@@ -204,17 +213,31 @@ mod urdf_file {
 }
 
 files! { FILES, description_is_refused:
+    armature_of_no_coordinate
     attachment_too_large
+    axis_at_run_time
+    axis_is_zero
+    axis_missing
+    axis_not_expected
+    body_attachment_too_short
     body_is_number
     body_is_one_table
     body_on_itself
     cycle
+    damping_is_string
+    damping_of_unknown_coordinate
     empty_name
+    friction_at_run_time
     gravity_is_number
     gravity_too_long
     indefinite_inertia
     joint_entry_is_number
     joint_is_number
+    joint_name_is_number
+    limit_at_run_time
+    limits_is_number
+    limits_of_unknown_coordinate
+    limits_with_unknown_key
     locked_and_free
     locked_at_run_time
     locked_at_singular_angle
@@ -230,6 +253,8 @@ files! { FILES, description_is_refused:
     massless_body_on_a_parallel_axis
     massless_slides_in_a_row
     massless_tip
+    mimic_is_string
+    mimic_without_joint
     missing_attachment
     missing_bodies
     missing_body_name
@@ -240,7 +265,9 @@ files! { FILES, description_is_refused:
     missing_mass
     missing_mass_center
     missing_name
+    misspelt_axis
     misspelt_body_key
+    misspelt_joint
     name_is_number
     name_that_turns_the_writing
     name_with_line_end
@@ -256,22 +283,32 @@ files! { FILES, description_is_refused:
     repeated_coordinate
     repeated_key
     repeated_name
+    rotation_is_not_orthogonal
+    rotation_is_not_quite_orthogonal
+    rotation_is_reflection
+    rotation_is_too_large
+    rotation_row_is_number
+    rotation_with_two_rows
     runtime_is_string
     runtime_key_misspelt
     runtime_with_another_key
     several_faults
+    several_joint_faults
+    stiffness_of_all_and_of_one
     thin_rod_about_itself
     thin_rod_with_all_angles
     too_few_lower_bodies
     too_many_lower_bodies
     unclosed_list
     unknown_body_key
+    unknown_chart
     unknown_coordinate
     unknown_inertia_key
     unknown_joint
     unknown_lower_body
     unknown_order
     unknown_root_key
+    unknown_speeds
 }
 
 #[test]

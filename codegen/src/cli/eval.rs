@@ -9,15 +9,15 @@ use std::{
 use clap::Args;
 use kane_codegen::{
     compile, config,
-    description::toml,
     diagnostic::Source,
     error::Error,
     functions::{Block, Function, Shape},
-    tree,
 };
 use serde_json::{Value, json};
 
-use super::{Failures, Outcome, job, json, say, selection, state};
+use super::{
+    Failures, Outcome, changes::ChangesArguments, job, json, parse, say, selection, state,
+};
 
 /// Evaluate one function at a state, and print the numbers as JSON
 ///
@@ -50,6 +50,9 @@ pub(crate) struct Arguments {
     #[arg(value_name = "MODEL")]
     model: PathBuf,
 
+    #[command(flatten)]
+    changes: ChangesArguments,
+
     /// The function; `kane info MODEL` lists them
     #[arg(long, short, value_name = "NAME")]
     function: String,
@@ -59,7 +62,7 @@ pub(crate) struct Arguments {
     state: PathBuf,
 
     /// How sums over bodies are associated
-    #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = selection::formulation())]
+    #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = parse::one_of(config::Formulation::ALL))]
     formulation: config::Formulation,
 }
 
@@ -69,8 +72,10 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let function = Function::find(&arguments.function)
         .ok_or_else(|| selection::unknown_function(&arguments.function));
     let function = failures.keep(function);
-    let model = failures.keep(job::read(&arguments.model));
-    let checked = model.and_then(|model| failures.keep(tree::build(&toml::parse(&model))));
+    let changes = &arguments.changes;
+    failures.keep(changes.check());
+    let checked = job::check(&arguments.model, &changes.reading(), &changes.changes());
+    let checked = failures.keep(checked);
     let state = failures.keep(read_state(&arguments.state));
     failures.none()?;
     let (Some(function), Some(checked), Some(state)) = (function, checked, state) else {

@@ -8,7 +8,6 @@ use kane_codegen::output::{self, Overwrite};
 use super::{
     Failures, Outcome,
     job::{self, Target},
-    say,
     selection::Selection,
 };
 
@@ -54,13 +53,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     }
     failures.none()?;
     for (path, staged) in files {
-        let path = path.display();
-        if staged.is_up_to_date() {
-            say(format_args!("{path} is up to date"));
-        } else {
-            staged.commit()?;
-            say(format_args!("wrote {path}"));
-        }
+        job::commit(staged, path)?;
     }
     Ok(Outcome::Done)
 }

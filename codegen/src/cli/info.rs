@@ -7,7 +7,6 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    description::toml,
     functions::Formulation,
     id::BodyId,
     program::Operations,
@@ -16,7 +15,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, job, json};
+use super::{Failures, Outcome, changes::ChangesArguments, job, json};
 
 /// Show a model's tree, coordinates, partitions, parameters and operation counts
 ///
@@ -44,6 +43,9 @@ pub(crate) struct Arguments {
     #[arg(value_name = "MODEL")]
     model: PathBuf,
 
+    #[command(flatten)]
+    changes: ChangesArguments,
+
     /// Print JSON for programs
     #[arg(long)]
     json: bool,
@@ -51,8 +53,9 @@ pub(crate) struct Arguments {
 
 /// Reads the model and prints what is known of it.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
-    let model = job::read(&arguments.model)?;
-    let checked = tree::build(&toml::parse(&model))?;
+    let changes = &arguments.changes;
+    changes.check()?;
+    let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
     if arguments.json {

@@ -1,15 +1,18 @@
 //! One module to generate, and the generation of all that are asked for.
 
 use std::{
-    fs,
+    fs, io,
     path::{Path, PathBuf},
 };
 
 use kane_codegen::{
     compile::Options,
+    description::{self, Reading},
     diagnostic::{Diagnostics, Source},
     error::Error,
     generate::{self, Generated},
+    output::Staged,
+    tree::{self, Changes, Checked},
 };
 
 use super::{Failures, paths, say};
@@ -80,6 +83,18 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
     Ok(modules)
 }
 
+/// Puts a text in the place of its file, and tells which.
+pub(crate) fn commit(staged: Staged, path: &Path) -> Result<(), Error> {
+    let path = path.display();
+    if staged.is_up_to_date() {
+        say(format_args!("{path} is up to date"));
+    } else {
+        staged.commit()?;
+        say(format_args!("wrote {path}"));
+    }
+    Ok(())
+}
+
 /// Tells the user what should be known about a model.
 pub(crate) fn warn(warnings: &Diagnostics) {
     if !warnings.is_empty() {
@@ -96,6 +111,21 @@ pub(crate) fn read(model: &Path) -> Result<Source, Error> {
     Ok(Source::new(model.to_string_lossy(), text))
 }
 
+/// Reads the files that a model includes: their paths are relative to its folder.
+pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<String> {
+    |path| fs::read_to_string(paths::parent(model).join(path))
+}
+
+/// Reads a model and checks it.
+pub(crate) fn check(
+    model: &Path,
+    reading: &Reading,
+    changes: &Changes,
+) -> Result<Checked, Failures> {
+    let description = description::read(&read(model)?, reading, &include(model));
+    Ok(tree::build_with(&description, changes)?)
+}
+
 fn generate_one(job: &Job) -> Result<Generated, Failures> {
     if job.target.is_same_file(&job.model) {
         let model = job.model.display();
@@ -104,7 +134,8 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         )));
     }
     let source = read(&job.model)?;
-    generate::generate(&source, &job.shown, &job.options).map_err(|error| match error {
+    let include = include(&job.model);
+    generate::generate(&source, &job.shown, &job.options, &include).map_err(|error| match error {
         Error::Unrepresentable { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }

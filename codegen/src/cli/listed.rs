@@ -63,7 +63,8 @@ impl Listed {
             options: Options {
                 functions: system.functions.clone(),
                 formulation: system.formulation,
-                ..Options::default()
+                reading: system.reading,
+                changes: system.changes.clone(),
             },
             model,
         })

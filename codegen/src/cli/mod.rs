@@ -6,14 +6,17 @@
 
 // One subcommand each.
 mod check;
+mod convert;
 mod eval;
 mod generate;
 mod info;
 // What they share: which systems, where they stand, what is wrong with them, how it is written.
+mod changes;
 mod failure;
 mod job;
 mod json;
 mod listed;
+mod parse;
 mod paths;
 mod pipe;
 mod selection;
@@ -44,7 +47,7 @@ pub(crate) const BAD_INPUT: u8 = 2;
     name = "kane",
     version,
     long_about = "Compiler from multibody systems (trees of rigid bodies) to flat, allocation-free Rust.\n\n\
-        A model (TOML) describes the bodies and their joints. `kane generate` writes a Rust module with one \
+        A model (TOML, URDF or MJCF) describes the bodies and their joints. `kane generate` writes a Rust module with one \
         straight-line function per quantity: mass matrix, bias, forward dynamics and so on. `kane.toml` lists the \
         models of a repository and the files generated from them; `kane check` tells in continuous integration \
         whether those files are what their models say.",
@@ -61,13 +64,22 @@ pub(crate) const BAD_INPUT: u8 = 2;
         kane check                                         is it up to date?\n  \
         kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
         kane info models/arm.toml                          tree, coordinates, partitions, operation counts\n  \
-        kane eval models/arm.toml --function mass_matrix --state state.json\n\n\
+        kane eval models/arm.toml --function mass_matrix --state state.json\n  \
+        kane convert panda.urdf --output models/panda.toml\n\n\
         kane.toml, with paths relative to it:\n  \
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \
         output = \"generated/arm.rs\"\n  \
         functions = [\"all\"]          # or names; absent: the default set\n  \
-        formulation = \"cheapest\"     # or notes, recursive; absent: cheapest"
+        formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
+        snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
+        lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
+        remove = [\"finger_1\"]        # joints to fix at zero\n\n  \
+        [[system]]\n  \
+        model = \"models/panda.urdf\"\n  \
+        output = \"generated/panda.rs\"\n  \
+        base = \"free\"                # how its root link hangs; absent: fixed\n  \
+        chart = \"angles\"             # of free and ball joints, also of an MJCF; absent: quaternion"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -80,6 +92,7 @@ enum Command {
     Check(check::Arguments),
     Info(info::Arguments),
     Eval(eval::Arguments),
+    Convert(convert::Arguments),
 }
 
 /// How a command ended that was not given bad input.
@@ -98,6 +111,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         Command::Check(arguments) => check::run(arguments, out)?,
         Command::Info(arguments) => info::run(arguments, out)?,
         Command::Eval(arguments) => eval::run(arguments, out)?,
+        Command::Convert(arguments) => convert::run(arguments, out)?,
     };
     out.flush()?;
     Ok(outcome)

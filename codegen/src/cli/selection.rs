@@ -4,7 +4,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, builder::PossibleValuesParser, builder::TypedValueParser};
+use clap::Args;
 use kane_codegen::{
     compile::Options,
     config::{Formulation, Functions},
@@ -15,8 +15,10 @@ use kane_codegen::{
 
 use super::{
     Failures,
+    changes::ChangesArguments,
     job::{self, Job, Target},
     listed::{self, Listed},
+    parse::{name_of, one_of, quoted},
     paths,
 };
 
@@ -25,15 +27,15 @@ use super::{
 pub(crate) struct Selection {
     /// The model; without it, everything in `kane.toml`
     ///
-    /// If the `kane.toml` in the model's folder or the nearest above lists the model, output, functions and formulation
-    /// are those written there, as far as no option says otherwise. If not, --output says where the module goes.
+    /// If the `kane.toml` in the model's folder or the nearest above lists the model, output and options are those
+    /// written there, as far as no option says otherwise. If not, --output says where the module goes.
     #[arg(value_name = "MODEL")]
     model: Option<PathBuf>,
 
     /// The file to write; `-` is standard output
     ///
-    /// Relative to the current folder. Functions and formulation are then those of the options, or the defaults; those
-    /// of `kane.toml` only if it lists this model with this very file.
+    /// Relative to the current folder. What is not said by options then has its default; what `kane.toml` says counts
+    /// only if it lists this model with this very file.
     #[arg(long, short, value_name = "FILE", requires = "model")]
     output: Option<PathBuf>,
 
@@ -44,8 +46,11 @@ pub(crate) struct Selection {
     functions: Option<Vec<String>>,
 
     /// How sums over bodies are associated: as in the notes, along the tree, or whichever needs fewer operations
-    #[arg(long, value_name = "WHICH", requires = "model", value_parser = formulation())]
+    #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
+
+    #[command(flatten)]
+    changes: ChangesArguments,
 
     /// The file that lists the systems, in place of the `kane.toml` found in the current folder or above it
     /// (with MODEL: in the model's folder or above it)
@@ -71,17 +76,6 @@ pub(crate) struct Whole {
     pub(crate) root: PathBuf,
 }
 
-/// Reads `--formulation`.
-pub(crate) fn formulation() -> impl TypedValueParser<Value = Formulation> {
-    let names = Formulation::ALL.map(|(name, _)| name);
-    PossibleValuesParser::new(names).map(|name| {
-        let found = Formulation::ALL
-            .into_iter()
-            .find(|(known, _)| *known == name);
-        found.expect("clap takes only these names").1
-    })
-}
-
 /// Why a function cannot be had, with the name that was probably meant.
 pub(crate) fn unknown_function(name: &str) -> Failures {
     let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
@@ -95,7 +89,11 @@ pub(crate) fn unknown_function(name: &str) -> Failures {
 impl Selection {
     /// The systems that are selected.
     pub(crate) fn plan(&self) -> Result<Plan, Failures> {
-        let functions = self.functions.as_deref().map(functions).transpose()?;
+        let mut failures = Failures::default();
+        let functions = self.functions.as_deref().map(functions).transpose();
+        let functions = failures.keep(functions).flatten();
+        failures.keep(self.changes.check());
+        failures.none()?;
         match &self.model {
             None => self.whole(),
             Some(model) => {
@@ -125,7 +123,10 @@ impl Selection {
         }
         if let Some(formulation) = self.formulation {
             push("--formulation");
-            push(formulation_name(formulation));
+            push(name_of(&formulation, &Formulation::ALL));
+        }
+        for word in self.changes.words() {
+            push(&word);
         }
         if let Some(config) = &self.config {
             push("--config");
@@ -191,6 +192,9 @@ impl Selection {
             if let Some(formulation) = self.formulation {
                 job.options.formulation = formulation;
             }
+            let options = &mut job.options;
+            options.reading = self.changes.reading_above(options.reading);
+            options.changes = self.changes.above(options.changes.clone());
         }
         Ok(jobs)
     }
@@ -237,21 +241,4 @@ fn functions(names: &[String]) -> Result<Functions, Failures> {
     }
     failures.none()?;
     Ok(Functions::Named(names.to_vec()))
-}
-
-fn formulation_name(formulation: Formulation) -> &'static str {
-    let found = Formulation::ALL
-        .into_iter()
-        .find(|(_, known)| *known == formulation);
-    found.expect("config: every formulation has a name").0
-}
-
-/// The text as a shell reads it back.
-fn quoted(text: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "_-./,=:@+%".contains(c);
-    if !text.is_empty() && text.chars().all(plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', r"'\''"))
-    }
 }

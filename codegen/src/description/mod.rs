@@ -39,16 +39,44 @@ pub enum Base {
 /// Reads a file that a model includes, given its path as the model writes it.
 pub type Include<'a> = &'a dyn Fn(&str) -> io::Result<String>;
 
+/// Reads no file: for a model that stands alone.
+///
+/// # Errors
+/// Always.
+pub fn no_includes(_path: &str) -> io::Result<String> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
 /// Reads a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or
 /// `.mjcf`, our own format otherwise.
 pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Description {
     let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
-    match extension.to_ascii_lowercase().as_str() {
-        "urdf" => urdf::parse(source, reading),
-        "xml" | "mjcf" if urdf::is_urdf(source) => urdf::parse(source, reading),
-        "xml" | "mjcf" => mjcf::parse(source, reading, include),
-        _ => toml::parse(source),
+    let (mut description, base, chart) = match extension.to_ascii_lowercase().as_str() {
+        "urdf" => (urdf::parse(source, reading), None, None),
+        "xml" | "mjcf" if urdf::is_urdf(source) => (urdf::parse(source, reading), None, None),
+        "xml" | "mjcf" => {
+            let base = "an MJCF says itself which of its bodies are free";
+            (mjcf::parse(source, reading, include), Some(base), None)
+        }
+        _ => {
+            let base =
+                "this model says itself by which joints its bodies hang from the inertial frame";
+            let chart = "each joint of this model says it itself, with the key `chart`";
+            (toml::parse(source), Some(base), Some(chart))
+        }
+    };
+    // What the model says itself is not asked for a second time.
+    let base = base
+        .filter(|_| reading.base.is_some())
+        .map(|why| ("base", "a URDF", why));
+    let chart = chart
+        .filter(|_| reading.chart.is_some())
+        .map(|why| ("chart", "a URDF or MJCF", why));
+    for (option, of, why) in base.into_iter().chain(chart) {
+        let fault = format!("the {option} can be chosen for {of} alone: {why}");
+        description.faults.push(Diagnostic::error(fault));
     }
+    description
 }
 
 /// A value with its place; `None` where the file holds none that can be used, which is then among the faults.
@@ -256,6 +284,25 @@ impl Scalar {
             Self::Baked(number) | Self::Runtime(number) => number,
         }
     }
+}
+
+impl Base {
+    /// Both, with their names.
+    pub const NAMED: [(&str, Self); 2] = [("fixed", Self::Fixed), ("free", Self::Free)];
+}
+
+impl Chart {
+    /// Both, with their names.
+    pub const NAMED: [(&str, Self); 2] =
+        [("angles", Self::Angles), ("quaternion", Self::Quaternion)];
+}
+
+impl Speeds {
+    /// Both, with their names.
+    pub const NAMED: [(&str, Self); 2] = [
+        ("rates", Self::Rates),
+        ("angular_velocity", Self::AngularVelocity),
+    ];
 }
 
 impl JointKind {

@@ -43,6 +43,11 @@ impl<'t, 's> Table<'t, 's> {
             .map(|(key, value)| (Spanned::new(key.get_ref().as_ref(), key.span()), value))
     }
 
+    /// True where an unknown key was probably meant to be this one.
+    pub(crate) fn is_misspelt(&self, key: &str) -> bool {
+        self.misspelt.iter().any(|misspelt| misspelt == key)
+    }
+
     /// The words for the value of a key: "`mass` of body `hub`".
     pub(crate) fn what(&self, key: &str) -> String {
         if self.owner.is_empty() {
@@ -184,7 +189,7 @@ impl Reader {
         example: &str,
     ) -> Option<&'t Item<'s>> {
         let item = table.get(key);
-        if item.is_none() && !table.misspelt.iter().any(|misspelt| misspelt == key) {
+        if item.is_none() && !table.is_misspelt(key) {
             let fault = match table.span {
                 Some(span) => Diagnostic::error(format!("{} has no `{key}`", table.owner))
                     .at(span, format!("`{key}` is missing")),
@@ -203,6 +208,32 @@ impl Reader {
         }
         self.wrong_type(item, what, "a string");
         None
+    }
+
+    /// A string that must be the name of one of the choices; `label` stands below one that is not.
+    pub(crate) fn choice<T: Copy>(
+        &mut self,
+        item: &Item<'_>,
+        what: &str,
+        choices: &[(&str, T)],
+        label: &str,
+    ) -> Option<Spanned<T>> {
+        let text = self.string(item, what)?;
+        let found = choices.iter().find(|(name, _)| *name == text.value);
+        if found.is_none() {
+            let names: Vec<String> = choices
+                .iter()
+                .map(|(name, _)| format!("`{name}`"))
+                .collect();
+            let expected = match names.split_last() {
+                Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+                _ => names.concat(),
+            };
+            let found = text.value.escape_debug();
+            let fault = Diagnostic::error(format!("{what} is `{found}`; expected {expected}"));
+            self.faults.push(fault.at(text.span, label));
+        }
+        found.map(|(_, value)| Spanned::new(*value, text.span))
     }
 
     /// A value that must be a list.

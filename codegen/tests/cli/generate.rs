@@ -118,7 +118,7 @@ fn model_that_kane_toml_lists_goes_where_that_says() {
         (0, "wrote generated/arm.rs\n")
     );
     let text = project.read("generated/arm.rs");
-    assert!(text.contains("functions: mass_matrix, bias; formulation: cheapest."));
+    assert!(text.contains("functions: mass_matrix, bias; formulation: cheapest; snap: 1e-9."));
     assert!(!text.contains("pub fn forward_dynamics"));
 }
 
@@ -129,7 +129,7 @@ fn options_stand_above_kane_toml() {
     let ran = project.kane(&[&["generate", "models/arm.toml"], &options[..]].concat());
     assert_eq!(ran.code, 0, "{ran:?}");
     let text = project.read("generated/arm.rs");
-    assert!(text.contains("functions: rotation; formulation: notes."));
+    assert!(text.contains("functions: rotation; formulation: notes; snap: 1e-9."));
     assert!(!text.contains("pub fn bias"));
 }
 
@@ -380,6 +380,11 @@ fn options_of_one_model_need_a_model() {
         ["--functions", "bias"],
         ["--output", "x.rs"],
         ["--formulation", "notes"],
+        ["--base", "free"],
+        ["--chart", "angles"],
+        ["--snap", "0"],
+        ["--lock", "elbow"],
+        ["--remove", "elbow"],
     ] {
         let ran = Project::arm().kane(&["generate", option[0], option[1]]);
         assert_eq!(ran.code, 2);
@@ -413,7 +418,7 @@ fn help_and_version_are_there() {
         project.kane(&["--version"]).out,
         concat!("kane ", env!("CARGO_PKG_VERSION"), "\n")
     );
-    for command in ["generate", "check", "info", "eval"] {
+    for command in ["generate", "check", "info", "eval", "convert"] {
         let ran = project.kane(&[command, "--help"]);
         assert_eq!(ran.code, 0);
         assert!(ran.out.contains("Examples:"), "{command}");

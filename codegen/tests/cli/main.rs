@@ -4,7 +4,9 @@
     reason = "a test stops where it fails, its helpers too"
 )]
 
+mod changes;
 mod check;
+mod convert;
 mod eval;
 mod generate;
 mod info;

@@ -20,6 +20,7 @@ use kane::{
 use kane_codegen::{
     compile::Options,
     config::{Formulation, Functions},
+    description::no_includes,
     diagnostic::Source,
     generate::generate,
 };
@@ -166,7 +167,8 @@ fn generated(compiled: Compiled) -> (String, Vec<(&'static str, usize)>) {
         ..Options::default()
     };
     let model = Source::new(compiled.name, compiled.model);
-    let generated = generate(&model, compiled.name, &options).expect("it was generated before");
+    let generated =
+        generate(&model, compiled.name, &options, &no_includes).expect("it was generated before");
     let counts = generated
         .functions
         .iter()

@@ -5,6 +5,7 @@ use std::{fs, path::Path, process::Command};
 use kane_codegen::{
     compile::Options,
     config::{Formulation, Functions},
+    description::no_includes,
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
@@ -19,7 +20,7 @@ fn module(name: &str, text: &str, formulation: Formulation) -> String {
         formulation,
         ..Options::default()
     };
-    generate(&Source::new(name, text), name, &options)
+    generate(&Source::new(name, text), name, &options, &no_includes)
         .expect("a right description")
         .source
 }

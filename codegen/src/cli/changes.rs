@@ -1,0 +1,134 @@
+//! The arguments that say how a model is read and what is changed of it.
+
+use clap::Args;
+use kane_codegen::{
+    description::{Base, Chart, Reading},
+    tree::Changes,
+};
+
+use super::{
+    Failures,
+    parse::{lock, name_of, one_of, tolerance},
+};
+
+/// What a URDF or MJCF leaves to the user.
+#[derive(Args, Debug)]
+pub(crate) struct ReadingArguments {
+    /// How the root link of a URDF hangs from the inertial frame [default: fixed]
+    #[arg(long, value_name = "BASE", requires = "model", value_parser = one_of(Base::NAMED))]
+    base: Option<Base>,
+
+    /// How orientations of free and ball joints of a URDF or MJCF are described [default: quaternion]
+    #[arg(long, value_name = "CHART", requires = "model", value_parser = one_of(Chart::NAMED))]
+    chart: Option<Chart>,
+}
+
+/// How a model is read, and what is changed of it.
+#[derive(Args, Debug)]
+pub(crate) struct ChangesArguments {
+    #[command(flatten)]
+    reading: ReadingArguments,
+
+    /// Snap entries of constant rotations to 0, 1 and -1 where they are as near as this [default: 1e-9]
+    ///
+    /// Rounded right angles, such as 1.5708, leave crumbs that cost operations: 1e-5 takes those away. 0 changes nothing.
+    #[arg(long, value_name = "TOLERANCE", requires = "model", value_parser = tolerance)]
+    snap: Option<f64>,
+
+    /// Hold a coordinate at a value, rad or m; without one at 0. May be repeated
+    ///
+    /// The name is that of the coordinate, as `kane info` lists it, or of its joint.
+    #[arg(long, value_name = "NAME[=VALUE]", requires = "model", value_parser = lock)]
+    lock: Vec<(String, f64)>,
+
+    /// Fix a joint where its coordinates are zero. May be repeated
+    ///
+    /// The name is that of the joint, or of its body.
+    #[arg(long, value_name = "JOINT", requires = "model")]
+    remove: Vec<String>,
+}
+
+impl ReadingArguments {
+    /// What is said, above what was said before.
+    pub(crate) fn above(&self, before: Reading) -> Reading {
+        Reading {
+            base: self.base.or(before.base),
+            chart: self.chart.or(before.chart),
+        }
+    }
+
+    fn words(&self) -> Vec<String> {
+        let base = self
+            .base
+            .map(|base| ["--base", name_of(&base, &Base::NAMED)]);
+        let chart = self
+            .chart
+            .map(|chart| ["--chart", name_of(&chart, &Chart::NAMED)]);
+        let words = base.into_iter().chain(chart).flatten();
+        words.map(str::to_owned).collect()
+    }
+}
+
+impl ChangesArguments {
+    /// Names that are given twice.
+    pub(crate) fn check(&self) -> Result<(), Failures> {
+        let locked: Vec<&str> = self.lock.iter().map(|(name, _)| name.as_str()).collect();
+        let removed: Vec<&str> = self.remove.iter().map(String::as_str).collect();
+        let mut failures = Failures::default();
+        for (option, names) in [("--lock", locked), ("--remove", removed)] {
+            for (index, name) in names.iter().enumerate() {
+                if names[..index].contains(name) {
+                    let name = name.escape_debug();
+                    failures.add(Failures::message(format!("{option} names `{name}` twice")));
+                }
+            }
+        }
+        failures.none()
+    }
+
+    /// How the model is read.
+    pub(crate) fn reading(&self) -> Reading {
+        self.reading.above(Reading::default())
+    }
+
+    /// What is changed of it.
+    pub(crate) fn changes(&self) -> Changes {
+        self.above(Changes::default())
+    }
+
+    /// How the model is read: what is said, above what was said before.
+    pub(crate) fn reading_above(&self, before: Reading) -> Reading {
+        self.reading.above(before)
+    }
+
+    /// What is changed of the model: what is said, above what was said before.
+    pub(crate) fn above(&self, before: Changes) -> Changes {
+        let mut changes = before;
+        if let Some(snap) = self.snap {
+            changes.snap = snap;
+        }
+        if !self.lock.is_empty() {
+            changes.lock.clone_from(&self.lock);
+        }
+        if !self.remove.is_empty() {
+            changes.remove.clone_from(&self.remove);
+        }
+        changes
+    }
+
+    /// The same arguments, as words of a command.
+    pub(crate) fn words(&self) -> Vec<String> {
+        let mut words = self.reading.words();
+        let mut push = |option: &str, value: String| words.extend([option.to_owned(), value]);
+        if let Some(snap) = self.snap {
+            push("--snap", format!("{snap:?}"));
+        }
+        for (name, value) in &self.lock {
+            push("--lock", format!("{name}={value:?}"));
+        }
+        for name in &self.remove {
+            push("--remove", name.clone());
+        }
+        words
+    }
+}

@@ -1,0 +1,73 @@
+//! `kane convert`.
+
+use std::{io::Write, path::PathBuf};
+
+use clap::Args;
+use kane_codegen::{
+    description::{self, Reading, toml},
+    output::{self, Overwrite},
+    tree::{self, Changes},
+};
+
+use super::{
+    Failures, Outcome,
+    changes::ReadingArguments,
+    job::{self, Target},
+};
+
+/// Write a model in our own format, whichever it is in
+///
+/// The model is checked first, and what should be known about it is told. What is written is what the model says,
+/// limits, friction and mimicking joints included: nothing is snapped, locked, removed or renumbered. Comments are lost.
+#[derive(Args, Debug)]
+#[command(after_long_help = "Examples:\n  \
+    kane convert panda.urdf\n  \
+    kane convert panda.urdf --base free --output models/panda.toml\n  \
+    kane convert humanoid.xml --chart angles | less")]
+pub(crate) struct Arguments {
+    /// The model: URDF, MJCF or TOML
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+
+    /// The file to write; without it, or with `-`, standard output
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    #[command(flatten)]
+    reading: ReadingArguments,
+
+    /// Overwrite a file that is there already
+    #[arg(long)]
+    force: bool,
+}
+
+/// Reads, checks and writes.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let model = &arguments.model;
+    let output = arguments.output.as_deref();
+    let target = output.map_or(Target::StandardOutput, Target::new);
+    if target.is_same_file(model) {
+        return Err(Failures::message(format!(
+            "`{}` is the model; what it is converted to needs a file of its own",
+            model.display()
+        )));
+    }
+    let reading = arguments.reading.above(Reading::default());
+    let description = description::read(&job::read(model)?, &reading, &job::include(model));
+    let checked = tree::build_with(&description, &Changes::default())?;
+    let text = toml::write(&description)?;
+    job::warn(&checked.warnings);
+    match target {
+        Target::StandardOutput => out.write_all(text.as_bytes())?,
+        Target::File(path) => {
+            let overwrite = if arguments.force {
+                Overwrite::Anything
+            } else {
+                Overwrite::Nothing
+            };
+            let staged = output::stage(&path, &text, overwrite)?;
+            job::commit(staged, &path)?;
+        }
+    }
+    Ok(Outcome::Done)
+}

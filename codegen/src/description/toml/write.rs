@@ -1,0 +1,321 @@
+//! A description in our own format.
+//!
+//! In: a description, however it was read. Out: text that [`parse`](super::parse) reads as that description. What is
+//! absent or has its default is left out, but for what must be written. Does not: check what the values mean.
+
+use std::fmt::Write as _;
+
+use crate::description::toml::ORDERS;
+use crate::description::{
+    Axis, Body, Chart, Description, Given, INERTIA_COMPONENTS, Joint, JointKind, Limits, Mimic,
+    PerCoordinate, Rotation, Scalar, Speeds,
+};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Spanned};
+use crate::tree::Order;
+
+/// Writes a description, the same one always as the same text.
+///
+/// ```
+/// use kane_codegen::description::toml;
+/// use kane_codegen::diagnostic::Source;
+///
+/// let text = "\
+/// name = \"pendulum\"
+/// lower_bodies = [0]
+///
+/// [[body]]
+/// name = \"bob\"
+/// mass = { runtime = 2.0 }
+/// mass_center = [0.0, 0.0, -0.5]
+/// inertia = { xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0 }
+/// attachment = [0.0, 0.0, 0.0]
+/// joint = \"revolute\"
+/// axis = [1.0, 0.0, 0.0]
+/// damping = 0.1
+/// ";
+/// let description = toml::parse(&Source::new("pendulum.toml", text));
+/// assert_eq!(toml::write(&description).unwrap(), text);
+/// ```
+///
+/// # Errors
+/// What was wrong already while reading the description, and what it lacks.
+pub fn write(description: &Description) -> Result<String, Diagnostics> {
+    let is_error = |fault: &Diagnostic| fault.severity == Severity::Error;
+    let mut faults = description.faults.clone();
+    if !faults.iter().any(is_error) {
+        let mut writer = Writer::default();
+        writer.system(description);
+        if writer.faults.is_empty() {
+            return Ok(writer.text);
+        }
+        faults.extend(writer.faults);
+    }
+    Err(Diagnostics::new(description.source.clone(), faults))
+}
+
+/// A table that holds nothing.
+const EMPTY: &str = "{}";
+
+#[derive(Default)]
+struct Writer {
+    text: String,
+    /// Whose keys are being written: " of body 3"; empty for the system's.
+    owner: String,
+    faults: Vec<Diagnostic>,
+}
+
+impl Writer {
+    /// A key and its value; a value that there is not cannot be written.
+    fn line(&mut self, key: &str, value: Option<String>) {
+        match value {
+            Some(value) => writeln!(self.text, "{key} = {value}").expect("a string takes any text"),
+            None => self.faults.push(Diagnostic::error(format!(
+                "`{key}`{} is missing or not finite, so the description cannot be written",
+                self.owner
+            ))),
+        }
+    }
+
+    fn system(&mut self, description: &Description) {
+        self.line("name", description.name.as_ref().map(string));
+        let zero = |component: &Given<Scalar>| {
+            component.is_some_and(|component| component.value == Scalar::Baked(0.0))
+        };
+        if !description.gravity.iter().all(zero) {
+            self.line("gravity", vector(&description.gravity));
+        }
+        let lower_bodies = description.lower_bodies.as_ref();
+        let lower_bodies = lower_bodies.and_then(|numbers| {
+            list(
+                numbers
+                    .value
+                    .iter()
+                    .map(|number| Some(number.as_ref()?.value.to_string())),
+            )
+        });
+        self.line("lower_bodies", lower_bodies);
+        match description.order {
+            Some(order) if order.value == Order::Body => {}
+            order => self.line("order", order.and_then(|order| name(&order.value, &ORDERS))),
+        }
+        for (body, number) in description.bodies.iter().zip(1..) {
+            self.owner = format!(" of body {number}");
+            self.text.push_str("\n[[body]]\n");
+            self.body(body);
+        }
+    }
+
+    fn body(&mut self, body: &Body) {
+        self.line("name", body.name.as_ref().map(string));
+        self.line("mass", scalar(body.mass));
+        self.line("mass_center", vector(&body.mass_center));
+        let components = body.inertia.into_iter().map(scalar);
+        self.line(
+            "inertia",
+            table(INERTIA_COMPONENTS.into_iter().zip(components)),
+        );
+        if let Some(rotation) = &body.inertia_rotation {
+            self.line("inertia_rotation", matrix(&rotation.value));
+        }
+        self.joint(&body.joint);
+    }
+
+    fn joint(&mut self, joint: &Joint) {
+        self.line("attachment", vector(&joint.attachment));
+        if let Some(rotation) = &joint.attachment_rotation {
+            self.line("attachment_rotation", matrix(&rotation.value));
+        }
+        if let Some(attachment) = &joint.body_attachment {
+            self.line("body_attachment", vector(attachment));
+        }
+        if let Some(rotation) = &joint.body_rotation {
+            self.line("body_rotation", matrix(&rotation.value));
+        }
+        self.line(
+            "joint",
+            joint.kind.as_ref().and_then(|kind| joint_kind(&kind.value)),
+        );
+        if let Some(name) = &joint.name {
+            self.line("joint_name", Some(string(name)));
+        }
+        if let Some(axis) = &joint.axis {
+            self.line("axis", list(axis.value.map(number)));
+        }
+        if !joint.locked.is_empty() {
+            let locked = joint.locked.iter();
+            let locked =
+                locked.map(|(axis, value)| Some((axis.value, number(value.as_ref()?.value)?)));
+            self.line("locked", by_coordinate(locked));
+        }
+        if let Some(chart) = joint.chart {
+            self.line("chart", name(&chart.value, &Chart::NAMED));
+        }
+        if let Some(speeds) = joint.speeds {
+            self.line("speeds", name(&speeds.value, &Speeds::NAMED));
+        }
+        self.per_coordinate("stiffness", &joint.stiffness, binding);
+        self.per_coordinate("rest", &joint.rest, binding);
+        self.per_coordinate("damping", &joint.damping, binding);
+        self.per_coordinate("armature", &joint.armature, binding);
+        self.per_coordinate("friction", &joint.friction, |value| number(*value));
+        self.per_coordinate("limits", &joint.limits, limits);
+        if let Some(mimic) = &joint.mimic {
+            self.line("mimic", mimic_table(&mimic.value));
+        }
+    }
+
+    fn per_coordinate<T>(
+        &mut self,
+        key: &str,
+        quantity: &PerCoordinate<T>,
+        one: impl Fn(&T) -> Option<String>,
+    ) {
+        let value = match quantity {
+            PerCoordinate::Absent => return,
+            PerCoordinate::Same(value) => one(&value.value),
+            PerCoordinate::Each(values) => {
+                let values = values.iter();
+                by_coordinate(values.map(|(axis, value)| Some((axis.value, one(&value.value)?))))
+            }
+        };
+        // A table that holds nothing says nothing.
+        if value.as_deref() != Some(EMPTY) {
+            self.line(key, value);
+        }
+    }
+}
+
+/// The name of one of these choices.
+fn name<T: PartialEq>(value: &T, choices: &[(&str, T)]) -> Option<String> {
+    let found = choices.iter().find(|(_, choice)| choice == value);
+    found.map(|(name, _)| quoted(name))
+}
+
+fn joint_kind(kind: &JointKind) -> Option<String> {
+    match kind {
+        JointKind::List(axes) => list(axes.iter().map(|axis| Some(quoted(axis.value.name())))),
+        named => name(named, &JointKind::NAMED),
+    }
+}
+
+fn limits(limits: &Limits) -> Option<String> {
+    let Limits {
+        lower,
+        upper,
+        velocity,
+        effort,
+    } = limits;
+    let limits = [
+        ("lower", lower),
+        ("upper", upper),
+        ("velocity", velocity),
+        ("effort", effort),
+    ];
+    table(
+        limits
+            .into_iter()
+            .filter_map(|(key, limit)| Some((key, number(limit.as_ref()?.value)))),
+    )
+}
+
+fn mimic_table(mimic: &Mimic) -> Option<String> {
+    let factor = (mimic.multiplier != 1.0).then(|| ("multiplier", number(mimic.multiplier)));
+    let offset = (mimic.offset != 0.0).then(|| ("offset", number(mimic.offset)));
+    let joint = ("joint", Some(string(&mimic.joint)));
+    table([joint].into_iter().chain(factor).chain(offset))
+}
+
+/// A table by coordinate, in the order of [`Axis::ALL`].
+fn by_coordinate(values: impl Iterator<Item = Option<(Axis, String)>>) -> Option<String> {
+    let mut values: Vec<(Axis, String)> = values.collect::<Option<_>>()?;
+    values.sort_by_key(|(axis, _)| *axis);
+    table(
+        values
+            .into_iter()
+            .map(|(axis, value)| (axis.name(), Some(value))),
+    )
+}
+
+fn scalar(scalar: Given<Scalar>) -> Option<String> {
+    binding(&scalar?.value)
+}
+
+/// A number in its binding time.
+fn binding(scalar: &Scalar) -> Option<String> {
+    match *scalar {
+        Scalar::Baked(value) => number(value),
+        Scalar::Runtime(value) => table([("runtime", number(value))]),
+    }
+}
+
+fn vector(vector: &[Given<Scalar>; 3]) -> Option<String> {
+    list(vector.map(scalar))
+}
+
+/// A rotation by rows, its columns aligned.
+fn matrix(rotation: &Rotation) -> Option<String> {
+    let mut rows = Vec::with_capacity(3);
+    for row in rotation {
+        let [x, y, z] = row.map(number);
+        rows.push([x?, y?, z?]);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+    let widths = [width(0), width(1), width(2)];
+    let mut text = String::from("[\n");
+    for [x, y, z] in &rows {
+        let [first, second, third] = widths;
+        writeln!(text, "    [{x:>first$}, {y:>second$}, {z:>third$}],")
+            .expect("a string takes any text");
+    }
+    text.push(']');
+    Some(text)
+}
+
+/// A finite number in its shortest text that reads back bit for bit; zero has no sign.
+fn number(number: f64) -> Option<String> {
+    number.is_finite().then(|| format!("{:?}", number + 0.0))
+}
+
+fn list(values: impl IntoIterator<Item = Option<String>>) -> Option<String> {
+    let values: Vec<String> = values.into_iter().collect::<Option<_>>()?;
+    Some(format!("[{}]", values.join(", ")))
+}
+
+fn table<'k>(values: impl IntoIterator<Item = (&'k str, Option<String>)>) -> Option<String> {
+    let values = values.into_iter();
+    let values = values.map(|(key, value)| Some(format!("{key} = {}", value?)));
+    let values: Vec<String> = values.collect::<Option<_>>()?;
+    Some(if values.is_empty() {
+        EMPTY.to_owned()
+    } else {
+        format!("{{ {} }}", values.join(", "))
+    })
+}
+
+fn string(text: &Spanned<String>) -> String {
+    quoted(&text.value)
+}
+
+/// A basic string of TOML.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from('"');
+    for character in text.chars() {
+        match character {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            '\n' => quoted.push_str("\\n"),
+            '\r' => quoted.push_str("\\r"),
+            '\t' => quoted.push_str("\\t"),
+            // What TOML forbids, and what an editor would not show.
+            _ if character.is_control()
+                || ('\u{2028}'..='\u{202e}').contains(&character)
+                || ('\u{2066}'..='\u{2069}').contains(&character) =>
+            {
+                write!(quoted, "\\u{:04X}", u32::from(character)).expect("a string takes any text");
+            }
+            _ => quoted.push(character),
+        }
+    }
+    quoted.push('"');
+    quoted
+}

@@ -1,0 +1,137 @@
+//! The arguments that say how a model is read and what is changed of it.
+
+use super::project::Project;
+
+const COMMANDS: [&[&str]; 4] = [
+    &["generate", "models/arm.toml", "--output", "-"],
+    &["check", "models/arm.toml"],
+    &["info", "models/arm.toml"],
+    &[
+        "eval",
+        "models/arm.toml",
+        "--function",
+        "bias",
+        "--state",
+        "state.json",
+    ],
+];
+
+/// The second line of `generated/arm.rs`, from the tolerance on.
+fn changes(project: &Project) -> String {
+    let text = project.read("generated/arm.rs");
+    let line = text.lines().nth(1).unwrap();
+    line[line.find("snap: ").unwrap()..].to_owned()
+}
+
+#[test]
+fn every_command_knows_them() {
+    for command in ["generate", "check", "info", "eval"] {
+        let help = Project::empty().kane(&[command, "--help"]).out;
+        for option in [
+            "--base <",
+            "--chart <",
+            "--snap <",
+            "--lock <",
+            "--remove <",
+        ] {
+            assert!(help.contains(option), "{command} {option}");
+        }
+    }
+}
+
+#[test]
+fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
+    let project = Project::arm();
+    project.write(
+        "state.json",
+        r#"{"q": [0, 0, 0], "u": [0, 0, 0], "u_dot": [0, 0, 0]}"#,
+    );
+    for command in COMMANDS {
+        let arguments = ["--base", "fixed", "--chart", "angles"];
+        let ran = project.kane(&[command, &arguments[..]].concat());
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{command:?}");
+        assert!(
+            ran.err
+                .starts_with("error: the base can be chosen for a URDF alone: ")
+                && ran
+                    .err
+                    .contains("\n\nerror: the chart can be chosen for a URDF or MJCF alone: "),
+            "{}",
+            ran.err
+        );
+    }
+}
+
+#[test]
+fn values_that_are_none_are_refused() {
+    for (option, value, reason) in [
+        ("--base", "floating", "[possible values: fixed, free]"),
+        ("--chart", "euler", "[possible values: angles, quaternion]"),
+        ("--snap", "0.5", "expected at least 0 and less than 0.01"),
+        ("--snap", "nan", "expected at least 0 and less than 0.01"),
+        ("--snap", "x", "expected a number"),
+        ("--lock", "elbow=up", "`up` is no number"),
+        ("--lock", "elbow=inf", "expected a finite number"),
+        ("--lock", "=0.5", "expected a name before the value"),
+    ] {
+        for command in COMMANDS {
+            let ran = Project::arm().kane(&[command, &[option, value]].concat());
+            assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+            assert!(ran.err.contains(reason), "{option} {value}: {}", ran.err);
+        }
+    }
+}
+
+#[test]
+fn names_given_twice_are_reported_together() {
+    let arguments = [
+        "info",
+        "models/arm.toml",
+        "--lock",
+        "fore",
+        "--lock",
+        "fore=0.5",
+        "--remove",
+        "upper",
+        "--remove",
+        "upper",
+    ];
+    let ran = Project::arm().kane(&arguments);
+    assert_eq!(ran.code, 2);
+    assert_eq!(
+        ran.err,
+        "error: --lock names `fore` twice\nerror: --remove names `upper` twice\n"
+    );
+}
+
+#[test]
+fn options_stand_above_kane_toml() {
+    let project = Project::arm();
+    let config = project.read("kane.toml") + "snap = 1e-6\nlock = { fore = 0.25 }\n";
+    project.write("kane.toml", &config);
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    assert_eq!(changes(&project), "snap: 1e-6; lock: \"fore\" = 0.25.");
+    let ran = project.kane(&["generate", "models/arm.toml", "--lock", "fore=-0.5"]);
+    assert_eq!(ran.code, 0, "{ran:?}");
+    assert_eq!(changes(&project), "snap: 1e-6; lock: \"fore\" = -0.5.");
+    let ran = project.kane(&["generate", "models/arm.toml", "--snap", "0"]);
+    assert_eq!(ran.code, 0, "{ran:?}");
+    assert_eq!(changes(&project), "snap: 0.0; lock: \"fore\" = 0.25.");
+}
+
+#[test]
+fn command_that_is_printed_has_them() {
+    let project = Project::generated();
+    for arguments in [
+        ["--snap", "1e-5", "--lock", "fore=0.5"],
+        ["--snap", "0.0", "--remove", "fore"],
+    ] {
+        let ran = project.kane(&[&["check", "models/arm.toml"], &arguments[..]].concat());
+        assert_eq!(ran.code, 1);
+        let expected = format!(
+            "run: kane generate models/arm.toml {}\n",
+            arguments.join(" ")
+        );
+        assert!(ran.out.ends_with(&expected), "{}", ran.out);
+    }
+}
