@@ -100,7 +100,7 @@ mod urdf_file {
     use kane_codegen::description::{Reading, urdf};
     use kane_codegen::diagnostic::{Diagnostics, Severity};
 
-    use super::file;
+    use super::{file, tree};
 
     /// All but notes: that a URDF has no gravity is no fault of these files.
     fn faults(name: &str) -> Diagnostics {
@@ -176,7 +176,6 @@ mod urdf_file {
     }
 
     files! { WARNINGS, is_warned_of:
-        limit_of_no_range
         limit_without_range
         missing_limit
         repeated_elements
@@ -185,35 +184,60 @@ mod urdf_file {
         xacro_leftovers
     }
 
-    /// Read without a fault: what is wrong with them is the tree's to say.
-    const OF_THE_TREE: &[&str] = &[
-        "indefinite_inertia",
-        "indefinite_product_of_inertia",
-        "inertia_breaks_the_triangle_inequality",
-        "link_name_with_line_end",
-        "massless_tip",
-        "mimic_cycle",
-        "mimic_of_fixed_joint",
-        "mimic_of_itself",
-        "mimic_of_unknown_joint",
-        "negative_mass",
-    ];
+    /// What is read without a fault, but is no tree.
+    fn is_refused_by_the_tree(name: &str) {
+        assert!(faults(name).is_empty(), "{}", faults(name));
+        let faults = built(name).expect_err("the file has a fault");
+        insta::assert_snapshot!(format!("urdf_{name}"), faults);
+    }
 
-    #[test]
-    fn what_the_tree_refuses_is_read() {
-        for name in OF_THE_TREE {
-            assert!(faults(name).is_empty(), "{}", faults(name));
-        }
+    fn the_tree_warns_of(name: &str) {
+        assert!(faults(name).is_empty(), "{}", faults(name));
+        let warnings = built(name).expect("the file has no error").warnings;
+        let mut list = warnings.list().to_vec();
+        list.retain(|fault| fault.severity != Severity::Note);
+        assert!(!list.is_empty());
+        let warnings = Diagnostics::new(warnings.source().clone(), list);
+        insta::assert_snapshot!(format!("urdf_{name}"), warnings);
+    }
+
+    fn built(name: &str) -> Result<tree::Checked, Diagnostics> {
+        let source = file(&format!("urdf/{name}.urdf"));
+        tree::build(&urdf::parse(&source, &Reading::default()))
+    }
+
+    files! { OF_THE_TREE, is_refused_by_the_tree:
+        indefinite_inertia
+        indefinite_product_of_inertia
+        link_name_with_line_end
+        massless_tip
+        mimic_cycle
+        mimic_of_fixed_joint
+        mimic_of_itself
+        mimic_of_unknown_joint
+        negative_mass
+    }
+
+    files! { WARNINGS_OF_THE_TREE, the_tree_warns_of:
+        inertia_breaks_the_triangle_inequality
+        limit_of_no_range
     }
 
     #[test]
     fn every_file_is_listed() {
-        super::same("urdf", ".urdf", &[FILES, WARNINGS, OF_THE_TREE].concat());
+        super::same(
+            "urdf",
+            ".urdf",
+            &[FILES, WARNINGS, OF_THE_TREE, WARNINGS_OF_THE_TREE].concat(),
+        );
     }
 }
 
 files! { FILES, description_is_refused:
+    all_bodies_fixed
+    angular_velocity_of_two_angles
     armature_of_no_coordinate
+    armature_of_one_component
     attachment_too_large
     axis_at_run_time
     axis_is_zero
@@ -224,7 +248,9 @@ files! { FILES, description_is_refused:
     body_is_one_table
     body_on_itself
     cycle
+    damping_by_coordinate_beside_an_axis
     damping_is_string
+    damping_of_a_locked_coordinate
     damping_of_unknown_coordinate
     empty_name
     friction_at_run_time
@@ -241,6 +267,7 @@ files! { FILES, description_is_refused:
     locked_and_free
     locked_at_run_time
     locked_at_singular_angle
+    locked_beside_an_axis
     locked_is_list
     locked_unknown_coordinate
     lower_bodies_is_number
@@ -253,7 +280,12 @@ files! { FILES, description_is_refused:
     massless_body_on_a_parallel_axis
     massless_slides_in_a_row
     massless_tip
+    mimic_cycle
     mimic_is_string
+    mimic_of_a_fixed_joint
+    mimic_of_a_joint_with_two
+    mimic_of_two_coordinates
+    mimic_of_unknown_joint
     mimic_without_joint
     missing_attachment
     missing_bodies
@@ -271,8 +303,12 @@ files! { FILES, description_is_refused:
     name_is_number
     name_that_turns_the_writing
     name_with_line_end
+    negative_armature
+    negative_damping
+    negative_friction
     negative_lower_body
     negative_mass
+    negative_velocity_limit
     no_bodies
     no_free_coordinate
     no_keys
@@ -280,6 +316,8 @@ files! { FILES, description_is_refused:
     not_toml
     point_mass_all_angles_at_its_center
     point_mass_on_its_axis
+    quaternion_of_one_angle
+    rates_of_a_quaternion
     repeated_coordinate
     repeated_key
     repeated_name
@@ -294,11 +332,14 @@ files! { FILES, description_is_refused:
     runtime_with_another_key
     several_faults
     several_joint_faults
+    spring_of_an_angular_velocity
     stiffness_of_all_and_of_one
     thin_rod_about_itself
     thin_rod_with_all_angles
     too_few_lower_bodies
     too_many_lower_bodies
+    two_coordinates_of_one_name
+    two_joints_of_one_name
     unclosed_list
     unknown_body_key
     unknown_chart

@@ -86,6 +86,7 @@ pub(crate) fn assemble(
     tree.frames = frames(&tree, &builder.frames);
     note_merged(&tree, findings);
     names::check_coordinates(&tree, findings);
+    names::note_order(&tree, findings);
     Some(tree)
 }
 

@@ -319,10 +319,14 @@ impl Check<'_> {
             && lower.value > upper.value
         {
             let message = format!(
-                "the limits of {} are {:?} and {:?}; expected the lower one below the upper",
+                "the limits of {} are from {:?} to {:?}, which is no range",
                 self.name, lower.value, upper.value
             );
-            self.fault(message, lower.span, "above the upper limit");
+            self.findings.push(
+                Diagnostic::warning(message)
+                    .at(lower.span, "above the upper limit")
+                    .at(upper.span, "the upper limit"),
+            );
         }
         for (what, limit) in [("velocity", limits.velocity), ("effort", limits.effort)] {
             if let Some(limit) = limit.filter(|limit| limit.value < 0.0) {

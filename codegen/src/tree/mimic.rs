@@ -1,6 +1,6 @@
 //! Coordinates that follow others: each is traced to the free coordinate at the end of its chain.
 
-use crate::description::{Description, Mimic};
+use crate::description::{Description, JointKind, Mimic};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::tree::names::shown;
 use crate::tree::resolve::{Freedom, Resolved, joint_name};
@@ -113,9 +113,22 @@ fn link(
         });
         return None;
     };
-    if leading(&joints[leader]).is_none() {
+    let is_fixed = match &description.bodies[leader].joint.kind {
+        Some(kind) => match &kind.value {
+            JointKind::Fixed => true,
+            JointKind::List(axes) => axes.is_empty(),
+            _ => false,
+        },
+        None => false,
+    };
+    if is_fixed || leading(&joints[leader]).is_none() {
+        let has = if is_fixed {
+            "no coordinate"
+        } else {
+            "more than one coordinate"
+        };
         let fault = format!(
-            "the joint of {name} mimics `{}`, which has not one coordinate",
+            "the joint of {name} mimics `{}`, which has {has}",
             joint.value.escape_debug()
         );
         findings.push(

@@ -63,7 +63,6 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
 
 /// Coordinates of one body, of which each by itself moves no mass.
 fn separately(tree: &Tree, description: &Description, motion: &Motion) -> Diagnostic {
-    let name = shown(description, user_place(tree, motion[0].0));
     let (verb, them) = if motion.len() == 1 {
         ("moves", "it")
     } else {
@@ -73,10 +72,36 @@ fn separately(tree: &Tree, description: &Description, motion: &Motion) -> Diagno
         "{} {verb} no mass",
         named(tree, description, motion)
     ));
+    let chain = beyond(tree, description, motion[0].0);
     let help = format!(
-        "leave {them} out of `joint`, or give {name} or a body beyond it the mass or inertia that would move"
+        "leave {them} out of the joint, or give {chain} the mass or inertia that would move"
     );
     at_joints(tree, description, motion, fault, "moves no mass").help(help)
+}
+
+/// A body and those beyond it: "body `a`", or "one of body `a`, body `b` and body `c`".
+fn beyond(tree: &Tree, description: &Description, first: BodyId) -> String {
+    let mut carried = vec![false; tree.bodies.len()];
+    carried[first.index()] = true;
+    let mut chain = vec![first];
+    for body in tree.body_ids().skip(first.index() + 1) {
+        if tree.lower(body).is_some_and(|lower| carried[lower.index()]) {
+            carried[body.index()] = true;
+            chain.push(body);
+        }
+    }
+    let mut names: Vec<String> = chain
+        .iter()
+        .take(MOST_NAMED)
+        .map(|body| shown(description, user_place(tree, *body)))
+        .collect();
+    if chain.len() > MOST_NAMED {
+        names.push(format!("{} more", chain.len() - MOST_NAMED));
+    }
+    match &names[..] {
+        [only] => only.clone(),
+        _ => format!("one of {}", and(&names)),
+    }
 }
 
 /// Coordinates that move no mass if they move in a certain proportion.
@@ -86,7 +111,7 @@ fn together(tree: &Tree, description: &Description, motion: &Motion) -> Diagnost
         named(tree, description, motion)
     ));
     let help =
-        "leave one of them out of its `joint`, or give a body the mass or inertia that would move";
+        "leave one of them out of its joint, or give a body the mass or inertia that would move";
     at_joints(
         tree,
         description,
@@ -103,6 +128,12 @@ fn named(tree: &Tree, description: &Description, motion: &Motion) -> String {
     for coordinates in
         motion[..motion.len().min(MOST_NAMED)].chunk_by(|one, other| one.0 == other.0)
     {
+        let (body, _) = coordinates[0];
+        let joint = &tree.body(body).joint;
+        if joint.is_named && joint.coordinates().len() == 1 {
+            groups.push(format!("joint `{}`", joint.name.escape_debug()));
+            continue;
+        }
         let axes: Vec<String> = coordinates
             .iter()
             .map(|(body, axis)| {

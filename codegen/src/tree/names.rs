@@ -31,6 +31,8 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
             &format!("body {}'s", index + 1),
             findings,
         );
+        let joint = format!("the joint of body {}:", index + 1);
+        check_one(body.joint.name.as_ref(), &joint, findings);
         let Some(name) = body.name.as_ref().filter(|name| !name.value.is_empty()) else {
             continue;
         };
@@ -211,5 +213,15 @@ pub(crate) fn check_coordinates(tree: &Tree, findings: &mut Vec<Diagnostic>) {
                 "two coordinates are called `{name}`; give one of their joints another name"
             )));
         }
+    }
+}
+
+/// Tells in which order coordinates stand, where joints have names of their own by which a user will look for them.
+pub(crate) fn note_order(tree: &Tree, findings: &mut Vec<Diagnostic>) {
+    if tree.bodies.iter().any(|body| body.joint.is_named) {
+        findings.push(Diagnostic::note(format!(
+            "the coordinates, in order, are {}",
+            tree.coordinate_names().join(", ")
+        )));
     }
 }

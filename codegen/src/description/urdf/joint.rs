@@ -156,26 +156,17 @@ fn limits(
         };
         limits.lower = bound("lower");
         limits.upper = bound("upper");
-        warn_of_range(reader, element, &owner, limits);
+        warn_of_range(reader, element, &owner);
     }
     PerCoordinate::Same(Spanned::new(limits, element.span()))
 }
 
-/// An absent end of the range is zero, which may surprise; and a range may be empty.
-fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str, limits: Limits) {
+/// An absent end of the range is zero, which may surprise.
+fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str) {
     let is_given = |name: &str| element.attribute(name).is_some();
     if !is_given("lower") && !is_given("upper") {
         let warning = format!("{owner} has neither `lower` nor `upper`; both are zero then");
         let warning = Diagnostic::warning(warning).at(element.span(), "from 0 to 0");
-        reader.faults.push(warning);
-    }
-    let (Some(lower), Some(upper)) = (limits.lower, limits.upper) else {
-        return;
-    };
-    if lower.value > upper.value {
-        let (lower, upper) = (lower.value, upper.value);
-        let warning = format!("{owner} is from {lower:?} to {upper:?}, which is no range");
-        let warning = Diagnostic::warning(warning).at(element.span(), "`lower` above `upper`");
         reader.faults.push(warning);
     }
 }

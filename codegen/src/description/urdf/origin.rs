@@ -2,7 +2,7 @@
 
 use crate::description::xml::{Element, Known, Reader};
 use crate::description::{Given, Optional, Rotation, Scalar};
-use crate::diagnostic::Spanned;
+use crate::diagnostic::{Diagnostic, Spanned};
 
 /// A frame in another one.
 pub(super) struct Origin {
@@ -23,7 +23,7 @@ pub(super) fn read(reader: &mut Reader, element: Element<'_>, owner: &str) -> Or
     };
     let owner = format!("`origin` of {owner}");
     let known = Known {
-        attributes: &["xyz", "rpy"],
+        attributes: &["xyz", "rpy", "quat_xyzw"],
         ..Known::NONE
     };
     reader.unknown(element, &owner, &known);
@@ -33,7 +33,25 @@ pub(super) fn read(reader: &mut Reader, element: Element<'_>, owner: &str) -> Or
             numbers.map(|x| Some(Spanned::new(Scalar::Baked(x.value), x.span)))
         });
     }
-    if let Some(rpy) = element.attribute("rpy") {
+    let quaternion = element.attribute("quat_xyzw");
+    if let (Some(quaternion), Some(rpy)) = (quaternion, element.attribute("rpy")) {
+        let fault = Diagnostic::error(format!("{owner} has `rpy` and `quat_xyzw`"));
+        let fault = fault.at(quaternion.span, "expected one of them");
+        reader.faults.push(fault.at(rpy.span, "the other one"));
+    } else if let Some(quaternion) = quaternion {
+        let numbers: Option<[_; 4]> =
+            reader.numbers(quaternion, &format!("`quat_xyzw` of {owner}"));
+        origin.rotation = numbers.and_then(|numbers| {
+            let rotation = of_quaternion(numbers.map(|number| number.value));
+            if rotation.is_none() {
+                let fault = format!("`quat_xyzw` of {owner} has no length");
+                reader
+                    .faults
+                    .push(Diagnostic::error(fault).at(quaternion.span, "expected a rotation"));
+            }
+            Some(Spanned::new(rotation?, quaternion.span))
+        });
+    } else if let Some(rpy) = element.attribute("rpy") {
         let angles: Option<[_; 3]> = reader.numbers(rpy, &format!("`rpy` of {owner}"));
         let angles = angles.map(|angles| angles.map(|angle| angle.value));
         origin.rotation = angles
@@ -56,4 +74,35 @@ fn rotation([roll, pitch, yaw]: [f64; 3]) -> Rotation {
     ];
     // No minus zero.
     rows.map(|row| row.map(|entry| entry + 0.0))
+}
+
+/// The turned axes as rows; the quaternion, scalar last, is made a unit one.
+fn of_quaternion(xyzw: [f64; 4]) -> Option<Rotation> {
+    let largest = xyzw
+        .iter()
+        .fold(0.0, |most: f64, part| most.max(part.abs()));
+    if largest == 0.0 {
+        return None;
+    }
+    let scaled = xyzw.map(|part| part / largest);
+    let length = libm::sqrt(scaled.iter().map(|part| part * part).sum());
+    let [x, y, z, w] = scaled.map(|part| part / length);
+    let rows = [
+        [
+            1.0 - 2.0 * (y * y + z * z),
+            2.0 * (x * y + w * z),
+            2.0 * (x * z - w * y),
+        ],
+        [
+            2.0 * (x * y - w * z),
+            1.0 - 2.0 * (x * x + z * z),
+            2.0 * (y * z + w * x),
+        ],
+        [
+            2.0 * (x * z + w * y),
+            2.0 * (y * z - w * x),
+            1.0 - 2.0 * (x * x + y * y),
+        ],
+    ];
+    Some(rows.map(|row| row.map(|entry| entry + 0.0)))
 }
