@@ -7,7 +7,7 @@ use std::{fmt::Write as _, fs};
 use kane_codegen::{
     compile::{self, Options},
     config::{Formulation, Functions},
-    description::toml,
+    description::{self, Base, Chart, Reading, no_includes, toml},
     diagnostic::Source,
     functions::CATALOGUE,
     program::Operations,
@@ -24,10 +24,13 @@ const NAMED: [&str; 6] = [
 ];
 
 fn model(path: &str) -> Tree {
+    read(path, &Reading::default())
+}
+
+fn read(path: &str, reading: &Reading) -> Tree {
     let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    tree::build(&toml::parse(&Source::new(path, text)))
-        .unwrap()
-        .tree
+    let description = description::read(&Source::new(path, text), reading, &no_includes);
+    tree::build(&description).unwrap().tree
 }
 
 fn counts(
@@ -65,6 +68,31 @@ fn table(counts: &[(&str, Operations)]) -> String {
             writeln!(text, "{name}: {operations}").unwrap();
             text
         })
+}
+
+#[test]
+fn robots() {
+    let mut text = String::new();
+    let mut robot = |name: &str, base: Option<Base>, chart: Option<Chart>| {
+        let path = format!("tests/robots/{name}/{name}.urdf");
+        let tree = read(&path, &Reading { base, chart });
+        let chart = match chart {
+            Some(Chart::Angles) => ", floating by angles",
+            Some(Chart::Quaternion) => ", floating by a quaternion",
+            None => "",
+        };
+        let counts = dynamics(&tree, Formulation::Cheapest);
+        write!(text, "{name}{chart}\n{}", table(&counts)).unwrap();
+    };
+    for name in ["double_pendulum", "ur5", "panda"] {
+        robot(name, None, None);
+    }
+    for name in ["solo12", "talos"] {
+        for chart in [Chart::Quaternion, Chart::Angles] {
+            robot(name, Some(Base::Free), Some(chart));
+        }
+    }
+    insta::assert_snapshot!(text);
 }
 
 /// A chain of free bodies with all numbers different from one another and from zero.
