@@ -1,35 +1,86 @@
 //! Faults of an input file, in the user's words, with the place where each stands.
 //!
 //! In: a [`Source`] and what is wrong with it. Out: text that shows `file:line:column`, the line and a
-//! label below it. Afterwards: the faults stand in the order of the file. Does not: decide what is a fault.
+//! label below it, of each file that it is about. Afterwards: the faults stand in the order of the file. Does not: decide what is a fault.
 //!
 //! Messages are lower case, without a final stop, with the user's own names, and say what was found and what was expected.
 
 use std::fmt;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 /// Faults shown by `Display`; the rest are only counted, for a broken file can hold thousands.
 const MOST_SHOWN: usize = 100;
 
-/// The text of an input file and the name under which it is shown.
+/// The text of an input file and the name under which it is shown, and those of the files that it includes.
+///
+/// Spans count the bytes of all of them on one line: first those of the file itself, then those of each included file
+/// from the place that [`Source::append`] gave it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
+    file: SourceFile,
+    /// In the order of their places.
+    included: Vec<SourceFile>,
+}
+
+/// One file of a [`Source`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
     name: String,
     text: String,
+    base: usize,
 }
 
 impl Source {
     /// A source; `name` is the path as the user should see it. A byte-order mark at the start of `text` is dropped.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        let mut text = text.into();
+        Self {
+            file: SourceFile::new(name.into(), text.into(), 0),
+            included: Vec::new(),
+        }
+    }
+
+    /// Adds a file that is included, and gives the place of its first byte.
+    pub fn append(&mut self, name: impl Into<String>, text: impl Into<String>) -> usize {
+        let last = self.included.last().unwrap_or(&self.file);
+        // One byte between two files, so that the end of one is not the beginning of the next.
+        let base = last.base + last.text.len() + 1;
+        self.included
+            .push(SourceFile::new(name.into(), text.into(), base));
+        base
+    }
+
+    /// The path as the user should see it.
+    pub fn name(&self) -> &str {
+        &self.file.name
+    }
+
+    /// The text of the file itself.
+    pub fn text(&self) -> &str {
+        &self.file.text
+    }
+
+    /// The file itself, then those that it includes, in the order in which they were added.
+    pub fn files(&self) -> impl Iterator<Item = &SourceFile> {
+        std::iter::once(&self.file).chain(&self.included)
+    }
+
+    /// The file in which the place lies.
+    fn file_at(&self, place: usize) -> &SourceFile {
+        let after = self.included.partition_point(|file| file.base <= place);
+        match after.checked_sub(1) {
+            Some(index) => &self.included[index],
+            None => &self.file,
+        }
+    }
+}
+
+impl SourceFile {
+    fn new(name: String, mut text: String, base: usize) -> Self {
         if text.starts_with('\u{feff}') {
             text.remove(0);
         }
-        Self {
-            name: name.into(),
-            text,
-        }
+        Self { name, text, base }
     }
 
     /// The path as the user should see it.
@@ -37,12 +88,17 @@ impl Source {
         &self.name
     }
 
-    /// The text; spans count its bytes.
+    /// The text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The span itself if it lies in the text at character boundaries, else what of it does.
+    /// The place of the first byte.
+    pub fn base(&self) -> usize {
+        self.base
+    }
+
+    /// The bytes of the text where the span lies in it at character boundaries, else what of it does.
     fn clamp(&self, span: Span) -> std::ops::Range<usize> {
         let boundary = |at: usize| {
             (0..=at.min(self.text.len()))
@@ -50,8 +106,8 @@ impl Source {
                 .find(|at| self.text.is_char_boundary(*at))
                 .unwrap_or(0)
         };
-        let end = boundary(span.end);
-        boundary(span.start.min(end))..end
+        let end = boundary(span.end.saturating_sub(self.base));
+        boundary(span.start.saturating_sub(self.base).min(end))..end
     }
 }
 
@@ -173,28 +229,40 @@ impl Diagnostic {
         let mut group: Group<'_> = if self.labels.is_empty() {
             title.element(Origin::path(source.name()))
         } else {
-            let annotations = self
-                .labels
-                .iter()
-                .enumerate()
-                .map(|(index, (span, label))| {
-                    let kind = if index == 0 {
-                        AnnotationKind::Primary
-                    } else {
-                        AnnotationKind::Context
-                    };
-                    kind.span(source.clamp(*span)).label(label)
-                });
-            title.element(
-                Snippet::source(source.text())
-                    .path(source.name())
-                    .annotations(annotations),
-            )
+            let snippets = self.snippets(source);
+            title.elements(snippets)
         };
         if let Some(help) = &self.help {
             group = group.element(Level::HELP.message(help));
         }
         Renderer::plain().render(&[group])
+    }
+
+    /// The lines of each file in which a label stands, that of the main one first.
+    fn snippets<'a>(&'a self, source: &'a Source) -> Vec<Snippet<'a, Annotation<'a>>> {
+        let mut files: Vec<&SourceFile> = Vec::new();
+        for (span, _) in &self.labels {
+            let file = source.file_at(span.start);
+            if !files.iter().any(|known| known.base == file.base) {
+                files.push(file);
+            }
+        }
+        let snippet = |file: &'a SourceFile| {
+            let labels = self.labels.iter().enumerate();
+            let here = labels.filter(|(_, (span, _))| source.file_at(span.start).base == file.base);
+            let annotations = here.map(|(index, (span, label))| {
+                let kind = if index == 0 {
+                    AnnotationKind::Primary
+                } else {
+                    AnnotationKind::Context
+                };
+                kind.span(file.clamp(*span)).label(label)
+            });
+            Snippet::source(file.text())
+                .path(file.name())
+                .annotations(annotations)
+        };
+        files.into_iter().map(snippet).collect()
     }
 }
 
@@ -247,7 +315,7 @@ impl fmt::Display for Diagnostics {
             more => write!(
                 f,
                 "\n\n{}: {more} more faults are not shown",
-                self.source.name
+                self.source.name()
             ),
         }
     }
