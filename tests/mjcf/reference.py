@@ -35,7 +35,14 @@ def matrix(quaternion):
     return flat.reshape(3, 3)
 
 
+def centers(model, centers, origins):
+    """The mass centres; the origin of a body without mass, for which MuJoCo has an arbitrary point."""
+    massless = (model.body_mass == 0)[:, None]
+    return np.where(massless, origins, centers)
+
+
 def bodies(model):
+    mass_centers = centers(model, model.body_ipos, np.zeros((model.nbody, 3)))
     for body in range(1, model.nbody):
         axes = matrix(model.body_iquat[body])
         inertia = axes @ np.diag(model.body_inertia[body]) @ axes.T
@@ -43,7 +50,7 @@ def bodies(model):
             "name": model.body(body).name,
             "parent": int(model.body_parentid[body]),
             "mass": model.body_mass[body],
-            "mass_center": model.body_ipos[body],
+            "mass_center": mass_centers[body],
             "inertia": inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]],
         }
 
@@ -89,7 +96,7 @@ def state(model, random):
         "forward": {"tau": tau, "qacc": data.qacc.copy()},
         "xpos": data.xpos[1:].copy(),
         "xquat": data.xquat[1:].copy(),
-        "xipos": data.xipos[1:].copy(),
+        "xipos": centers(model, data.xipos, data.xpos)[1:],
         "potential_energy": data.energy[0],
         "kinetic_energy": data.energy[1],
     }

@@ -252,6 +252,21 @@ impl Reader {
     /// Warns of every attribute and child element that is not known; `owner` is the words for the element, such as
     /// "link `hub`".
     pub(crate) fn unknown(&mut self, element: Element<'_>, owner: &str, known: &Known<'_>) {
+        self.unknown_attributes(element, owner, known);
+        for child in element.children() {
+            if !known.ignored_children.contains(&child.name()) {
+                self.unknown_child(child, owner, known.children);
+            }
+        }
+    }
+
+    /// Warns of every attribute that is not known.
+    pub(crate) fn unknown_attributes(
+        &mut self,
+        element: Element<'_>,
+        owner: &str,
+        known: &Known<'_>,
+    ) {
         for (name, _) in element.attributes() {
             if !known.attributes.contains(&name.value)
                 && !known.ignored_attributes.contains(&name.value)
@@ -259,12 +274,13 @@ impl Reader {
                 self.unknown_name(name, owner, "attribute", known.attributes);
             }
         }
-        for child in element.children() {
-            let name = child.name();
-            if !known.children.contains(&name) && !known.ignored_children.contains(&name) {
-                let name = Spanned::new(name, child.span());
-                self.unknown_name(name, owner, "element", known.children);
-            }
+    }
+
+    /// Warns of a child element if it is not known.
+    pub(crate) fn unknown_child(&mut self, child: Element<'_>, owner: &str, known: &[&str]) {
+        if !known.contains(&child.name()) {
+            let name = Spanned::new(child.name(), child.span());
+            self.unknown_name(name, owner, "element", known);
         }
     }
 

@@ -1,0 +1,273 @@
+//! `worldbody`: the bodies, depth first, in the order of the file.
+
+use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::chain::{Bodies, Parts};
+use crate::description::mjcf::contents::{Contents, Inside, child_class, gather};
+use crate::description::mjcf::defaults::{Class, Kind};
+use crate::description::mjcf::finite;
+use crate::description::mjcf::geoms::{self, Moves};
+use crate::description::mjcf::inertial::{self, MassProperties};
+use crate::description::mjcf::joints::{self, Type};
+use crate::description::mjcf::names::{self, Wish};
+use crate::description::mjcf::orientation::placement;
+use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
+use crate::description::mjcf::solid::together;
+use crate::description::mjcf::{Model, known};
+use crate::description::xml::{Element, Reader, shown};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
+
+/// A body that is still to be read.
+struct Pending<'d> {
+    inside: Inside<'d>,
+    /// The number of its lower body.
+    lower: usize,
+    lower_moves: Moves,
+}
+
+/// Reads the bodies of all `worldbody` elements.
+pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, worlds: &[Element<'d>]) -> Bodies {
+    let mut bodies = Bodies::default();
+    let mut pending = Vec::new();
+    for world in worlds.iter().rev() {
+        let contents = gather(reader, model, *world, "the world", Class::MAIN);
+        for inside in contents.joints.iter().chain(&contents.inertials) {
+            let message = format!("the world has a `{}`", inside.element.name());
+            let fault = Diagnostic::error(message).at(inside.element.span(), "not in a body");
+            reader.faults.push(fault);
+        }
+        for geom in &contents.geoms {
+            let owner = owner(geom.element, "geom", "the world");
+            geom_attributes(reader, model, geom, &owner);
+        }
+        push(&mut pending, contents.bodies, 0, Moves::No);
+    }
+    while let Some(next) = pending.pop() {
+        let (contents, moves) = body(reader, model, &next, &mut bodies);
+        let number = bodies.list.len();
+        push(&mut pending, contents.bodies, number, moves);
+    }
+    bodies.weigh(model.settings.total_mass);
+    names::give(reader, &mut bodies.list, &bodies.wishes);
+    finite::check(reader, &bodies.list);
+    bodies
+}
+
+/// The first comes out first.
+fn push<'d>(
+    pending: &mut Vec<Pending<'d>>,
+    bodies: Vec<Inside<'d>>,
+    lower: usize,
+    lower_moves: Moves,
+) {
+    pending.extend(bodies.into_iter().rev().map(|inside| Pending {
+        inside,
+        lower,
+        lower_moves,
+    }));
+}
+
+/// The words for an element of a body.
+fn owner(element: Element<'_>, what: &str, body: &str) -> String {
+    match element.attribute("name") {
+        Some(name) if !name.value.is_empty() => format!("{what} `{}`", shown(name.value)),
+        _ => format!("a {what} of {body}"),
+    }
+}
+
+/// Reads a body, and adds it, behind those that its joints make.
+fn body<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    next: &Pending<'d>,
+    bodies: &mut Bodies,
+) -> (Contents<'d>, Moves) {
+    let element = next.inside.element;
+    let name = element.attribute("name");
+    let name = name.filter(|name| !name.value.is_empty());
+    let owner = match name {
+        Some(name) => format!("body `{}`", shown(name.value)),
+        None => "a body without a name".to_owned(),
+    };
+    let given = Attributes::of(reader, element, &owner, &known::BODY);
+    let class = child_class(reader, model, &given, next.inside.class);
+    let contents = gather(reader, model, element, &owner, class);
+    let own = placement(reader, &given, &model.settings);
+    let place = next.inside.frame.then(&own);
+    unsupported(reader, &given);
+    let joints: Vec<joints::Read> = contents
+        .joints
+        .iter()
+        .map(|inside| joint(reader, model, inside, &owner))
+        .collect();
+    check_free(reader, model, &joints, next, &contents.bodies, &owner);
+    let moves = if joints.is_empty() {
+        next.lower_moves
+    } else {
+        Moves::Yes
+    };
+    let wish = match name {
+        Some(name) => Wish::Given(Spanned::new(name.value.to_owned(), name.span)),
+        None => Wish::None(element.span()),
+    };
+    let mass = mass(reader, model, &contents, element.span(), &owner, moves);
+    bodies.add(Parts {
+        joints,
+        place,
+        span: given.span,
+        lower: next.lower,
+        wish,
+        mass,
+    });
+    (contents, moves)
+}
+
+fn unsupported(reader: &mut Reader, given: &Attributes<'_>) {
+    let lifted = given.number(reader, "gravcomp");
+    if let Some(lifted) = lifted.filter(|lifted| lifted.value != 0.0) {
+        let message = format!(
+            "{} is {}; a force against gravity is not supported",
+            given.what("gravcomp"),
+            lifted.value
+        );
+        let fault = Diagnostic::error(message).at(lifted.span, "expected 0");
+        reader.faults.push(fault);
+    }
+    let mocap = given.keyword(reader, "mocap", &TRUTH);
+    if let Some(mocap) = mocap.filter(|mocap| mocap.value == Switch::On) {
+        let message = format!(
+            "{} follows motion capture; it is taken as fixed",
+            given.owner
+        );
+        let warning = Diagnostic::warning(message).at(mocap.span, "fixed");
+        reader.faults.push(warning);
+    }
+}
+
+fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str) -> joints::Read {
+    let element = inside.element;
+    let owner = owner(element, "joint", body);
+    for child in model.files.children(element) {
+        reader.unknown_child(child, &owner, &[]);
+    }
+    if element.name() == "freejoint" {
+        let given = Attributes::of(reader, element, &owner, &known::FREE_JOINT);
+        return joints::read_free(reader, &given, model.reading.chart);
+    }
+    let given = model
+        .defaults
+        .attributes(reader, element, &owner, Kind::Joint, inside.class);
+    joints::read(
+        reader,
+        &given,
+        &model.settings,
+        &inside.frame,
+        model.reading.chart,
+    )
+}
+
+/// A free joint is alone, and joins a body to the world.
+fn check_free(
+    reader: &mut Reader,
+    model: &Model<'_>,
+    joints: &[joints::Read],
+    next: &Pending<'_>,
+    carries: &[Inside<'_>],
+    owner: &str,
+) {
+    let Some(free) = joints.iter().find(|joint| joint.kind == Type::Free) else {
+        return;
+    };
+    let mut refuse = |message: String, label: &str| {
+        let fault = Diagnostic::error(message).at(free.span, label);
+        reader.faults.push(fault);
+    };
+    if next.lower != 0 {
+        refuse(
+            format!("{owner} has a free joint, but does not stand in the world"),
+            "expected another joint",
+        );
+    }
+    if joints.len() > 1 {
+        refuse(
+            format!("{owner} has a free joint beside other joints"),
+            "expected no other joint",
+        );
+    }
+    // MuJoCo aligns only bodies that carry no other.
+    let aligned = free.align.unwrap_or(model.settings.align_free);
+    if aligned == Switch::On && carries.is_empty() {
+        refuse(
+            format!(
+                "the free joint of {owner} is aligned with its inertia, which is not supported"
+            ),
+            "write `align=\"false\"`",
+        );
+    }
+}
+
+/// A geom's attributes, with warnings of those that are not known.
+fn geom_attributes<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    geom: &Inside<'d>,
+    owner: &str,
+) -> Attributes<'d> {
+    for child in model.files.children(geom.element) {
+        if child.name() != "plugin" {
+            reader.unknown_child(child, owner, &[]);
+        }
+    }
+    model
+        .defaults
+        .attributes(reader, geom.element, owner, Kind::Geom, geom.class)
+}
+
+/// The mass of a body; `None` where it is faulty.
+fn mass(
+    reader: &mut Reader,
+    model: &Model<'_>,
+    contents: &Contents<'_>,
+    span: Span,
+    body: &str,
+    moves: Moves,
+) -> Option<MassProperties> {
+    let settings = &model.settings;
+    let mut written = None;
+    for (index, inside) in contents.inertials.iter().enumerate() {
+        let owner = format!("`inertial` of {body}");
+        if index > 0 {
+            let fault = Diagnostic::error(format!("{body} has two `inertial`"));
+            reader
+                .faults
+                .push(fault.at(inside.element.span(), "the second one"));
+            continue;
+        }
+        let given = Attributes::of(reader, inside.element, &owner, &known::INERTIAL);
+        written = Some(inertial::read(reader, &given, settings, &inside.frame));
+    }
+    let infer = match settings.from_geoms {
+        FromGeoms::Always => true,
+        FromGeoms::Auto => written.is_none(),
+        FromGeoms::Never => false,
+    };
+    // With a total to reach, every mass counts.
+    let counts = if settings.total_mass.is_some() {
+        Moves::Yes
+    } else {
+        moves
+    };
+    let mut solids = Vec::new();
+    for inside in &contents.geoms {
+        let owner = owner(inside.element, "geom", body);
+        let given = geom_attributes(reader, model, inside, &owner);
+        if infer {
+            let solid = geoms::solid(reader, &given, settings, &inside.frame, counts);
+            solids.extend(solid);
+        }
+    }
+    let inferred = together(&solids).map(|solid| Some(MassProperties::of(&solid, span)));
+    let mass = inferred.or(written);
+    let mut mass = mass.unwrap_or(Some(MassProperties::massless(span)))?;
+    mass.adjust(reader, settings, body);
+    Some(mass)
+}

@@ -1,0 +1,227 @@
+//! `geom`: the mass that a shape adds to its body.
+
+use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::orientation::{placement, z_axis};
+use crate::description::mjcf::placement::{Placement, SAME_AXES, difference, length, scaled, sum};
+use crate::description::mjcf::settings::{Settings, TRUTH};
+use crate::description::mjcf::solid::{Amount, Shape, Solid};
+use crate::description::xml::Reader;
+use crate::diagnostic::{Diagnostic, Spanned};
+
+/// Density where a geom says nothing, kg/m³.
+const WATER: f64 = 1000.0;
+
+/// What a geom is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Type {
+    Sphere,
+    Capsule,
+    Cylinder,
+    Ellipsoid,
+    Box,
+    /// A plane or a height field: without mass.
+    Surface,
+    /// A mesh or a signed distance field: its shape stands in another file.
+    Mesh,
+}
+
+const TYPES: [(&str, Type); 9] = [
+    ("sphere", Type::Sphere),
+    ("capsule", Type::Capsule),
+    ("cylinder", Type::Cylinder),
+    ("ellipsoid", Type::Ellipsoid),
+    ("box", Type::Box),
+    ("plane", Type::Surface),
+    ("hfield", Type::Surface),
+    ("mesh", Type::Mesh),
+    ("sdf", Type::Mesh),
+];
+
+/// Whether it matters what mass a geom has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Moves {
+    Yes,
+    /// Its body is at rest.
+    No,
+}
+
+/// The mass of a geom; `None` where it has none, or where it is faulty.
+pub(super) fn solid(
+    reader: &mut Reader,
+    geom: &Attributes<'_>,
+    settings: &Settings,
+    around: &Placement,
+    moves: Moves,
+) -> Option<Solid> {
+    let group = geom
+        .number(reader, "group")
+        .map_or(0.0, |group| group.value);
+    if group < settings.groups[0] || group > settings.groups[1] {
+        return None;
+    }
+    let kind = geom.keyword(reader, "type", &TYPES);
+    let kind = kind.map_or(Type::Sphere, |kind| kind.value);
+    let amount = amount(reader, geom);
+    if kind == Type::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
+        return None;
+    }
+    if kind == Type::Mesh || geom.has("mesh") {
+        reader.faults.push(mesh(geom, moves));
+        return None;
+    }
+    if let Some(shell) = geom.keyword(reader, "shellinertia", &TRUTH)
+        && shell.value == TRUTH[0].1
+    {
+        let message = format!(
+            "{} is `true`; the inertia of a shell is not supported",
+            geom.what("shellinertia")
+        );
+        let fault = Diagnostic::error(message).at(shell.span, "not supported");
+        reader
+            .faults
+            .push(fault.help("give the body an `inertial`"));
+    }
+    let (placement, half) = span_of(reader, geom, settings, kind)?;
+    let shape = shape(reader, geom, kind, half)?;
+    Some(shape.solid(amount, &around.then(&placement)))
+}
+
+fn amount(reader: &mut Reader, geom: &Attributes<'_>) -> Amount {
+    for name in ["mass", "density"] {
+        let value = geom.number(reader, name);
+        if let Some(value) = value.filter(|value| value.value < 0.0) {
+            let message = format!(
+                "{} is {}; expected no less than 0",
+                geom.what(name),
+                value.value
+            );
+            let fault = Diagnostic::error(message).at(value.span, "negative");
+            reader.faults.push(fault);
+            // What would follow from it is no news.
+            return Amount::Mass(0.0);
+        }
+        match value {
+            Some(mass) if name == "mass" => return Amount::Mass(mass.value),
+            Some(density) => return Amount::Density(density.value),
+            None => {}
+        }
+    }
+    Amount::Density(WATER)
+}
+
+fn mesh(geom: &Attributes<'_>, moves: Moves) -> Diagnostic {
+    let owner = &geom.owner;
+    let place = ["mesh", "type"].into_iter().find(|name| geom.has(name));
+    let place = place.map_or(geom.span, |name| geom.place(name));
+    match moves {
+        Moves::Yes => Diagnostic::error(format!(
+            "{owner} is a mesh, of which the mass is not computed, and its body has no `inertial`"
+        ))
+        .at(place, "not supported")
+        .help("give the body an `inertial`, or the geom `mass=\"0\"`"),
+        Moves::No => Diagnostic::warning(format!(
+            "{owner} is a mesh, of which the mass is not computed; its body does not move"
+        ))
+        .at(place, "taken without mass"),
+    }
+}
+
+/// Where a geom stands, and half its length where it leads from one point to another.
+fn span_of(
+    reader: &mut Reader,
+    geom: &Attributes<'_>,
+    settings: &Settings,
+    kind: Type,
+) -> Option<(Placement, Option<f64>)> {
+    if !geom.has("fromto") {
+        return Some((placement(reader, geom, settings), None));
+    }
+    if kind == Type::Sphere {
+        let message = format!(
+            "{} has `fromto`, but is a sphere; expected a capsule, cylinder, ellipsoid or box",
+            geom.owner
+        );
+        let fault = Diagnostic::error(message).at(geom.place("fromto"), "no length");
+        reader.faults.push(fault);
+        return None;
+    }
+    let [x1, y1, z1, x2, y2, z2] = geom.vector(reader, "fromto")?;
+    let (from, to) = ([x1, y1, z1], [x2, y2, z2]);
+    let along = difference(to, from);
+    let Some(rotation) = z_axis(along) else {
+        let message = format!(
+            "{} leads nowhere: both ends are the same",
+            geom.what("fromto")
+        );
+        let fault = Diagnostic::error(message).at(geom.place("fromto"), "expected two points");
+        reader.faults.push(fault);
+        return None;
+    };
+    let placement = Placement {
+        position: scaled(sum(from, to), 0.5),
+        // The first two axes do not matter: the shapes are the same about the third.
+        rotation: if along[0] == 0.0 && along[1] == 0.0 {
+            SAME_AXES
+        } else {
+            rotation
+        },
+    };
+    Some((placement, Some(length(along) / 2.0)))
+}
+
+/// The shape with its sizes; `half` is half its length where that is known already.
+fn shape(
+    reader: &mut Reader,
+    geom: &Attributes<'_>,
+    kind: Type,
+    half: Option<f64>,
+) -> Option<Shape> {
+    let needed = match kind {
+        Type::Sphere => 1,
+        _ if half.is_some() => 1,
+        Type::Capsule | Type::Cylinder => 2,
+        _ => 3,
+    };
+    let sizes = if geom.has("size") {
+        geom.up_to(reader, "size", 3)?
+    } else {
+        Vec::new()
+    };
+    let name = TYPES.iter().find(|(_, known)| *known == kind);
+    let name = name.map_or("geom", |(name, _)| name);
+    if sizes.len() < needed {
+        let message = format!(
+            "{} has {} {}; a {name} needs {needed}",
+            geom.what("size"),
+            sizes.len(),
+            if sizes.len() == 1 { "entry" } else { "entries" }
+        );
+        let fault = Diagnostic::error(message).at(geom.place("size"), "too few");
+        reader.faults.push(fault);
+        return None;
+    }
+    let bad = sizes.iter().take(needed).find(|size| size.value <= 0.0);
+    if let Some(Spanned { value, span }) = bad {
+        let message = format!(
+            "{} has the entry {value}; expected more than 0",
+            geom.what("size")
+        );
+        let fault = Diagnostic::error(message).at(*span, "not positive");
+        reader.faults.push(fault);
+        return None;
+    }
+    let size = |index: usize| sizes.get(index).map_or(0.0, |size| size.value);
+    let three = match half {
+        Some(half) => [size(0), size(0), half],
+        None => [size(0), size(1), size(2)],
+    };
+    let (radius, half) = (size(0), half.unwrap_or(size(1)));
+    match kind {
+        Type::Sphere => Some(Shape::Sphere { radius }),
+        Type::Capsule => Some(Shape::Capsule { radius, half }),
+        Type::Cylinder => Some(Shape::Cylinder { radius, half }),
+        Type::Ellipsoid => Some(Shape::Ellipsoid(three)),
+        Type::Box => Some(Shape::Box(three)),
+        Type::Surface | Type::Mesh => None,
+    }
+}

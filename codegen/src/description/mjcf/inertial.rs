@@ -1,0 +1,176 @@
+//! Mass properties of a body: from `inertial`, or from its geoms, as the settings change them.
+
+use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::orientation::rotation;
+use crate::description::mjcf::placement::{Placement, SAME_AXES, Vector, product};
+use crate::description::mjcf::settings::{Settings, Switch};
+use crate::description::mjcf::solid::{Solid, Tensor, is_positive};
+use crate::description::xml::Reader;
+use crate::description::{Body, Rotation, Scalar};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
+
+/// Mass, mass centre and inertia, with their places.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MassProperties {
+    mass: Spanned<f64>,
+    center: [Spanned<f64>; 3],
+    inertia: [Spanned<f64>; 6],
+    /// From the body's axes to those of the inertia.
+    rotation: Spanned<Rotation>,
+}
+
+impl MassProperties {
+    /// Those of a body without mass.
+    pub(super) fn massless(span: Span) -> Self {
+        let zero = Spanned::new(0.0, span);
+        Self {
+            mass: zero,
+            center: [zero; 3],
+            inertia: [zero; 6],
+            rotation: Spanned::new(SAME_AXES, span),
+        }
+    }
+
+    /// Those of geoms together.
+    pub(super) fn of(solid: &Solid, span: Span) -> Self {
+        let at = |value: f64| Spanned::new(value + 0.0, span);
+        Self {
+            mass: at(solid.mass),
+            center: solid.center.map(at),
+            inertia: solid.inertia.map(at),
+            rotation: Spanned::new(SAME_AXES, span),
+        }
+    }
+
+    /// Fills a body.
+    pub(super) fn fill(&self, body: &mut Body) {
+        body.mass = Some(baked(self.mass));
+        body.mass_center = self.center.map(|entry| Some(baked(entry)));
+        body.inertia = self.inertia.map(|entry| Some(baked(entry)));
+        body.inertia_rotation = (self.rotation.value != SAME_AXES).then_some(self.rotation);
+    }
+
+    /// The mass, kg.
+    pub(super) fn mass(&self) -> f64 {
+        self.mass.value
+    }
+
+    /// The same shape with another density.
+    pub(super) fn scale(&mut self, factor: f64) {
+        self.mass.value *= factor;
+        for entry in &mut self.inertia {
+            entry.value *= factor;
+        }
+    }
+
+    /// Raises the mass and the moments, and evens out the moments, where the settings ask for it.
+    pub(super) fn adjust(&mut self, reader: &mut Reader, settings: &Settings, owner: &str) {
+        self.mass.value = self.mass.value.max(settings.least_mass);
+        if let Some(least) = settings.least_inertia {
+            self.raise(reader, least, owner);
+        }
+        let tensor = self.tensor();
+        let half = (tensor[0] + tensor[1] + tensor[2]) / 2.0;
+        // A moment is at most the sum of the two others: no more than half the trace.
+        let rest = shifted(tensor.map(|entry| -entry), half);
+        if settings.balance == Switch::On && !is_positive(rest) {
+            for (entry, value) in self.inertia.iter_mut().zip([half / 1.5; 3]) {
+                entry.value = value;
+            }
+            for entry in &mut self.inertia[3..] {
+                entry.value = 0.0;
+            }
+        }
+    }
+
+    fn raise(&mut self, reader: &mut Reader, least: Spanned<f64>, owner: &str) {
+        let tensor = self.tensor();
+        if tensor[3..] == [0.0; 3] {
+            for entry in &mut self.inertia[..3] {
+                entry.value = entry.value.max(least.value);
+            }
+        } else if !is_positive(shifted(tensor, -least.value)) {
+            let message = format!(
+                "`boundinertia` of `compiler` changes the inertia of {owner}, which is not given about principal axes"
+            );
+            let fault = Diagnostic::error(message)
+                .at(self.inertia[0].span, "not supported")
+                .at(least.span, "least moment");
+            reader.faults.push(fault);
+        }
+    }
+
+    fn tensor(&self) -> Tensor {
+        self.inertia.map(|entry| entry.value)
+    }
+}
+
+fn shifted([xx, yy, zz, xy, xz, yz]: Tensor, by: f64) -> Tensor {
+    [xx + by, yy + by, zz + by, xy, xz, yz]
+}
+
+/// A number as it stands in a description.
+pub(super) fn baked(number: Spanned<f64>) -> Spanned<Scalar> {
+    Spanned::new(Scalar::Baked(number.value), number.span)
+}
+
+/// Reads `inertial`; `None` where it is faulty.
+pub(super) fn read(
+    reader: &mut Reader,
+    inertial: &Attributes<'_>,
+    settings: &Settings,
+    around: &Placement,
+) -> Option<MassProperties> {
+    for name in ["pos", "mass"] {
+        if !inertial.has(name) {
+            let fault = Diagnostic::error(format!("{} has no attribute `{name}`", inertial.owner));
+            let fault = fault.at(inertial.span, format!("`{name}` is missing"));
+            reader.faults.push(fault);
+        }
+    }
+    let mass = inertial.number(reader, "mass");
+    let center = inertial.numbers(reader, "pos");
+    let turned = rotation(reader, inertial, settings);
+    let inertia = moments(reader, inertial)?;
+    let center: [Spanned<f64>; 3] = center?;
+    let moved: Vector = around.point(center.map(|entry| entry.value));
+    let span = ["quat", "axisangle", "xyaxes", "zaxis", "euler"];
+    let span = span.into_iter().find(|name| inertial.has(name));
+    let span = span.map_or(inertial.span, |name| inertial.place(name));
+    Some(MassProperties {
+        mass: mass?,
+        center: [0, 1, 2].map(|i| Spanned::new(moved[i], center[i].span)),
+        inertia,
+        rotation: Spanned::new(product(&turned, &around.rotation), span),
+    })
+}
+
+fn moments(reader: &mut Reader, inertial: &Attributes<'_>) -> Option<[Spanned<f64>; 6]> {
+    let owner = &inertial.owner;
+    if inertial.has("fullinertia") {
+        let beside = [
+            "diaginertia",
+            "quat",
+            "axisangle",
+            "xyaxes",
+            "zaxis",
+            "euler",
+        ];
+        if let Some(name) = beside.into_iter().find(|name| inertial.has(name)) {
+            let message = format!("{owner} has `{name}` beside `fullinertia`");
+            let fault = Diagnostic::error(message)
+                .at(inertial.place(name), "expected one of the two")
+                .at(inertial.place("fullinertia"), "the full inertia");
+            reader.faults.push(fault);
+        }
+        return inertial.numbers(reader, "fullinertia");
+    }
+    if !inertial.has("diaginertia") {
+        let message = format!("{owner} has neither `diaginertia` nor `fullinertia`");
+        let fault = Diagnostic::error(message).at(inertial.span, "the inertia is missing");
+        reader.faults.push(fault);
+    }
+    let [x, y, z] = inertial.numbers(reader, "diaginertia")?;
+    let zero = Spanned::new(0.0, inertial.place("diaginertia"));
+    Some([x, y, z, zero, zero, zero])
+}

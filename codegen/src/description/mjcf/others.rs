@@ -1,0 +1,141 @@
+//! Sections beside the bodies: what of them would change the dynamics is refused, the rest is left out.
+
+use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::defaults::{Class, Kind};
+use crate::description::mjcf::settings::{Switch, TRUTH};
+use crate::description::mjcf::{Model, known};
+use crate::description::xml::{Element, Reader, shown};
+use crate::diagnostic::Diagnostic;
+
+/// Looks through a section of the root that makes no bodies.
+pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, section: Element<'d>) {
+    let children = model.files.children(section);
+    match section.name() {
+        "actuator" => actuators(reader, model, section, &children),
+        "tendon" => tendons(reader, model, section, &children),
+        "equality" => equalities(reader, model, &children),
+        "contact" => contacts(reader, section, &children),
+        "deformable" => deformables(reader, &children),
+        _ => {}
+    }
+}
+
+/// The words for an element.
+fn owner(element: Element<'_>) -> String {
+    let kind = element.name();
+    match element.attribute("name") {
+        Some(name) => format!("`{kind}` `{}`", shown(name.value)),
+        None => format!("`{kind}`"),
+    }
+}
+
+/// A section that is left out as a whole.
+fn left_out(reader: &mut Reader, section: Element<'_>, message: &str) {
+    let warning = Diagnostic::warning(message).at(section.span(), "left out");
+    reader.faults.push(warning);
+}
+
+/// Refuses an element of which one of these coefficients is not zero.
+fn refuse_coefficients(reader: &mut Reader, given: &Attributes<'_>, names: &[&str]) {
+    for name in names {
+        let coefficients = given.up_to(reader, name, 3).unwrap_or_default();
+        if let Some(bad) = coefficients.iter().find(|c| c.value != 0.0) {
+            let message = format!(
+                "{} has {} {}, which acts on the joints and is not supported",
+                given.owner, name, bad.value
+            );
+            let fault = Diagnostic::error(message).at(bad.span, "expected 0");
+            reader.faults.push(fault);
+        }
+    }
+}
+
+fn actuators<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    section: Element<'d>,
+    children: &[Element<'d>],
+) {
+    for element in children {
+        reader.unknown_child(*element, "`actuator`", &known::ACTUATORS);
+        if known::ACTUATORS.contains(&element.name()) {
+            let owner = owner(*element);
+            let given =
+                model
+                    .defaults
+                    .attributes(reader, *element, &owner, Kind::Actuator, Class::MAIN);
+            refuse_coefficients(reader, &given, &["damping", "armature"]);
+        }
+    }
+    if !children.is_empty() {
+        let message = "actuators are left out: forces of the joints are arguments of the functions";
+        left_out(reader, section, message);
+    }
+}
+
+fn tendons<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    section: Element<'d>,
+    children: &[Element<'d>],
+) {
+    for element in children {
+        reader.unknown_child(*element, "`tendon`", &["spatial", "fixed"]);
+        if matches!(element.name(), "spatial" | "fixed") {
+            let owner = format!("tendon {}", owner(*element));
+            let given =
+                model
+                    .defaults
+                    .attributes(reader, *element, &owner, Kind::Tendon, Class::MAIN);
+            let names = ["stiffness", "damping", "armature", "frictionloss"];
+            refuse_coefficients(reader, &given, &names);
+        }
+    }
+    if !children.is_empty() {
+        left_out(reader, section, "tendons are left out, with their limits");
+    }
+}
+
+fn equalities<'d>(reader: &mut Reader, model: &Model<'d>, children: &[Element<'d>]) {
+    for element in children {
+        reader.unknown_child(*element, "`equality`", &known::EQUALITIES);
+        if !known::EQUALITIES.contains(&element.name()) {
+            continue;
+        }
+        let owner = format!("equality {}", owner(*element));
+        let given =
+            model
+                .defaults
+                .attributes(reader, *element, &owner, Kind::Equality, Class::MAIN);
+        let active = given.keyword(reader, "active", &TRUTH);
+        let active = active.map_or(Switch::On, |active| active.value);
+        if active == Switch::On && model.settings.equalities == Switch::On {
+            let message = format!("{owner} is active; constraints are not supported");
+            let fault = Diagnostic::error(message).at(element.span(), "not supported");
+            reader
+                .faults
+                .push(fault.help("write `active=\"false\"` to leave it out"));
+        }
+    }
+}
+
+fn contacts(reader: &mut Reader, section: Element<'_>, children: &[Element<'_>]) {
+    for element in children {
+        reader.unknown_child(*element, "`contact`", &["pair", "exclude"]);
+    }
+    if children.iter().any(|child| child.name() == "pair") {
+        left_out(reader, section, "contact pairs are left out");
+    }
+}
+
+/// A skin only shows how bodies move.
+fn deformables(reader: &mut Reader, children: &[Element<'_>]) {
+    for element in children {
+        reader.unknown_child(*element, "`deformable`", &["flex", "skin"]);
+        if element.name() == "flex" {
+            let message = format!("{} is not supported: bodies are rigid", owner(*element));
+            let fault = Diagnostic::error(message).at(element.span(), "not supported");
+            reader.faults.push(fault);
+        }
+    }
+}
