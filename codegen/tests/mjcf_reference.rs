@@ -1,5 +1,10 @@
 //! What is read from the models of `tests/mjcf` moves as MuJoCo moves it: masses, positions and energies, computed here
 //! from the description alone, against `reference.json`.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "the tests' own functions, which clippy takes for others"
+)]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -274,8 +279,8 @@ fn check_state(description: &Description, own: &[usize], state: &Value) {
         for i in 0..3 {
             close(motion.position[i], expected[i], "xpos");
             close(add(motion.position, arm)[i], expected_center[i], "xipos");
-            for j in 0..3 {
-                close(motion.rotation[i][j], axes[i][j], "xquat");
+            for (found, expected) in motion.rotation[i].iter().zip(axes[i]) {
+                close(*found, expected, "xquat");
             }
         }
     }

@@ -31,8 +31,11 @@ pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, worlds: &[Element
     for world in worlds.iter().rev() {
         let contents = gather(reader, model, *world, "the world", Class::MAIN);
         for inside in contents.joints.iter().chain(&contents.inertials) {
-            let message = format!("the world has a `{}`", inside.element.name());
-            let fault = Diagnostic::error(message).at(inside.element.span(), "not in a body");
+            let message = format!(
+                "the world has a `{}`; expected it in a body",
+                inside.element.name()
+            );
+            let fault = Diagnostic::error(message).at(inside.element.span(), "in the world");
             reader.faults.push(fault);
         }
         for geom in &contents.geoms {

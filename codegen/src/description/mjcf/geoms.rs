@@ -113,16 +113,13 @@ fn mesh(geom: &Attributes<'_>, moves: Moves) -> Diagnostic {
     let owner = &geom.owner;
     let place = ["mesh", "type"].into_iter().find(|name| geom.has(name));
     let place = place.map_or(geom.span, |name| geom.place(name));
+    let message = format!("the mass of {owner} follows from a mesh, which is not read");
     match moves {
-        Moves::Yes => Diagnostic::error(format!(
-            "{owner} is a mesh, of which the mass is not computed, and its body has no `inertial`"
-        ))
-        .at(place, "not supported")
-        .help("give the body an `inertial`, or the geom `mass=\"0\"`"),
-        Moves::No => Diagnostic::warning(format!(
-            "{owner} is a mesh, of which the mass is not computed; its body does not move"
-        ))
-        .at(place, "taken without mass"),
+        Moves::Yes => Diagnostic::error(message)
+            .at(place, "not supported")
+            .help("give the body an `inertial`, or the geom `mass=\"0\"`"),
+        Moves::No => Diagnostic::warning(format!("{message}; its body does not move"))
+            .at(place, "taken without mass"),
     }
 }
 

@@ -62,8 +62,8 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
         for (path, path_span, element) in targets.unwrap_or_default() {
             let place = normal(&path);
             if let Some(known) = included.paths.get(&place) {
-                let fault = repeated(&included, &path, *known, index);
-                reader.faults.push(fault.at(path_span, "included again"));
+                let fault = repeated(&included, *known, index, &path, path_span);
+                reader.faults.push(fault);
                 continue;
             }
             let number = included.from.len();
@@ -119,29 +119,22 @@ fn targets(reader: &mut Reader, root: Element<'_>) -> Option<Vec<(String, Span, 
     Some(targets)
 }
 
-fn repeated(included: &Included, path: &str, known: usize, index: usize) -> Diagnostic {
+/// What is wrong where file `index` includes file `known` again.
+fn repeated(included: &Included, known: usize, index: usize, path: &str, span: Span) -> Diagnostic {
     let path = shown(path);
+    let from = |file: usize| included.from.get(file).copied().flatten();
     let mut file = Some(index);
     while let Some(number) = file {
         if number == known {
-            return Diagnostic::error(format!("`{path}` includes itself"));
+            let message = format!("`{path}` includes itself");
+            return Diagnostic::error(message).at(span, "included again");
         }
-        file = included
-            .from
-            .get(number)
-            .copied()
-            .flatten()
-            .map(|(_, from)| from);
+        file = from(number).map(|(_, from)| from);
     }
     let message = format!("`{path}` is included twice; a file may be included once");
-    let fault = Diagnostic::error(message);
-    match included.from.get(known).copied().flatten() {
-        Some((span, _)) => {
-            let mut fault = fault.at(span, "included first");
-            // The second one, which the caller adds, is the main place.
-            fault.labels.rotate_left(1);
-            fault
-        }
+    let fault = Diagnostic::error(message).at(span, "included again");
+    match from(known) {
+        Some((first, _)) => fault.at(first, "included first"),
         None => fault,
     }
 }

@@ -108,11 +108,13 @@ pub(super) fn rotation(
     attributes: &Attributes<'_>,
     settings: &Settings,
 ) -> Rotation {
-    let mut given = ORIENTATION.into_iter().filter(|name| attributes.has(name));
-    let Some(name) = given.next() else {
+    let given = ORIENTATION.into_iter().filter(|name| attributes.has(name));
+    let mut given: Vec<&str> = given.collect();
+    given.sort_by_key(|name| attributes.place(name));
+    let Some(name) = given.first().copied() else {
         return SAME_AXES;
     };
-    if let Some(other) = given.next() {
+    if let Some(other) = given.get(1) {
         let message = format!(
             "{} has `{name}` and `{other}`; expected one orientation",
             attributes.owner

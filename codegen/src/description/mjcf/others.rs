@@ -21,11 +21,10 @@ pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, section: Element<
 }
 
 /// The words for an element.
-fn owner(element: Element<'_>) -> String {
-    let kind = element.name();
+fn owner(element: Element<'_>, kind: &str) -> String {
     match element.attribute("name") {
-        Some(name) => format!("`{kind}` `{}`", shown(name.value)),
-        None => format!("`{kind}`"),
+        Some(name) => format!("{kind} `{}`", shown(name.value)),
+        None => format!("a {kind}"),
     }
 }
 
@@ -59,7 +58,7 @@ fn actuators<'d>(
     for element in children {
         reader.unknown_child(*element, "`actuator`", &known::ACTUATORS);
         if known::ACTUATORS.contains(&element.name()) {
-            let owner = owner(*element);
+            let owner = owner(*element, element.name());
             let given =
                 model
                     .defaults
@@ -82,7 +81,7 @@ fn tendons<'d>(
     for element in children {
         reader.unknown_child(*element, "`tendon`", &["spatial", "fixed"]);
         if matches!(element.name(), "spatial" | "fixed") {
-            let owner = format!("tendon {}", owner(*element));
+            let owner = owner(*element, &format!("{} tendon", element.name()));
             let given =
                 model
                     .defaults
@@ -102,7 +101,7 @@ fn equalities<'d>(reader: &mut Reader, model: &Model<'d>, children: &[Element<'d
         if !known::EQUALITIES.contains(&element.name()) {
             continue;
         }
-        let owner = format!("equality {}", owner(*element));
+        let owner = owner(*element, &format!("{} equality", element.name()));
         let given =
             model
                 .defaults
@@ -133,7 +132,10 @@ fn deformables(reader: &mut Reader, children: &[Element<'_>]) {
     for element in children {
         reader.unknown_child(*element, "`deformable`", &["flex", "skin"]);
         if element.name() == "flex" {
-            let message = format!("{} is not supported: bodies are rigid", owner(*element));
+            let message = format!(
+                "{} is not supported: bodies are rigid",
+                owner(*element, "flex")
+            );
             let fault = Diagnostic::error(message).at(element.span(), "not supported");
             reader.faults.push(fault);
         }
