@@ -26,7 +26,7 @@ pub(super) fn of(tree: &Tree) -> Vec<TokenStream> {
     );
     let lower = numbers(
         &along_coordinates(tree, |mechanics| mechanics.range[0], f64::NEG_INFINITY),
-        quote!(NQ),
+        &quote!(NQ),
     );
     table(
         "The least value of each coordinate, rad, m: data only.",
@@ -34,7 +34,7 @@ pub(super) fn of(tree: &Tree) -> Vec<TokenStream> {
     );
     let upper = numbers(
         &along_coordinates(tree, |mechanics| mechanics.range[1], f64::INFINITY),
-        quote!(NQ),
+        &quote!(NQ),
     );
     table(
         "The greatest value of each coordinate, rad, m: data only.",
@@ -42,7 +42,7 @@ pub(super) fn of(tree: &Tree) -> Vec<TokenStream> {
     );
     let velocity = numbers(
         &along_speeds(tree, |mechanics| mechanics.velocity),
-        quote!(NU),
+        &quote!(NU),
     );
     table(
         "The greatest magnitude of each speed, rad/s, m/s: data only.",
@@ -50,7 +50,7 @@ pub(super) fn of(tree: &Tree) -> Vec<TokenStream> {
     );
     let effort = numbers(
         &along_speeds(tree, |mechanics| mechanics.effort),
-        quote!(NU),
+        &quote!(NU),
     );
     table(
         "The greatest magnitude of each generalized force, N m, N: data only.",
@@ -58,7 +58,7 @@ pub(super) fn of(tree: &Tree) -> Vec<TokenStream> {
     );
     let friction = numbers(
         &along_speeds(tree, |mechanics| mechanics.friction),
-        quote!(NU),
+        &quote!(NU),
     );
     table(
         "Coulomb friction along each speed, N m, N: data only, no part of any function.",
@@ -151,7 +151,7 @@ fn along_speeds(tree: &Tree, of: impl Fn(&Mechanics) -> f64) -> Vec<f64> {
 }
 
 /// A list of numbers; short where all are the same.
-fn numbers(values: &[f64], length: TokenStream) -> TokenStream {
+fn numbers(values: &[f64], length: &TokenStream) -> TokenStream {
     match values {
         [first, rest @ ..] if rest.iter().all(|value| value == first) => {
             let first = number(*first);

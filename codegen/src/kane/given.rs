@@ -192,12 +192,12 @@ pub fn shift_directions(graph: &mut ExprGraph, joint: &Joint) -> Matrix {
     constant(graph, &joint.rotation)
 }
 
-/// q_K: from the lower body's origin to where the joint sits, lower-body components.
+/// `q_K`: from the lower body's origin to where the joint sits, lower-body components.
 pub fn attachment(graph: &mut ExprGraph, joint: &Joint) -> Vector {
     fixed(graph, &joint.attachment)
 }
 
-/// q_K + s_K: from the lower body's origin to the body's, lower-body components.
+/// `q_K + s_K`: from the lower body's origin to the body's, lower-body components.
 pub fn offset(graph: &mut ExprGraph, body: &Body) -> Vector {
     let attachment = attachment(graph, &body.joint);
     let translation = body.joint.translations.map(|s| coordinate(graph, s));

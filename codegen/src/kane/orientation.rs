@@ -40,22 +40,14 @@ pub fn trigonometry(graph: &mut ExprGraph, tree: &Tree, angles: [Coordinate; 3])
 
 /// From the joint's axes in the lower body to the body's: Eq. (4), or `C(e)^T`.
 pub fn of_joint(graph: &mut ExprGraph, tree: &Tree, joint: &Joint) -> Matrix {
-    match joint.orientation {
-        Orientation::AngularVelocity {
-            chart: Chart::EulerParameters(parameters),
-            ..
-        } => {
-            let e = parameters.map(|parameter| graph.input(Input::Q(parameter)));
-            transpose(&quaternion(graph, e))
-        }
-        _ => {
-            let angles = joint
-                .angles()
-                .expect("tree: all other orientations have angles");
-            let trigonometry = trigonometry(graph, tree, angles);
-            body_fixed_123(graph, &trigonometry)
-        }
+    if let Some(angles) = joint.angles() {
+        let trigonometry = trigonometry(graph, tree, angles);
+        return body_fixed_123(graph, &trigonometry);
     }
+    let e = joint
+        .euler_parameters()
+        .map(|parameter| graph.input(Input::Q(parameter)));
+    transpose(&quaternion(graph, e))
 }
 
 /// `JR_K`, Eq. (4), after the constant `A_K`: lower-body components to body components, for every body.

@@ -1,15 +1,14 @@
 //! The tree of a description in which nothing is missing: bodies with all that is fixed to them, in axes of our choice.
 
-use crate::description::{
-    Body as Written, Chart as ChartKind, Description, Limits, PerCoordinate, Rotation, Scalar,
-};
+use crate::description::{Body as Written, Chart as ChartKind, Description, Rotation};
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::tree::resolve::{Freedom, Resolved};
+use crate::tree::snapping::Snapping;
 use crate::tree::values::Parameters;
 use crate::tree::{
-    Body, Changes, Chart, Coordinate, Frame, Joint, Mechanics, Offset, Orientation, Part, Pose,
-    Step, Tree, Value, names, numbering, places, rotation,
+    Body, Changes, Chart, Coordinate, Frame, Joint, Offset, Orientation, Part, Pose, Step, Tree,
+    Value, mechanics, names, numbering, places, rotation,
 };
 
 /// Where a written body's own frame is: in which body of the tree, and where there.
@@ -116,8 +115,8 @@ impl Builder {
         let host = if moving { Some(id) } else { below.host };
         let part = self.part(written, &new.identifier, host)?;
         let (attachment, body_attachment) = self.attachments(written, &new.identifier, host)?;
-        let to_joint = self.to_joint(&new, below);
-        let to_body = self.to_body(&new);
+        let to_joint = self.rotation_to_joint(&new, below);
+        let to_body = self.rotation_to_body(&new);
         let point = below
             .pose
             .origin
@@ -166,7 +165,7 @@ impl Builder {
             pose: pose.clone(),
         };
         if moving {
-            let body = self.body(new, id, below.host, (to_joint, point), (part, pose))?;
+            let body = self.body(new, id, below.host, (to_joint, point), (part, pose));
             self.bodies.push(body);
         } else {
             self.frames.push((new.name, placed.clone()));
@@ -220,7 +219,7 @@ impl Builder {
     }
 
     /// From the internal axes of the body below to those of the joint's coordinates.
-    fn to_joint(&mut self, new: &New<'_>, below: &Placed) -> Rotation {
+    fn rotation_to_joint(&mut self, new: &New<'_>, below: &Placed) -> Rotation {
         let own = new.written.joint.attachment_rotation.map(|own| {
             let what = format!("`attachment_rotation` of `{}`", shown(new.written));
             self.snapping.of(&own.value, what)
@@ -231,7 +230,7 @@ impl Builder {
     }
 
     /// From the axes of the joint's coordinates, moved, to the body's.
-    fn to_body(&mut self, new: &New<'_>) -> Rotation {
+    fn rotation_to_body(&mut self, new: &New<'_>) -> Rotation {
         let own = new.written.joint.body_rotation.map(|own| {
             let what = format!("`body_rotation` of `{}`", shown(new.written));
             self.snapping.of(&own.value, what)
@@ -248,9 +247,9 @@ impl Builder {
         lower: Option<BodyId>,
         (rotation, attachment): (Rotation, Offset),
         (part, pose): (Part, Pose),
-    ) -> Option<Body> {
+    ) -> Body {
         let New { written, joint, .. } = new;
-        let mechanics = self.mechanics(&new, id);
+        let mechanics = mechanics::of(&mut self.parameters, &written.joint, joint, id);
         let own_name = written.joint.name.as_ref();
         let joint = Joint {
             name: own_name.map_or_else(|| new.name.clone(), |name| name.value.clone()),
@@ -262,7 +261,7 @@ impl Builder {
             translations: [3, 4, 5].map(|motion| coordinate(joint.motions[motion])),
             mechanics,
         };
-        Some(Body {
+        Body {
             name: new.name,
             identifier: new.identifier,
             user_number: new.user_number,
@@ -270,69 +269,7 @@ impl Builder {
             parts: vec![part],
             joint,
             pose,
-        })
-    }
-
-    fn mechanics(&mut self, new: &New<'_>, id: BodyId) -> [Mechanics; 6] {
-        let (written, joint) = (&new.written.joint, new.joint);
-        let mut mechanics = [Mechanics::default(); 6];
-        let units =
-            |of_angle, of_length| move |motion| if motion < 3 { of_angle } else { of_length };
-        let mut set = |quantity: &str,
-                       given: &PerCoordinate<Scalar>,
-                       unit: &dyn Fn(usize) -> &'static str,
-                       put: fn(&mut Mechanics) -> &mut Value| {
-            let moving = |motion: &usize| !matches!(joint.motions[*motion], Freedom::Locked(_));
-            match given {
-                PerCoordinate::Absent => {}
-                PerCoordinate::Same(value) => {
-                    let name = format!("{}_{quantity}", joint.identifier);
-                    let mut motions = (0..6).filter(moving);
-                    let first = motions.next().unwrap_or(0);
-                    let value = self
-                        .parameters
-                        .value(Some(*value), name, Some(id), unit(first));
-                    for motion in (0..6).filter(moving) {
-                        *put(&mut mechanics[motion]) = value.unwrap_or(Value::Baked(0.0));
-                    }
-                }
-                PerCoordinate::Each(values) => {
-                    for (axis, value) in values {
-                        let name = format!("{}_{}_{quantity}", joint.identifier, axis.value.name());
-                        let motion = axis.value.index();
-                        let value =
-                            self.parameters
-                                .value(Some(*value), name, Some(id), unit(motion));
-                        *put(&mut mechanics[motion]) = value.unwrap_or(Value::Baked(0.0));
-                    }
-                }
-            }
-        };
-        set(
-            "stiffness",
-            &written.stiffness,
-            &units("N m/rad", "N/m"),
-            |m| &mut m.stiffness,
-        );
-        set("rest", &written.rest, &units("rad", "m"), |m| &mut m.rest);
-        set(
-            "damping",
-            &written.damping,
-            &units("N m s/rad", "N s/m"),
-            |m| &mut m.damping,
-        );
-        set("armature", &written.armature, &units("kg m^2", "kg"), |m| {
-            &mut m.armature
-        });
-        for (motion, mechanics) in mechanics.iter_mut().enumerate() {
-            if let Some(friction) = at(&written.friction, motion) {
-                mechanics.friction = friction;
-            }
-            if let Some(limits) = at(&written.limits, motion) {
-                limit(mechanics, &limits);
-            }
         }
-        mechanics
     }
 }
 
@@ -341,27 +278,6 @@ fn shown(written: &Written) -> String {
         .name
         .as_ref()
         .map_or_else(String::new, |name| name.value.escape_debug().to_string())
-}
-
-fn at<T: Copy>(quantity: &PerCoordinate<T>, motion: usize) -> Option<T> {
-    match quantity {
-        PerCoordinate::Absent => None,
-        PerCoordinate::Same(value) => Some(value.value),
-        PerCoordinate::Each(values) => values
-            .iter()
-            .find(|(axis, _)| axis.value.index() == motion)
-            .map(|(_, value)| value.value),
-    }
-}
-
-fn limit(mechanics: &mut Mechanics, limits: &Limits) {
-    let [lower, upper] = mechanics.range;
-    mechanics.range = [
-        limits.lower.map_or(lower, |limit| limit.value),
-        limits.upper.map_or(upper, |limit| limit.value),
-    ];
-    mechanics.velocity = limits.velocity.map_or(f64::INFINITY, |limit| limit.value);
-    mechanics.effort = limits.effort.map_or(f64::INFINITY, |limit| limit.value);
 }
 
 /// Places are given later, when all bodies are there.
@@ -440,48 +356,5 @@ fn note_merged(tree: &Tree, findings: &mut Vec<Diagnostic>) {
             "bodies that are fixed are part of what they are fixed to: {}",
             merged.join(", ")
         )));
-    }
-}
-
-/// Makes entries of constant rotations exact, and remembers where.
-struct Snapping {
-    tolerance: f64,
-    changed: Vec<String>,
-    most: f64,
-}
-
-impl Snapping {
-    fn new(tolerance: f64) -> Self {
-        Self {
-            tolerance,
-            changed: Vec::new(),
-            most: 0.0,
-        }
-    }
-
-    /// A rotation that the user wrote.
-    fn of(&mut self, rotation: &Rotation, what: String) -> Rotation {
-        let (snapped, change) = rotation::snapped(rotation, self.tolerance);
-        if change > 0.0 {
-            self.changed.push(what);
-            self.most = self.most.max(change);
-        }
-        snapped
-    }
-
-    /// A product of rotations, which rounding may have left near exact.
-    fn quietly(&self, rotation: &Rotation) -> Rotation {
-        rotation::snapped(rotation, self.tolerance).0
-    }
-
-    fn report(&self, findings: &mut Vec<Diagnostic>) {
-        if !self.changed.is_empty() {
-            findings.push(Diagnostic::note(format!(
-                "entries of constant rotations nearer than {:?} to 0, 1 or -1 were made exact, which changed none by more than {:.1e}: {}",
-                self.tolerance,
-                self.most,
-                self.changed.join(", ")
-            )));
-        }
     }
 }

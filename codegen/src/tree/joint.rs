@@ -143,6 +143,20 @@ impl Joint {
         }
     }
 
+    /// The Euler parameters of an orientation that has no angles.
+    ///
+    /// # Panics
+    /// If it has angles.
+    pub fn euler_parameters(&self) -> [CoordinateId; 4] {
+        match self.orientation {
+            Orientation::AngularVelocity {
+                chart: Chart::EulerParameters(parameters),
+                ..
+            } => parameters,
+            _ => unreachable!("tree: an orientation has angles or Euler parameters"),
+        }
+    }
+
     /// The motions about the three axes.
     pub fn turns(&self) -> [Option<Motion>; 3] {
         match self.orientation {

@@ -12,6 +12,7 @@ mod canonical;
 mod inertia;
 mod joint;
 mod joint_check;
+mod mechanics;
 mod mimic;
 mod mobility;
 mod names;
@@ -21,6 +22,7 @@ mod places;
 mod resolve;
 mod rotation;
 mod rows;
+mod snapping;
 mod sweep;
 mod values;
 

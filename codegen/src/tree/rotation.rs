@@ -138,11 +138,16 @@ pub fn exact(entry: f64, tolerance: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
     use super::*;
+
+    /// Right angles as files have them: with ten digits, and with four.
+    const ROUNDED: [f64; 2] = [FRAC_PI_2 - 4.9e-12, FRAC_PI_2 + 3.7e-6];
 
     #[test]
     fn a_rounded_right_angle_becomes_exact() {
-        let rounded = body_fixed_123([1.570_796_326_79, 0.0, 0.3]);
+        let rounded = body_fixed_123([ROUNDED[0], 0.0, 0.3]);
         let (snapped, change) = snapped(&rounded, 1e-9);
         assert!(snapped[2] == [0.0, -1.0, 0.0] && snapped[0][1] == 0.0);
         assert!(change > 1e-12 && change < 1e-11);
@@ -150,7 +155,7 @@ mod tests {
 
     #[test]
     fn what_is_snapped_is_orthonormal_again() {
-        let (snapped, _) = snapped(&body_fixed_123([1.5708, 0.2, -0.7]), 1e-5);
+        let (snapped, _) = snapped(&body_fixed_123([ROUNDED[1], 0.2, -0.7]), 1e-5);
         let back = transposed(&snapped);
         for (i, row) in then(&back, &snapped).iter().enumerate() {
             for (j, entry) in row.iter().enumerate() {
@@ -162,7 +167,7 @@ mod tests {
 
     #[test]
     fn nothing_is_snapped_at_zero_tolerance() {
-        let rounded = body_fixed_123([1.570_796_326_79, 0.1, 0.3]);
+        let rounded = body_fixed_123([ROUNDED[0], 0.1, 0.3]);
         assert_eq!(snapped(&rounded, 0.0), (rounded, 0.0));
     }
 

@@ -1,5 +1,7 @@
 //! The numbers of a description, baked in or as parameters, which are listed as they are met.
 
+use std::collections::BTreeSet;
+
 use crate::description::{Given, INERTIA_COMPONENTS, Scalar};
 use crate::id::{BodyId, ParameterId};
 use crate::tree::{Inertia, Parameter, Value};
@@ -8,6 +10,7 @@ use crate::tree::{Inertia, Parameter, Value};
 #[derive(Default)]
 pub(crate) struct Parameters {
     pub(crate) list: Vec<Parameter>,
+    taken: BTreeSet<String>,
 }
 
 impl Parameters {
@@ -21,6 +24,10 @@ impl Parameters {
         Some(match given?.value {
             Scalar::Baked(number) => Value::Baked(number),
             Scalar::Runtime(nominal) => {
+                let mut name = name;
+                while !self.taken.insert(name.clone()) {
+                    name.push('_');
+                }
                 self.list.push(Parameter {
                     name,
                     body,
