@@ -1,0 +1,102 @@
+//! Snapping of rotations: what rounded right angles cost, and what the user is told.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use kane_codegen::compile::Options;
+use kane_codegen::description::no_includes;
+use kane_codegen::diagnostic::Source;
+use kane_codegen::generate::{Generated, generate};
+use kane_codegen::tree::Changes;
+
+/// An arm of three links whose joints are turned by a right angle, written with these digits.
+fn arm(right_angle: &str) -> String {
+    let link = |name: &str| {
+        format!(
+            "<link name=\"{name}\"><inertial><origin xyz=\"0.1 0.2 0.3\" rpy=\"0 0 {right_angle}\"/><mass value=\"2\"/>\
+             <inertia ixx=\"0.1\" ixy=\"0.01\" ixz=\"0.02\" iyy=\"0.2\" iyz=\"0.03\" izz=\"0.25\"/></inertial></link>\n"
+        )
+    };
+    let joint = |name: &str, parent: &str, child: &str, rpy: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{child}\"/>\
+             <origin xyz=\"0 0.1 0.5\" rpy=\"{rpy}\"/><axis xyz=\"0 0 1\"/></joint>\n"
+        )
+    };
+    [
+        "<robot name=\"arm\">\n<link name=\"base\"/>\n".to_owned(),
+        link("a"),
+        link("b"),
+        link("c"),
+        joint("one", "base", "a", "0 0 0"),
+        joint("two", "a", "b", &format!("{right_angle} 0 0")),
+        joint("three", "b", "c", &format!("-{right_angle} 0 0")),
+        "</robot>\n".to_owned(),
+    ]
+    .concat()
+}
+
+fn generated(right_angle: &str, snap: f64) -> Generated {
+    let options = Options {
+        changes: Changes {
+            snap,
+            ..Changes::default()
+        },
+        ..Options::default()
+    };
+    let source = Source::new("arm.urdf", arm(right_angle));
+    generate(&source, "arm.urdf", &options, &no_includes).unwrap()
+}
+
+/// The operations of inverse dynamics, and what was said of snapping.
+fn cost(right_angle: &str, snap: f64) -> (usize, String) {
+    let generated = generated(right_angle, snap);
+    let (_, operations) = generated
+        .functions
+        .iter()
+        .find(|(name, _)| *name == "inverse_dynamics")
+        .unwrap();
+    let said = generated.warnings.list().iter();
+    let said = said
+        .filter(|finding| finding.message.contains("made exact"))
+        .map(|finding| finding.message.clone());
+    (operations.total(), said.collect())
+}
+
+#[test]
+fn ten_digits_of_a_right_angle_are_exact_by_default() {
+    let exact = cost("1.5707963267948966", 1e-9).0;
+    let (rounded, said) = cost("1.57079632679", 1e-9);
+    assert_eq!(rounded, exact);
+    insta::assert_snapshot!(said, @"entries of constant rotations nearer than 1e-9 to 0, 1 or -1 were made exact, which changed none by more than 4.9e-12: `inertia_rotation` of `a`, `inertia_rotation` of `b`, `attachment_rotation` of `b`, `inertia_rotation` of `c`, `attachment_rotation` of `c`");
+}
+
+#[test]
+fn four_digits_of_a_right_angle_are_exact_where_asked_for() {
+    let exact = cost("1.5707963267948966", 1e-9).0;
+    let crumbs = cost("1.5708", 1e-9).0;
+    assert_eq!(cost("1.5708", 1e-5).0, exact);
+    assert!(
+        crumbs > exact,
+        "{crumbs} operations with crumbs, {exact} without"
+    );
+}
+
+#[test]
+fn nothing_is_snapped_at_zero() {
+    let (operations, said) = cost("1.5707963267948966", 0.0);
+    assert!(said.is_empty(), "{said}");
+    assert!(operations > cost("1.5707963267948966", 1e-9).0);
+}
+
+#[test]
+fn the_tolerance_stands_in_the_banner() {
+    for (snap, shown) in [
+        (1e-5, "snap: 1e-5"),
+        (1e-9, "snap: 1e-9"),
+        (0.0, "snap: 0.0"),
+    ] {
+        let source = generated("1.5708", snap).source;
+        let banner = source.lines().nth(1).unwrap();
+        assert!(banner.contains(shown), "{banner}");
+    }
+}
