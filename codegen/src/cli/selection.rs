@@ -28,7 +28,8 @@ pub(crate) struct Selection {
     /// The model; without it, everything in `kane.toml`
     ///
     /// If the `kane.toml` in the model's folder or the nearest above lists the model, output and options are those
-    /// written there, as far as no option says otherwise. If not, --output says where the module goes.
+    /// written there, as far as no option says otherwise. If not, --output says where the module goes; where there is no
+    /// `kane.toml` and no --output, it goes into the current folder under the model's own name, `panda.rs` for `panda.urdf`.
     #[arg(value_name = "MODEL")]
     model: Option<PathBuf>,
 
@@ -170,19 +171,24 @@ impl Selection {
         let listed = config.as_deref().map(Listed::read).transpose()?;
         let jobs = listed.as_ref().map(|listed| listed.jobs_of(model));
         let mut jobs = jobs.transpose()?.unwrap_or_default();
-        if let Some(output) = &self.output {
-            jobs.retain(|job| job.target.is_same_file(output));
+        let output = match (&self.output, &config) {
+            (Some(output), _) => Some(output.clone()),
+            (None, None) => Some(own_name(model)),
+            (None, Some(_)) => None,
+        };
+        if let Some(output) = output {
+            jobs.retain(|job| job.target.is_same_file(&output));
             if jobs.is_empty() {
                 jobs.push(Job {
                     model: model.to_owned(),
                     shown: listed::shown_model(model, listed.as_ref())?,
-                    target: Target::new(output),
+                    target: Target::new(&output),
                     options: Options::default(),
                 });
             }
         }
-        if jobs.is_empty() {
-            return Err(unlisted(model, config.as_deref()));
+        if let Some(config) = config.filter(|_| jobs.is_empty()) {
+            return Err(unlisted(model, &config));
         }
         for job in &mut jobs {
             model.clone_into(&mut job.model);
@@ -209,14 +215,17 @@ impl Selection {
     }
 }
 
-fn unlisted(model: &Path, config: Option<&Path>) -> Failures {
-    let model = model.display();
-    let unlisted = match config {
-        Some(config) => format!("`{}` does not list `{model}`", config.display()),
-        None => format!("there is no `kane.toml` above `{model}`"),
-    };
+/// The file in the current folder that a model's module goes to where nothing says otherwise.
+fn own_name(model: &Path) -> PathBuf {
+    let name = model.file_name().unwrap_or(model.as_os_str());
+    Path::new(name).with_extension("rs")
+}
+
+fn unlisted(model: &Path, config: &Path) -> Failures {
     Failures::message(format!(
-        "{unlisted}; say where to write with --output FILE, where `-` is standard output"
+        "`{}` does not list `{}`; say where to write with --output FILE, where `-` is standard output",
+        config.display(),
+        model.display()
     ))
 }
 
