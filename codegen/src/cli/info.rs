@@ -90,16 +90,50 @@ fn write(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
         "\nTree: number, body, free coordinates, locked ones that are not zero\n"
     )?;
     write!(out, "{}", report::picture(tree))?;
-    writeln!(
-        out,
-        "\nCoordinates, {order}: place in q; the rate has the same place in u\n"
-    )?;
-    for (place, name) in tree.coordinate_names().iter().enumerate() {
-        writeln!(out, "{place:4}  {name}")?;
-    }
+    write_frames(out, tree)?;
+    write_coordinates(out, tree, order)?;
     write_partitions(out, tree, &report::partitions(tree))?;
     write_parameters(out, tree)?;
     write_counts(out, &report::counts(tree))
+}
+
+/// Bodies that are part of others.
+fn write_frames(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
+    if !tree.frames.is_empty() {
+        writeln!(out, "\nFixed to them, and part of them\n")?;
+    }
+    for frame in &tree.frames {
+        let body = frame
+            .body
+            .map_or("the inertial frame", |body| &tree.body(body).name);
+        writeln!(out, "{} to {body}", frame.name)?;
+    }
+    Ok(())
+}
+
+fn write_coordinates(out: &mut dyn Write, tree: &Tree, order: &str) -> io::Result<()> {
+    let (coordinates, speeds) = (tree.coordinate_names(), tree.speed_names());
+    let are_rates = coordinates.len() == speeds.len()
+        && coordinates
+            .iter()
+            .zip(&speeds)
+            .all(|(coordinate, speed)| speed.strip_suffix("_dot") == Some(coordinate));
+    let rates = if are_rates {
+        "; the rate has the same place in u"
+    } else {
+        ""
+    };
+    writeln!(out, "\nCoordinates, {order}: place in q{rates}\n")?;
+    for (place, name) in coordinates.iter().enumerate() {
+        writeln!(out, "{place:4}  {name}")?;
+    }
+    if !are_rates {
+        writeln!(out, "\nSpeeds: place in u\n")?;
+        for (place, name) in speeds.iter().enumerate() {
+            writeln!(out, "{place:4}  {name}")?;
+        }
+    }
+    Ok(())
 }
 
 fn write_partitions(out: &mut dyn Write, tree: &Tree, partitions: &Partitions) -> io::Result<()> {
@@ -238,6 +272,8 @@ fn value(tree: &Tree) -> Value {
         "order": order,
         "bodies": bodies,
         "coordinates": coordinates_value(tree),
+        "speeds": tree.speed_names(),
+        "frames": tree.frames.iter().map(frame_value).collect::<Value>(),
         "partitions": partitions_value(&report::partitions(tree)),
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
@@ -277,6 +313,15 @@ fn body_value(tree: &Tree, id: BodyId) -> Value {
         "free": free,
         "locked": locked,
         "mimics": mimics,
+    })
+}
+
+fn frame_value(frame: &tree::Frame) -> Value {
+    json!({
+        "name": frame.name,
+        "body": frame.body.map_or(0, |body| body.index() + 1),
+        "rotation": frame.rotation,
+        "position": frame.position,
     })
 }
 

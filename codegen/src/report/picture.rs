@@ -2,7 +2,7 @@
 
 use crate::{
     id::BodyId,
-    tree::{Body, Coordinate, Orientation, Tree},
+    tree::{Coordinate, Orientation, Tree},
 };
 
 /// A line for the inertial frame and for each body, with its number, joint and, where it differs, the user's number.
@@ -36,7 +36,7 @@ pub fn picture(tree: &Tree) -> String {
         } else {
             ("|-- ", "|   ")
         };
-        let line = line(tree.body(body), body, &coordinates);
+        let line = line(tree, body, &coordinates);
         text.extend([&own_indent, branch, &line, "\n"]);
         indent = own_indent + below;
         lower = Some(body);
@@ -48,9 +48,10 @@ fn number(body: Option<BodyId>) -> usize {
     body.map_or(0, |body| body.index() + 1)
 }
 
-fn line(body: &Body, id: BodyId, coordinates: &[String]) -> String {
-    let number = number(Some(id));
-    let renumbered = if body.user_number == number {
+fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
+    let (body, number) = (tree.body(id), number(Some(id)));
+    // Where bodies are part of others, all numbers beyond them differ, which is no news.
+    let renumbered = if body.user_number == number || !tree.frames.is_empty() {
         String::new()
     } else {
         format!(" ({} in the model)", body.user_number)

@@ -102,7 +102,7 @@ fn json_has_the_documented_keys() {
     };
     assert_eq!(
         keys(&report),
-        "bodies coordinates functions gravity name order parameters partitions"
+        "bodies coordinates frames functions gravity name order parameters partitions speeds"
     );
     assert_eq!(
         keys(&report["bodies"][0]),
@@ -179,4 +179,26 @@ fn faults_of_the_model_are_2() {
         "{}",
         ran.err
     );
+}
+
+#[test]
+fn a_floating_robot_shows_its_joints_speeds_and_what_is_fixed() {
+    let project = Project::empty();
+    let robot = "<robot name=\"drone\">
+        <link name=\"hull\"><inertial><mass value=\"1\"/>
+        <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+        <link name=\"camera\"/><link name=\"rotor\"><inertial><mass value=\"0.1\"/>
+        <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+        <link name=\"other\"><inertial><mass value=\"0.1\"/>
+        <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+        <joint name=\"mount\" type=\"fixed\"><parent link=\"hull\"/><child link=\"camera\"/></joint>
+        <joint name=\"shaft\" type=\"continuous\"><parent link=\"hull\"/><child link=\"rotor\"/><axis xyz=\"0 0 1\"/></joint>
+        <joint name=\"twin\" type=\"continuous\"><parent link=\"hull\"/><child link=\"other\"/><axis xyz=\"0 0 -1\"/>
+        <mimic joint=\"shaft\" multiplier=\"-1\" offset=\"0.5\"/></joint>
+        </robot>";
+    project.write("drone.urdf", robot);
+    let ran = project.kane(&["info", "drone.urdf", "--base", "free"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let (description, _) = ran.out.split_once("Operations of each").unwrap();
+    insta::assert_snapshot!(description);
 }
