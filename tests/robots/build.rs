@@ -1,0 +1,97 @@
+//! Generates the robots of this package, as a user's build script would.
+
+use kane_codegen::{
+    build_script::Build,
+    config::Formulation,
+    description::{Base, Chart},
+    error::Error,
+};
+
+/// What has a value in the references, and no other function: each is compiled several times.
+const FUNCTIONS: [&str; 11] = [
+    "rotation",
+    "origin_position",
+    "mass_center_position",
+    "mass_matrix",
+    "bias",
+    "inverse_dynamics",
+    "forward_dynamics",
+    "kinetic_energy",
+    "potential_energy",
+    "linear_momentum",
+    "angular_momentum",
+];
+
+/// Of these, those with two formulations.
+const DYNAMICS: [&str; 4] = [
+    "mass_matrix",
+    "bias",
+    "inverse_dynamics",
+    "forward_dynamics",
+];
+
+fn main() -> Result<(), Error> {
+    println!("cargo::rerun-if-changed=build.rs");
+    for name in [
+        "cartpole",
+        "double_pendulum",
+        "double_pendulum_continuous",
+        "ur5",
+        "panda",
+    ] {
+        robot(name, Base::Fixed)?;
+    }
+    for name in ["solo12", "talos"] {
+        robot(name, Base::Free)?;
+        generate(with_angles(name), &format!("{name}_angles"))?;
+    }
+    notes(with_angles("solo12"), "solo12_angles")?;
+    generate(
+        model("panda")
+            .lock("panda_joint3", 0.4)
+            .lock("panda_joint6", -0.7)
+            .remove("panda_joint5"),
+        "panda_held",
+    )?;
+    for gripper in ["gripper", "gripper_free"] {
+        let built = Build::new(format!("gripper/{gripper}.urdf"));
+        generate(built.clone(), gripper)?;
+        notes(built, gripper)?;
+    }
+    Ok(())
+}
+
+/// A robot of the references: as its file is, snapped as by default, and in the notes' formulation.
+fn robot(name: &str, base: Base) -> Result<(), Error> {
+    generate(unsnapped(name).base(base), name)?;
+    generate(model(name).base(base), &format!("{name}_snapped"))?;
+    notes(unsnapped(name).base(base), name)
+}
+
+fn model(name: &str) -> Build {
+    Build::new(format!("{name}/{name}.urdf"))
+}
+
+/// As exact as the file is.
+fn unsnapped(name: &str) -> Build {
+    model(name).snap(0.0)
+}
+
+/// With a floating base that is described by angles.
+fn with_angles(name: &str) -> Build {
+    unsnapped(name).base(Base::Free).chart(Chart::Angles)
+}
+
+fn generate(build: Build, name: &str) -> Result<(), Error> {
+    build.functions(FUNCTIONS).name(name).run()?;
+    Ok(())
+}
+
+fn notes(build: Build, name: &str) -> Result<(), Error> {
+    build
+        .functions(DYNAMICS)
+        .formulation(Formulation::Notes)
+        .name(format!("{name}_notes"))
+        .run()?;
+    Ok(())
+}

@@ -1,0 +1,156 @@
+//! Generated robots, compiled: each behind a trait object that takes slices.
+//!
+//! `build.rs` generates them from the URDFs of this package. The tests ask them for the numbers that Pinocchio has for the
+//! same files, and for one another's.
+
+mod robot;
+
+pub use robot::{Dynamics, Limits, Robot};
+
+macro_rules! modules {
+    ($($(#[$meaning:meta])* $name:ident)+) => {$(
+        $(#[$meaning])*
+        #[allow(clippy::pedantic, reason = "names and digits are the model's; the rest of clippy is a test of what is generated")]
+        pub mod $name {
+            include!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".rs"));
+        }
+    )+};
+}
+
+modules! {
+    /// As its file is.
+    cartpole
+    /// Snapped.
+    cartpole_snapped
+    /// In the notes' formulation.
+    cartpole_notes
+    /// As its file is.
+    double_pendulum
+    /// Snapped.
+    double_pendulum_snapped
+    /// In the notes' formulation.
+    double_pendulum_notes
+    /// As its file is.
+    double_pendulum_continuous
+    /// Snapped.
+    double_pendulum_continuous_snapped
+    /// In the notes' formulation.
+    double_pendulum_continuous_notes
+    /// As its file is.
+    ur5
+    /// Snapped.
+    ur5_snapped
+    /// In the notes' formulation.
+    ur5_notes
+    /// As its file is.
+    panda
+    /// Snapped.
+    panda_snapped
+    /// In the notes' formulation.
+    panda_notes
+    /// Two joints locked, one removed.
+    panda_held
+    /// As its file is.
+    solo12
+    /// Its base described by angles.
+    solo12_angles
+    /// As that, in the notes' formulation.
+    solo12_angles_notes
+    /// Snapped.
+    solo12_snapped
+    /// In the notes' formulation.
+    solo12_notes
+    /// As its file is.
+    talos
+    /// Its base described by angles.
+    talos_angles
+    /// Snapped.
+    talos_snapped
+    /// In the notes' formulation.
+    talos_notes
+    /// A joint and the two that follow it.
+    gripper
+    /// In the notes' formulation.
+    gripper_notes
+    /// The same, where none follows.
+    gripper_free
+    /// In the notes' formulation.
+    gripper_free_notes
+}
+
+/// Makes a robot with every function.
+pub type Make = fn() -> Box<dyn Robot>;
+/// Makes a robot with the functions that have two formulations.
+pub type MakeDynamics = fn() -> Box<dyn Dynamics>;
+
+macro_rules! make {
+    ($name:ident) => {
+        || Box::new(crate::$name::Prepared::nominal())
+    };
+}
+
+/// A robot of the references.
+#[derive(Clone, Copy, Debug)]
+pub struct Compiled {
+    /// The name of its folder.
+    pub name: &'static str,
+    /// As its file is; a floating base with a quaternion.
+    pub plain: Make,
+    /// A floating base described by angles.
+    pub angles: Option<Make>,
+    /// With constant rotations snapped by the default tolerance.
+    pub snapped: Make,
+    /// In the notes' formulation.
+    pub notes: MakeDynamics,
+}
+
+macro_rules! compiled {
+    ($plain:ident, $snapped:ident, $notes:ident, $angles:expr) => {
+        Compiled {
+            name: stringify!($plain),
+            plain: make!($plain),
+            angles: $angles,
+            snapped: make!($snapped),
+            notes: make!($notes),
+        }
+    };
+}
+
+/// The robots of the references.
+pub const ROBOTS: [Compiled; 7] = [
+    compiled!(cartpole, cartpole_snapped, cartpole_notes, None),
+    compiled!(
+        double_pendulum,
+        double_pendulum_snapped,
+        double_pendulum_notes,
+        None
+    ),
+    compiled!(
+        double_pendulum_continuous,
+        double_pendulum_continuous_snapped,
+        double_pendulum_continuous_notes,
+        None
+    ),
+    compiled!(ur5, ur5_snapped, ur5_notes, None),
+    compiled!(panda, panda_snapped, panda_notes, None),
+    compiled!(
+        solo12,
+        solo12_snapped,
+        solo12_notes,
+        Some(make!(solo12_angles))
+    ),
+    compiled!(talos, talos_snapped, talos_notes, Some(make!(talos_angles))),
+];
+
+/// solo12 with its base described by angles, in the notes' formulation.
+pub const SOLO12_ANGLES_NOTES: MakeDynamics = make!(solo12_angles_notes);
+/// The panda with `panda_joint3` locked at 0.4, `panda_joint6` at -0.7, and `panda_joint5` removed.
+pub const PANDA_HELD: Make = make!(panda_held);
+/// The gripper of which two joints follow a third.
+pub const GRIPPER: Make = make!(gripper);
+/// As [`GRIPPER`], in the notes' formulation.
+pub const GRIPPER_NOTES: MakeDynamics = make!(gripper_notes);
+/// As [`GRIPPER`], every joint free.
+pub const GRIPPER_FREE: Make = make!(gripper_free);
+/// As [`GRIPPER_FREE`], in the notes' formulation.
+pub const GRIPPER_FREE_NOTES: MakeDynamics = make!(gripper_free_notes);
