@@ -1,4 +1,4 @@
-//! Generates the robots of this package, as a user's build script would.
+//! Generates the robots of this package and the models of `tests/mjcf`, as a user's build script would.
 
 use kane_codegen::{
     build_script::Build,
@@ -30,6 +30,28 @@ const DYNAMICS: [&str; 4] = [
     "forward_dynamics",
 ];
 
+/// The models of `tests/mjcf`.
+const MJCF: [&str; 18] = [
+    "adjusted_inertias",
+    "ant",
+    "ball_joint_arm",
+    "cart_with_springs",
+    "cheetah",
+    "extrinsic_angles",
+    "frames",
+    "free_bodies",
+    "humanoid",
+    "inertias",
+    "legged",
+    "mixed_angles",
+    "no_gravity",
+    "orientations",
+    "several_joints",
+    "two_link_arm",
+    "walker",
+    "welded",
+];
+
 fn main() -> Result<(), Error> {
     println!("cargo::rerun-if-changed=build.rs");
     for name in [
@@ -57,6 +79,10 @@ fn main() -> Result<(), Error> {
         let built = Build::new(format!("gripper/{gripper}.urdf"));
         generate(built.clone(), gripper)?;
         notes(built, gripper)?;
+    }
+    for name in MJCF {
+        let built = Build::new(format!("../mjcf/{name}/{name}.xml"));
+        built.functions(DYNAMICS).name(name).run()?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Generated robots, compiled: each behind a trait object that takes slices.
 //!
-//! `build.rs` generates them from the URDFs of this package. The tests ask them for the numbers that Pinocchio has for the
-//! same files, and for one another's.
+//! `build.rs` generates them from the URDFs of this package and the models of `tests/mjcf`. The tests ask them for the
+//! numbers that Pinocchio and MuJoCo have for the same files, and for one another's.
 
 mod robot;
 
@@ -76,6 +76,88 @@ modules! {
     gripper_free
     /// In the notes' formulation.
     gripper_free_notes
+}
+
+/// The models of `tests/mjcf`.
+pub mod mjcf {
+    use super::MakeDynamics;
+
+    modules! {
+        /// As its file is.
+        adjusted_inertias
+        /// As its file is.
+        ant
+        /// As its file is.
+        ball_joint_arm
+        /// As its file is.
+        cart_with_springs
+        /// As its file is.
+        cheetah
+        /// As its file is.
+        extrinsic_angles
+        /// As its file is.
+        frames
+        /// As its file is.
+        free_bodies
+        /// As its file is.
+        humanoid
+        /// As its file is.
+        inertias
+        /// As its file is.
+        legged
+        /// As its file is.
+        mixed_angles
+        /// As its file is.
+        no_gravity
+        /// As its file is.
+        orientations
+        /// As its file is.
+        several_joints
+        /// As its file is.
+        two_link_arm
+        /// As its file is.
+        walker
+        /// As its file is.
+        welded
+    }
+
+    /// Each model with the name of its folder.
+    pub const MODELS: [(&str, MakeDynamics); 18] = [
+        ("adjusted_inertias", || {
+            Box::new(adjusted_inertias::Prepared::nominal())
+        }),
+        ("ant", || Box::new(ant::Prepared::nominal())),
+        ("ball_joint_arm", || {
+            Box::new(ball_joint_arm::Prepared::nominal())
+        }),
+        ("cart_with_springs", || {
+            Box::new(cart_with_springs::Prepared::nominal())
+        }),
+        ("cheetah", || Box::new(cheetah::Prepared::nominal())),
+        ("extrinsic_angles", || {
+            Box::new(extrinsic_angles::Prepared::nominal())
+        }),
+        ("frames", || Box::new(frames::Prepared::nominal())),
+        ("free_bodies", || Box::new(free_bodies::Prepared::nominal())),
+        ("humanoid", || Box::new(humanoid::Prepared::nominal())),
+        ("inertias", || Box::new(inertias::Prepared::nominal())),
+        ("legged", || Box::new(legged::Prepared::nominal())),
+        ("mixed_angles", || {
+            Box::new(mixed_angles::Prepared::nominal())
+        }),
+        ("no_gravity", || Box::new(no_gravity::Prepared::nominal())),
+        ("orientations", || {
+            Box::new(orientations::Prepared::nominal())
+        }),
+        ("several_joints", || {
+            Box::new(several_joints::Prepared::nominal())
+        }),
+        ("two_link_arm", || {
+            Box::new(two_link_arm::Prepared::nominal())
+        }),
+        ("walker", || Box::new(walker::Prepared::nominal())),
+        ("welded", || Box::new(welded::Prepared::nominal())),
+    ];
 }
 
 /// Makes a robot with every function.

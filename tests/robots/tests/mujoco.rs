@@ -1,0 +1,134 @@
+//! The models of `tests/mjcf`, compiled, have MuJoCo's mass matrix, bias, inverse and forward dynamics, with springs,
+//! dampers and rotors.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::fs;
+
+use kane_test_robots::{Dynamics, mjcf};
+use serde_json::Value;
+
+/// The largest error relative to the largest entry of a quantity, where nothing is solved: a hundred roundings.
+const EXACT: f64 = 2e-14;
+/// The same of forward dynamics: times the condition of the mass matrices, up to a hundred here.
+const SOLVED: f64 = 1e-12;
+
+/// What MuJoCo has, and where it has each of our coordinates and speeds.
+struct Reference {
+    values: Value,
+    qpos: Vec<usize>,
+    qvel: Vec<usize>,
+}
+
+fn reference(name: &str) -> Reference {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../mjcf");
+    let values = fs::read_to_string(format!("{folder}/{name}/reference.json")).unwrap();
+    let values: Value = serde_json::from_str(&values).unwrap();
+    let (mut qpos, mut qvel) = (Vec::new(), Vec::new());
+    for joint in values["joints"].as_array().unwrap() {
+        let place = |key: &str| usize::try_from(joint[key].as_u64().unwrap()).unwrap();
+        let (q, u) = (place("qpos"), place("qvel"));
+        match joint["type"].as_str().unwrap() {
+            // Orientation before position, where MuJoCo has it behind.
+            "free" => {
+                qpos.extend((q + 3..q + 7).chain(q..q + 3));
+                qvel.extend((u + 3..u + 6).chain(u..u + 3));
+            }
+            "ball" => {
+                qpos.extend(q..q + 4);
+                qvel.extend(u..u + 3);
+            }
+            _ => {
+                qpos.push(q);
+                qvel.push(u);
+            }
+        }
+    }
+    Reference { values, qpos, qvel }
+}
+
+/// Some of the numbers, in the order of their places.
+fn picked(value: &Value, places: &[usize]) -> Vec<f64> {
+    let numbers = value.as_array().unwrap();
+    let number = |place: &usize| numbers[*place].as_f64().unwrap();
+    places.iter().map(number).collect()
+}
+
+fn close(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), expected.len(), "{what}");
+    let largest = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let pairs = found.iter().zip(expected);
+    let worst = pairs.fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+    assert!(
+        worst <= tolerance * largest,
+        "{what}: off by {worst:e}, largest entry {largest:e}"
+    );
+}
+
+fn check(model: &dyn Dynamics, reference: &Reference, state: &Value) {
+    let speeds = |value: &Value| picked(value, &reference.qvel);
+    let (q, u) = (
+        picked(&state["qpos"], &reference.qpos),
+        speeds(&state["qvel"]),
+    );
+    let rows = state["mass_matrix"].as_array().unwrap();
+    let rows = reference.qvel.iter().map(|row| speeds(&rows[*row]));
+    let m: Vec<f64> = rows.flatten().collect();
+    close("mass_matrix", &model.mass_matrix(&q), &m, EXACT);
+    close("bias", &model.bias(&q, &u), &speeds(&state["bias"]), EXACT);
+    let (given, expected) = (&state["inverse"]["qacc"], &state["inverse"]["tau"]);
+    let found = model.inverse_dynamics(&q, &u, &speeds(given));
+    close("inverse_dynamics", &found, &speeds(expected), EXACT);
+    let (given, expected) = (&state["forward"]["tau"], &state["forward"]["qacc"]);
+    let found = model.forward_dynamics(&q, &u, &speeds(given));
+    close("forward_dynamics", &found, &speeds(expected), SOLVED);
+}
+
+fn agrees_with_mujoco(name: &str) {
+    let known = mjcf::MODELS.iter().find(|(known, _)| *known == name);
+    let model = known.unwrap().1();
+    let reference = reference(name);
+    let states = reference.values["states"].as_array().unwrap();
+    assert!(states.len() >= 4);
+    for state in states {
+        check(&*model, &reference, state);
+    }
+}
+
+/// Makes a test of each model named, and the list of their names.
+macro_rules! models {
+    ($($name:ident)*) => {
+        const LISTED: &[&str] = &[$(stringify!($name)),*];
+
+        $(#[test]
+        fn $name() {
+            agrees_with_mujoco(stringify!($name));
+        })*
+    };
+}
+
+models! {
+    adjusted_inertias
+    ant
+    ball_joint_arm
+    cart_with_springs
+    cheetah
+    extrinsic_angles
+    frames
+    free_bodies
+    humanoid
+    inertias
+    legged
+    mixed_angles
+    no_gravity
+    orientations
+    several_joints
+    two_link_arm
+    walker
+    welded
+}
+
+#[test]
+fn every_model_is_listed() {
+    assert!(mjcf::MODELS.iter().map(|(name, _)| name).eq(LISTED));
+}
