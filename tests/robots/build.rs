@@ -91,7 +91,10 @@ fn main() -> Result<(), Error> {
 fn robot(name: &str, base: Base) -> Result<(), Error> {
     generate(unsnapped(name).base(base), name)?;
     generate(model(name).base(base), &format!("{name}_snapped"))?;
-    notes(unsnapped(name).base(base), name)
+    if name != "talos" {
+        notes(unsnapped(name).base(base), name)?;
+    }
+    Ok(())
 }
 
 fn model(name: &str) -> Build {
