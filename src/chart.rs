@@ -115,8 +115,9 @@ pub fn convert<From: System<f64>, To: System<f64>>(
     u: &From::U,
 ) -> Result<(To::Q, To::U), ConvertError> {
     let (mut to_q, mut to_u) = (To::Q::filled(0.0), To::U::filled(0.0));
-    let n_joints = From::JOINTS.len().max(To::JOINTS.len());
-    for index in 0..n_joints {
+    // A system written by hand may have bodies and no table of their joints.
+    let n_bodies = From::BODY_NAMES.len().max(To::BODY_NAMES.len());
+    for index in 0..n_bodies {
         let other = ConvertError::OtherJoints { joint: index };
         let (Some(from), Some(to)) = (From::JOINTS.get(index), To::JOINTS.get(index)) else {
             return Err(other);
