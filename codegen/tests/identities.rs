@@ -1,154 +1,47 @@
 //! Mechanics' own identities on random trees, every function evaluated as the program that would be emitted.
 //!
-//! Forty trees of up to twenty bodies, `seed` 1 to 40, each in a state of the same seed; a failure names the seed. The same
-//! identities are tried on compiled text in `tests/systems`.
+//! Sixty trees of up to twenty bodies, each in a state of the same seed; a failure names the seed. Every third has plain joints,
+//! the others all that joints can be. The same identities are tried on compiled text in `tests/systems`.
 #![allow(
     clippy::print_stdout,
     reason = "the largest errors found, shown with --nocapture"
 )]
 
 mod dynamics;
+mod evaluator;
 
-use std::{
-    collections::BTreeMap,
-    sync::{Arc, Mutex, OnceLock},
-};
+use std::sync::OnceLock;
 
 use dynamics::{
-    Model, State, identities, kinematics, numeric,
-    random::{RandomSystem, Sizes, tree},
+    Model, State, identities,
+    identities::{DIFFERENTIATED, EXACT},
+    list::test_every_identity,
+    numeric,
+    random::{RandomSystem, Sizes, Style},
 };
-use identities::{DIFFERENTIATED, EXACT};
+use evaluator::{Evaluator, hoisted, input};
 use kane_codegen::{
     expr::{Expr, ExprGraph, Input},
-    functions::{Block, CATALOGUE, Formulation, Function, Shape},
-    passes::{factor, hoist},
-    program::{self, Program},
-    tree::Tree,
+    functions::{CATALOGUE, Formulation, Function},
+    passes::factor,
+    program,
+    tree::{Body, Chart, Coordinate, IDENTITY, Mechanics, Orientation, Tree, Value},
 };
 
-const SEEDS: std::ops::RangeInclusive<u64> = 1..=40;
+const SEEDS: std::ops::RangeInclusive<u64> = 1..=60;
 
-/// The sizes of a seed's tree: 1 to 20 bodies, each size twice.
+fn style(seed: u64) -> Style {
+    if seed.is_multiple_of(3) {
+        Style::Plain
+    } else {
+        Style::Framed
+    }
+}
+
+/// The sizes of a seed's tree: 1 to 20 bodies, each size with three seeds.
 fn sizes(seed: u64) -> Sizes {
     let bodies = usize::try_from((seed - 1) % 20 + 1).expect("at most 20");
     Sizes { bodies, speeds: 40 }
-}
-
-/// A system, evaluated through the programs of one formulation.
-struct Evaluator {
-    name: String,
-    tree: Tree,
-    formulation: Formulation,
-    functions: Mutex<BTreeMap<&'static str, Arc<Flat>>>,
-}
-
-/// A function as it would be emitted.
-struct Flat {
-    program: Program,
-    blocks: Vec<Block>,
-    prepared: Vec<f64>,
-}
-
-impl Evaluator {
-    fn new(system: &RandomSystem, formulation: Formulation) -> Self {
-        let tree = tree(&system.toml()).expect("a random system is accepted");
-        Self {
-            name: format!("{} in formulation {}", system.name, formulation.name()),
-            tree,
-            formulation,
-            functions: Mutex::default(),
-        }
-    }
-
-    fn flat(&self, function: &str) -> Arc<Flat> {
-        let function = Function::find(function).expect("a function of the catalogue");
-        let mut functions = self.functions.lock().expect("no test panics in here");
-        let flat = functions
-            .entry(function.name)
-            .or_insert_with(|| Arc::new(flat(&self.tree, function, self.formulation)));
-        Arc::clone(flat)
-    }
-}
-
-impl Model for Evaluator {
-    fn name(&self) -> String {
-        self.name.clone()
-    }
-
-    fn tree(&self) -> &Tree {
-        &self.tree
-    }
-
-    fn evaluate(&self, function: &str, state: &State) -> Vec<f64> {
-        let flat = self.flat(function);
-        let values = flat.program.evaluate(|given| match given {
-            Input::Prepared(place) => flat.prepared[place],
-            given => input(&self.tree, state, given),
-        });
-        if Function::find(function).is_some_and(|function| function.shape == Shape::Columns) {
-            dense(&self.tree, &flat.blocks, &values)
-        } else {
-            values
-        }
-    }
-}
-
-/// Derives, factors, hoists and flattens.
-fn flat(tree: &Tree, function: &Function, formulation: Formulation) -> Flat {
-    let derived = function.derive(tree, formulation);
-    let (graph, roots) = if function.shape == Shape::Columns {
-        (derived.graph, derived.roots)
-    } else {
-        factor::run(&derived.graph, &derived.roots)
-    };
-    let (graph, roots, prepared) = hoisted(tree, &graph, &roots);
-    Flat {
-        program: program::flatten(&graph, &roots),
-        blocks: derived.blocks,
-        prepared,
-    }
-}
-
-/// The graph inside the loop, and the values of what is outside.
-fn hoisted(tree: &Tree, graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>, Vec<f64>) {
-    let mut preparation = hoist::Preparation::default();
-    let (graph, roots) = hoist::run(graph, roots, "f", &mut preparation);
-    let prepared = preparation
-        .graph
-        .evaluate(&preparation.roots(), |given| match given {
-            Input::Parameter(id) => tree.parameters[id.index()].nominal,
-            other => unreachable!("{other:?} is no parameter"),
-        });
-    (graph, roots, prepared)
-}
-
-fn input(tree: &Tree, state: &State, given: Input) -> f64 {
-    match given {
-        Input::Q(id) => state.q[id.index()],
-        Input::U(id) => state.u[id.index()],
-        Input::UDot(id) => state.u_dot[id.index()],
-        Input::Tau(id) => state.tau[id.index()],
-        Input::Force(body, axis) => state.loads[body.index()][axis],
-        Input::Moment(body, axis) => state.loads[body.index()][3 + axis],
-        Input::RelativeAngularVelocity(body, axis) => state.w_rel[body.index()][axis],
-        Input::Parameter(id) => tree.parameters[id.index()].nominal,
-        Input::Prepared(_) => unreachable!("prepared values are hoisted"),
-    }
-}
-
-fn dense(tree: &Tree, blocks: &[Block], columns: &[f64]) -> Vec<f64> {
-    let width = tree.n_speeds;
-    let mut dense = vec![0.0; tree.bodies.len() * 3 * width];
-    for block in blocks {
-        for column in 0..block.columns {
-            for row in 0..3 {
-                dense[(block.body * 3 + row) * width + block.speed + column] =
-                    columns[3 * (block.first + column) + row];
-            }
-        }
-    }
-    dense
 }
 
 /// The random systems and their evaluators along the tree, shared by all tests.
@@ -157,7 +50,7 @@ fn systems() -> &'static [(u64, RandomSystem, Evaluator)] {
     SYSTEMS.get_or_init(|| {
         SEEDS
             .map(|seed| {
-                let system = RandomSystem::new(seed, sizes(seed));
+                let system = RandomSystem::new(seed, sizes(seed), style(seed));
                 let evaluator = Evaluator::new(&system, Formulation::Recursive);
                 (seed, system, evaluator)
             })
@@ -189,67 +82,107 @@ fn hold_of(tolerance: f64, error: impl Fn(&RandomSystem, &Evaluator, &State) -> 
 
 #[test]
 fn random_trees_have_many_bodies_roots_and_values() {
-    let trees: Vec<&Tree> = systems().iter().map(|(_, _, model)| model.tree()).collect();
-    let any =
-        |property: &dyn Fn(&Tree) -> bool| trees.iter().filter(|tree| property(tree)).count() >= 4;
-    assert!(any(&|tree| tree.bodies.len() >= 18));
-    assert!(any(&|tree| tree
-        .bodies
-        .iter()
-        .filter(|body| body.lower.is_none())
-        .count()
-        > 1));
-    assert!(any(&|tree| !tree.parameters.is_empty()));
-    assert!(any(&dynamics::floats));
-    assert!(any(&|tree| tree
-        .bodies
-        .iter()
-        .any(|body| body.user_number != 1 && body.lower.is_none())));
-    assert!(any(&|tree| tree
-        .bodies
-        .iter()
-        .any(|body| tree.nominal(body.parts[0].mass) == 0.0)));
-    assert!(any(&|tree| tree
-        .gravity
-        .iter()
-        .all(|&g| tree.nominal(g) == 0.0)));
+    let at_least = |least: usize, what: &str, property: &dyn Fn(&Evaluator) -> bool| {
+        let systems = systems().iter();
+        let n = systems.filter(|(_, _, model)| property(model)).count();
+        println!("{n} {what}");
+        assert!(n >= least, "{n} {what}");
+    };
+    let has_body = |model: &Evaluator, property: &dyn Fn(&Tree, &Body) -> bool| {
+        let tree = model.tree();
+        tree.bodies.iter().any(|body| property(tree, body))
+    };
+    at_least(4, "large trees", &|model| model.tree().bodies.len() >= 15);
+    at_least(20, "trees of several roots", &|model| {
+        let bodies = model.tree().bodies.iter();
+        bodies.filter(|body| body.lower.is_none()).count() > 1
+    });
+    at_least(20, "trees with runtime values", &|model| {
+        !model.tree().parameters.is_empty()
+    });
+    at_least(4, "trees that float", &|model| {
+        dynamics::floats(model.composition())
+    });
+    at_least(20, "renumbered trees", &|model| {
+        has_body(model, &|_, body| {
+            body.user_number != 1 && body.lower.is_none()
+        })
+    });
+    at_least(8, "trees with massless bodies", &|model| {
+        has_body(model, &|tree, body| tree.nominal(body.parts[0].mass) == 0.0)
+    });
+    at_least(8, "trees without weight", &|model| {
+        let tree = model.tree();
+        tree.gravity.iter().all(|&g| tree.nominal(g) == 0.0)
+    });
 }
 
-macro_rules! identities {
-    ($module:ident, $($name:ident: $tolerance:expr;)+) => {$(
-        #[test]
-        fn $name() {
-            hold($tolerance, $module::$name);
-        }
-    )+};
+/// So many systems that each identity says something of every feature.
+#[test]
+fn random_joints_are_of_every_kind() {
+    let count = |what: &str, property: &dyn Fn(&Tree, &Body) -> bool| {
+        let systems = systems().iter();
+        let has = |tree: &Tree| tree.bodies.iter().any(|body| property(tree, body));
+        let n = systems.filter(|(_, _, model)| has(model.tree())).count();
+        println!("{n} systems with {what}");
+        assert!(n >= 8, "{n} systems with {what}");
+    };
+    let chart = |body: &Body| match body.joint.orientation {
+        Orientation::AngularVelocity { chart, .. } => Some(chart),
+        Orientation::Rates(_) => None,
+    };
+    let mechanics = |body: &Body, of: fn(&Mechanics) -> Value| {
+        let zero = Value::Baked(0.0);
+        body.joint.mechanics.iter().any(|one| of(one) != zero)
+    };
+    let is_runtime = |value: &Value| matches!(value, Value::Runtime(_));
+    count("turned frames", &|_, body| {
+        body.joint.rotation != IDENTITY && body.pose.rotation != IDENTITY
+    });
+    count("joints off the origin", &|_, body| {
+        !body.pose.origin.steps().is_empty()
+    });
+    count("joints off the origin, at run time", &|_, body| {
+        let mut steps = body.pose.origin.steps().iter();
+        steps.any(|step| step.vector.iter().any(is_runtime))
+    });
+    count("turned inertias", &|_, body| {
+        body.parts.iter().any(|part| part.axes != IDENTITY)
+    });
+    count("quaternions", &|_, body| {
+        matches!(chart(body), Some(Chart::EulerParameters(_)))
+    });
+    count("angles with angular velocities", &|_, body| {
+        matches!(chart(body), Some(Chart::Angles(_)))
+    });
+    count("mimics", &|_, body| {
+        (0..6).any(|motion| {
+            matches!(
+                body.joint.coordinate_of(motion),
+                Some(Coordinate::Mimic { .. })
+            )
+        })
+    });
+    count("fixed bodies", &|_, body| body.parts.len() > 1);
+    count("bodies fixed to the inertial frame", &|tree, _| {
+        tree.frames.iter().any(|frame| frame.body.is_none())
+    });
+    count("fixed bodies with runtime values", &|_, body| {
+        body.parts.len() > 1 && body.parts.iter().any(|part| is_runtime(&part.mass))
+    });
+    count("springs", &|_, body| mechanics(body, |one| one.stiffness));
+    count("springs off zero", &|_, body| {
+        mechanics(body, |one| one.rest)
+    });
+    count("dampers", &|_, body| mechanics(body, |one| one.damping));
+    count("rotors", &|_, body| mechanics(body, |one| one.armature));
+    count("mechanics at run time", &|_, body| {
+        let mut all = body.joint.mechanics.iter();
+        all.any(|one| is_runtime(&one.damping) || is_runtime(&one.armature))
+    });
 }
 
-identities! {
-    identities,
-    mass_matrix_is_symmetric: 0.0;
-    mass_matrix_is_positive_definite: EXACT;
-    inverse_dynamics_is_linear: EXACT;
-    forward_dynamics_undoes_inverse_dynamics: EXACT;
-    forcing_is_loads_less_bias: EXACT;
-    generalized_forces_are_projected_loads: EXACT;
-    inverse_dynamics_is_newton_euler: EXACT;
-    power_is_the_rate_of_energy: DIFFERENTIATED;
-    bias_follows_from_the_energies: DIFFERENTIATED;
-    bias_at_rest_is_the_gradient_of_potential_energy: DIFFERENTIATED;
-    energies_and_momenta_are_sums_over_bodies: EXACT;
-    momenta_of_a_floating_tree_change_by_external_loads: DIFFERENTIATED;
-}
-
-identities! {
-    kinematics,
-    velocities_are_rates_of_positions: DIFFERENTIATED;
-    accelerations_are_rates_of_velocities: DIFFERENTIATED;
-    partial_velocities_make_velocities: DIFFERENTIATED;
-    rotations_are_rotations: EXACT;
-    angle_rates_undo_relative_angular_velocity: EXACT;
-    singularity_is_the_cosine_of_the_second_angle: EXACT;
-    rates_of_coordinates_are_speeds: 0.0;
-}
+test_every_identity!();
 
 /// True for a function that has both formulations.
 fn has_both(function: &Function) -> bool {

@@ -4,7 +4,7 @@ use std::{env, error::Error, fs, path::Path, time::SystemTime};
 
 use kane_codegen::{build_script::Build, config::Formulation, functions::CATALOGUE};
 
-#[path = "../../codegen/tests/dynamics/random.rs"]
+#[path = "../../codegen/tests/dynamics/random/mod.rs"]
 #[allow(dead_code, reason = "the tests of both packages use the rest of these")]
 mod random;
 
@@ -27,7 +27,7 @@ const RANDOM: [(usize, usize); 8] = [
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=../../codegen/tests/dynamics/random.rs");
+    println!("cargo::rerun-if-changed=../../codegen/tests/dynamics/random");
     for name in REFERENCES {
         all(&format!("../reference/{name}.toml"), Formulation::Recursive)?;
         notes(&format!("../reference/{name}.toml"), name)?;

@@ -1,21 +1,24 @@
 //! What positions, velocities, accelerations and their partials have to do with one another.
 
-use kane_codegen::tree::Coordinate;
+use kane_codegen::{id::BodyId, tree::Coordinate};
 
 use super::{
     Model, State,
+    composition::q_dot,
     identities::{
         cross, in_inertial, lower_in_inertial, matrices, rows, scaled, times, transposed, vectors,
         worst,
     },
     numeric::{derivative, dot, largest, relative, relative_to},
+    quaternions,
+    random::rotation::{IDENTITY, product, sum},
 };
 
 /// `dR/dt = -tilde(w) R`, `dr/dt = v` of origins and mass centres, in inertial components.
 pub(crate) fn velocities_are_rates_of_positions(model: &dyn Model, state: &State) -> f64 {
     let position = |function: &'static str| {
         move |t: f64| {
-            let state = state.moved(t);
+            let state = state.moved(model.tree(), t);
             in_inertial(model, &state, &vectors(model, function, &state))
         }
     };
@@ -42,7 +45,10 @@ pub(crate) fn velocities_are_rates_of_positions(model: &dyn Model, state: &State
     worst([
         rate(&position("origin_position"), &origin),
         rate(&position("mass_center_position"), &center),
-        rate(&|t| model.evaluate("rotation", &state.moved(t)), &turning),
+        rate(
+            &|t| model.evaluate("rotation", &state.moved(model.tree(), t)),
+            &turning,
+        ),
     ])
 }
 
@@ -55,7 +61,7 @@ pub(crate) fn accelerations_are_rates_of_velocities(model: &dyn Model, state: &S
         ]
         .map(|(velocity, acceleration)| {
             let velocity = |t: f64| {
-                let state = state.moved(t);
+                let state = state.moved(model.tree(), t);
                 in_inertial(model, &state, &vectors(model, velocity, &state))
             };
             let found = in_inertial(model, state, &vectors(model, acceleration, state));
@@ -96,7 +102,7 @@ pub(crate) fn partial_velocities_make_velocities(model: &dyn Model, state: &Stat
                     .iter()
                     .map(|row| dot(row, &state.u))
                     .collect();
-                let partials = |t: f64| model.evaluate(partial, &state.moved(t));
+                let partials = |t: f64| model.evaluate(partial, &state.moved(model.tree(), t));
                 let expected = derivative(partials);
                 let scale = largest(&expected).max(largest(&partials(0.0)));
                 [
@@ -181,7 +187,62 @@ pub(crate) fn singularity_is_the_cosine_of_the_second_angle(
     relative(&model.evaluate("singularity", state), &expected)
 }
 
-/// `q_dot = u`.
-pub(crate) fn rates_of_coordinates_are_speeds(model: &dyn Model, state: &State) -> f64 {
-    relative(&model.evaluate("q_dot", state), &state.u)
+/// `q_dot = u`, or what the relative angular velocity makes of angles and quaternions; and no quaternion leaves its sphere.
+pub(crate) fn rates_of_coordinates_follow_from_the_speeds(model: &dyn Model, state: &State) -> f64 {
+    let expected = q_dot(model.tree(), &state.q, &state.u);
+    let found = model.evaluate("q_dot", state);
+    let growth = quaternions(model.tree()).map(|places| {
+        let terms = places.map(|place| state.q[place] * found[place]);
+        terms.iter().sum::<f64>()
+    });
+    worst([relative(&found, &expected)].into_iter().chain(growth))
+}
+
+/// `normalize` brings a quaternion that is off by 1e-5 back to length one, in its direction, and keeps the rest.
+pub(crate) fn normalized_quaternions_have_length_one(model: &dyn Model, state: &State) -> f64 {
+    let mut off = state.clone();
+    for places in quaternions(model.tree()) {
+        for place in places {
+            off.q[place] *= 1.0 + 1e-5;
+        }
+    }
+    relative(&model.evaluate("normalize", &off), &state.q)
+}
+
+/// Rotations, origins and mass centres are those of the description's frames: each joint between its two constant ones,
+/// whatever the generator's own axes, what is fixed merged into what it is fixed to.
+pub(crate) fn positions_are_those_of_the_description(model: &dyn Model, state: &State) -> f64 {
+    let (tree, composition) = (model.tree(), model.composition());
+    let placed = composition.placed(&state.q);
+    let of_body = |body: BodyId| placed[tree.body(body).user_number - 1];
+    let (mut relative_rotations, mut rotations) = (Vec::new(), Vec::new());
+    let (mut origins, mut centers) = (Vec::new(), Vec::new());
+    for (body, solid) in tree.body_ids().zip(composition.solids()) {
+        let own = of_body(body);
+        let below = tree
+            .lower(body)
+            .map_or(IDENTITY, |lower| of_body(lower).rotation);
+        let step = product(&own.rotation, &transposed(&below));
+        relative_rotations.extend(step.into_iter().flatten());
+        rotations.extend(own.rotation.into_iter().flatten());
+        let origin = times(&own.rotation, own.origin);
+        origins.extend(origin);
+        centers.extend(sum(origin, solid.center));
+    }
+    let named = model
+        .tree()
+        .frames
+        .iter()
+        .map(|frame| composition.frame_error(frame, &placed));
+    let of = |function| model.evaluate(function, state);
+    worst(
+        [
+            relative(&of("relative_rotation"), &relative_rotations),
+            relative(&of("rotation"), &rotations),
+            relative(&of("origin_position"), &origins),
+            relative(&of("mass_center_position"), &centers),
+        ]
+        .into_iter()
+        .chain(named),
+    )
 }

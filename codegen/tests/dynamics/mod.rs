@@ -4,17 +4,19 @@
 //! the compiled text.
 #![allow(dead_code, reason = "each package uses its part of these")]
 
+pub(crate) mod composition;
 pub(crate) mod identities;
 pub(crate) mod kinematics;
+pub(crate) mod list;
 pub(crate) mod numeric;
 pub(crate) mod random;
 
 use kane_codegen::{
-    functions::{Argument, Function, Shape},
-    id::BodyId,
-    tree::{Part, Tree},
+    functions::{Function, Shape},
+    tree::{Body, Chart, Coordinate, Orientation, Tree},
 };
 
+use composition::{Composition, q_dot};
 use random::Random;
 
 /// A system whose functions can be evaluated.
@@ -22,8 +24,13 @@ pub(crate) trait Model {
     /// What to call it in a message.
     fn name(&self) -> String;
 
+    /// What its description comes to.
+    fn composition(&self) -> &Composition;
+
     /// Its tree, with the numbering of all arrays, and the nominal values of its parameters.
-    fn tree(&self) -> &Tree;
+    fn tree(&self) -> &Tree {
+        self.composition().tree()
+    }
 
     /// The output of a function, row-major; partial velocities as dense `3 x NU` matrices, body after body.
     fn evaluate(&self, function: &str, state: &State) -> Vec<f64>;
@@ -42,7 +49,8 @@ pub(crate) struct State {
 }
 
 impl State {
-    /// Angles all around, but a quarter at least away from the singularity; translations, rates and loads of order one.
+    /// Angles all around, but a quarter at least away from the singularity; quaternions of length one; translations, rates
+    /// and loads of order one.
     pub(crate) fn random(tree: &Tree, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let mut q = vec![0.0; tree.n_coordinates];
@@ -84,53 +92,92 @@ impl State {
         }
     }
 
-    /// The state a time `t` later, to first order: all that a derivative along the motion depends on.
-    pub(crate) fn moved(&self, t: f64) -> Self {
-        let step =
-            |x: &[f64], rate: &[f64]| x.iter().zip(rate).map(|(x, rate)| x + t * rate).collect();
-        Self {
-            q: step(&self.q, &self.u),
-            u: step(&self.u, &self.u_dot),
-            ..self.clone()
-        }
+    /// The state a time `t` later, to first order and on the unit sphere: all that a derivative along the motion depends on.
+    pub(crate) fn moved(&self, tree: &Tree, t: f64) -> Self {
+        let mut moved = self.along(tree, &self.u, t);
+        moved.u = stepped(&self.u, &self.u_dot, t);
+        moved
     }
 
-    /// The state with `t` added to one coordinate.
-    pub(crate) fn displaced(&self, coordinate: usize, t: f64) -> Self {
-        let mut displaced = self.clone();
-        displaced.q[coordinate] += t;
-        displaced
+    /// The state at which one speed, of one unit, arrives after a time `t`: a coordinate with `t` added where it is a rate.
+    pub(crate) fn displaced(&self, tree: &Tree, speed: usize, t: f64) -> Self {
+        let mut unit = vec![0.0; self.u.len()];
+        unit[speed] = 1.0;
+        self.along(tree, &unit, t)
+    }
+
+    fn along(&self, tree: &Tree, u: &[f64], t: f64) -> Self {
+        let mut q = stepped(&self.q, &q_dot(tree, &self.q, u), t);
+        for places in quaternions(tree) {
+            let length = places.iter().map(|&e| q[e] * q[e]).sum::<f64>().sqrt();
+            for e in places {
+                q[e] /= length;
+            }
+        }
+        Self { q, ..self.clone() }
     }
 
     /// The state of one model in the numbering of another model of the same system.
     pub(crate) fn renumbered(&self, from: &Tree, to: &Tree) -> Self {
-        let (speeds, bodies) = (speed_map(from, to), body_map(from, to));
-        let numbers = |values: &[f64]| speeds.iter().map(|&place| values[place]).collect();
+        let maps = Maps::new(from, to);
+        let numbers =
+            |map: &[usize], values: &[f64]| map.iter().map(|&place| values[place]).collect();
         Self {
-            q: numbers(&self.q),
-            u: numbers(&self.u),
-            u_dot: numbers(&self.u_dot),
-            tau: numbers(&self.tau),
-            loads: bodies.iter().map(|&place| self.loads[place]).collect(),
-            w_rel: bodies.iter().map(|&place| self.w_rel[place]).collect(),
+            q: numbers(&maps.coordinates, &self.q),
+            u: numbers(&maps.speeds, &self.u),
+            u_dot: numbers(&maps.speeds, &self.u_dot),
+            tau: numbers(&maps.speeds, &self.tau),
+            loads: maps.bodies.iter().map(|&at| self.loads[at]).collect(),
+            w_rel: maps.bodies.iter().map(|&at| self.w_rel[at]).collect(),
         }
     }
 }
 
-/// For each speed of `to`, its place in `from`; coordinates, their names apart, are numbered alike.
-fn speed_map(from: &Tree, to: &Tree) -> Vec<usize> {
-    places(&from.coordinate_names(), &to.coordinate_names())
+fn stepped(x: &[f64], rates: &[f64], t: f64) -> Vec<f64> {
+    let step = |(x, rate)| x + t * rate;
+    x.iter().zip(rates).map(step).collect()
 }
 
-/// For each body of `to`, its place in `from`.
-fn body_map(from: &Tree, to: &Tree) -> Vec<usize> {
-    let names = |tree: &Tree| {
-        tree.bodies
-            .iter()
-            .map(|body| body.name.clone())
-            .collect::<Vec<_>>()
-    };
-    places(&names(from), &names(to))
+/// The places of every quaternion in `q`.
+pub(crate) fn quaternions(tree: &Tree) -> impl Iterator<Item = [usize; 4]> + '_ {
+    tree.bodies
+        .iter()
+        .filter_map(|body| match body.joint.orientation {
+            Orientation::AngularVelocity {
+                chart: Chart::EulerParameters(places),
+                ..
+            } => Some(places.map(|place| place.index())),
+            _ => None,
+        })
+}
+
+/// For each body, coordinate and speed of one model its place in another model of the same system, by their names.
+#[derive(Clone, Debug)]
+pub(crate) struct Maps {
+    pub(crate) bodies: Vec<usize>,
+    pub(crate) coordinates: Vec<usize>,
+    pub(crate) speeds: Vec<usize>,
+}
+
+impl Maps {
+    pub(crate) fn new(from: &Tree, to: &Tree) -> Self {
+        Self {
+            bodies: Self::of_bodies(from, to),
+            coordinates: places(&from.coordinate_names(), &to.coordinate_names()),
+            speeds: places(&from.speed_names(), &to.speed_names()),
+        }
+    }
+
+    /// Of models that may differ in what their coordinates are.
+    pub(crate) fn of_bodies(from: &Tree, to: &Tree) -> Vec<usize> {
+        let names = |tree: &Tree| {
+            tree.bodies
+                .iter()
+                .map(|body| body.name.clone())
+                .collect::<Vec<_>>()
+        };
+        places(&names(from), &names(to))
+    }
 }
 
 fn places(from: &[String], to: &[String]) -> Vec<usize> {
@@ -149,12 +196,17 @@ pub(crate) fn renumbered_output(
     from: &Tree,
     to: &Tree,
 ) -> Vec<f64> {
-    let (speeds, bodies) = (speed_map(from, to), body_map(from, to));
+    let Maps {
+        bodies,
+        coordinates,
+        speeds,
+    } = Maps::new(from, to);
     let axes: Vec<usize> = (0..3).collect();
     let maps: Vec<&Vec<usize>> = match function.shape {
         Shape::Scalar => vec![],
         Shape::Vector => vec![&axes],
-        Shape::Coordinates | Shape::Speeds => vec![&speeds],
+        Shape::Coordinates => vec![&coordinates],
+        Shape::Speeds => vec![&speeds],
         Shape::SpeedMatrix => vec![&speeds, &speeds],
         Shape::BodyScalars => vec![&bodies],
         Shape::BodyVectors => vec![&bodies, &axes],
@@ -171,21 +223,36 @@ pub(crate) fn renumbered_output(
     gathered.into_iter().map(|place| output[place]).collect()
 }
 
-/// True for a tree that nothing holds: every body on the inertial frame has six free coordinates.
-pub(crate) fn floats(tree: &Tree) -> bool {
-    tree.bodies
-        .iter()
-        .filter(|body| body.lower.is_none())
-        .all(|body| body.joint.speeds().len() == 6)
+/// True for a tree that nothing holds: every body on the inertial frame has six free coordinates, and no rotor.
+pub(crate) fn floats(composition: &Composition) -> bool {
+    let tree = composition.tree();
+    let is_free = roots(tree).all(|body| body.joint.speeds().len() == 6);
+    let on_root = |speed| root_speeds(tree).any(|own| own == speed);
+    is_free
+        && !composition
+            .acting()
+            .iter()
+            .any(|acting| acting.has_rotor() && on_root(acting.speed()))
 }
 
-/// True where the function is given something of this kind.
-pub(crate) fn takes(function: &Function, argument: Argument) -> bool {
-    function.arguments.contains(&argument)
+fn roots(tree: &Tree) -> impl Iterator<Item = &Body> {
+    tree.bodies.iter().filter(|body| body.lower.is_none())
 }
 
-/// The mass of a body with all that is fixed to it, kg.
-pub(crate) fn mass(tree: &Tree, body: BodyId) -> f64 {
-    let own = |part: &Part| tree.nominal(part.mass);
-    tree.body(body).parts.iter().map(own).sum()
+/// The speeds of the bodies on the inertial frame.
+pub(crate) fn root_speeds(tree: &Tree) -> impl Iterator<Item = usize> + '_ {
+    roots(tree).flat_map(|body| {
+        let speeds = body.joint.speeds().into_iter();
+        speeds.map(|(_, speed)| speed.index())
+    })
+}
+
+/// True where the coordinate of some joint follows another.
+pub(crate) fn has_mimics(tree: &Tree) -> bool {
+    tree.bodies.iter().any(|body| {
+        (0..6).any(|motion| {
+            let coordinate = body.joint.coordinate_of(motion);
+            matches!(coordinate, Some(Coordinate::Mimic { .. }))
+        })
+    })
 }

@@ -1,0 +1,45 @@
+//! The identities with their tolerances, each as a test.
+
+/// A test for every identity. Where it stands, `dynamics` names the module above this one, `EXACT` and `DIFFERENTIATED` are
+/// its tolerances, and `hold(tolerance, identity)` tries an identity on all systems.
+#[allow(unused_macros, reason = "each test file uses its part of these")]
+macro_rules! test_every_identity {
+    () => {
+        test_every_identity! {
+            identities,
+            mass_matrix_is_symmetric: 0.0;
+            mass_matrix_is_positive_definite: EXACT;
+            inverse_dynamics_is_linear: EXACT;
+            forward_dynamics_undoes_inverse_dynamics: EXACT;
+            forcing_is_loads_less_bias: EXACT;
+            generalized_forces_are_projected_loads: EXACT;
+            inverse_dynamics_is_newton_euler: EXACT;
+            power_is_the_rate_of_energy: DIFFERENTIATED;
+            bias_follows_from_the_energies: DIFFERENTIATED;
+            bias_at_rest_is_the_gradient_of_potential_energy: DIFFERENTIATED;
+            energies_and_momenta_are_sums_over_bodies: EXACT;
+            momenta_of_a_floating_tree_change_by_external_loads: DIFFERENTIATED;
+        }
+        test_every_identity! {
+            kinematics,
+            velocities_are_rates_of_positions: DIFFERENTIATED;
+            accelerations_are_rates_of_velocities: DIFFERENTIATED;
+            partial_velocities_make_velocities: DIFFERENTIATED;
+            rotations_are_rotations: EXACT;
+            positions_are_those_of_the_description: EXACT;
+            angle_rates_undo_relative_angular_velocity: EXACT;
+            singularity_is_the_cosine_of_the_second_angle: EXACT;
+            rates_of_coordinates_follow_from_the_speeds: EXACT;
+            normalized_quaternions_have_length_one: EXACT;
+        }
+    };
+    ($module:ident, $($name:ident: $tolerance:expr;)+) => {$(
+        #[test]
+        fn $name() {
+            hold($tolerance, dynamics::$module::$name);
+        }
+    )+};
+}
+
+#[allow(unused_imports, reason = "as above")]
+pub(crate) use test_every_identity;
