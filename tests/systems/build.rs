@@ -8,7 +8,7 @@ use kane_codegen::{build_script::Build, config::Formulation, functions::CATALOGU
 #[allow(dead_code, reason = "the tests of both packages use the rest of these")]
 mod random;
 
-use random::{RandomSystem, Sizes, tree};
+use random::{RandomSystem, Sizes, Style, tree};
 
 /// The systems with reference values that `kane` does not bundle.
 const REFERENCES: [&str; 5] = ["one_body", "chain3", "star5", "two_roots", "tree12"];
@@ -25,6 +25,9 @@ const RANDOM: [(usize, usize); 8] = [
     (12, 24),
 ];
 
+/// As [`RANDOM`], with joints of every kind; the seed is 500 and the place in this list.
+const FRAMED: [(usize, usize); 4] = [(4, 8), (6, 10), (7, 10), (8, 12)];
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=../../codegen/tests/dynamics/random");
@@ -34,10 +37,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     notes("../../models/eight_body.toml", "eight_body")?;
 
-    for (place, (bodies, speeds)) in RANDOM.into_iter().enumerate() {
-        let seed = 100 + place as u64;
-        let system = RandomSystem::new(seed, Sizes { bodies, speeds });
-        all(&written(&system)?, Formulation::Cheapest)?;
+    for (first, list, style) in [
+        (100, &RANDOM[..], Style::Plain),
+        (500, &FRAMED[..], Style::Framed),
+    ] {
+        for (seed, &(bodies, speeds)) in (first..).zip(list) {
+            let system = RandomSystem::new(seed, Sizes { bodies, speeds }, style);
+            all(&written(&system)?, Formulation::Cheapest)?;
+        }
     }
     // One system in other numbers, in both orders.
     let system = RandomSystem::new(
@@ -46,6 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             bodies: 5,
             speeds: 12,
         },
+        Style::Plain,
     );
     all(
         &written(&system.ordered("body").named("body_order"))?,
@@ -68,6 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             bodies: 6,
             speeds: 14,
         },
+        Style::Plain,
     )
     .without_zeros();
     let changed = system.changed(1);

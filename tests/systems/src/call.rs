@@ -210,6 +210,11 @@ fn per_system<R: Real + Into<f64>, S: All<R>>(
             system.q_dot(q, u, &mut q_dot);
             return Some(numbers(q_dot.as_ref()));
         }
+        "normalize" => {
+            let mut q = S::Q::from_fn(|place| q.as_ref()[place]);
+            system.normalize(&mut q);
+            return Some(numbers(q.as_ref()));
+        }
         "linear_momentum" => system.linear_momentum(q, u, &mut vector),
         "angular_momentum" => system.angular_momentum(q, u, &mut vector),
         "kinetic_energy" => system.kinetic_energy(q, u, &mut number),

@@ -59,6 +59,14 @@ systems! {
     random_106
     /// Random, seed 107.
     random_107
+    /// Random, joints of every kind, seed 500.
+    random_500
+    /// Random, joints of every kind, seed 501.
+    random_501
+    /// Random, joints of every kind, seed 502.
+    random_502
+    /// Random, joints of every kind, seed 503.
+    random_503
     /// Random, seed 200, in body order.
     body_order
     /// Random, seed 200, in the notes' order.
@@ -186,6 +194,9 @@ macro_rules! compiled {
 pub const RANDOM: [Compiled; 8] = compiled![
     random_100, random_101, random_102, random_103, random_104, random_105, random_106, random_107
 ];
+
+/// The random systems with joints of every kind.
+pub const FRAMED: [Compiled; 4] = compiled![random_500, random_501, random_502, random_503];
 
 /// One system: in body order, in the notes' order, in other numbers.
 pub const TWINS: [Compiled; 3] = compiled![body_order, notes_order, renumbered];

@@ -10,12 +10,12 @@ mod common;
 
 use common::{
     CompiledModel,
-    dynamics::{self, Model, State, identities, kinematics, numeric},
+    dynamics::{self, Model, State, identities, list::test_every_identity, numeric},
 };
 use identities::{DIFFERENTIATED, EXACT};
 use kane_codegen::functions::{CATALOGUE, Function};
 use kane_test_systems::{
-    BAKED_RUNTIME_CHANGED, Compiled, RANDOM, REFERENCES, RENUMBERED_LIBM, RENUMBERED_NOTES,
+    BAKED_RUNTIME_CHANGED, Compiled, FRAMED, RANDOM, REFERENCES, RENUMBERED_LIBM, RENUMBERED_NOTES,
     RENUMBERED_NOTES_LIBM, RUNTIME_LIBM, TWINS,
 };
 
@@ -28,6 +28,7 @@ fn systems() -> impl Iterator<Item = Compiled> {
     });
     RANDOM
         .into_iter()
+        .chain(FRAMED)
         .chain(TWINS)
         .chain(BAKED_RUNTIME_CHANGED)
         .chain(references)
@@ -54,41 +55,7 @@ fn hold(tolerance: f64, error: impl Fn(&dyn Model, &State) -> f64) {
     println!("largest error {:e}, {}", most.0, most.1);
 }
 
-macro_rules! identities {
-    ($module:ident, $($name:ident: $tolerance:expr;)+) => {$(
-        #[test]
-        fn $name() {
-            hold($tolerance, $module::$name);
-        }
-    )+};
-}
-
-identities! {
-    identities,
-    mass_matrix_is_symmetric: 0.0;
-    mass_matrix_is_positive_definite: EXACT;
-    inverse_dynamics_is_linear: EXACT;
-    forward_dynamics_undoes_inverse_dynamics: EXACT;
-    forcing_is_loads_less_bias: EXACT;
-    generalized_forces_are_projected_loads: EXACT;
-    inverse_dynamics_is_newton_euler: EXACT;
-    power_is_the_rate_of_energy: DIFFERENTIATED;
-    bias_follows_from_the_energies: DIFFERENTIATED;
-    bias_at_rest_is_the_gradient_of_potential_energy: DIFFERENTIATED;
-    energies_and_momenta_are_sums_over_bodies: EXACT;
-    momenta_of_a_floating_tree_change_by_external_loads: DIFFERENTIATED;
-}
-
-identities! {
-    kinematics,
-    velocities_are_rates_of_positions: DIFFERENTIATED;
-    accelerations_are_rates_of_velocities: DIFFERENTIATED;
-    partial_velocities_make_velocities: DIFFERENTIATED;
-    rotations_are_rotations: EXACT;
-    angle_rates_undo_relative_angular_velocity: EXACT;
-    singularity_is_the_cosine_of_the_second_angle: EXACT;
-    rates_of_coordinates_are_speeds: 0.0;
-}
+test_every_identity!();
 
 #[test]
 fn random_systems_are_of_many_kinds() {
@@ -98,24 +65,24 @@ fn random_systems_are_of_many_kinds() {
         println!(
             "{}: {} bodies, {} speeds, {} parameters, {:?} order, {} roots",
             model.name,
-            model.tree.bodies.len(),
-            model.tree.n_speeds,
-            model.tree.parameters.len(),
-            model.tree.order,
+            model.tree().bodies.len(),
+            model.tree().n_speeds,
+            model.tree().parameters.len(),
+            model.tree().order,
             model
-                .tree
+                .tree()
                 .bodies
                 .iter()
                 .filter(|body| body.lower.is_none())
                 .count()
         );
     }
-    assert!(any(&|model| model.tree.n_speeds >= 20));
-    assert!(any(&|model| model.tree.parameters.is_empty()));
-    assert!(any(&|model| !model.tree.parameters.is_empty()));
-    assert!(any(&|model| dynamics::floats(&model.tree)));
+    assert!(any(&|model| model.tree().n_speeds >= 20));
+    assert!(any(&|model| model.tree().parameters.is_empty()));
+    assert!(any(&|model| !model.tree().parameters.is_empty()));
+    assert!(any(&|model| dynamics::floats(&model.composition)));
     assert!(any(&|model| model
-        .tree
+        .tree()
         .bodies
         .iter()
         .filter(|body| body.lower.is_none())
@@ -124,7 +91,7 @@ fn random_systems_are_of_many_kinds() {
     let renumbered = |(place, number): (usize, usize)| number != place + 1;
     assert!(any(&|model| {
         model
-            .tree
+            .tree()
             .bodies
             .iter()
             .map(|body| body.user_number)
@@ -159,7 +126,7 @@ fn numbering_of_bodies_does_not_matter() {
     let [body, _, renumbered] = TWINS.map(CompiledModel::new);
     let numbers = |model: &CompiledModel| {
         model
-            .tree
+            .tree()
             .bodies
             .iter()
             .map(|body| body.name.clone())
@@ -222,11 +189,11 @@ mod bits {
             formulation,
             ..Options::default()
         };
-        let compiled = compile::compile(&model.tree, &options).expect("it was generated before");
+        let compiled = compile::compile(model.tree(), &options).expect("it was generated before");
         let mut n_compared = 0;
         for seed in 1..=3 {
-            let state = State::random(&model.tree, seed);
-            let given = |given: Input| input(&model.tree, &state, given);
+            let state = State::random(model.tree(), seed);
+            let given = |given: Input| input(model.tree(), &state, given);
             let prepared = compiled.preparation.evaluate(given);
             for emittable in &compiled.functions {
                 let name = emittable.function.name;
@@ -238,7 +205,7 @@ mod bits {
                     input => given(input),
                 });
                 let expected = if emittable.function.shape == Shape::Columns {
-                    dense(&model.tree, &emittable.blocks, &values)
+                    dense(model.tree(), &emittable.blocks, &values)
                 } else {
                     values
                 };

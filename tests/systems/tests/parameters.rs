@@ -44,7 +44,7 @@ fn assert_agree(a: &CompiledModel, b: &CompiledModel) {
 #[test]
 fn nominal_runtime_values_are_as_good_as_baked_ones() {
     let [baked, runtime, _] = BAKED_RUNTIME_CHANGED.map(CompiledModel::new);
-    assert!(baked.tree.parameters.is_empty() && runtime.tree.parameters.len() > 70);
+    assert!(baked.tree().parameters.is_empty() && runtime.tree().parameters.len() > 70);
     assert_agree(&baked, &runtime);
 }
 
@@ -53,7 +53,7 @@ fn other_runtime_values_are_as_good_as_a_model_with_those_baked() {
     let [baked, runtime, changed] = BAKED_RUNTIME_CHANGED.map(CompiledModel::new);
     let given = runtime.called(RUNTIME_GIVEN_CHANGED);
     assert_agree(&changed, &given);
-    let state = State::random(&changed.tree, 1);
+    let state = State::random(changed.tree(), 1);
     for function in [
         "mass_matrix",
         "bias",

@@ -4,22 +4,22 @@
 #[path = "../../../../codegen/tests/dynamics/mod.rs"]
 pub(crate) mod dynamics;
 
-use dynamics::{Model, State};
-use kane_codegen::tree::Tree;
+use dynamics::{Model, State, composition::Composition};
 use kane_test_systems::{Call, Compiled, call};
 
 /// A compiled system, and the tree that its description makes.
 pub(crate) struct CompiledModel {
     pub(crate) name: &'static str,
-    pub(crate) tree: Tree,
+    pub(crate) composition: Composition,
     pub(crate) call: Call,
 }
 
 impl CompiledModel {
     pub(crate) fn new(compiled: Compiled) -> Self {
+        let tree = dynamics::random::tree(compiled.model).expect("what was generated is accepted");
         Self {
             name: compiled.name,
-            tree: dynamics::random::tree(compiled.model).expect("what was generated is accepted"),
+            composition: Composition::new(compiled.model, &tree),
             call: compiled.f64,
         }
     }
@@ -28,7 +28,7 @@ impl CompiledModel {
     pub(crate) fn called(&self, call: Call) -> Self {
         Self {
             name: self.name,
-            tree: self.tree.clone(),
+            composition: self.composition.clone(),
             call,
         }
     }
@@ -39,8 +39,8 @@ impl Model for CompiledModel {
         self.name.to_owned()
     }
 
-    fn tree(&self) -> &Tree {
-        &self.tree
+    fn composition(&self) -> &Composition {
+        &self.composition
     }
 
     fn evaluate(&self, function: &str, state: &State) -> Vec<f64> {
