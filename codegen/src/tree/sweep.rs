@@ -208,13 +208,7 @@ fn place(
         } else {
             (join([0.0; 3], along), here.mass.sqrt())
         };
-        let unit = if axis.is_angle() {
-            units.length * units.length
-        } else {
-            1.0
-        };
-        let armature = tree.nominal(joint.mechanics[motion].armature) / units.mass / unit;
-        let rotor = armature + followers[speed.index()];
+        let rotor = rotor(tree, units, joint, motion) + followers[speed.index()];
         axes.push(axis);
         columns.push(column);
         rotors.push(rotor.sqrt());
@@ -234,8 +228,18 @@ fn place(
     (joint, dot(&lever, &lever).sqrt())
 }
 
-/// For every speed, what the coordinates that follow it move at least: what of their own bodies does. They are held
-/// otherwise.
+/// The inertia of a motion's rotor.
+fn rotor(tree: &Tree, units: &Units, joint: &super::Joint, motion: usize) -> f64 {
+    let armature = tree.nominal(joint.mechanics[motion].armature) / units.mass;
+    if motion < 3 {
+        armature / units.length / units.length
+    } else {
+        armature
+    }
+}
+
+/// For every speed, what the coordinates that follow it move at least: what of their own bodies and rotors does. They are
+/// held otherwise.
 fn followers(tree: &Tree, units: &Units) -> Vec<f64> {
     let mut moved = vec![0.0; tree.n_speeds];
     for body in tree.body_ids() {
@@ -251,8 +255,9 @@ fn followers(tree: &Tree, units: &Units) -> Vec<f64> {
             } else {
                 (own.mass.sqrt(), units.length)
             };
-            let root = follower.factor * bound / length;
-            moved[follower.speed.index()] += root * root;
+            let rotor = rotor(tree, units, joint, motion);
+            let factor = follower.factor / length;
+            moved[follower.speed.index()] += factor * factor * (bound * bound + rotor);
         }
     }
     moved

@@ -3,15 +3,27 @@
 use std::fmt::Write as _;
 
 use crate::description::Axis;
+use crate::expr::Input;
+use crate::functions::{Formulation, Function};
 use crate::id::BodyId;
 use crate::tree::Tree;
 use crate::tree::assemble::assemble;
+use crate::tree::mimic;
 use crate::tree::rows::{Random, Twist, dot, project_out};
 use crate::tree::sweep::{Joint, Units, inward, moved_along, own};
 use crate::tree::{Changes, resolve};
 
+/// What joints a tree has.
+#[derive(Clone, Copy, PartialEq)]
+enum Style {
+    /// Lists of free coordinates between the bodies' own frames.
+    Plain,
+    /// Between turned frames, along axes and anyhow, with rotors; some bodies fixed.
+    Framed,
+}
+
 /// A tree in which much is zero or aligned, so that about half of all trees have idle coordinates.
-fn tree(random: &mut Random) -> Tree {
+fn tree(random: &mut Random, style: Style) -> Tree {
     let mut pick = |n: f64| ((random.signed() + 1.0) * 0.5 * n).floor();
     let n_bodies = 1.0 + pick(5.0);
     let mut lower = Vec::new();
@@ -40,22 +52,129 @@ fn tree(random: &mut Random) -> Tree {
         write!(
             text,
             "[[body]]\nname = \"b{body}\"\nmass = {mass:?}\nmass_center = [{x:?}, 0.0, {z:?}]\nattachment = [0.0, {:?}, {:?}]\n\
-             inertia = {{ xx = {xx:?}, yy = {xx:?}, zz = {zz:?}, xy = 0.0, xz = 0.0, yz = 0.0 }}\njoint = {joint:?}\n",
+             inertia = {{ xx = {xx:?}, yy = {xx:?}, zz = {zz:?}, xy = 0.0, xz = 0.0, yz = 0.0 }}\n",
             q[0], q[1]
         )
         .unwrap();
+        if style == Style::Plain {
+            writeln!(text, "joint = {joint:?}").unwrap();
+            continue;
+        }
+        text += &framed(&mut pick, body == 0, &joint);
     }
     let lower: Vec<String> = lower.iter().map(|lower| format!("{lower:.0}")).collect();
     let text = format!(
         "name = \"s\"\nlower_bodies = [{}]\n{text}",
         lower.join(", ")
     );
+    built(&text)
+}
+
+/// The keys of a joint; the first one moves.
+fn framed(pick: &mut dyn FnMut(f64) -> f64, is_first: bool, list: &[&str]) -> String {
+    const TURNS: [&str; 4] = [
+        "[[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]",
+        "[[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]",
+        "[[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]",
+        "[[0.48, 0.6, -0.64], [-0.8, 0.6, 0.0], [0.384, 0.512, 0.768]]",
+    ];
+    let kinds = [
+        "\"fixed\"",
+        "\"revolute\"",
+        "\"revolute\"",
+        "\"prismatic\"",
+        "\"cylindrical\"",
+        "\"planar\"",
+        "\"spherical\"",
+        "\"free\"",
+        &format!("{list:?}"),
+    ];
+    let place = if is_first { 1.0 + pick(8.0) } else { pick(9.0) } as usize;
+    let mut text = format!("joint = {}\n", kinds[place]);
+    if (1..6).contains(&place) {
+        let axis = ["[0.0, 0.0, 1.0]", "[0.0, -1.0, 0.0]", "[1.0, 2.0, 2.0]"];
+        writeln!(text, "axis = {}", axis[pick(3.0) as usize]).unwrap();
+    }
+    if (6..8).contains(&place) {
+        text += [
+            "",
+            "chart = \"quaternion\"\n",
+            "speeds = \"angular_velocity\"\n",
+        ][pick(3.0) as usize];
+    }
+    for key in ["attachment_rotation", "body_rotation"] {
+        if let Some(turn) = TURNS.get(pick(8.0) as usize) {
+            writeln!(text, "{key} = {turn}").unwrap();
+        }
+    }
+    if pick(3.0) == 0.0 {
+        text += "body_attachment = [0.0, 0.5, 0.0]\n";
+    }
+    if pick(5.0) == 0.0 {
+        text += "armature = 0.1\n";
+    }
+    text
+}
+
+/// The tree of a description, whatever moves no mass.
+fn built(text: &str) -> Tree {
     let description = crate::description::toml::parse(&crate::diagnostic::Source::new("s", text));
-    let places: Vec<usize> = (0..lower.len()).collect();
+    let places: Vec<usize> = (0..description.bodies.len()).collect();
     let joints = resolve::joints(&description, 0.0);
-    let joints: Vec<_> = joints.into_iter().flatten().collect();
+    let mut joints: Vec<_> = joints.into_iter().flatten().collect();
+    let mut findings = Vec::new();
+    mimic::resolve(&description, &mut joints, &mut findings);
     let changes = Changes::default();
-    assemble(&description, &places, &joints, &changes, &mut Vec::new()).unwrap()
+    assemble(&description, &places, &joints, &changes, &mut findings).unwrap()
+}
+
+/// The most that the mass matrix has in rank in a few states.
+fn rank_of_mass_matrix(tree: &Tree, seed: u64) -> usize {
+    let function = Function::find("mass_matrix").unwrap();
+    let derived = function.derive(tree, Formulation::Recursive);
+    let of_state = |seed| {
+        let mut random = Random::new(seed);
+        let mut q: Vec<f64> = (0..tree.n_coordinates).map(|_| random.signed()).collect();
+        for body in &tree.bodies {
+            let all = body.joint.coordinates();
+            let e: Vec<usize> = all
+                .iter()
+                .filter(|(kind, _)| kind.starts_with('e'))
+                .map(|(_, at)| at.index())
+                .collect();
+            let length = e.iter().map(|&at| q[at] * q[at]).sum::<f64>().sqrt();
+            e.into_iter().for_each(|at| q[at] /= length);
+        }
+        let m = derived.graph.evaluate(&derived.roots, |input| match input {
+            Input::Q(at) => q[at.index()],
+            other => unreachable!("{other:?} in a mass matrix of numbers"),
+        });
+        rank_of_energies(m.chunks(tree.n_speeds).map(<[f64]>::to_vec).collect())
+    };
+    (seed..seed + 3).map(of_state).max().unwrap()
+}
+
+/// The rank of a symmetric matrix that is not negative: Cholesky's pivots, the largest first.
+fn rank_of_energies(mut m: Vec<Vec<f64>>) -> usize {
+    let mut left: Vec<usize> = (0..m.len()).collect();
+    let mut rank = 0;
+    while let Some(at) =
+        (0..left.len()).max_by(|&a, &b| m[left[a]][left[a]].total_cmp(&m[left[b]][left[b]]))
+    {
+        let pivot = left.remove(at);
+        // Energies are of order one, so this is far above rounding and below what chance leaves.
+        if m[pivot][pivot] < 1e-10 {
+            break;
+        }
+        for &row in &left {
+            let factor = m[row][pivot] / m[pivot][pivot];
+            for &column in &left {
+                m[row][column] -= factor * m[pivot][column];
+            }
+        }
+        rank += 1;
+    }
+    rank
 }
 
 /// For each free coordinate, body by body, the root of the mass times the velocity of everything.
@@ -78,6 +197,15 @@ fn velocities(tree: &Tree, units: &Units, joints: &[Joint]) -> Vec<((BodyId, Axi
                     std::array::from_fn(|row| (0..6).map(|i| carried[i][row] * lower[i]).sum());
                 if body == moving {
                     twist = *unit;
+                }
+                // Rotors move with their own speeds alone.
+                for (other, rotor) in joints[body.index()]
+                    .axes
+                    .iter()
+                    .zip(&joints[body.index()].rotors)
+                {
+                    let is_own = body == moving && other == axis;
+                    column.push(if is_own { *rotor } else { 0.0 });
                 }
                 column.extend(
                     own(tree, units, body)
@@ -115,15 +243,23 @@ fn rank(mut columns: Vec<Vec<f64>>) -> usize {
 
 #[test]
 fn idle_coordinates_are_what_the_dense_matrix_lacks_in_rank() {
+    for style in [Style::Plain, Style::Framed] {
+        idle_coordinates_are_counted(style);
+    }
+}
+
+fn idle_coordinates_are_counted(style: Style) {
     let mut singular = 0;
     for seed in 0..400 {
-        let tree = tree(&mut Random::new(seed));
+        let tree = tree(&mut Random::new(seed), style);
         let units = Units::of(&tree);
         let joints = inward(&tree, &units, &mut Random::new(seed));
         let columns = velocities(&tree, &units, &joints);
         let idle: usize = joints.iter().map(|joint| joint.idle.len()).sum();
         let dense = rank(columns.iter().map(|(_, column)| column.clone()).collect());
         assert_eq!(idle, columns.len() - dense, "seed {seed}");
+        let rank = rank_of_mass_matrix(&tree, seed);
+        assert_eq!(dense, rank, "seed {seed}: the mass matrix");
         singular += usize::from(idle > 0);
     }
     assert!(
@@ -134,8 +270,9 @@ fn idle_coordinates_are_what_the_dense_matrix_lacks_in_rank() {
 
 #[test]
 fn named_coordinates_move_no_mass_and_none_is_superfluous() {
-    for seed in 0..400 {
-        let tree = tree(&mut Random::new(seed));
+    for seed in 0..800 {
+        let style = [Style::Plain, Style::Framed][usize::from(seed >= 400)];
+        let tree = tree(&mut Random::new(seed), style);
         let units = Units::of(&tree);
         let joints = inward(&tree, &units, &mut Random::new(seed));
         let columns = velocities(&tree, &units, &joints);
@@ -167,4 +304,22 @@ fn named_coordinates_move_no_mass_and_none_is_superfluous() {
             }
         }
     }
+}
+
+#[test]
+fn the_rotor_of_what_follows_moves_with_what_it_follows() {
+    let body = |name: &str, joint: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = 0.0\nmass_center = [0.0, 0.0, 0.0]\nattachment = [0.0, 0.0, 0.0]\n\
+             inertia = {{ xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\njoint = [\"theta1\"]\n{joint}\n"
+        )
+    };
+    let idle = |rotor: &str| {
+        let follower = format!("mimic = {{ joint = \"a\" }}\n{rotor}");
+        let bodies = body("a", "") + &body("b", &follower);
+        let tree = built(&format!("name = \"s\"\nlower_bodies = [0, 0]\n{bodies}"));
+        let joints = inward(&tree, &Units::of(&tree), &mut Random::new(1));
+        joints.iter().map(|joint| joint.idle.len()).sum::<usize>()
+    };
+    assert_eq!((idle(""), idle("armature = 0.1")), (1, 0));
 }
