@@ -2,6 +2,7 @@
 
 mod support;
 
+use kane_codegen::functions::{Formulation, Function};
 use support::{body, build, system};
 
 #[test]
@@ -69,6 +70,31 @@ fn massless_bodies_may_carry_massive_ones() {
         body("shaft", "[\"theta2\"]")
     );
     assert!(build(&text).unwrap().warnings.is_empty());
+}
+
+#[test]
+fn a_massless_frame_leaves_the_mass_centre_of_a_massless_body_where_it_is() {
+    let massless = |name: &str, joint: &str| {
+        body(name, joint).replace("mass = 2.0", "mass = 0").replace(
+            "xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01",
+            "xx = 0, yy = 0, zz = 0, xy = 0",
+        )
+    };
+    let text = format!(
+        "name = \"s\"\nlower_bodies = [0, 1, 1]\n{}body_attachment = [0.0, 0.0, 1.0]\n{}{}",
+        massless("cross", "[\"theta1\"]"),
+        massless("frame", "\"fixed\""),
+        body("shaft", "[\"theta2\"]"),
+    );
+    let tree = build(&text).unwrap().tree;
+    let function = Function::find("mass_center_position").unwrap();
+    let derived = function.derive(&tree, Formulation::Recursive);
+    let centers = derived.graph.evaluate(&derived.roots, |_| 0.0);
+    // The joint at (0, 0.1, 0.3), the origin a metre below, and the mass centre from there.
+    let expected = [0.01, 0.12, -1.2];
+    for (center, expected) in centers.iter().zip(expected) {
+        assert!((center - expected).abs() < 1e-15, "{centers:?}");
+    }
 }
 
 #[test]

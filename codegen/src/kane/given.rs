@@ -70,14 +70,15 @@ pub fn mass(graph: &mut ExprGraph, body: &Body) -> Expr {
     sum
 }
 
-/// `r_K`: from the internal origin of a body to its mass centre, internal axes; zero for a body without mass.
+/// `r_K`: from the internal origin of a body to its mass centre, internal axes; for a body without mass its own, whatever
+/// is fixed to it.
 pub fn mass_center(graph: &mut ExprGraph, body: &Body) -> Vector {
     if let [part] = &body.parts[..] {
         return fixed(graph, &part.mass_center);
     }
     let mass = mass(graph, body);
     if graph.is_zero(mass) {
-        return graph.zero_vector();
+        return fixed(graph, &body.parts[0].mass_center);
     }
     let mut moment = graph.zero_vector();
     for part in &body.parts {
