@@ -216,6 +216,9 @@ pub const RUNTIME_GIVEN_CHANGED: Call = |function, state| {
 /// The renumbered system, with the sines that the generator evaluates with: its results are the same to the bit.
 pub const RENUMBERED_LIBM: Call = all!(crate::renumbered, Libm);
 
+/// As [`RENUMBERED_LIBM`], of the first two systems with joints of every kind.
+pub const FRAMED_LIBM: [Call; 2] = [all!(crate::random_500, Libm), all!(crate::random_501, Libm)];
+
 /// As [`RENUMBERED_LIBM`], in the notes' formulation.
 pub const RENUMBERED_NOTES_LIBM: Call = dynamics!(crate::renumbered_notes, Libm);
 

@@ -13,10 +13,13 @@ use common::{
     dynamics::{self, Model, State, identities, list::test_every_identity, numeric},
 };
 use identities::{DIFFERENTIATED, EXACT};
-use kane_codegen::functions::{CATALOGUE, Function};
+use kane_codegen::{
+    functions::{CATALOGUE, Function},
+    tree::{Body, Chart, IDENTITY, Orientation},
+};
 use kane_test_systems::{
-    BAKED_RUNTIME_CHANGED, Compiled, FRAMED, RANDOM, REFERENCES, RENUMBERED_LIBM, RENUMBERED_NOTES,
-    RENUMBERED_NOTES_LIBM, RUNTIME_LIBM, TWINS,
+    BAKED_RUNTIME_CHANGED, Compiled, FRAMED, FRAMED_LIBM, RANDOM, REFERENCES, RENUMBERED_LIBM,
+    RENUMBERED_NOTES, RENUMBERED_NOTES_LIBM, RUNTIME_LIBM, TWINS,
 };
 
 /// The random systems, and those with reference values, of which `kane` bundles one.
@@ -98,6 +101,43 @@ fn random_systems_are_of_many_kinds() {
             .enumerate()
             .any(renumbered)
     }));
+}
+
+#[test]
+fn framed_systems_have_joints_of_every_kind() {
+    let models: Vec<CompiledModel> = FRAMED.into_iter().map(CompiledModel::new).collect();
+    let mut most = [0; 5];
+    for model in &models {
+        let tree = model.tree();
+        let has = |property: &dyn Fn(&Body) -> bool| tree.bodies.iter().any(property);
+        let has_of = [
+            tree.has_quaternions(),
+            has(&|body| {
+                let chart = body.joint.orientation;
+                matches!(
+                    chart,
+                    Orientation::AngularVelocity {
+                        chart: Chart::Angles(_),
+                        ..
+                    }
+                )
+            }),
+            dynamics::has_mimics(tree),
+            !tree.frames.is_empty(),
+            has(&|body| body.pose.rotation != IDENTITY && body.joint.rotation != IDENTITY),
+        ];
+        println!(
+            "{}: {} bodies, {} speeds, {} parameters, {has_of:?}",
+            model.name,
+            tree.bodies.len(),
+            tree.n_speeds,
+            tree.parameters.len()
+        );
+        for (most, has) in most.iter_mut().zip(has_of) {
+            *most += usize::from(has);
+        }
+    }
+    assert!(most.iter().all(|most| *most > 0), "{most:?}");
 }
 
 /// Requires that two compiled models of one system agree on the functions that both have.
@@ -232,7 +272,7 @@ mod bits {
                 .enumerate()
             {
                 for (row, value) in column.iter().enumerate() {
-                    dense[(block.body * 3 + row) * width + block.speed + offset] = *value;
+                    dense[(block.body * 3 + row) * width + block.speed + offset] += *value;
                 }
             }
         }
@@ -251,6 +291,12 @@ fn compiled_text_gives_the_bits_of_its_programs() {
     );
     let [_, runtime, _] = BAKED_RUNTIME_CHANGED.map(CompiledModel::new);
     bits::same(&runtime.called(RUNTIME_LIBM), Formulation::Recursive);
+    for (framed, libm) in FRAMED.into_iter().zip(FRAMED_LIBM) {
+        bits::same(
+            &CompiledModel::new(framed).called(libm),
+            Formulation::Cheapest,
+        );
+    }
 }
 
 /// With our own sines and cosines, each below one unit in the last place from libm's.
