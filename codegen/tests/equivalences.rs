@@ -86,6 +86,19 @@ fn added(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
 
+/// Two descriptions in one state.
+struct Pair<'a> {
+    a: &'a dyn Model,
+    b: &'a dyn Model,
+    state: &'a State,
+    mapped: &'a Mapped,
+    /// For each body of `b` its place in `a`.
+    bodies: Vec<usize>,
+    tau_b: Vec<f64>,
+    /// The largest error, and where it is.
+    worst: (f64, &'static str),
+}
+
 /// The largest error by which the two break their agreement in a state of the first, and where.
 fn disagreement(
     a: &dyn Model,
@@ -93,145 +106,162 @@ fn disagreement(
     state: &State,
     mapped: &Mapped,
 ) -> (f64, &'static str) {
-    let (t, t_dot) = (&mapped.t, &mapped.t_dot);
-    let bodies = Maps::of_bodies(a.tree(), b.tree());
     let mut random = Random::new(7);
-    let tau_b: Vec<f64> = t.iter().map(|_| random.symmetric()).collect();
-    let state_of = |u_dot: &[f64]| {
-        let mut state_a = state.clone();
-        state_a.u_dot = u_dot.to_vec();
-        state_a.tau = projected(t, &tau_b);
-        let state_b = State {
-            q: mapped.q.clone(),
-            u: product(t, &state.u),
-            u_dot: added(&product(t, u_dot), &product(t_dot, &state.u)),
-            tau: tau_b.clone(),
-            loads: bodies.iter().map(|&body| state.loads[body]).collect(),
-            w_rel: bodies.iter().map(|&body| state.w_rel[body]).collect(),
-        };
-        (state_a, state_b)
+    let mut pair = Pair {
+        a,
+        b,
+        state,
+        mapped,
+        bodies: Maps::of_bodies(a.tree(), b.tree()),
+        tau_b: mapped.t.iter().map(|_| random.symmetric()).collect(),
+        worst: (0.0, "nothing"),
     };
-    let (state_a, state_b) = state_of(&state.u_dot);
-    let mut worst = (0.0, "nothing");
-    let mut note = |error: f64, function| {
-        if error > worst.0 || error.is_nan() {
-            worst = (error, function);
+    pair.compare_bodies();
+    pair.compare_partial_velocities();
+    pair.compare_forces();
+    pair.worst
+}
+
+impl Pair<'_> {
+    fn note(&mut self, function: &'static str, scale: f64, found: &[f64], expected: &[f64]) {
+        let error = relative_to(scale, found, expected);
+        if error > self.worst.0 || error.is_nan() {
+            self.worst = (error, function);
         }
-    };
+    }
 
-    // What bodies do.
-    for (function, width) in [
-        ("rotation", 9),
-        ("relative_rotation", 9),
-        ("origin_position", 3),
-        ("mass_center_position", 3),
-        ("angular_velocity", 3),
-        ("relative_angular_velocity", 3),
-        ("origin_velocity", 3),
-        ("mass_center_velocity", 3),
-        ("angular_acceleration", 3),
-        ("mass_center_acceleration", 3),
-    ] {
-        let of_a = a.evaluate(function, &state_a);
-        let of_b = b.evaluate(function, &state_b);
-        let of_a: Vec<f64> = bodies
+    /// Both states, for accelerations of `a`.
+    fn states(&self, u_dot: &[f64]) -> [State; 2] {
+        let (t, state) = (&self.mapped.t, self.state);
+        let state_a = State {
+            u_dot: u_dot.to_vec(),
+            tau: projected(t, &self.tau_b),
+            ..state.clone()
+        };
+        let state_b = State {
+            q: self.mapped.q.clone(),
+            u: product(t, &state.u),
+            u_dot: added(&product(t, u_dot), &product(&self.mapped.t_dot, &state.u)),
+            tau: self.tau_b.clone(),
+            loads: self.bodies.iter().map(|&at| state.loads[at]).collect(),
+            w_rel: self.bodies.iter().map(|&at| state.w_rel[at]).collect(),
+        };
+        [state_a, state_b]
+    }
+
+    fn compare_bodies(&mut self) {
+        let [state_a, state_b] = self.states(&self.state.u_dot);
+        for (function, width) in [
+            ("rotation", 9),
+            ("relative_rotation", 9),
+            ("origin_position", 3),
+            ("mass_center_position", 3),
+            ("angular_velocity", 3),
+            ("relative_angular_velocity", 3),
+            ("origin_velocity", 3),
+            ("mass_center_velocity", 3),
+            ("angular_acceleration", 3),
+            ("mass_center_acceleration", 3),
+        ] {
+            let of_a = self.a.evaluate(function, &state_a);
+            let of_a: Vec<f64> = self
+                .bodies
+                .iter()
+                .flat_map(|&body| &of_a[body * width..][..width])
+                .copied()
+                .collect();
+            let of_b = self.b.evaluate(function, &state_b);
+            self.note(function, largest(&of_b).max(1.0), &of_a, &of_b);
+        }
+        for function in [
+            "kinetic_energy",
+            "potential_energy",
+            "linear_momentum",
+            "angular_momentum",
+        ] {
+            let of_a = self.a.evaluate(function, &state_a);
+            let of_b = self.b.evaluate(function, &state_b);
+            self.note(function, largest(&of_b).max(1.0), &of_a, &of_b);
+        }
+    }
+
+    fn compare_partial_velocities(&mut self) {
+        let [state_a, state_b] = self.states(&self.state.u_dot);
+        let (t, t_dot) = (&self.mapped.t, &self.mapped.t_dot);
+        let places: Vec<(usize, usize)> = self
+            .bodies
             .iter()
-            .flat_map(|&body| &of_a[body * width..][..width])
-            .copied()
+            .enumerate()
+            .flat_map(|(body, &place)| (0..3).map(move |axis| (3 * place + axis, 3 * body + axis)))
             .collect();
-        note(relative_to(largest(&of_b).max(1.0), &of_a, &of_b), function);
-    }
-    for function in [
-        "kinetic_energy",
-        "potential_energy",
-        "linear_momentum",
-        "angular_momentum",
-    ] {
-        let (of_a, of_b) = (
-            a.evaluate(function, &state_a),
-            b.evaluate(function, &state_b),
-        );
-        note(relative_to(largest(&of_b).max(1.0), &of_a, &of_b), function);
-    }
-
-    // What speeds do.
-    for (partial, partial_dot) in [
-        ("partial_angular_velocity", "partial_angular_velocity_dot"),
-        ("partial_velocity_origin", "partial_velocity_origin_dot"),
-        ("partial_velocity", "partial_velocity_dot"),
-    ] {
-        let [rows_a, rows_b] = [rows(a, partial, &state_a), rows(b, partial, &state_b)];
-        let [dots_a, dots_b] = [
-            rows(a, partial_dot, &state_a),
-            rows(b, partial_dot, &state_b),
-        ];
-        for (body, &place) in bodies.iter().enumerate() {
-            for axis in 0..3 {
-                let (at_a, at_b) = (3 * place + axis, 3 * body + axis);
-                let expected = projected(t, &rows_b[at_b]);
-                let scale = largest(&rows_b[at_b]).max(1.0);
-                note(relative_to(scale, &rows_a[at_a], &expected), partial);
-                let expected = added(
-                    &projected(t, &dots_b[at_b]),
-                    &projected(t_dot, &rows_b[at_b]),
-                );
-                let scale = scale.max(largest(&dots_b[at_b]));
-                note(relative_to(scale, &dots_a[at_a], &expected), partial_dot);
+        for [partial, partial_dot] in [
+            ["partial_angular_velocity", "partial_angular_velocity_dot"],
+            ["partial_velocity_origin", "partial_velocity_origin_dot"],
+            ["partial_velocity", "partial_velocity_dot"],
+        ] {
+            let of_a = [partial, partial_dot].map(|function| rows(self.a, function, &state_a));
+            let of_b = [partial, partial_dot].map(|function| rows(self.b, function, &state_b));
+            for &(at_a, at_b) in &places {
+                let [row, dot] = [&of_b[0][at_b], &of_b[1][at_b]];
+                let scale = largest(row).max(1.0);
+                self.note(partial, scale, &of_a[0][at_a], &projected(t, row));
+                let expected = added(&projected(t, dot), &projected(t_dot, row));
+                let scale = scale.max(largest(dot));
+                self.note(partial_dot, scale, &of_a[1][at_a], &expected);
             }
         }
     }
 
-    // What forces do.
-    let m_b = identities::mass_matrix(b, &state_b);
-    let scale = m_b.norm().max(largest(&b.evaluate("bias", &state_b)));
-    let mut m = Vec::new();
-    for column in 0..state.u.len() {
-        let column: Vec<f64> = t.iter().map(|row| row[column]).collect();
-        m.extend(projected(t, &m_b.times(&column)));
+    fn compare_forces(&mut self) {
+        let t = &self.mapped.t;
+        let [state_a, state_b] = self.states(&self.state.u_dot);
+        let m_b = identities::mass_matrix(self.b, &state_b);
+        let scale = m_b.norm().max(largest(&self.b.evaluate("bias", &state_b)));
+        let mut m = Vec::new();
+        for column in 0..self.state.u.len() {
+            let column: Vec<f64> = t.iter().map(|row| row[column]).collect();
+            m.extend(projected(t, &m_b.times(&column)));
+        }
+        let of_a = |function, state: &State| self.a.evaluate(function, state);
+        let of_b = |function, state: &State| projected(t, &self.b.evaluate(function, state));
+        let steady = self.states(&vec![0.0; self.state.u.len()]);
+        let bias = of_b("inverse_dynamics", &steady[1]);
+        let loads = of_b("generalized_forces", &state_b);
+        let forcing: Vec<f64> = loads.iter().zip(&bias).map(|(f, bias)| f - bias).collect();
+        // The accelerations that forces give to the one leave none of them over in the other, but what holds its followers.
+        let u_dot = of_a("forward_dynamics", &state_a);
+        let [_, solved] = self.states(&u_dot);
+        let mut pairs = vec![
+            ("mass_matrix", of_a("mass_matrix", &state_a), m),
+            ("bias", of_a("bias", &state_a), bias),
+            ("forcing", of_a("forcing", &state_a), forcing),
+            (
+                "generalized_forces",
+                of_a("generalized_forces", &state_a),
+                loads,
+            ),
+            (
+                "inverse_dynamics",
+                of_a("inverse_dynamics", &state_a),
+                of_b("inverse_dynamics", &state_b),
+            ),
+        ];
+        let moved = largest(&u_dot).max(1.0);
+        let shrunk = |forces: Vec<f64>| forces.iter().map(|force| force / moved).collect();
+        pairs.push((
+            "forward_dynamics",
+            shrunk(of_b("inverse_dynamics", &solved)),
+            shrunk(state_a.tau.clone()),
+        ));
+        if self.a.tree().n_speeds == self.b.tree().n_speeds {
+            let own = self.b.evaluate("forward_dynamics", &state_b);
+            let forces = |u_dot: &[f64]| shrunk(m_b.times(u_dot));
+            pairs.push(("forward_dynamics", forces(&own), forces(&solved.u_dot)));
+        }
+        for (function, found, expected) in pairs {
+            self.note(function, scale, &found, &expected);
+        }
     }
-    note(
-        relative_to(scale, &a.evaluate("mass_matrix", &state_a), &m),
-        "mass_matrix",
-    );
-    for function in ["inverse_dynamics", "generalized_forces"] {
-        let expected = projected(t, &b.evaluate(function, &state_b));
-        note(
-            relative_to(scale, &a.evaluate(function, &state_a), &expected),
-            function,
-        );
-    }
-    let steady = state_of(&vec![0.0; state.u.len()]);
-    let expected = projected(t, &b.evaluate("inverse_dynamics", &steady.1));
-    note(
-        relative_to(scale, &a.evaluate("bias", &steady.0), &expected),
-        "bias",
-    );
-    let loaded = projected(t, &b.evaluate("generalized_forces", &state_b));
-    let expected: Vec<f64> = loaded
-        .iter()
-        .zip(&expected)
-        .map(|(load, bias)| load - bias)
-        .collect();
-    note(
-        relative_to(scale, &a.evaluate("forcing", &state_a), &expected),
-        "forcing",
-    );
-
-    // The accelerations that forces give to the one leave none of them over in the other, but what holds its followers.
-    let u_dot = a.evaluate("forward_dynamics", &state_a);
-    let (_, solved) = state_of(&u_dot);
-    let needed = projected(t, &b.evaluate("inverse_dynamics", &solved));
-    let scale = scale * largest(&u_dot).max(1.0);
-    note(
-        relative_to(scale, &needed, &state_a.tau),
-        "forward_dynamics",
-    );
-    if a.tree().n_speeds == b.tree().n_speeds {
-        let own = b.evaluate("forward_dynamics", &state_b);
-        let left: Vec<f64> = own.iter().zip(&solved.u_dot).map(|(a, b)| a - b).collect();
-        note(largest(&m_b.times(&left)) / scale, "forward_dynamics");
-    }
-    worst
 }
 
 /// Requires that two descriptions of one system agree.

@@ -13,6 +13,7 @@ pub(crate) mod random;
 
 use kane_codegen::{
     functions::{Function, Shape},
+    id::CoordinateId,
     tree::{Body, Chart, Coordinate, Orientation, Tree},
 };
 
@@ -146,7 +147,7 @@ pub(crate) fn quaternions(tree: &Tree) -> impl Iterator<Item = [usize; 4]> + '_ 
             Orientation::AngularVelocity {
                 chart: Chart::EulerParameters(places),
                 ..
-            } => Some(places.map(|place| place.index())),
+            } => Some(places.map(CoordinateId::index)),
             _ => None,
         })
 }

@@ -70,6 +70,11 @@ fn tree(random: &mut Random, style: Style) -> Tree {
     built(&text)
 }
 
+fn index(whole: f64) -> usize {
+    let mut places = 0..100_u8;
+    places.position(|place| f64::from(place) == whole).unwrap()
+}
+
 /// The keys of a joint; the first one moves.
 fn framed(pick: &mut dyn FnMut(f64) -> f64, is_first: bool, list: &[&str]) -> String {
     const TURNS: [&str; 4] = [
@@ -89,21 +94,21 @@ fn framed(pick: &mut dyn FnMut(f64) -> f64, is_first: bool, list: &[&str]) -> St
         "\"free\"",
         &format!("{list:?}"),
     ];
-    let place = if is_first { 1.0 + pick(8.0) } else { pick(9.0) } as usize;
+    let place = index(if is_first { 1.0 + pick(8.0) } else { pick(9.0) });
     let mut text = format!("joint = {}\n", kinds[place]);
     if (1..6).contains(&place) {
         let axis = ["[0.0, 0.0, 1.0]", "[0.0, -1.0, 0.0]", "[1.0, 2.0, 2.0]"];
-        writeln!(text, "axis = {}", axis[pick(3.0) as usize]).unwrap();
+        writeln!(text, "axis = {}", axis[index(pick(3.0))]).unwrap();
     }
     if (6..8).contains(&place) {
         text += [
             "",
             "chart = \"quaternion\"\n",
             "speeds = \"angular_velocity\"\n",
-        ][pick(3.0) as usize];
+        ][index(pick(3.0))];
     }
     for key in ["attachment_rotation", "body_rotation"] {
-        if let Some(turn) = TURNS.get(pick(8.0) as usize) {
+        if let Some(turn) = TURNS.get(index(pick(8.0))) {
             writeln!(text, "{key} = {turn}").unwrap();
         }
     }
@@ -143,7 +148,9 @@ fn rank_of_mass_matrix(tree: &Tree, seed: u64) -> usize {
                 .map(|(_, at)| at.index())
                 .collect();
             let length = e.iter().map(|&at| q[at] * q[at]).sum::<f64>().sqrt();
-            e.into_iter().for_each(|at| q[at] /= length);
+            for at in e {
+                q[at] /= length;
+            }
         }
         let m = derived.graph.evaluate(&derived.roots, |input| match input {
             Input::Q(at) => q[at.index()],

@@ -176,13 +176,13 @@ impl Joint {
     fn toml(&self) -> String {
         let mut text = format!("attachment = {}\n", list(&self.attachment));
         if let Some(rotation) = &self.attachment_rotation {
-            text += &format!("attachment_rotation = {rotation:?}\n");
+            text += &line("attachment_rotation", &format!("{rotation:?}"));
         }
         if let Some(attachment) = &self.body_attachment {
-            text += &format!("body_attachment = {}\n", list(attachment));
+            text += &line("body_attachment", &list(attachment));
         }
         if let Some(rotation) = &self.body_rotation {
-            text += &format!("body_rotation = {rotation:?}\n");
+            text += &line("body_rotation", &format!("{rotation:?}"));
         }
         text += &self.kind.toml();
         if !matches!(self.kind, Kind::Along(..)) {
@@ -191,7 +191,7 @@ impl Joint {
                 .filter(|&axis| !free[axis] && self.locked[axis] != 0.0)
                 .map(|axis| format!("{} = {:?}", AXES[axis], self.locked[axis]))
                 .collect();
-            text += &format!("locked = {{ {} }}\n", locked.join(", "));
+            text += &line("locked", &format!("{{ {} }}", locked.join(", ")));
         }
         for (key, choice) in [("chart", self.chart), ("speeds", self.speeds)] {
             text += &choice.map_or_else(String::new, |choice| format!("{key} = \"{choice}\"\n"));
@@ -237,20 +237,25 @@ impl Body {
             inertia.join(", "),
         );
         if let Some(rotation) = &self.inertia_rotation {
-            text += &format!("inertia_rotation = {rotation:?}\n");
+            text += &line("inertia_rotation", &format!("{rotation:?}"));
         }
         if self.joint.has_name {
-            text += &format!("joint_name = \"{}\"\n", self.joint_name());
+            text += &line("joint_name", &format!("\"{}\"", self.joint_name()));
         }
         text += &self.joint.toml();
         if let Some((mimic, leader)) = self.joint.mimic.zip(leader) {
-            text += &format!(
-                "mimic = {{ joint = \"{leader}\", multiplier = {:?}, offset = {:?} }}\n",
+            let numbers = format!(
+                "multiplier = {:?}, offset = {:?}",
                 mimic.multiplier, mimic.offset
             );
+            text += &line("mimic", &format!("{{ joint = \"{leader}\", {numbers} }}"));
         }
         text
     }
+}
+
+fn line(key: &str, value: &str) -> String {
+    format!("{key} = {value}\n")
 }
 
 pub(crate) fn list(numbers: &[Number]) -> String {
