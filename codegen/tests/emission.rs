@@ -10,7 +10,9 @@ use kane_codegen::{
     description::{Base, Chart, Reading, no_includes},
     diagnostic::Source,
     error::Error,
+    functions::CATALOGUE,
     generate::{self, Generated},
+    program::RESERVED,
     tree::Changes,
 };
 
@@ -268,4 +270,14 @@ fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
     error: the chart can be chosen for a URDF or MJCF alone: each joint of this model says it itself, with the key `chart`
     --> pendulum.toml
     ");
+}
+
+#[test]
+fn no_local_value_can_take_the_name_of_an_argument_or_output() {
+    for function in &CATALOGUE {
+        let arguments = function.arguments.iter().map(|argument| argument.name());
+        for name in arguments.chain([function.output, "p"]) {
+            assert!(RESERVED.contains(&name), "{name}");
+        }
+    }
 }

@@ -48,6 +48,7 @@ files! {
     axis_is_zero
     ball_with_stiffness
     bound_inertia_of_full_inertia
+    boundmass_of_a_massless_body
     child_class_unknown
     class_given_twice
     composite

@@ -4,7 +4,7 @@ use super::given;
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector, transpose},
     id::BodyMap,
-    tree::{Chart, Coordinate, Joint, Orientation, Tree, exact},
+    tree::{Chart, Coordinate, Joint, Orientation, Tree, snapped_sin_cos},
 };
 
 /// Sine and cosine of a joint's three angles.
@@ -18,18 +18,17 @@ pub struct Trigonometry {
 
 /// Sines and cosines of three angles: numbers where they are locked, made exact as entries of rotations are.
 pub fn trigonometry(graph: &mut ExprGraph, tree: &Tree, angles: [Coordinate; 3]) -> Trigonometry {
-    let exact = |entry| exact(entry, tree.snap).unwrap_or(entry);
     let values = angles.map(|angle| match angle {
         Coordinate::Locked(angle) => Err(angle),
         _ => Ok(given::coordinate(graph, angle)),
     });
     let sines = values.map(|angle| match angle {
         Ok(angle) => graph.sin(angle),
-        Err(locked) => graph.number(exact(libm::sin(locked))),
+        Err(locked) => graph.number(snapped_sin_cos(locked, tree.snap).0),
     });
     let cosines = values.map(|angle| match angle {
         Ok(angle) => graph.cos(angle),
-        Err(locked) => graph.number(exact(libm::cos(locked))),
+        Err(locked) => graph.number(snapped_sin_cos(locked, tree.snap).1),
     });
     for i in 0..3 {
         graph.name(sines[i], format!("sin{}", i + 1));

@@ -14,7 +14,7 @@ mod verify;
 pub use cost::Operations;
 pub use flatten::flatten;
 pub use group::Groups;
-pub use name::{Place, names, prepared_fields};
+pub use name::{Place, RESERVED, names, prepared_fields};
 pub use verify::{VerifyError, verify};
 
 use crate::{expr::Input, id::BodyId};

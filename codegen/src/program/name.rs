@@ -12,18 +12,37 @@ use crate::{
     tree::Tree,
 };
 
-/// Names that generated functions use for other things.
-const RESERVED: [&str; 10] = [
+/// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
+pub const RESERVED: [&str; 29] = [
+    "accelerations",
+    "alpha",
+    "bias",
+    "columns",
+    "cosines",
+    "distances",
+    "energy",
+    "f",
+    "loads",
+    "m",
+    "momentum",
+    "normalized",
     "p",
+    "parameters",
+    "pivots",
+    "positions",
     "q",
+    "q_dot",
+    "rates",
+    "rotations",
+    "sines",
+    "tau",
     "u",
     "u_dot",
-    "tau",
-    "loads",
+    "velocities",
+    "w",
     "w_rel",
-    "parameters",
-    "sines",
-    "cosines",
+    "kane",
+    "core",
 ];
 
 /// Where a program's values stand.

@@ -42,7 +42,7 @@ pub(crate) fn resolve(
             }
             continue;
         }
-        let Some(leading) = leading(&joints[leader]) else {
+        let Some(leading) = joints[leader].leading else {
             continue;
         };
         let span = match joints[body].motions[link.motion] {
@@ -89,7 +89,7 @@ fn link(
         return None;
     }
     let name = shown(description, body);
-    let Some(motion) = joints[body].only() else {
+    let Some(motion) = joints[body].leading else {
         let fault =
             format!("the joint of {name} mimics another, but has more than one free coordinate");
         findings
@@ -121,7 +121,7 @@ fn link(
         },
         None => false,
     };
-    if is_fixed || leading(&joints[leader]).is_none() {
+    if joints[leader].leading.is_none() {
         let has = if is_fixed {
             "no coordinate"
         } else {
@@ -142,18 +142,6 @@ fn link(
         multiplier: *multiplier,
         offset: *offset,
     })
-}
-
-/// The motion of a joint that others can follow: its only free one, or in a joint that is held altogether, the one that
-/// is held off zero, or any.
-fn leading(joint: &Resolved) -> Option<usize> {
-    if joint.is_fixed() {
-        let held = |motion: &Freedom| *motion != Freedom::Locked(0.0);
-        return Some(joint.motions.iter().position(held).unwrap_or(0));
-    }
-    let moving = |motion: &Freedom| !matches!(motion, Freedom::Locked(_));
-    let mut moving = (0..6).filter(|place| moving(&joint.motions[*place]));
-    moving.next().filter(|_| moving.next().is_none())
 }
 
 fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {

@@ -30,7 +30,7 @@ pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
 pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation};
 pub use offset::{Offset, Step};
-pub use rotation::{IDENTITY, exact, then, transposed};
+pub use rotation::{IDENTITY, snapped_sin_cos, then, transposed};
 
 use crate::{
     description::Rotation,

@@ -176,16 +176,27 @@ pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
         .filter(|(body, _)| body.joint.name.is_none())
         .map(|(_, own)| own.clone())
         .collect();
-    let joints = description.bodies.iter().zip(own);
+    // As of bodies: a name that is an identifier keeps it.
+    let plain = |name: &Spanned<String>| {
+        let plain = identifier(&name.value);
+        (plain == name.value, plain)
+    };
+    let mut kept = vec![false; own.len()];
+    for (body, kept) in description.bodies.iter().zip(&mut kept) {
+        if let Some((true, plain)) = body.joint.name.as_ref().map(plain) {
+            *kept = taken.insert(plain);
+        }
+    }
+    let joints = description.bodies.iter().zip(own).zip(kept);
     joints
-        .map(|(body, own)| {
+        .map(|((body, own), kept)| {
             let Some(name) = &body.joint.name else {
                 return own;
             };
-            let plain = identifier(&name.value);
+            let (_, plain) = plain(name);
             let mut unique = plain.clone();
             let mut suffix = 2;
-            while !taken.insert(unique.clone()) {
+            while !kept && !taken.insert(unique.clone()) {
                 unique = format!("{plain}_{suffix}");
                 suffix += 1;
             }

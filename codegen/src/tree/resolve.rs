@@ -22,6 +22,8 @@ pub(crate) struct Resolved {
     pub(crate) speeds: Speeds,
     /// What stands before the names of its coordinates.
     pub(crate) identifier: String,
+    /// The place of its only free motion, as it is written: what others can follow, also where it is then held.
+    pub(crate) leading: Option<usize>,
 }
 
 /// Whether a motion is free.
@@ -95,11 +97,12 @@ pub(crate) fn change(
     changes: &Changes,
     findings: &mut Vec<Diagnostic>,
 ) {
+    let mut locked = Vec::new();
     for (name, value) in &changes.lock {
-        lock(description, joints, name, *value, findings);
+        locked.extend(lock(description, joints, name, *value, findings));
     }
     for name in &changes.remove {
-        remove(description, joints, name, findings);
+        remove(description, joints, name, &locked, findings);
     }
 }
 
@@ -122,13 +125,16 @@ fn resolved(joint: &Joint, identifier: String, snap: f64) -> Option<Resolved> {
         Chart::Angles => Speeds::Rates,
         Chart::Quaternion => Speeds::AngularVelocity,
     };
-    Some(Resolved {
+    let mut resolved = Resolved {
         align,
         motions,
         chart,
         speeds: joint.speeds.map_or(natural, |speeds| speeds.value),
         identifier,
-    })
+        leading: None,
+    };
+    resolved.leading = resolved.only();
+    Some(resolved)
 }
 
 /// The free motions of a kind of joint, given the place of its axis, and where they are written.
@@ -158,43 +164,73 @@ pub(crate) fn joint_name(description: &Description, body: usize) -> Option<&str>
     Some(&name.value)
 }
 
-/// Holds a coordinate at a value.
+/// A name under which a motion can be locked.
+struct Lockable {
+    name: String,
+    body: usize,
+    motion: usize,
+}
+
+/// Everything that can be locked: by the names of coordinates, and those of joints that have only one.
+fn lockable(description: &Description, joints: &[Resolved]) -> Vec<Lockable> {
+    let mut known = Vec::new();
+    for (body, joint) in joints.iter().enumerate() {
+        let is_named = description.bodies[body].joint.name.is_some();
+        let are_coordinates = |motion: &usize| *motion > 2 || !joint.has_angular_velocity();
+        for motion in joint.free().filter(are_coordinates) {
+            let is_only = joint.leading == Some(motion);
+            let kind = Axis::NAMES[motion];
+            let of_coordinate = if is_named && is_only {
+                joint.identifier.clone()
+            } else {
+                format!("{}_{kind}", joint.identifier)
+            };
+            let of_joint = joint_name(description, body).filter(|_| is_only);
+            let names = [Some(of_coordinate), of_joint.map(str::to_owned)];
+            known.extend(
+                names
+                    .into_iter()
+                    .flatten()
+                    .map(|name| Lockable { name, body, motion }),
+            );
+        }
+    }
+    known
+}
+
+/// Holds a coordinate at a value; the result is its body.
 fn lock(
     description: &Description,
     joints: &mut [Resolved],
     name: &str,
     value: f64,
     findings: &mut Vec<Diagnostic>,
-) {
-    let mut known = Vec::new();
-    for (body, joint) in joints.iter().enumerate() {
-        for motion in joint
-            .free()
-            .filter(|motion| *motion > 2 || !joint.has_angular_velocity())
-        {
-            let kind = Axis::NAMES[motion];
-            known.push((format!("{}_{kind}", joint.identifier), body, motion));
-            let own = joint_name(description, body).filter(|_| joint.only() == Some(motion));
-            known.extend(own.map(|own| (own.to_owned(), body, motion)));
-        }
+) -> Option<usize> {
+    let known = lockable(description, joints);
+    let mut meant = known.iter().filter(|known| known.name == name);
+    let Some(&Lockable { body, motion, .. }) = meant.next() else {
+        let known: Vec<&str> = known.iter().map(|known| known.name.as_str()).collect();
+        let fault = format!("nothing free to lock is called `{}`", name.escape_debug());
+        let fault = Diagnostic::error(fault);
+        findings.push(with_known(fault, name, &known, "the free coordinates"));
+        return None;
+    };
+    let first = shown(description, body);
+    if let Some(other) = meant.find(|other| (other.body, other.motion) != (body, motion)) {
+        let fault = format!(
+            "what `{}` locks is not clear: a coordinate of {first}, or one of {}",
+            name.escape_debug(),
+            shown(description, other.body)
+        );
+        findings.push(Diagnostic::error(fault));
+        return None;
     }
-    if let Some(&(_, body, motion)) = known.iter().find(|(known, _, _)| known == name) {
-        joints[body].motions[motion] = Freedom::Locked(value + 0.0);
-        let kind = Axis::NAMES[motion];
-        let shown = shown(description, body);
-        findings.push(Diagnostic::note(format!(
-            "`{kind}` of {shown} is locked at {value:?}"
-        )));
-        return;
-    }
-    let known: Vec<&str> = known.iter().map(|(known, _, _)| known.as_str()).collect();
-    let fault = format!("nothing free to lock is called `{}`", name.escape_debug());
-    findings.push(with_known(
-        Diagnostic::error(fault),
-        name,
-        &known,
-        "the free coordinates",
-    ));
+    joints[body].motions[motion] = Freedom::Locked(value + 0.0);
+    let kind = Axis::NAMES[motion];
+    findings.push(Diagnostic::note(format!(
+        "`{kind}` of {first} is locked at {value:?}"
+    )));
+    Some(body)
 }
 
 /// Fixes a joint where its coordinates are zero.
@@ -202,6 +238,7 @@ fn remove(
     description: &Description,
     joints: &mut [Resolved],
     name: &str,
+    locked: &[usize],
     findings: &mut Vec<Diagnostic>,
 ) {
     let known: Vec<&str> = (0..joints.len())
@@ -223,6 +260,12 @@ fn remove(
         ));
         return;
     };
+    if locked.contains(&body) {
+        let shown = shown(description, body);
+        findings.push(Diagnostic::error(format!(
+            "the joint of {shown} is both locked and removed"
+        )));
+    }
     for motion in &mut joints[body].motions {
         if let Freedom::Free(_) = motion {
             *motion = Freedom::Locked(0.0);

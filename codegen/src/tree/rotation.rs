@@ -51,7 +51,7 @@ pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize) {
     // Scaled first, so that no square overflows or vanishes.
     let scaled = axis.map(|part| part / largest);
     let length = libm::sqrt(dot(scaled, scaled));
-    let unit = snapped_row(scaled.map(|part| part / length), tolerance);
+    let unit = snapped_unit(scaled.map(|part| part / length), tolerance);
     if let Some(place) = unit.iter().position(|part| part.abs() == 1.0) {
         let mut turned = IDENTITY;
         if unit[place] < 0.0 {
@@ -85,16 +85,24 @@ fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
 ///
 /// The others are then moved, by no more, until the rows are orthonormal again.
 pub(super) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
-    let exact = rotation.map(|row| row.map(|entry| exact(entry, tolerance)));
-    let changes = |i: usize, j: usize| exact[i][j].is_some_and(|entry| entry != rotation[i][j]);
-    if !(0..9).any(|k| changes(k / 3, k % 3)) {
-        return (*rotation, 0.0);
-    }
+    let zero = rotation.map(|row| row.map(|entry| entry.abs() < tolerance || entry == 0.0));
+    // An entry is one where the others of its row or column are zero: near one alone, the angle may be far from zero.
+    let is_alone = |i: usize, j: usize| {
+        let others = |line: [bool; 3], own: usize| (0..3).all(|k| k == own || line[k]);
+        others(zero[i], j) || others([zero[0][j], zero[1][j], zero[2][j]], i)
+    };
     let pin = |matrix: Rotation| -> Rotation {
         std::array::from_fn(|i| {
-            std::array::from_fn(|j| exact[i][j].map_or(matrix[i][j], |entry| entry + 0.0))
+            std::array::from_fn(|j| match (zero[i][j], is_alone(i, j)) {
+                (true, _) => 0.0,
+                (false, true) => 1.0_f64.copysign(matrix[i][j]),
+                (false, false) => matrix[i][j],
+            })
         })
     };
+    if tolerance == 0.0 || pin(*rotation) == *rotation {
+        return (*rotation, 0.0);
+    }
     let mut snapped = pin(*rotation);
     // In turn the nearest orthonormal matrix and the exact entries: where these leave no rotation, it ends near one.
     for _ in 0..ORTHONORMAL_STEPS {
@@ -125,15 +133,27 @@ fn nearer_to_orthonormal(rotation: &Rotation) -> Rotation {
     })
 }
 
-fn snapped_row(row: [f64; 3], tolerance: f64) -> [f64; 3] {
-    row.map(|entry| exact(entry, tolerance).unwrap_or(entry))
+/// A unit vector with its entries near zero made exact.
+fn snapped_unit(unit: [f64; 3], tolerance: f64) -> [f64; 3] {
+    let pinned = unit.map(|part| if part.abs() < tolerance { 0.0 } else { part });
+    let length = libm::sqrt(dot(pinned, pinned));
+    if pinned == unit {
+        unit
+    } else {
+        pinned.map(|part| part / length)
+    }
 }
 
-/// The exact number that an entry of a rotation is as near to as this.
-pub fn exact(entry: f64, tolerance: f64) -> Option<f64> {
-    [0.0, 1.0, -1.0]
-        .into_iter()
-        .find(|exact| entry == *exact || (entry - exact).abs() < tolerance)
+/// Sine and cosine of an angle, exact where one of them is as near to zero as this.
+pub fn snapped_sin_cos(angle: f64, tolerance: f64) -> (f64, f64) {
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    if sine.abs() < tolerance {
+        (0.0, 1.0_f64.copysign(cosine))
+    } else if cosine.abs() < tolerance {
+        (1.0_f64.copysign(sine), 0.0)
+    } else {
+        (sine, cosine)
+    }
 }
 
 #[cfg(test)]
@@ -163,6 +183,17 @@ mod tests {
                 assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
             }
         }
+    }
+
+    #[test]
+    fn a_coarse_tolerance_snaps_no_angle_that_is_farther() {
+        // Its cosine is within the tolerance of one, its sine is not of zero.
+        let rotation = body_fixed_123([0.0141, 0.0, 0.0]);
+        assert_eq!(snapped(&rotation, 1e-4), (rotation, 0.0));
+        assert_eq!(
+            snapped_sin_cos(0.0141, 1e-4),
+            (libm::sin(0.0141), libm::cos(0.0141))
+        );
     }
 
     #[test]

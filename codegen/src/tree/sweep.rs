@@ -238,22 +238,28 @@ fn rotor(tree: &Tree, units: &Units, joint: &super::Joint, motion: usize) -> f64
     }
 }
 
-/// For every speed, what the coordinates that follow it move at least: what of their own bodies and rotors does. They are
-/// held otherwise.
+/// For every speed, what the coordinates that follow it could move: all beyond them, and their rotors. They are held
+/// otherwise, so that a motion of several that cancel one another is not found.
 fn followers(tree: &Tree, units: &Units) -> Vec<f64> {
     let mut moved = vec![0.0; tree.n_speeds];
-    for body in tree.body_ids() {
+    let is_mimic = |joint: &super::Joint, motion| {
+        matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }))
+    };
+    let mut joints = tree.bodies.iter().map(|body| &body.joint);
+    if !joints.any(|joint| (0..6).any(|motion| is_mimic(joint, motion))) {
+        return moved;
+    }
+    let beyond = bounds(tree, units);
+    for (body, beyond) in tree.body_ids().zip(beyond) {
         let joint = &tree.body(body).joint;
         for (motion, follower) in joint.motions().into_iter().enumerate() {
-            let is_mimic = matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }));
-            let Some(follower) = follower.filter(|_| is_mimic) else {
+            let Some(follower) = follower.filter(|_| is_mimic(joint, motion)) else {
                 continue;
             };
-            let own = own(tree, units, body);
             let (bound, length) = if motion < 3 {
-                (own.turning, 1.0)
+                (beyond.turning, 1.0)
             } else {
-                (own.mass.sqrt(), units.length)
+                (beyond.mass.sqrt(), units.length)
             };
             let rotor = rotor(tree, units, joint, motion);
             let factor = follower.factor / length;
@@ -261,6 +267,24 @@ fn followers(tree: &Tree, units: &Units) -> Vec<f64> {
         }
     }
     moved
+}
+
+/// For every body the mass of all beyond its joint, and the most that turning it could move, translations at zero.
+fn bounds(tree: &Tree, units: &Units) -> Vec<Beyond> {
+    let mut beyond: Vec<Beyond> = tree.body_ids().map(|body| own(tree, units, body)).collect();
+    for body in tree.body_ids().rev() {
+        let Some(lower) = tree.lower(body) else {
+            continue;
+        };
+        let lever = tree.body(body).joint.attachment.nominal(tree);
+        let lever = lever.map(|part| part / units.length);
+        let Beyond { mass, turning, .. } = beyond[body.index()];
+        let turning = turning + mass.sqrt() * dot(&lever, &lever).sqrt();
+        let lower = &mut beyond[lower.index()];
+        lower.mass += mass;
+        lower.turning = (lower.turning * lower.turning + turning * turning).sqrt();
+    }
+    beyond
 }
 
 /// Finds the joint's pivots, and what of the rows is left for the lower body's twist.

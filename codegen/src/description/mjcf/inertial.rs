@@ -65,6 +65,14 @@ impl MassProperties {
 
     /// Raises the mass and the moments, and evens out the moments, where the settings ask for it.
     pub(super) fn adjust(&mut self, reader: &mut Reader, settings: &Settings, owner: &str) {
+        if self.mass.value == 0.0 && settings.least_mass > 0.0 {
+            let message = format!(
+                "`boundmass` of `compiler` gives a mass to {owner}, which has no mass centre"
+            );
+            let fault =
+                Diagnostic::error(message).at(self.mass.span, "expected an `inertial`, or geoms");
+            reader.faults.push(fault);
+        }
         self.mass.value = self.mass.value.max(settings.least_mass);
         if let Some(least) = settings.least_inertia {
             self.raise(reader, least, owner);
