@@ -88,6 +88,13 @@ impl Options {
 /// Options that cannot be; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
 pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     options.check()?;
+    let numbers = tree.frames.iter();
+    let mut numbers = numbers.flat_map(|frame| frame.rotation.iter().chain([&frame.position]));
+    if !numbers.all(|vector| vector.iter().all(|entry| entry.is_finite())) {
+        return Err(Error::Unrepresentable {
+            function: "FRAMES".to_owned(),
+        });
+    }
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
     for function in CATALOGUE

@@ -53,7 +53,7 @@ pub enum Error {
         "the numbers of the description are too large or too small: `{function}` needs one that f64 does not hold"
     )]
     Unrepresentable {
-        /// The function in which it appeared.
+        /// The function, or the table, in which it appeared.
         function: String,
     },
     /// A file could not be read or written.
