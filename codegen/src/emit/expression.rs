@@ -130,10 +130,15 @@ impl Writer<'_> {
     }
 }
 
-/// A number as a value of R: the shortest text that reads back bit for bit.
-pub(super) fn number(value: f64) -> Expr {
+/// The magnitude of a number: the shortest text that reads back bit for bit.
+pub(super) fn digits(value: f64) -> LitFloat {
     let digits = syn::parse_str::<LitFloat>(&format!("{:?}", value.abs()));
-    let digits = digits.expect("emit: Debug of a finite f64 is a literal");
+    digits.expect("emit: Debug of a finite f64 is a literal")
+}
+
+/// A number as a value of R.
+pub(super) fn number(value: f64) -> Expr {
+    let digits = digits(value);
     if value < 0.0 {
         parse_quote!(R::from_f64(-#digits))
     } else {

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{allow_generated, doc};
+use super::{allow_generated, doc, expression};
 use crate::tree::{Chart, Coordinate, Frame, Joint, Mechanics, Orientation, Tree};
 
 /// `JOINTS`, `FRAMES`, and the limits.
@@ -170,7 +170,7 @@ fn number(value: f64) -> TokenStream {
     } else if value == f64::NEG_INFINITY {
         quote!(f64::NEG_INFINITY)
     } else {
-        let magnitude = Literal::f64_unsuffixed(value.abs());
+        let magnitude = expression::digits(value);
         if value < 0.0 {
             quote!(-#magnitude)
         } else {
