@@ -1,29 +1,24 @@
 //! How many terms the notes' sums over bodies have.
 
-use crate::{id::BodyId, tree::Tree};
+use crate::tree::Tree;
 
-/// Eq. (42): for every body, one term for each pair of speeds that move it.
+/// Eq. (42): for every body, one term for each pair of motions that move it.
 pub(super) fn of_matrix(tree: &Tree) -> usize {
-    tree.body_ids()
-        .map(|body| moving(tree, body))
-        .map(|speeds| speeds * (speeds + 1) / 2)
-        .sum()
+    let pairs = |motions: usize| motions * (motions + 1) / 2;
+    moving(tree).into_iter().map(pairs).sum()
 }
 
-/// Eqs. (36), (43): for every body, one term for each speed that moves it.
+/// Eqs. (36), (43): for every body, one term for each motion that moves it.
 pub(super) fn of_vector(tree: &Tree) -> usize {
-    tree.body_ids().map(|body| moving(tree, body)).sum()
+    moving(tree).into_iter().sum()
 }
 
-/// The number of speeds on a body's path.
-fn moving(tree: &Tree, body: BodyId) -> usize {
-    let free = |body| {
-        tree.body(body)
-            .joint
-            .motions()
-            .into_iter()
-            .flatten()
-            .count()
-    };
-    tree.path(body).map(free).sum()
+/// For every body the number of motions on its path.
+fn moving(tree: &Tree) -> Vec<usize> {
+    let mut moving: Vec<usize> = Vec::with_capacity(tree.bodies.len());
+    for body in &tree.bodies {
+        let below = body.lower.map_or(0, |lower| moving[lower.index()]);
+        moving.push(below + body.joint.motions().into_iter().flatten().count());
+    }
+    moving
 }
