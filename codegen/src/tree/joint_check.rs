@@ -116,7 +116,7 @@ fn orientation(body: &Body, joint: &Resolved, name: &str, findings: &mut Vec<Dia
             }
             _ => None,
         };
-        if let Some((what, span)) = found.filter(|_| joint.has_angular_velocity()) {
+        if let Some((what, span)) = found {
             let fault = format!("{what} of {name} needs a joint whose three angles are free");
             findings.push(Diagnostic::error(fault).at(span, format!("{turns} of them are free")));
         }
