@@ -37,12 +37,6 @@ pub(crate) fn check_motions(
     let bodies = &description.bodies;
     for (index, (body, joint)) in bodies.iter().zip(joints).enumerate() {
         let name = shown(description, index);
-        let turns = joint.free().filter(|motion| *motion < 3).count();
-        if joint.has_angular_velocity() && turns < 3 {
-            findings.push(Diagnostic::error(format!(
-                "an angle of {name} is locked, but its speeds are components of an angular velocity"
-            )));
-        }
         findings.extend(singular(body, joint, &name));
     }
     if !bodies.is_empty() && joints.iter().all(Resolved::is_fixed) {
