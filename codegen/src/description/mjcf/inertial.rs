@@ -1,6 +1,6 @@
 //! Mass properties of a body: from `inertial`, or from its geoms, as the settings change them.
 
-use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::attributes::{Attributes, ORIENTATION};
 use crate::description::mjcf::orientation::rotation;
 use crate::description::mjcf::placement::{Placement, SAME_AXES, Vector, product};
 use crate::description::mjcf::settings::{Settings, Switch};
@@ -142,8 +142,7 @@ pub(super) fn read(
     let inertia = moments(reader, inertial)?;
     let center: [Spanned<f64>; 3] = center?;
     let moved: Vector = around.point(center.map(|entry| entry.value));
-    let span = ["quat", "axisangle", "xyaxes", "zaxis", "euler"];
-    let span = span.into_iter().find(|name| inertial.has(name));
+    let span = ORIENTATION.into_iter().find(|name| inertial.has(name));
     let span = span.map_or(inertial.span, |name| inertial.place(name));
     Some(MassProperties {
         mass: mass?,
@@ -156,15 +155,8 @@ pub(super) fn read(
 fn moments(reader: &mut Reader, inertial: &Attributes<'_>) -> Option<[Spanned<f64>; 6]> {
     let owner = &inertial.owner;
     if inertial.has("fullinertia") {
-        let beside = [
-            "diaginertia",
-            "quat",
-            "axisangle",
-            "xyaxes",
-            "zaxis",
-            "euler",
-        ];
-        if let Some(name) = beside.into_iter().find(|name| inertial.has(name)) {
+        let mut beside = std::iter::once("diaginertia").chain(ORIENTATION);
+        if let Some(name) = beside.find(|name| inertial.has(name)) {
             let message = format!("{owner} has `{name}` beside `fullinertia`");
             let fault = Diagnostic::error(message)
                 .at(inertial.place(name), "expected one of the two")
