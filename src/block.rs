@@ -17,7 +17,7 @@ pub struct Block {
     pub partition: usize,
     /// Index from 0 in `u` of the block's first speed.
     pub speed: usize,
-    /// 1 to 3: how many coordinates of the partition are free. Their speeds are consecutive.
+    /// 1 to 3: how many coordinates of the partition are free or follow others. Their speeds are consecutive.
     pub columns: usize,
     /// Index of the block's first column in the compact array.
     pub first: usize,

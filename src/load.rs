@@ -7,7 +7,7 @@ use crate::Real;
 /// Weight does not belong here: where the description gives gravity, the generated functions hold it already.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<R> {
-    /// Resultant force, acting at the mass centre, body components, N.
+    /// Resultant force, acting at the mass centre of the body with all that is fixed to it, body components, N.
     pub force: [R; 3],
     /// Resultant moment (about the mass centre), body components, N m.
     pub moment: [R; 3],

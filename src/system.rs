@@ -1,4 +1,4 @@
-//! [`System`]: sizes, names and tree of a multibody system, and the one function that every system has.
+//! [`System`]: sizes, names and tree of a multibody system, and the two functions that every system has.
 //!
 //! A generated module implements it for its `Prepared<R>`, which holds whatever depends on the parameters
 //! alone. Every other function has a trait of its own in [`functions`](crate::functions), implemented for

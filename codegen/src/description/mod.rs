@@ -240,7 +240,7 @@ pub struct Limits {
 /// A coordinate that is `multiplier` times another plus `offset`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mimic {
-    /// The joint that it follows, by its name, or by its body's.
+    /// The joint that it follows, by its name; that of its body where it has none.
     pub joint: Spanned<String>,
     /// Times the other coordinate.
     pub multiplier: f64,
@@ -269,11 +269,11 @@ pub enum Axis {
     Theta2,
     /// The third angle, about z.
     Theta3,
-    /// Translation along the lower body's x.
+    /// Translation along the x of the joint's axes in the lower body.
     S1,
-    /// Translation along the lower body's y.
+    /// Translation along the y of the joint's axes in the lower body.
     S2,
-    /// Translation along the lower body's z.
+    /// Translation along the z of the joint's axes in the lower body.
     S3,
 }
 

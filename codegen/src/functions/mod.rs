@@ -25,7 +25,7 @@ use crate::{
 pub struct Function {
     /// The name, of the free function and of the trait's method.
     pub name: &'static str,
-    /// The runtime crate's trait; `None` for `q_dot`, which is part of `System`.
+    /// The runtime crate's trait; `None` for `q_dot` and `normalize`, which are part of `System`.
     pub trait_name: Option<&'static str>,
     /// What it is given besides the parameters, in order.
     pub arguments: &'static [Argument],

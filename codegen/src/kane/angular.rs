@@ -106,7 +106,7 @@ pub fn parameter_rates(graph: &mut ExprGraph, e: [CoordinateId; 4], w: Vector) -
     [-scalar, x, y, z]
 }
 
-/// The rates of all coordinates, Eqs. (44), (9): zero for none.
+/// The rates of all coordinates, Eqs. (44), (9), or those of Euler parameters.
 pub fn coordinate_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let mut rates = vec![graph.zero(); tree.n_coordinates];
     let mut set = |coordinate: CoordinateId, rate| rates[coordinate.index()] = rate;

@@ -168,11 +168,11 @@ pub enum Value {
 pub struct Parameter {
     /// The field's name in `Parameters`: body identifier and quantity, such as `hub_mass` or `hub_inertia_xy`; `gravity_z`.
     pub name: String,
-    /// The body that it belongs to; `None` for gravity.
+    /// The body that it belongs to; `None` for gravity, and for what is fixed to the inertial frame.
     pub body: Option<BodyId>,
     /// The value in the description.
     pub nominal: f64,
-    /// The unit, for doc comments: "kg", "m", "kg m^2", "m/s^2".
+    /// The unit, for doc comments: "kg", "m", "kg m^2", "m/s^2", "N m s/rad".
     pub unit: &'static str,
 }
 
