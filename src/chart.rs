@@ -122,23 +122,24 @@ pub fn convert<From: System<f64>, To: System<f64>>(
         let (Some(from), Some(to)) = (From::JOINTS.get(index), To::JOINTS.get(index)) else {
             return Err(other);
         };
-        let n_speeds = |joint: &Joint| joint.u.map(|place| place.is_some());
-        if from.name != to.name || n_speeds(from) != n_speeds(to) {
+        let moving = |joint: &Joint| joint.u.map(|place| place.is_some());
+        if from.name != to.name || moving(from) != moving(to) {
             return Err(other);
         }
-        let copied = if from.chart == to.chart {
-            0
+        // What stands at other places than the orientation is copied, and that too in the same chart.
+        let (q_places, u_places) = if from.chart == to.chart {
+            (0..7, 0..6)
         } else {
             let turning = read::<From>(from, q, u).ok_or(other)?;
             write::<To>(to, turning, &mut to_q, &mut to_u).ok_or(other)?;
-            3
+            (4..7, 3..6)
         };
-        for place in copied..6 {
+        for place in u_places {
             if let (Some(from), Some(to)) = (from.u[place], to.u[place]) {
                 to_u[to] = u[from];
             }
         }
-        for place in if copied == 0 { 0 } else { 4 }..7 {
+        for place in q_places {
             if let (Some(from), Some(to)) = (from.q[place], to.q[place]) {
                 to_q[to] = q[from];
             }
