@@ -27,9 +27,13 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json};
     name            the system's name\n  \
     gravity         inertial components, m/s^2 (nominal)\n  \
     order           \"body\" or \"notes\"\n  \
-    bodies          number, user_number (in the model), name, identifier (in code), lower_body (0: inertial frame),\n                  \
-    free (list of coordinates), locked (object of coordinates and values, rad or m)\n  \
-    coordinates     place (in q; its rate has the same place in u), name, body, kind (theta1 .. s3), unit\n  \
+    bodies          number, user_number (in the model), name, identifier (in code), joint, lower_body (0: inertial\n                  \
+    frame), free (list of motions, theta1 or w1 .. s3), locked (object of coordinates and values, rad or m),\n                  \
+    mimics (object of coordinates: coordinate, the place in q of the one that is followed, multiplier, offset)\n  \
+    coordinates     place (in q), name, body, kind (theta1 .. theta3, e0 .. e3, s1 .. s3), unit\n  \
+    speeds          names, in the order of u\n  \
+    frames          what is fixed to bodies and part of them: name, body (0: inertial frame), rotation (by rows, from the\n                  \
+    body's axes), position (m, nominal)\n  \
     partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \

@@ -42,7 +42,8 @@ pub(crate) struct Selection {
 
     /// The functions, with commas between them; `all` for every one
     ///
-    /// `kane info MODEL` lists them. `q_dot` is always among them: the trait `kane::System` needs it.
+    /// `kane info MODEL` lists them. `q_dot` is always among them, and with quaternions `normalize`: the trait
+    /// `kane::System` needs them.
     #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
     functions: Option<Vec<String>>,
 
