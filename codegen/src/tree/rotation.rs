@@ -84,7 +84,7 @@ fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
 /// The rotation with its entries near 0, 1 and -1 made exact, and the largest change of any entry.
 ///
 /// The others are then moved, by no more, until the rows are orthonormal again, or as nearly so as the exact entries
-/// permit: an entry 1 beside one that the tolerance does not reach leaves rows that are longer than 1 by its square.
+/// permit: an entry 1 beside one that the tolerance does not reach leaves rows that are longer than 1 by half its square.
 pub(super) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
     let zero = rotation.map(|row| row.map(|entry| entry.abs() < tolerance || entry == 0.0));
     // An entry is one where the others of its row or column are zero: near one alone, the angle may be far from zero.
