@@ -67,7 +67,7 @@ fn ten_digits_of_a_right_angle_are_exact_by_default() {
     let exact = cost("1.5707963267948966", 1e-9).0;
     let (rounded, said) = cost("1.57079632679", 1e-9);
     assert_eq!(rounded, exact);
-    insta::assert_snapshot!(said, @"entries of constant rotations nearer than 1e-9 to 0, 1 or -1 were made exact, which changed none by more than 4.9e-12: `inertia_rotation` of `a`, `inertia_rotation` of `b`, `attachment_rotation` of `b`, `inertia_rotation` of `c`, `attachment_rotation` of `c`");
+    insta::assert_snapshot!(said, @"entries of constant rotations and axes nearer than 1e-9 to 0, 1 or -1 were made exact, which changed none by more than 4.9e-12: `inertia_rotation` of `a`, `inertia_rotation` of `b`, `attachment_rotation` of `b`, `inertia_rotation` of `c`, `attachment_rotation` of `c`");
 }
 
 #[test]

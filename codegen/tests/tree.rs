@@ -365,6 +365,8 @@ fn canonical_text_holds_every_value() {
     insta::assert_snapshot!(canonical(&build(&text).unwrap().tree), @r#"
     system "system" order body
     gravity 0.0 0.0 0.0
+    parameter base_mass 2.5
+    parameter tip_mass 2.5
     body 1 on 0 "base" as base
     mass runtime 2.5
     mass_center 0.01 0.02 -0.5

@@ -131,8 +131,13 @@ fn frame(frame: &Frame) -> TokenStream {
 fn along_coordinates(tree: &Tree, of: impl Fn(&Mechanics) -> f64, none: f64) -> Vec<f64> {
     let mut values = vec![none; tree.n_coordinates];
     for body in &tree.bodies {
-        for (motion, mechanics) in body.joint.mechanics.iter().enumerate() {
-            if let Some(Coordinate::Free { coordinate, .. }) = body.joint.coordinate_of(motion) {
+        let joint = &body.joint;
+        let angles = joint.angles().into_iter().flatten();
+        let angles = angles.zip(&joint.mechanics);
+        let translations = joint.translations.iter().copied();
+        let translations = translations.zip(&joint.mechanics[3..]);
+        for (coordinate, mechanics) in angles.chain(translations) {
+            if let Coordinate::Free { coordinate, .. } = coordinate {
                 values[coordinate.index()] = of(mechanics);
             }
         }

@@ -2,23 +2,24 @@
 
 use crate::tree::Tree;
 
-/// Eq. (42): for every body, one term for each pair of motions that move it.
+/// Eq. (42): for every body, one term for each pair of speeds that move it; those that others follow
+/// count once.
 pub(super) fn of_matrix(tree: &Tree) -> usize {
     let pairs = |motions: usize| motions * (motions + 1) / 2;
     moving(tree).into_iter().map(pairs).sum()
 }
 
-/// Eqs. (36), (43): for every body, one term for each motion that moves it.
+/// Eqs. (36), (43): for every body, one term for each speed that moves it.
 pub(super) fn of_vector(tree: &Tree) -> usize {
     moving(tree).into_iter().sum()
 }
 
-/// For every body the number of motions on its path.
+/// For every body the number of joints' own speeds on its path.
 fn moving(tree: &Tree) -> Vec<usize> {
     let mut moving: Vec<usize> = Vec::with_capacity(tree.bodies.len());
     for body in &tree.bodies {
         let below = body.lower.map_or(0, |lower| moving[lower.index()]);
-        moving.push(below + body.joint.motions().into_iter().flatten().count());
+        moving.push(below + body.joint.speeds().len());
     }
     moving
 }

@@ -115,6 +115,8 @@ impl Builder {
         let host = if moving { Some(id) } else { below.host };
         let part = self.part(written, &new.identifier, host)?;
         let (attachment, body_attachment) = self.attachments(written, &new.identifier, host)?;
+        let axis = format!("`axis` of `{}`", shown(written));
+        self.snapping.axis(joint.axis_change, axis);
         let to_joint = self.rotation_to_joint(&new, below);
         let to_body = self.rotation_to_body(&new);
         let point = below

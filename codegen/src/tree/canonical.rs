@@ -26,6 +26,10 @@ pub fn canonical(tree: &Tree) -> String {
         &mut text,
         format_args!("gravity{}", values(tree, &tree.gravity)),
     );
+    for parameter in &tree.parameters {
+        let (name, nominal) = (&parameter.name, parameter.nominal);
+        line(&mut text, format_args!("parameter {name} {nominal:?}"));
+    }
     for (index, body) in tree.bodies.iter().enumerate() {
         let lower = body.lower.map_or(0, |lower| lower.index() + 1);
         let number = index + 1;

@@ -1,5 +1,7 @@
 //! What a joint's parts have to do with one another: free and locked coordinates, charts, springs and limits.
 
+use std::collections::BTreeMap;
+
 use crate::description::{
     Axis, Body, Chart, Description, JointKind, Limits, PerCoordinate, Scalar, Speeds,
 };
@@ -51,22 +53,27 @@ pub(crate) fn check_motions(
     }
 }
 
-/// Two joints with one name: which of them is meant elsewhere could not be told.
+/// Two joints with one name, their own or their bodies': which of them is meant elsewhere could not be told.
 fn names_twice(description: &Description, findings: &mut Vec<Diagnostic>) {
-    let mut first = std::collections::BTreeMap::new();
+    let mut first: BTreeMap<&str, (bool, Span)> = BTreeMap::new();
     for body in &description.bodies {
-        let Some(name) = &body.joint.name else {
+        let own = body.joint.name.as_ref();
+        let Some(name) = own.or(body.name.as_ref()) else {
             continue;
         };
-        if let Some(first) = first.get(name.value.as_str()) {
+        let Some((is_own, span)) = first.get(name.value.as_str()) else {
+            first.insert(&name.value, (own.is_some(), name.span));
+            continue;
+        };
+        // Two bodies of one name are told elsewhere.
+        if own.is_some() || *is_own {
             let shown = name.value.escape_debug();
             findings.push(
                 Diagnostic::error(format!("two joints have the name `{shown}`"))
                     .at(name.span, "the second one")
-                    .at(*first, "the first one"),
+                    .at(*span, "the first one")
+                    .help("a joint without a name of its own has its body's"),
             );
-        } else {
-            first.insert(name.value.as_str(), name.span);
         }
     }
 }

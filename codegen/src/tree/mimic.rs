@@ -1,9 +1,14 @@
 //! Coordinates that follow others: each is traced to the free coordinate at the end of its chain.
 
+use std::collections::BTreeMap;
+
 use crate::description::{Description, JointKind, Mimic};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::tree::names::shown;
 use crate::tree::resolve::{Freedom, Resolved, joint_name};
+
+/// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
+const MOST_COMPARED: (usize, usize) = (20, 5000);
 
 /// Makes every mimicking coordinate follow a free one, or hold where that one is held.
 pub(crate) fn resolve(
@@ -12,9 +17,12 @@ pub(crate) fn resolve(
     findings: &mut Vec<Diagnostic>,
 ) {
     let mut links: Vec<Option<Link>> = Vec::with_capacity(joints.len());
+    let mut names = Names::of(description);
     for body in 0..joints.len() {
-        links.push(link(description, joints, body, findings));
+        links.push(link(description, joints, body, &mut names, findings));
     }
+    // From which body a joint was last reached, for chains that run in a circle.
+    let mut reached_from: Vec<Option<usize>> = vec![None; joints.len()];
     let mut on_cycle = vec![false; joints.len()];
     for body in 0..joints.len() {
         let Some(link) = links[body] else { continue };
@@ -23,10 +31,12 @@ pub(crate) fn resolve(
         }
         let (mut multiplier, mut offset, mut leader) = (link.multiplier, link.offset, link.leader);
         let mut chain = vec![body];
+        reached_from[body] = Some(body);
         while let Some(next) = links[leader] {
-            if chain.contains(&leader) {
+            if reached_from[leader] == Some(body) {
                 break;
             }
+            reached_from[leader] = Some(body);
             chain.push(leader);
             offset += multiplier * next.offset;
             multiplier *= next.multiplier;
@@ -63,6 +73,40 @@ pub(crate) fn resolve(
     }
 }
 
+/// The names by which joints can be followed.
+struct Names<'d> {
+    /// Of each name the first body whose joint has it.
+    places: BTreeMap<&'d str, usize>,
+    /// How many were looked up and are none.
+    n_missing: usize,
+}
+
+impl<'d> Names<'d> {
+    fn of(description: &'d Description) -> Self {
+        let mut places = BTreeMap::new();
+        for body in 0..description.bodies.len() {
+            if let Some(name) = joint_name(description, body) {
+                places.entry(name).or_insert(body);
+            }
+        }
+        Self {
+            places,
+            n_missing: 0,
+        }
+    }
+
+    /// The name that was probably meant by one that is none.
+    fn near(&mut self, name: &str) -> Option<&'d str> {
+        self.n_missing += 1;
+        let (most_missing, most_joints) = MOST_COMPARED;
+        if self.n_missing > most_missing || self.places.len() > most_joints {
+            return None;
+        }
+        let known: Vec<&str> = self.places.keys().copied().collect();
+        nearest(name, &known)
+    }
+}
+
 /// A coordinate and the joint that it names.
 #[derive(Clone, Copy)]
 struct Link {
@@ -77,6 +121,7 @@ fn link(
     description: &Description,
     joints: &[Resolved],
     body: usize,
+    names: &mut Names<'_>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Link> {
     let mimic = description.bodies[body].joint.mimic.as_ref()?;
@@ -96,18 +141,13 @@ fn link(
             .push(Diagnostic::error(fault).at(mimic.span, "one coordinate can follow one other"));
         return None;
     };
-    let leader =
-        (0..joints.len()).find(|other| joint_name(description, *other) == Some(&joint.value));
-    let Some(leader) = leader else {
+    let Some(&leader) = names.places.get(joint.value.as_str()) else {
         let fault = format!(
             "the joint of {name} mimics `{}`, which is no joint",
             joint.value.escape_debug()
         );
-        let known: Vec<&str> = (0..joints.len())
-            .filter_map(|other| joint_name(description, other))
-            .collect();
         let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
-        findings.push(match nearest(&joint.value, &known) {
+        findings.push(match names.near(&joint.value) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
             None => fault,
         });

@@ -14,6 +14,8 @@ use crate::tree::{Changes, rotation};
 pub(crate) struct Resolved {
     /// From the joint's axes, as written, to those of its coordinates.
     pub(crate) align: Rotation,
+    /// By how much snapping changed an entry of the axis.
+    pub(crate) axis_change: f64,
     /// The six motions: about, then along the three axes.
     pub(crate) motions: [Freedom; 6],
     /// How the orientation is described.
@@ -108,10 +110,10 @@ pub(crate) fn change(
 
 fn resolved(joint: &Joint, identifier: String, snap: f64) -> Option<Resolved> {
     let kind = joint.kind.as_ref()?;
-    let (align, place) = match (&joint.axis, kind.value.has_axis()) {
+    let (align, place, axis_change) = match (&joint.axis, kind.value.has_axis()) {
         (Some(axis), true) => rotation::toward(axis.value, snap),
         (None, true) => return None,
-        (_, false) => (rotation::IDENTITY, 0),
+        (_, false) => (rotation::IDENTITY, 0, 0.0),
     };
     let mut motions = [Freedom::Locked(0.0); 6];
     for (axis, value) in &joint.locked {
@@ -127,6 +129,7 @@ fn resolved(joint: &Joint, identifier: String, snap: f64) -> Option<Resolved> {
     };
     let mut resolved = Resolved {
         align,
+        axis_change,
         motions,
         chart,
         speeds: joint.speeds.map_or(natural, |speeds| speeds.value),

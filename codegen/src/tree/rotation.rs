@@ -43,15 +43,18 @@ pub(super) fn body_fixed_123(angles: [f64; 3]) -> Rotation {
 }
 
 /// A rotation to axes of which the one at the returned place is `axis` (of any length): as few of them as possible
-/// are turned. About a coordinate axis, or its opposite, that place is its own.
-pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize) {
+/// are turned. About a coordinate axis, or its opposite, that place is its own. Last comes by how much snapping changed an
+/// entry of the axis.
+pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize, f64) {
     let largest = axis
         .iter()
         .fold(0.0, |most: f64, part| most.max(part.abs()));
     // Scaled first, so that no square overflows or vanishes.
     let scaled = axis.map(|part| part / largest);
     let length = libm::sqrt(dot(scaled, scaled));
-    let unit = snapped_unit(scaled.map(|part| part / length), tolerance);
+    let given = scaled.map(|part| part / length);
+    let unit = snapped_unit(given, tolerance);
+    let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
     if let Some(place) = unit.iter().position(|part| part.abs() == 1.0) {
         let mut turned = IDENTITY;
         if unit[place] < 0.0 {
@@ -59,7 +62,7 @@ pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize) {
             turned[place][place] = -1.0;
             turned[(place + 2) % 3][(place + 2) % 3] = -1.0;
         }
-        return (turned, place);
+        return (turned, place, change);
     }
     // The other two: normal to the axis and to the coordinate axis along which it has least, and normal to both.
     let least = (0..3).fold(0, |least, i| {
@@ -74,7 +77,7 @@ pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize) {
     let first = cross(along, unit);
     let length = libm::sqrt(dot(first, first));
     let first = first.map(|part| part / length);
-    ([first, cross(unit, first), unit], 2)
+    ([first, cross(unit, first), unit], 2, change)
 }
 
 fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
@@ -198,6 +201,15 @@ mod tests {
     }
 
     #[test]
+    fn an_axis_that_leans_keeps_its_lean() {
+        // Its first entry is within 1e-9 of one, its second is not of zero.
+        let (frame, place, change) = toward([1.0, 4e-5, 0.0], 1e-9);
+        assert!((frame[place][1] - 4e-5).abs() < 1e-12 && change == 0.0);
+        let (frame, place, change) = toward([1.0, 4e-10, 0.0], 1e-9);
+        assert!(frame[place] == [1.0, 0.0, 0.0] && change == 4e-10);
+    }
+
+    #[test]
     fn nothing_is_snapped_at_zero_tolerance() {
         let rounded = body_fixed_123([ROUNDED[0], 0.1, 0.3]);
         assert_eq!(snapped(&rounded, 0.0), (rounded, 0.0));
@@ -212,7 +224,7 @@ mod tests {
             [0.3, -0.4, 0.5],
             [1e200, 1e200, 0.0],
         ] {
-            let (frame, place) = toward(axis, 1e-9);
+            let (frame, place, _) = toward(axis, 1e-9);
             let largest = axis
                 .iter()
                 .fold(0.0, |most: f64, part: &f64| most.max(part.abs()));

@@ -30,6 +30,14 @@ impl Snapping {
         snapped
     }
 
+    /// An axis that was changed by this much.
+    pub(crate) fn axis(&mut self, change: f64, what: String) {
+        if change > 0.0 {
+            self.changed.push(what);
+            self.most = self.most.max(change);
+        }
+    }
+
     /// A product of rotations, which rounding may have left near exact.
     pub(crate) fn quietly(&self, rotation: &Rotation) -> Rotation {
         rotation::snapped(rotation, self.tolerance).0
@@ -38,7 +46,7 @@ impl Snapping {
     pub(crate) fn report(&self, findings: &mut Vec<Diagnostic>) {
         if !self.changed.is_empty() {
             findings.push(Diagnostic::note(format!(
-                "entries of constant rotations nearer than {:?} to 0, 1 or -1 were made exact, which changed none by more than {:.1e}: {}",
+                "entries of constant rotations and axes nearer than {:?} to 0, 1 or -1 were made exact, which changed none by more than {:.1e}: {}",
                 self.tolerance,
                 self.most,
                 self.changed.join(", ")
