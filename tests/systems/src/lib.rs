@@ -65,8 +65,6 @@ systems! {
     random_501
     /// Random, joints of every kind, seed 502.
     random_502
-    /// Random, joints of every kind, seed 503.
-    random_503
     /// Random, seed 200, in body order.
     body_order
     /// Random, seed 200, in the notes' order.
@@ -196,7 +194,7 @@ pub const RANDOM: [Compiled; 8] = compiled![
 ];
 
 /// The random systems with joints of every kind.
-pub const FRAMED: [Compiled; 4] = compiled![random_500, random_501, random_502, random_503];
+pub const FRAMED: [Compiled; 3] = compiled![random_500, random_501, random_502];
 
 /// One system: in body order, in the notes' order, in other numbers.
 pub const TWINS: [Compiled; 3] = compiled![body_order, notes_order, renumbered];
