@@ -281,3 +281,26 @@ fn no_local_value_can_take_the_name_of_an_argument_or_output() {
         }
     }
 }
+
+#[test]
+fn frames_at_numbers_that_f64_does_not_hold_are_refused() {
+    let body = |name: &str, joint: &str, at: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = 1.0\nmass_center = [0.0, 0.0, 0.1]\nattachment = [{at}, 0.0, 0.0]\n\
+             inertia = {{ xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\njoint = {joint}\n"
+        )
+    };
+    let text = [
+        "name = \"s\"\nlower_bodies = [0, 1, 2]\n".to_owned(),
+        body("a", "[\"theta1\"]", "0.0"),
+        body("b", "\"fixed\"", "1.5e308"),
+        body("c", "\"fixed\"", "1.5e308"),
+    ];
+    let options = Options {
+        functions: Functions::Named(vec!["q_dot".to_owned()]),
+        ..Options::default()
+    };
+    let source = Source::new("far.toml", text.concat());
+    let error = generate(&source, "far.toml", &options).unwrap_err();
+    assert!(matches!(error, Error::Unrepresentable { .. }), "{error}");
+}

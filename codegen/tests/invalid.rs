@@ -318,6 +318,7 @@ files! { FILES, description_is_refused:
     point_mass_on_its_axis
     quaternion_of_one_angle
     rates_of_a_quaternion
+    rates_of_a_quaternion_of_one_angle
     repeated_coordinate
     repeated_key
     repeated_name

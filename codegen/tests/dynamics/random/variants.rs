@@ -127,11 +127,11 @@ impl RandomSystem {
             }
             frames.push(frame);
         }
-        self.without_fixed(bodies)
+        self.without_fixed(&bodies)
     }
 
     /// The system of those bodies of a list as long as its own that have a joint.
-    fn without_fixed(&self, bodies: Vec<Body>) -> Self {
+    fn without_fixed(&self, bodies: &[Body]) -> Self {
         let is_kept: Vec<bool> = bodies.iter().map(|body| !body.joint.is_fixed()).collect();
         let kept_before = |place: usize| is_kept[..place].iter().filter(|kept| **kept).count();
         let place_in_file = |place: usize| {
