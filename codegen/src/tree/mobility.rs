@@ -14,6 +14,7 @@ use crate::description::{Axis, Description};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::id::BodyId;
 use crate::tree::Tree;
+use crate::tree::coupled;
 use crate::tree::joint_check::free_axes;
 use crate::tree::names::shown;
 use crate::tree::rows::Random;
@@ -31,27 +32,13 @@ type Motion = Vec<(BodyId, Axis)>;
 
 /// Reports every free coordinate, or combination of free coordinates, that moves no mass.
 pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<Diagnostic>) {
-    let units = Units::of(tree);
-    let sweeps = (1..=STATES).map(|seed| inward(tree, &units, &mut Random::new(seed)));
-    let n_idle = |joints: &Vec<Joint>| joints.iter().map(|joint| joint.idle.len()).sum::<usize>();
-    let Some(joints) = sweeps.min_by_key(n_idle) else {
-        return;
-    };
     let mut alone: Vec<Motion> = Vec::new();
-    let mut reported = 0;
-    for body in tree.body_ids() {
-        for idle in 0..joints[body.index()].idle.len() {
-            reported += 1;
-            if reported > MOST_REPORTED {
-                break;
-            }
-            let motion = moved_along(tree, &joints, body, idle);
-            match alone.last_mut() {
-                // Coordinates of one body that are each idle are one finding.
-                Some(last) if motion.len() == 1 && last[0].0 == body => last.extend(motion),
-                _ if motion.len() == 1 => alone.push(motion),
-                _ => findings.push(together(tree, description, &motion)),
-            }
+    for motion in idle(tree).into_iter().take(MOST_REPORTED) {
+        match alone.last_mut() {
+            // Coordinates of one body that are each idle are one finding.
+            Some(last) if motion.len() == 1 && last[0].0 == motion[0].0 => last.extend(motion),
+            _ if motion.len() == 1 => alone.push(motion),
+            _ => findings.push(together(tree, description, &motion)),
         }
     }
     findings.extend(
@@ -59,6 +46,26 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
             .iter()
             .map(|motion| separately(tree, description, motion)),
     );
+}
+
+/// The motions that move no mass in any of the states that are tried.
+fn idle(tree: &Tree) -> Vec<Motion> {
+    let units = Units::of(tree);
+    if coupled::has_followers(tree) {
+        let tried = (1..=STATES).map(|seed| coupled::idle(tree, &units, &mut Random::new(seed)));
+        return tried.min_by_key(Vec::len).unwrap_or_default();
+    }
+    let sweeps = (1..=STATES).map(|seed| inward(tree, &units, &mut Random::new(seed)));
+    let n_idle = |joints: &Vec<Joint>| joints.iter().map(|joint| joint.idle.len()).sum::<usize>();
+    let joints = sweeps.min_by_key(n_idle).unwrap_or_default();
+    let of_body = |body: BodyId| {
+        let n_idle = joints.get(body.index()).map_or(0, |joint| joint.idle.len());
+        (0..n_idle).map(move |idle| (body, idle))
+    };
+    let motions = tree.body_ids().flat_map(of_body).take(MOST_REPORTED);
+    motions
+        .map(|(body, idle)| moved_along(tree, &joints, body, idle))
+        .collect()
 }
 
 /// Coordinates of one body, of which each by itself moves no mass.

@@ -9,6 +9,7 @@
 mod assemble;
 mod build;
 mod canonical;
+mod coupled;
 mod inertia;
 mod joint;
 mod joint_check;

@@ -1,15 +1,15 @@
 //! The sweeps of [`mobility`](super::mobility): mass-weighted velocities, from the tips inward and back.
 
 use crate::description::Axis;
-use crate::id::{BodyId, CoordinateId, SpeedId};
+use crate::id::{BodyId, SpeedId};
 use crate::tree::inertia::principal;
 use crate::tree::rows::{Random, Twist, cross, dot, join, project_out, triangle};
 use crate::tree::{Coordinate, Orientation, Part, Tree, rotation};
 
 /// Part of what a column could move at most, below which it moves nothing.
-const IDLE: f64 = 1e-10;
+pub(crate) const IDLE: f64 = 1e-10;
 /// Part of a motion's largest share, below which a coordinate has no share.
-const SHARE: f64 = 1e-6;
+pub(crate) const SHARE: f64 = 1e-6;
 
 /// What the inward sweep found at the joint of a body.
 pub(crate) struct Joint {
@@ -35,8 +35,8 @@ pub(crate) struct Joint {
 
 /// Units in which masses and lengths are near 1, so that squares neither overflow nor vanish.
 pub(crate) struct Units {
-    mass: f64,
-    length: f64,
+    pub(crate) mass: f64,
+    pub(crate) length: f64,
 }
 
 impl Units {
@@ -71,8 +71,8 @@ impl Units {
 
 /// What lies beyond a joint: rows K whose squares on the twist sum to twice the energy, and bounds of them.
 #[derive(Clone, Default)]
-struct Beyond {
-    rows: Vec<Twist>,
+pub(crate) struct Beyond {
+    pub(crate) rows: Vec<Twist>,
     mass: f64,
     /// The most that a unit angular velocity about the origin could move.
     turning: f64,
@@ -81,11 +81,10 @@ struct Beyond {
 /// All joints at a state that `random` chooses, from the tips inward.
 pub(crate) fn inward(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Joint> {
     let mut beyond: Vec<Beyond> = tree.body_ids().map(|body| own(tree, units, body)).collect();
-    let followers = followers(tree, units);
     let mut joints: Vec<Joint> = Vec::with_capacity(beyond.len());
     for body in tree.body_ids().rev() {
         let here = std::mem::take(&mut beyond[body.index()]);
-        let (joint, lever) = place(tree, units, body, (&here, &followers), random);
+        let (joint, lever) = place(tree, units, body, &here, random);
         let (joint, passed) = eliminate(joint, &here.rows);
         if let Some(lower) = tree.lower(body) {
             let lower = &mut beyond[lower.index()];
@@ -101,7 +100,7 @@ pub(crate) fn inward(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Joi
 }
 
 /// The rows of a body's own mass and inertia.
-fn own(tree: &Tree, units: &Units, body: BodyId) -> Beyond {
+pub(crate) fn own(tree: &Tree, units: &Units, body: BodyId) -> Beyond {
     let mut all = Beyond::default();
     for part in &tree.body(body).parts {
         let one = own_part(tree, units, part);
@@ -146,71 +145,98 @@ fn own_part(tree: &Tree, units: &Units, part: &Part) -> Beyond {
     }
 }
 
+/// A joint at a state: lengths in units.
+pub(crate) struct Geometry {
+    /// The twist of the body that a unit rate of each of the six motions gives it.
+    pub(crate) columns: [Twist; 6],
+    /// The twist of the body where that of the lower body is a unit: `carried[i]` for component `i`.
+    pub(crate) carried: [Twist; 6],
+    /// The distance between the two origins.
+    pub(crate) lever: f64,
+}
+
+/// The joint of a body at a state; `value` gives angles in rad, and translations in units.
+pub(crate) fn geometry(
+    tree: &Tree,
+    units: &Units,
+    body: BodyId,
+    mut value: impl FnMut(Coordinate, bool) -> f64,
+) -> Geometry {
+    let joint = &tree.body(body).joint;
+    // Whatever describes an orientation, some angles lead to it.
+    let angles = joint.angles().unwrap_or_else(|| {
+        let [coordinates @ .., _] = joint.euler_parameters();
+        let speed = SpeedId::new(0);
+        coordinates.map(|coordinate| Coordinate::Free { coordinate, speed })
+    });
+    let angles = angles.map(|angle| value(angle, true));
+    let shift = joint.translations.map(|shift| value(shift, false));
+    let turned = rotation::body_fixed_123(angles);
+    let whole = rotation::then(&joint.rotation, &turned);
+    let [_, (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
+    // P_K by columns, Eq. (17).
+    let turns = match joint.orientation {
+        Orientation::Rates(_) => [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]],
+        Orientation::AngularVelocity { .. } => rotation::IDENTITY,
+    };
+    let columns = std::array::from_fn(|motion| match motion {
+        0..3 => join(turns[motion], [0.0; 3]),
+        _ => join([0.0; 3], turned.map(|row| row[motion - 3])),
+    });
+    let attachment = joint.attachment.nominal(tree);
+    let shift = rotation::apply(&rotation::transposed(&joint.rotation), shift);
+    let lever = std::array::from_fn(|i| attachment[i] / units.length + shift[i]);
+    let mut carried = [[0.0; 6]; 6];
+    for component in 0..3 {
+        let mut unit = [0.0; 3];
+        unit[component] = 1.0;
+        let arm = rotation::apply(&whole, cross(unit, lever));
+        let unit = rotation::apply(&whole, unit);
+        carried[component] = join(unit, arm);
+        carried[component + 3] = join([0.0; 3], unit);
+    }
+    Geometry {
+        columns,
+        carried,
+        lever: dot(&lever, &lever).sqrt(),
+    }
+}
+
 /// The joint of a body before elimination, and the distance between the two origins.
 fn place(
     tree: &Tree,
     units: &Units,
     body: BodyId,
-    (here, followers): (&Beyond, &[f64]),
+    here: &Beyond,
     random: &mut Random,
 ) -> (Joint, f64) {
+    let geometry = geometry(tree, units, body, |coordinate, is_angle| {
+        let (free, unit) = if is_angle {
+            (3.0, 1.0)
+        } else {
+            (1.0, units.length)
+        };
+        match coordinate {
+            Coordinate::Free { .. } => free * random.signed(),
+            Coordinate::Mimic { offset, .. } => offset / unit,
+            Coordinate::Locked(value) => value / unit,
+        }
+    });
     let joint = &tree.body(body).joint;
-    let mut value = |coordinate: Coordinate, free: f64, unit: f64| match coordinate {
-        Coordinate::Free { .. } => free * random.signed(),
-        Coordinate::Mimic { offset, .. } => offset / unit,
-        Coordinate::Locked(value) => value / unit,
-    };
-    // Whatever describes an orientation, some angles lead to it.
-    let anywhere = [Coordinate::Free {
-        coordinate: CoordinateId::new(0),
-        speed: SpeedId::new(0),
-    }; 3];
-    let is_rates = matches!(joint.orientation, Orientation::Rates(_));
-    let angles = joint.angles().unwrap_or(anywhere);
-    let angles = angles.map(|angle| value(angle, 3.0, 1.0));
-    let shift = joint
-        .translations
-        .map(|translation| value(translation, 1.0, units.length));
-    let turned = rotation::body_fixed_123(angles);
-    let whole = rotation::then(&joint.rotation, &turned);
-    let [_, (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
-    // P_K by columns, Eq. (17).
-    let turns = if is_rates {
-        [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]]
-    } else {
-        rotation::IDENTITY
-    };
-    let attachment = joint
-        .attachment
-        .nominal(tree)
-        .map(|part| part / units.length);
-    let shift = rotation::apply(&rotation::transposed(&joint.rotation), shift);
-    let lever = std::array::from_fn(|i| attachment[i] + shift[i]);
-
-    let mut carried = [[0.0; 6]; 6];
-    for component in 0..3 {
-        let mut unit = [0.0; 3];
-        unit[component] = 1.0;
-        let lever = rotation::apply(&whole, cross(unit, lever));
-        let unit = rotation::apply(&whole, unit);
-        carried[component] = join(unit, lever);
-        carried[component + 3] = join([0.0; 3], unit);
-    }
     let mut columns = Vec::new();
     let mut bounds = Vec::new();
     let mut rotors = Vec::new();
     let mut axes = Vec::new();
-    for (motion, speed) in joint.speeds() {
+    for (motion, _) in joint.speeds() {
         let axis = Axis::ALL[motion];
-        let along = turned.map(|row| row[motion % 3]);
-        let (column, bound) = if axis.is_angle() {
-            (join(turns[motion], [0.0; 3]), here.turning)
+        let bound = if axis.is_angle() {
+            here.turning
         } else {
-            (join([0.0; 3], along), here.mass.sqrt())
+            here.mass.sqrt()
         };
-        let rotor = rotor(tree, units, joint, motion) + followers[speed.index()];
+        let rotor = rotor(tree, units, joint, motion);
         axes.push(axis);
-        columns.push(column);
+        columns.push(geometry.columns[motion]);
         rotors.push(rotor.sqrt());
         bounds.push((bound * bound + rotor).sqrt());
     }
@@ -219,72 +245,23 @@ fn place(
         columns,
         bounds,
         rotors,
-        carried,
+        carried: geometry.carried,
         pivots: vec![],
         upper: vec![],
         pulled: vec![],
         idle: vec![],
     };
-    (joint, dot(&lever, &lever).sqrt())
+    (joint, geometry.lever)
 }
 
 /// The inertia of a motion's rotor.
-fn rotor(tree: &Tree, units: &Units, joint: &super::Joint, motion: usize) -> f64 {
+pub(crate) fn rotor(tree: &Tree, units: &Units, joint: &super::Joint, motion: usize) -> f64 {
     let armature = tree.nominal(joint.mechanics[motion].armature) / units.mass;
     if motion < 3 {
         armature / units.length / units.length
     } else {
         armature
     }
-}
-
-/// For every speed, what the coordinates that follow it could move: all beyond them, and their rotors. They are held
-/// otherwise, so that a motion of several that cancel one another is not found.
-fn followers(tree: &Tree, units: &Units) -> Vec<f64> {
-    let mut moved = vec![0.0; tree.n_speeds];
-    let is_mimic = |joint: &super::Joint, motion| {
-        matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }))
-    };
-    let mut joints = tree.bodies.iter().map(|body| &body.joint);
-    if !joints.any(|joint| (0..6).any(|motion| is_mimic(joint, motion))) {
-        return moved;
-    }
-    let beyond = bounds(tree, units);
-    for (body, beyond) in tree.body_ids().zip(beyond) {
-        let joint = &tree.body(body).joint;
-        for (motion, follower) in joint.motions().into_iter().enumerate() {
-            let Some(follower) = follower.filter(|_| is_mimic(joint, motion)) else {
-                continue;
-            };
-            let (bound, length) = if motion < 3 {
-                (beyond.turning, 1.0)
-            } else {
-                (beyond.mass.sqrt(), units.length)
-            };
-            let rotor = rotor(tree, units, joint, motion);
-            let factor = follower.factor / length;
-            moved[follower.speed.index()] += factor * factor * (bound * bound + rotor);
-        }
-    }
-    moved
-}
-
-/// For every body the mass of all beyond its joint, and the most that turning it could move, translations at zero.
-fn bounds(tree: &Tree, units: &Units) -> Vec<Beyond> {
-    let mut beyond: Vec<Beyond> = tree.body_ids().map(|body| own(tree, units, body)).collect();
-    for body in tree.body_ids().rev() {
-        let Some(lower) = tree.lower(body) else {
-            continue;
-        };
-        let lever = tree.body(body).joint.attachment.nominal(tree);
-        let lever = lever.map(|part| part / units.length);
-        let Beyond { mass, turning, .. } = beyond[body.index()];
-        let turning = turning + mass.sqrt() * dot(&lever, &lever).sqrt();
-        let lower = &mut beyond[lower.index()];
-        lower.mass += mass;
-        lower.turning = (lower.turning * lower.turning + turning * turning).sqrt();
-    }
-    beyond
 }
 
 /// Finds the joint's pivots, and what of the rows is left for the lower body's twist.

@@ -8,6 +8,7 @@ use crate::functions::{Formulation, Function};
 use crate::id::BodyId;
 use crate::tree::Tree;
 use crate::tree::assemble::assemble;
+use crate::tree::coupled;
 use crate::tree::mimic;
 use crate::tree::rows::{Random, Twist, dot, project_out};
 use crate::tree::sweep::{Joint, Units, inward, moved_along, own};
@@ -313,20 +314,68 @@ fn named_coordinates_move_no_mass_and_none_is_superfluous() {
     }
 }
 
+/// How many motions of a tree with followers move no mass.
+fn n_coupled_idle(text: &str) -> usize {
+    let tree = built(text);
+    let idle = |seed| coupled::idle(&tree, &Units::of(&tree), &mut Random::new(seed)).len();
+    (1..4).map(idle).min().unwrap()
+}
+
+/// A body without mass, or a ball of it.
+fn weight(name: &str, mass: f64, joint: &str) -> String {
+    format!(
+        "[[body]]\nname = \"{name}\"\nmass = {mass:?}\nmass_center = [0.0, 0.0, 0.0]\nattachment = [0.0, 0.0, 0.3]\n\
+         inertia = {{ xx = {mass:?}, yy = {mass:?}, zz = {mass:?}, xy = 0.0, xz = 0.0, yz = 0.0 }}\n{joint}\n"
+    )
+}
+
 #[test]
 fn the_rotor_of_what_follows_moves_with_what_it_follows() {
-    let body = |name: &str, joint: &str| {
-        format!(
-            "[[body]]\nname = \"{name}\"\nmass = 0.0\nmass_center = [0.0, 0.0, 0.0]\nattachment = [0.0, 0.0, 0.0]\n\
-             inertia = {{ xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\njoint = [\"theta1\"]\n{joint}\n"
-        )
-    };
     let idle = |rotor: &str| {
-        let follower = format!("mimic = {{ joint = \"a\" }}\n{rotor}");
-        let bodies = body("a", "") + &body("b", &follower);
-        let tree = built(&format!("name = \"s\"\nlower_bodies = [0, 0]\n{bodies}"));
-        let joints = inward(&tree, &Units::of(&tree), &mut Random::new(1));
-        joints.iter().map(|joint| joint.idle.len()).sum::<usize>()
+        let follower = format!("joint = [\"theta1\"]\nmimic = {{ joint = \"a\" }}\n{rotor}");
+        let bodies = weight("a", 0.0, "joint = [\"theta1\"]") + &weight("b", 0.0, &follower);
+        n_coupled_idle(&format!("name = \"s\"\nlower_bodies = [0, 0]\n{bodies}"))
     };
     assert_eq!((idle(""), idle("armature = 0.1")), (1, 0));
+}
+
+#[test]
+fn mass_beyond_what_follows_moves_with_what_it_follows() {
+    let bodies = [
+        weight("a", 0.0, "joint = [\"s1\"]"),
+        weight("b", 0.0, "joint = [\"s1\"]\nmimic = { joint = \"a\" }"),
+        weight("tip", 1.0, "joint = [\"theta2\"]"),
+    ];
+    let text = format!(
+        "name = \"s\"\nlower_bodies = [0, 0, 2]\n{}",
+        bodies.concat()
+    );
+    assert_eq!(n_coupled_idle(&text), 0);
+}
+
+#[test]
+fn motions_that_cancel_one_another_move_no_mass() {
+    let idle = |multiplier: f64| {
+        let follows =
+            format!("joint = [\"s1\"]\nmimic = {{ joint = \"a\", multiplier = {multiplier:?} }}");
+        let bodies = weight("a", 0.0, "joint = [\"s1\"]") + &weight("b", 1.0, &follows);
+        n_coupled_idle(&format!("name = \"s\"\nlower_bodies = [0, 1]\n{bodies}"))
+    };
+    assert_eq!((idle(-1.0), idle(-0.5)), (1, 0));
+}
+
+#[test]
+fn idle_coordinates_are_counted_alike_with_and_without_followers() {
+    for seed in 0..400 {
+        let style = [Style::Plain, Style::Framed][usize::from(seed >= 200)];
+        let tree = tree(&mut Random::new(seed), style);
+        let units = Units::of(&tree);
+        let swept = |seed| {
+            let joints = inward(&tree, &units, &mut Random::new(seed));
+            joints.iter().map(|joint| joint.idle.len()).sum::<usize>()
+        };
+        let dense = |seed| coupled::idle(&tree, &units, &mut Random::new(seed)).len();
+        let least = |count: &dyn Fn(u64) -> usize| (seed..seed + 3).map(count).min();
+        assert_eq!(least(&dense), least(&swept), "seed {seed}");
+    }
 }
