@@ -106,8 +106,24 @@ struct Moved {
     shifting: f64,
 }
 
+/// Coordinates that `random` chooses: angles all around, translations of the tree's size.
+fn state(tree: &Tree, units: &Units, random: &mut Random) -> Vec<f64> {
+    let mut q = vec![0.0; tree.n_coordinates];
+    for body in &tree.bodies {
+        for (kind, place) in body.joint.coordinates() {
+            let size = if kind.starts_with('s') {
+                units.length
+            } else {
+                3.0
+            };
+            q[place.index()] = size * random.signed();
+        }
+    }
+    q
+}
+
 fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
-    let q: Vec<f64> = (0..tree.n_coordinates).map(|_| random.signed()).collect();
+    let q = state(tree, units, random);
     let mut columns = vec![Vec::new(); tree.n_speeds];
     let mut bounds = vec![0.0; tree.n_speeds];
     let mut n_rows = 0;
@@ -116,22 +132,14 @@ fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
         let joint = &tree.body(body).joint;
         let geometry = geometry(tree, units, body, |coordinate, is_angle| {
             let unit = if is_angle { 1.0 } else { units.length };
-            // Angles of order one, and translations of order one unit, as far as they are of their own.
-            let at = |place: usize| {
-                if is_angle {
-                    3.0 * q[place]
-                } else {
-                    units.length * q[place]
-                }
-            };
             let value = match coordinate {
-                Coordinate::Free { coordinate, .. } => at(coordinate.index()),
+                Coordinate::Free { coordinate, .. } => q[coordinate.index()],
                 Coordinate::Mimic {
                     coordinate,
                     multiplier,
                     offset,
                     ..
-                } => multiplier * at(coordinate.index()) + offset,
+                } => multiplier * q[coordinate.index()] + offset,
                 Coordinate::Locked(value) => value,
             };
             value / unit

@@ -298,10 +298,12 @@ impl Check<'_> {
             .iter()
             .filter(|(axis, _)| axis.value.is_angle())
             .collect();
+        // Set at run time, they need not stay equal.
         let differs = |value: &Scalar| {
-            turns
+            let is_first = turns
                 .first()
-                .is_some_and(|(_, first)| first.value != *value)
+                .is_some_and(|(_, first)| first.value == *value);
+            !is_first || matches!(value, Scalar::Runtime(_))
         };
         if let Some((_, value)) = turns
             .iter()

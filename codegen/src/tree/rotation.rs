@@ -126,6 +126,19 @@ pub(super) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
 
 const ORTHONORMAL_STEPS: usize = 100;
 
+/// The nearest orthonormal matrix of one that is not, by more than rounding: rotations may be written with few digits.
+pub(super) fn orthonormal(rotation: &Rotation) -> Rotation {
+    let columns = transposed(rotation);
+    let gram = columns.map(|a| columns.map(|b| dot(a, b)));
+    let entries = gram.iter().flatten().zip(IDENTITY.iter().flatten());
+    let defect = entries.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+    if defect < 1e-14 {
+        return *rotation;
+    }
+    // What is off by 1e-6 is off by 1e-12 after one step, and by rounding after two.
+    nearer_to_orthonormal(&nearer_to_orthonormal(rotation))
+}
+
 /// `R (3 - R^T R) / 2`: a step of Newton's iteration for the nearest orthonormal matrix.
 fn nearer_to_orthonormal(rotation: &Rotation) -> Rotation {
     let columns = transposed(rotation);
@@ -207,6 +220,19 @@ mod tests {
         assert!((frame[place][1] - 4e-5).abs() < 1e-12 && change == 0.0);
         let (frame, place, change) = toward([1.0, 4e-10, 0.0], 1e-9);
         assert!(frame[place] == [1.0, 0.0, 0.0] && change == 4e-10);
+    }
+
+    #[test]
+    fn a_rotation_of_few_digits_is_made_orthonormal() {
+        let exact = body_fixed_123([0.3, -0.8, 1.2]);
+        let rounded = exact.map(|row| row.map(|entry| (entry * 1e6).round() / 1e6));
+        let found = orthonormal(&rounded);
+        for (i, row) in then(&transposed(&found), &found).iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
+            }
+        }
+        assert_eq!(orthonormal(&exact), exact);
     }
 
     #[test]

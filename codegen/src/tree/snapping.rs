@@ -22,7 +22,7 @@ impl Snapping {
 
     /// A rotation that the user wrote.
     pub(crate) fn of(&mut self, rotation: &Rotation, what: String) -> Rotation {
-        let (snapped, change) = rotation::snapped(rotation, self.tolerance);
+        let (snapped, change) = rotation::snapped(&rotation::orthonormal(rotation), self.tolerance);
         if change > 0.0 {
             self.changed.push(what);
             self.most = self.most.max(change);
