@@ -298,12 +298,10 @@ impl Check<'_> {
             .iter()
             .filter(|(axis, _)| axis.value.is_angle())
             .collect();
-        // Set at run time, they need not stay equal.
         let differs = |value: &Scalar| {
-            let is_first = turns
+            turns
                 .first()
-                .is_some_and(|(_, first)| first.value == *value);
-            !is_first || matches!(value, Scalar::Runtime(_))
+                .is_some_and(|(_, first)| first.value != *value)
         };
         if let Some((_, value)) = turns
             .iter()
