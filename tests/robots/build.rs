@@ -1,5 +1,7 @@
 //! Generates the robots of this package and the models of `tests/mjcf`, as a user's build script would.
 
+use std::{env, fmt::Write as _, fs, path::Path};
+
 use kane_codegen::{
     build_script::Build,
     config::Formulation,
@@ -30,29 +32,7 @@ const DYNAMICS: [&str; 4] = [
     "forward_dynamics",
 ];
 
-/// The models of `tests/mjcf`.
-const MJCF: [&str; 18] = [
-    "adjusted_inertias",
-    "ant",
-    "ball_joint_arm",
-    "cart_with_springs",
-    "cheetah",
-    "extrinsic_angles",
-    "frames",
-    "free_bodies",
-    "humanoid",
-    "inertias",
-    "legged",
-    "mixed_angles",
-    "no_gravity",
-    "orientations",
-    "several_joints",
-    "two_link_arm",
-    "walker",
-    "welded",
-];
-
-fn main() -> Result<(), Error> {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     for name in [
         "cartpole",
@@ -80,11 +60,7 @@ fn main() -> Result<(), Error> {
         generate(built.clone(), gripper)?;
         notes(built, gripper)?;
     }
-    for name in MJCF {
-        let built = Build::new(format!("../mjcf/{name}/{name}.xml"));
-        built.functions(DYNAMICS).name(name).run()?;
-    }
-    Ok(())
+    mjcf()
 }
 
 /// A robot of the references: as its file is, snapped as by default, and in the notes' formulation.
@@ -122,5 +98,35 @@ fn notes(build: Build, name: &str) -> Result<(), Error> {
         .formulation(Formulation::Notes)
         .name(format!("{name}_notes"))
         .run()?;
+    Ok(())
+}
+
+/// Every model of `tests/mjcf`, and a module that lists them.
+fn mjcf() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = Path::new("../mjcf");
+    println!("cargo::rerun-if-changed={}", folder.display());
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        if folder.join(&name).join(format!("{name}.xml")).exists() {
+            names.push(name);
+        }
+    }
+    names.sort();
+    let (mut modules, mut list) = (String::new(), String::new());
+    for name in &names {
+        let model = folder.join(name).join(format!("{name}.xml"));
+        Build::new(model).functions(DYNAMICS).name(name).run()?;
+        write!(modules, "modules! {{\n/// As its file is.\n{name}\n}}\n")?;
+        writeln!(
+            list,
+            "({name:?}, || Box::new({name}::Prepared::nominal())),"
+        )?;
+    }
+    let list = format!(
+        "/// Each model with the name of its folder.\npub const MODELS: &[(&str, super::MakeDynamics)] = &[\n{list}];\n"
+    );
+    let target = Path::new(&env::var("OUT_DIR")?).join("mjcf.rs");
+    fs::write(target, modules + &list)?;
     Ok(())
 }
