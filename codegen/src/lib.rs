@@ -15,6 +15,8 @@
 
 // Indexes that cannot be mixed up.
 pub mod id;
+// Vectors and rotations as numbers.
+pub mod geometry;
 // What can be wrong, and how it is said.
 pub mod diagnostic;
 pub mod error;

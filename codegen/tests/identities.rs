@@ -23,9 +23,10 @@ use evaluator::{Evaluator, hoisted, input};
 use kane_codegen::{
     expr::{Expr, ExprGraph, Input},
     functions::{CATALOGUE, Formulation, Function},
+    geometry::IDENTITY,
     passes::factor,
     program,
-    tree::{Body, Chart, Coordinate, IDENTITY, Mechanics, Orientation, Tree, Value},
+    tree::{Body, Chart, Coordinate, Mechanics, Orientation, Tree, Value},
 };
 
 const SEEDS: std::ops::RangeInclusive<u64> = 1..=60;

@@ -7,6 +7,7 @@
 //!
 //! Reading never fails: a file that is no description at all is an empty description with faults.
 
+pub(crate) mod cycles;
 pub mod mjcf;
 pub(crate) mod read;
 pub mod toml;
@@ -14,6 +15,8 @@ pub mod urdf;
 pub(crate) mod xml;
 
 use std::io;
+
+pub use crate::geometry::Rotation;
 
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 use crate::tree::Order;
@@ -103,10 +106,6 @@ pub struct Description {
 
 /// A value that may be absent: `None` where it is, or where what is written cannot be used, which is then a fault.
 pub type Optional<T> = Option<Spanned<T>>;
-
-/// A rotation matrix by rows: each row is an axis of the frame that it leads to, in components of the frame that it
-/// leads from.
-pub type Rotation = [[f64; 3]; 3];
 
 /// A body, as the user wrote it.
 #[derive(Clone, Debug)]

@@ -2,10 +2,11 @@
 
 use crate::{
     expr::{ExprGraph, Matrix, Vector, negated, transpose},
+    geometry::IDENTITY,
     id::{BodyId, BodyMap},
     kane::{given, velocity::Rotational},
     partition::Row,
-    tree::{IDENTITY, Tree},
+    tree::Tree,
 };
 
 /// A vector of a body, from its internal axes to the user's.

@@ -1,10 +1,10 @@
 //! What an equation is given: coordinates, speeds, loads, and the numbers of the description, in internal axes.
 
 use crate::{
-    description::Rotation,
     expr::{Axis, Expr, ExprGraph, Input, Matrix, Symmetric, Vector, negated},
+    geometry::{Rotation, transposed},
     id::{BodyId, SpeedId},
-    tree::{Body, Coordinate, Joint, Motion, Offset, Part, Tree, Value, transposed},
+    tree::{Body, Coordinate, Joint, Motion, Offset, Part, Tree, Value},
 };
 
 /// The accelerations with which a right-hand side is evaluated.

@@ -3,9 +3,10 @@
 use super::{Accelerations, angular, given, orientation};
 use crate::{
     expr::{ExprGraph, Matrix, Vector, transpose},
+    geometry::IDENTITY,
     id::BodyMap,
     partition::{Block, Partition, Row},
-    tree::{IDENTITY, Joint, Tree},
+    tree::{Joint, Tree},
 };
 
 /// Rotations and angular velocities, from which the translational quantities follow.

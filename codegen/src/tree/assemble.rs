@@ -2,6 +2,7 @@
 
 use crate::description::{Body as Written, Chart as ChartKind, Description, Rotation};
 use crate::diagnostic::{Diagnostic, Spanned};
+use crate::geometry;
 use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::tree::resolve::{Freedom, Resolved};
 use crate::tree::snapping::Snapping;
@@ -49,7 +50,7 @@ pub(crate) fn assemble(
             None => Placed {
                 host: None,
                 pose: Pose {
-                    rotation: rotation::IDENTITY,
+                    rotation: geometry::IDENTITY,
                     origin: Offset::default(),
                 },
             },
@@ -131,8 +132,8 @@ impl Builder {
                 origin: Offset::default(),
             }
         } else {
-            let turned = rotation::body_fixed_123(joint.locked(0));
-            let turned = rotation::then(&rotation::then(&to_joint, &turned), &to_body);
+            let turned = geometry::body_fixed_123(joint.locked(0));
+            let turned = geometry::then(&geometry::then(&to_joint, &turned), &to_body);
             let shift = joint.locked(3);
             let origin = if shift == [0.0; 3] {
                 point.clone()
@@ -159,7 +160,7 @@ impl Builder {
                 .join(&part.mass_center.before(&pose.rotation), false),
             axes: self
                 .snapping
-                .quietly(&rotation::then(&pose.rotation, &part.axes)),
+                .quietly(&geometry::then(&pose.rotation, &part.axes)),
             ..part
         };
         let placed = Placed {
@@ -192,9 +193,9 @@ impl Builder {
         });
         Some(Part {
             mass,
-            mass_center: Offset::new(rotation::IDENTITY, center),
+            mass_center: Offset::new(geometry::IDENTITY, center),
             inertia,
-            axes: axes.unwrap_or(rotation::IDENTITY),
+            axes: axes.unwrap_or(geometry::IDENTITY),
         })
     }
 
@@ -226,9 +227,9 @@ impl Builder {
             let what = format!("`attachment_rotation` of `{}`", shown(new.written));
             self.snapping.of(&own.value, what)
         });
-        let own = rotation::then(&own.unwrap_or(rotation::IDENTITY), &new.joint.align);
+        let own = geometry::then(&own.unwrap_or(geometry::IDENTITY), &new.joint.align);
         self.snapping
-            .quietly(&rotation::then(&below.pose.rotation, &own))
+            .quietly(&geometry::then(&below.pose.rotation, &own))
     }
 
     /// From the axes of the joint's coordinates, moved, to the body's.
@@ -237,9 +238,9 @@ impl Builder {
             let what = format!("`body_rotation` of `{}`", shown(new.written));
             self.snapping.of(&own.value, what)
         });
-        let back = rotation::transposed(&new.joint.align);
-        let own = own.unwrap_or(rotation::IDENTITY);
-        self.snapping.quietly(&rotation::then(&back, &own))
+        let back = geometry::transposed(&new.joint.align);
+        let own = own.unwrap_or(geometry::IDENTITY);
+        self.snapping.quietly(&geometry::then(&back, &own))
     }
 
     fn body(
@@ -321,7 +322,7 @@ fn orientation(joint: &Resolved) -> Orientation {
 /// The frames of bodies that are part of others, in the user's axes of those.
 fn frames(tree: &Tree, frames: &[(String, Placed)]) -> Vec<Frame> {
     let inertial = Pose {
-        rotation: rotation::IDENTITY,
+        rotation: geometry::IDENTITY,
         origin: Offset::default(),
     };
     frames
@@ -329,12 +330,12 @@ fn frames(tree: &Tree, frames: &[(String, Placed)]) -> Vec<Frame> {
         .map(|(name, Placed { host, pose })| {
             let base = host.map_or(&inertial, |host| &tree.body(host).pose);
             let from = pose.origin.clone().join(&base.origin, true).nominal(tree);
-            let back = rotation::transposed(&base.rotation);
+            let back = geometry::transposed(&base.rotation);
             Frame {
                 name: name.clone(),
                 body: *host,
-                rotation: rotation::snapped(&rotation::then(&back, &pose.rotation), tree.snap).0,
-                position: rotation::apply(&base.rotation, from),
+                rotation: rotation::snapped(&geometry::then(&back, &pose.rotation), tree.snap).0,
+                position: geometry::apply(&base.rotation, from),
             }
         })
         .collect()

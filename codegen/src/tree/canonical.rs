@@ -5,10 +5,8 @@
 
 use std::fmt::Write as _;
 
-use crate::description::Rotation;
-use crate::tree::{
-    Coordinate, IDENTITY, Joint, Mechanics, Offset, Order, Orientation, Step, Tree, Value,
-};
+use crate::geometry::{IDENTITY, Rotation};
+use crate::tree::{Coordinate, Joint, Mechanics, Offset, Order, Orientation, Step, Tree, Value};
 
 /// The canonical text of a tree.
 pub fn canonical(tree: &Tree) -> String {

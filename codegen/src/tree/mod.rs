@@ -31,10 +31,10 @@ pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
 pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation};
 pub use offset::{Offset, Step};
-pub use rotation::{IDENTITY, snapped_sin_cos, then, transposed};
+pub use rotation::snapped_sin_cos;
 
 use crate::{
-    description::Rotation,
+    geometry::Rotation,
     id::{BodyId, ParameterId},
 };
 

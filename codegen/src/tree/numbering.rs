@@ -6,6 +6,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use crate::description::cycles::cycles;
 use crate::description::{Description, Given};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::Body;
@@ -117,31 +118,6 @@ fn no_root(description: &Description, lower: &[Option<usize>]) -> Diagnostic {
         )),
         None => fault,
     }
-}
-
-/// Every cycle of the array once, from its lowest-numbered body on.
-fn cycles(lower: &[Option<usize>]) -> Vec<Vec<usize>> {
-    // From which start a body was first reached; a body reached twice from one start lies on a cycle.
-    let mut reached: Vec<Option<usize>> = vec![None; lower.len()];
-    let mut cycles = Vec::new();
-    for start in 0..lower.len() {
-        let mut here = Some(start);
-        while let Some(body) = here.filter(|body| reached[*body].is_none()) {
-            reached[body] = Some(start);
-            here = lower[body];
-        }
-        if let Some(entry) = here.filter(|body| reached[*body] == Some(start)) {
-            let around = std::iter::successors(lower[entry], |body| lower[*body])
-                .take_while(|body| *body != entry);
-            let mut cycle: Vec<usize> = std::iter::once(entry).chain(around).collect();
-            let lowest = (0..cycle.len())
-                .min_by_key(|place| cycle[*place])
-                .unwrap_or(0);
-            cycle.rotate_left(lowest);
-            cycles.push(cycle);
-        }
-    }
-    cycles
 }
 
 /// The most bodies of a cycle that a message names.

@@ -1,8 +1,8 @@
 //! Vectors between points fixed in a body, of which any part may be set at run time.
 
 use crate::{
-    description::Rotation,
-    tree::{Tree, Value, rotation},
+    geometry::{self, Rotation},
+    tree::{Tree, Value},
 };
 
 /// A vector fixed in a body: a sum of steps, each given in axes of its own.
@@ -59,7 +59,7 @@ impl Offset {
     #[must_use]
     pub fn before(&self, rotation: &Rotation) -> Self {
         let turned = |step: &Step| Step {
-            rotation: rotation::then(rotation, &step.rotation),
+            rotation: geometry::then(rotation, &step.rotation),
             ..*step
         };
         self.steps
@@ -101,13 +101,13 @@ fn baked(step: &Step) -> Option<[f64; 3]> {
 }
 
 fn signed(step: &Step, vector: [f64; 3]) -> [f64; 3] {
-    let turned = rotation::apply(&rotation::transposed(&step.rotation), vector);
+    let turned = geometry::apply(&geometry::transposed(&step.rotation), vector);
     turned.map(|part| if step.negative { 0.0 - part } else { part })
 }
 
 fn number(vector: [f64; 3]) -> Step {
     Step {
-        rotation: rotation::IDENTITY,
+        rotation: geometry::IDENTITY,
         vector: vector.map(Value::Baked),
         negative: false,
     }

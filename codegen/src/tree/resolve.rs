@@ -6,6 +6,7 @@
 
 use crate::description::{Axis, Chart, Description, Joint, JointKind, Rotation, Speeds};
 use crate::diagnostic::{Diagnostic, Span, nearest};
+use crate::geometry;
 use crate::tree::names::{self, shown};
 use crate::tree::{Changes, rotation};
 
@@ -113,7 +114,7 @@ fn resolved(joint: &Joint, identifier: String, snap: f64) -> Option<Resolved> {
     let (align, place, axis_change) = match (&joint.axis, kind.value.has_axis()) {
         (Some(axis), true) => rotation::toward(axis.value, snap),
         (None, true) => return None,
-        (_, false) => (rotation::IDENTITY, 0, 0.0),
+        (_, false) => (geometry::IDENTITY, 0, 0.0),
     };
     let mut motions = [Freedom::Locked(0.0); 6];
     for (axis, value) in &joint.locked {

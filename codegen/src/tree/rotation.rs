@@ -1,58 +1,18 @@
-//! Constant rotations: products, the frame of an axis, and the snapping of what rounded angles leave.
-//!
-//! A matrix has as rows the axes of the frame it leads to, in components of the frame it leads from: it maps
-//! components in the latter to components in the former.
+//! What becomes of constant rotations: the frame of an axis, and the snapping of what rounded angles leave.
 
-use crate::description::Rotation;
-
-/// No rotation.
-pub const IDENTITY: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// The first rotation, then the second.
-pub fn then(first: &Rotation, second: &Rotation) -> Rotation {
-    if *first == IDENTITY {
-        return *second;
-    }
-    let columns = transposed(first);
-    second.map(|row| columns.map(|column| dot(row, column)))
-}
-
-/// The way back.
-pub fn transposed(rotation: &Rotation) -> Rotation {
-    std::array::from_fn(|i| std::array::from_fn(|j| rotation[j][i]))
-}
-
-/// Components after the rotation of a vector given by its components before it.
-pub(super) fn apply(rotation: &Rotation, v: [f64; 3]) -> [f64; 3] {
-    rotation.map(|row| dot(row, v))
-}
-
-/// Zero has one sign, and an exact factor leaves the other exact.
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 0.0
-}
-
-/// The 1-2-3 body-fixed rotation by three angles, rad, Eq. (4).
-pub(super) fn body_fixed_123(angles: [f64; 3]) -> Rotation {
-    let [(s1, c1), (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
-    [
-        [c2 * c3, c1 * s3 + s1 * s2 * c3, s1 * s3 - c1 * s2 * c3],
-        [-c2 * s3, c1 * c3 - s1 * s2 * s3, s1 * c3 + c1 * s2 * s3],
-        [s2, -s1 * c2, c1 * c2],
-    ]
-}
+use crate::geometry::{IDENTITY, Rotation, Vector, cross, dot, length, transposed};
 
 /// A rotation to axes of which the one at the returned place is `axis` (of any length): as few of them as possible
 /// are turned. About a coordinate axis, or its opposite, that place is its own. Last comes by how much snapping changed an
 /// entry of the axis.
-pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize, f64) {
+pub(super) fn toward(axis: Vector, tolerance: f64) -> (Rotation, usize, f64) {
     let largest = axis
         .iter()
         .fold(0.0, |most: f64, part| most.max(part.abs()));
     // Scaled first, so that no square overflows or vanishes.
     let scaled = axis.map(|part| part / largest);
-    let length = libm::sqrt(dot(scaled, scaled));
-    let given = scaled.map(|part| part / length);
+    let size = length(scaled);
+    let given = scaled.map(|part| part / size);
     let unit = snapped_unit(given, tolerance);
     let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
     if let Some(place) = unit.iter().position(|part| part.abs() == 1.0) {
@@ -75,13 +35,9 @@ pub(super) fn toward(axis: [f64; 3], tolerance: f64) -> (Rotation, usize, f64) {
     let mut along = [0.0; 3];
     along[least] = 1.0;
     let first = cross(along, unit);
-    let length = libm::sqrt(dot(first, first));
-    let first = first.map(|part| part / length);
+    let size = length(first);
+    let first = first.map(|part| part / size);
     ([first, cross(unit, first), unit], 2, change)
-}
-
-fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
-    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
 /// The rotation with its entries near 0, 1 and -1 made exact, and the largest change of any entry.
@@ -151,14 +107,13 @@ fn nearer_to_orthonormal(rotation: &Rotation) -> Rotation {
 }
 
 /// A unit vector with its entries near zero made exact.
-fn snapped_unit(unit: [f64; 3], tolerance: f64) -> [f64; 3] {
+fn snapped_unit(unit: Vector, tolerance: f64) -> Vector {
     let pinned = unit.map(|part| if part.abs() < tolerance { 0.0 } else { part });
-    let length = libm::sqrt(dot(pinned, pinned));
     if pinned == unit {
-        unit
-    } else {
-        pinned.map(|part| part / length)
+        return unit;
     }
+    let size = length(pinned);
+    pinned.map(|part| part / size)
 }
 
 /// Sine and cosine of an angle, exact where one of them is as near to zero as this.
@@ -178,6 +133,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     use super::*;
+    use crate::geometry::{body_fixed_123, then};
 
     /// Right angles as files have them: with ten digits, and with four.
     const ROUNDED: [f64; 2] = [FRAC_PI_2 - 4.9e-12, FRAC_PI_2 + 3.7e-6];
@@ -255,9 +211,9 @@ mod tests {
                 .iter()
                 .fold(0.0, |most: f64, part: &f64| most.max(part.abs()));
             let scaled = axis.map(|part| part / largest);
-            let length = libm::sqrt(dot(scaled, scaled));
+            let size = length(scaled);
             for (entry, part) in frame[place].iter().zip(scaled) {
-                assert!((entry - part / length).abs() < 1e-15);
+                assert!((entry - part / size).abs() < 1e-15);
             }
             let third = cross(frame[0], frame[1]);
             for (entry, part) in frame[2].iter().zip(third) {

@@ -48,10 +48,6 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-pub(crate) fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
-    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
-}
-
 pub(crate) fn join([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> Twist {
     [a, b, c, d, e, f]
 }

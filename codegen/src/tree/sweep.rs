@@ -1,10 +1,11 @@
 //! The sweeps of [`mobility`](super::mobility): mass-weighted velocities, from the tips inward and back.
 
 use crate::description::Axis;
+use crate::geometry::{self, cross};
 use crate::id::{BodyId, SpeedId};
 use crate::tree::inertia::principal;
-use crate::tree::rows::{Random, Twist, cross, dot, join, project_out, triangle};
-use crate::tree::{Coordinate, Orientation, Part, Tree, rotation};
+use crate::tree::rows::{Random, Twist, dot, join, project_out, triangle};
+use crate::tree::{Coordinate, Orientation, Part, Tree};
 
 /// Part of what a column could move at most, below which it moves nothing.
 pub(crate) const IDLE: f64 = 1e-10;
@@ -131,9 +132,9 @@ fn own_part(tree: &Tree, units: &Units, part: &Part) -> Beyond {
         rows.push([wx, wy, wz, unit[0], unit[1], unit[2]]);
     }
     let (moments, axes) = principal(tensor);
-    let back = rotation::transposed(&part.axes);
+    let back = geometry::transposed(&part.axes);
     for (moment, axis) in moments.into_iter().zip(axes) {
-        let [x, y, z] = rotation::apply(&back, axis);
+        let [x, y, z] = geometry::apply(&back, axis);
         let root = moment.max(0.0).sqrt();
         rows.push([root * x, root * y, root * z, 0.0, 0.0, 0.0]);
     }
@@ -171,27 +172,27 @@ pub(crate) fn geometry(
     });
     let angles = angles.map(|angle| value(angle, true));
     let shift = joint.translations.map(|shift| value(shift, false));
-    let turned = rotation::body_fixed_123(angles);
-    let whole = rotation::then(&joint.rotation, &turned);
+    let turned = geometry::body_fixed_123(angles);
+    let whole = geometry::then(&joint.rotation, &turned);
     let [_, (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
     // P_K by columns, Eq. (17).
     let turns = match joint.orientation {
         Orientation::Rates(_) => [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]],
-        Orientation::AngularVelocity { .. } => rotation::IDENTITY,
+        Orientation::AngularVelocity { .. } => geometry::IDENTITY,
     };
     let columns = std::array::from_fn(|motion| match motion {
         0..3 => join(turns[motion], [0.0; 3]),
         _ => join([0.0; 3], turned.map(|row| row[motion - 3])),
     });
     let attachment = joint.attachment.nominal(tree);
-    let shift = rotation::apply(&rotation::transposed(&joint.rotation), shift);
+    let shift = geometry::apply(&geometry::transposed(&joint.rotation), shift);
     let lever = std::array::from_fn(|i| attachment[i] / units.length + shift[i]);
     let mut carried = [[0.0; 6]; 6];
     for component in 0..3 {
         let mut unit = [0.0; 3];
         unit[component] = 1.0;
-        let arm = rotation::apply(&whole, cross(unit, lever));
-        let unit = rotation::apply(&whole, unit);
+        let arm = geometry::apply(&whole, cross(unit, lever));
+        let unit = geometry::apply(&whole, unit);
         carried[component] = join(unit, arm);
         carried[component + 3] = join([0.0; 3], unit);
     }

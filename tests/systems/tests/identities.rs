@@ -15,7 +15,8 @@ use common::{
 use identities::{DIFFERENTIATED, EXACT};
 use kane_codegen::{
     functions::{CATALOGUE, Function},
-    tree::{Body, Chart, IDENTITY, Orientation},
+    geometry::IDENTITY,
+    tree::{Body, Chart, Orientation},
 };
 use kane_test_systems::{
     BAKED_RUNTIME_CHANGED, Compiled, FRAMED, FRAMED_LIBM, RANDOM, REFERENCES, RENUMBERED_LIBM,

@@ -3,9 +3,10 @@
 use crate::description::mjcf::inertial::{MassProperties, baked};
 use crate::description::mjcf::joints::{self, Type};
 use crate::description::mjcf::names::Wish;
-use crate::description::mjcf::placement::{Placement, SAME_AXES, Vector, about, product, scaled};
+use crate::description::mjcf::placement::{Placement, about};
 use crate::description::{Body, Given, Joint, JointKind, Scalar};
 use crate::diagnostic::{Span, Spanned};
+use crate::geometry::{IDENTITY, Vector, scaled, then};
 
 /// The bodies of a model.
 #[derive(Debug, Default)]
@@ -109,7 +110,7 @@ fn fixed(place: &Placement, span: Span) -> Joint {
 
 fn attach(joint: &mut Joint, place: &Placement, span: Span) {
     joint.attachment = vector(place.position, span);
-    let turned = place.rotation != SAME_AXES;
+    let turned = place.rotation != IDENTITY;
     joint.attachment_rotation = turned.then(|| Spanned::new(place.rotation, span));
 }
 
@@ -133,7 +134,7 @@ fn joined(read: &joints::Read, place: &Placement, span: Span) -> Joint {
         }
         (Type::Hinge, Some(axis)) if read.reference != 0.0 => {
             let [sine, cosine] = read.reference_turn;
-            seat.rotation = product(&about(axis, [-sine, cosine]), &place.rotation);
+            seat.rotation = then(&place.rotation, &about(axis, [-sine, cosine]));
         }
         // Where along its line a slide sits makes no difference.
         (Type::Slide, Some(axis)) => {

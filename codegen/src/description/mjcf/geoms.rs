@@ -2,11 +2,12 @@
 
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::orientation::{placement, z_axis};
-use crate::description::mjcf::placement::{Placement, SAME_AXES, difference, length, scaled, sum};
+use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{Settings, TRUTH};
 use crate::description::mjcf::solid::{Amount, Shape, Solid};
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Spanned};
+use crate::geometry::{IDENTITY, difference, length, scaled, sum};
 
 /// Density where a geom says nothing, kg/m³.
 const WATER: f64 = 1000.0;
@@ -158,7 +159,7 @@ fn span_of(
         position: scaled(sum(from, to), 0.5),
         // The first two axes do not matter: the shapes are the same about the third.
         rotation: if along[0] == 0.0 && along[1] == 0.0 {
-            SAME_AXES
+            IDENTITY
         } else {
             rotation
         },

@@ -2,12 +2,13 @@
 
 use crate::description::mjcf::attributes::{Attributes, ORIENTATION};
 use crate::description::mjcf::orientation::rotation;
-use crate::description::mjcf::placement::{Placement, SAME_AXES, Vector, product};
+use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::mjcf::solid::{Solid, Tensor, is_positive};
 use crate::description::xml::Reader;
 use crate::description::{Body, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::geometry::{IDENTITY, Vector, then};
 
 /// Mass, mass centre and inertia, with their places.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +28,7 @@ impl MassProperties {
             mass: zero,
             center: [zero; 3],
             inertia: [zero; 6],
-            rotation: Spanned::new(SAME_AXES, span),
+            rotation: Spanned::new(IDENTITY, span),
         }
     }
 
@@ -38,7 +39,7 @@ impl MassProperties {
             mass: at(solid.mass),
             center: solid.center.map(at),
             inertia: solid.inertia.map(at),
-            rotation: Spanned::new(SAME_AXES, span),
+            rotation: Spanned::new(IDENTITY, span),
         }
     }
 
@@ -47,7 +48,7 @@ impl MassProperties {
         body.mass = Some(baked(self.mass));
         body.mass_center = self.center.map(|entry| Some(baked(entry)));
         body.inertia = self.inertia.map(|entry| Some(baked(entry)));
-        body.inertia_rotation = (self.rotation.value != SAME_AXES).then_some(self.rotation);
+        body.inertia_rotation = (self.rotation.value != IDENTITY).then_some(self.rotation);
     }
 
     /// The mass, kg.
@@ -148,7 +149,7 @@ pub(super) fn read(
         mass: mass?,
         center: [0, 1, 2].map(|i| Spanned::new(moved[i], center[i].span)),
         inertia,
-        rotation: Spanned::new(product(&turned, &around.rotation), span),
+        rotation: Spanned::new(then(&around.rotation, &turned), span),
     })
 }
 

@@ -3,11 +3,12 @@
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::orientation::AngleUnit;
-use crate::description::mjcf::placement::{Placement, Vector, unit};
+use crate::description::mjcf::placement::{Placement, unit};
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::xml::Reader;
 use crate::description::{Chart, Joint, JointKind, Limits, PerCoordinate};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::geometry::Vector;
 
 /// What a joint leaves free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,12 +2,13 @@
 
 use crate::description::Rotation;
 use crate::description::mjcf::attributes::{Attributes, ORIENTATION};
-use crate::description::mjcf::placement::{
-    Placement, SAME_AXES, Vector, about, cross, difference, dot, length, product, scaled, unit,
-};
+use crate::description::mjcf::placement::{Placement, about, unit};
 use crate::description::mjcf::settings::Settings;
 use crate::description::xml::Reader;
 use crate::diagnostic::Diagnostic;
+use crate::geometry::{
+    IDENTITY, Vector, cross, difference, dot, length, of_quaternion, scaled, then,
+};
 
 /// In which unit angles are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,9 +51,9 @@ impl EulerAxis {
     /// The axis of one letter of `eulerseq`.
     pub(super) fn letter(letter: char) -> Option<Self> {
         let axis = match letter.to_ascii_lowercase() {
-            'x' => SAME_AXES[0],
-            'y' => SAME_AXES[1],
-            'z' => SAME_AXES[2],
+            'x' => IDENTITY[0],
+            'y' => IDENTITY[1],
+            'z' => IDENTITY[2],
             _ => return None,
         };
         let fixed = if letter.is_ascii_uppercase() {
@@ -112,7 +113,7 @@ pub(super) fn rotation(
     let mut given: Vec<&str> = given.collect();
     given.sort_by_key(|name| attributes.place(name));
     let Some(name) = given.first().copied() else {
-        return SAME_AXES;
+        return IDENTITY;
     };
     if let Some(other) = given.get(1) {
         let message = format!(
@@ -123,11 +124,11 @@ pub(super) fn rotation(
             .at(attributes.place(other), "the second one")
             .at(attributes.place(name), "the first one");
         reader.faults.push(fault);
-        return SAME_AXES;
+        return IDENTITY;
     }
     let unit = settings.angle;
     let rotation = match name {
-        "quat" => attributes.vector(reader, name).map(quaternion),
+        "quat" => attributes.vector(reader, name).map(of_quaternion),
         "axisangle" => attributes
             .vector(reader, name)
             .map(|[x, y, z, angle]| Some(about(self::unit([x, y, z])?, unit.sine_cosine(angle)))),
@@ -148,31 +149,7 @@ pub(super) fn rotation(
         let fault = Diagnostic::error(message).at(attributes.place(name), label);
         reader.faults.push(fault);
     }
-    rotation.flatten().unwrap_or(SAME_AXES)
-}
-
-/// From a quaternion of any length, scalar first. The division comes last: quaternions of right angles give whole numbers.
-fn quaternion([w, x, y, z]: [f64; 4]) -> Option<Rotation> {
-    let square = w * w + x * x + y * y + z * z;
-    let rows = [
-        [
-            w * w + x * x - y * y - z * z,
-            2.0 * (x * y + w * z),
-            2.0 * (x * z - w * y),
-        ],
-        [
-            2.0 * (x * y - w * z),
-            w * w - x * x + y * y - z * z,
-            2.0 * (y * z + w * x),
-        ],
-        [
-            2.0 * (x * z + w * y),
-            2.0 * (y * z - w * x),
-            w * w - x * x - y * y + z * z,
-        ],
-    ];
-    (square > 1e-28 && square.is_finite())
-        .then(|| rows.map(|row| row.map(|entry| entry / square + 0.0)))
+    rotation.flatten().unwrap_or(IDENTITY)
 }
 
 fn xy_axes([x1, x2, x3, y1, y2, y3]: [f64; 6]) -> Option<Rotation> {
@@ -189,7 +166,7 @@ pub(super) fn z_axis(axis: Vector) -> Option<Rotation> {
     let sine = length([x, y, 0.0]);
     // For an axis against z, MuJoCo turns about x.
     let about_axis = if sine < 1e-10 {
-        SAME_AXES[0]
+        IDENTITY[0]
     } else {
         [-y / sine, x / sine, 0.0]
     };
@@ -198,11 +175,11 @@ pub(super) fn z_axis(axis: Vector) -> Option<Rotation> {
 
 fn euler(angles: [[f64; 2]; 3], settings: &Settings) -> Rotation {
     let turns = settings.euler.iter().zip(angles);
-    turns.fold(SAME_AXES, |so_far, (letter, angle)| {
+    turns.fold(IDENTITY, |so_far, (letter, angle)| {
         let turn = about(letter.axis, angle);
         match letter.fixed {
-            EulerFrame::Turned => product(&turn, &so_far),
-            EulerFrame::Outer => product(&so_far, &turn),
+            EulerFrame::Turned => then(&so_far, &turn),
+            EulerFrame::Outer => then(&turn, &so_far),
         }
     })
 }

@@ -1,15 +1,6 @@
-//! Frames and vectors as numbers.
-//!
-//! A rotation has the axes of the frame that it leads to as rows, in components of the frame that it leads from: the
-//! transpose of MuJoCo's matrix.
+//! Frames in frames.
 
-use crate::description::Rotation;
-
-/// Three components.
-pub(super) type Vector = [f64; 3];
-
-/// No rotation.
-pub(super) const SAME_AXES: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+use crate::geometry::{IDENTITY, Rotation, Vector, apply, length, sum, then, transposed};
 
 /// Where a frame stands in another one.
 #[derive(Clone, Copy, Debug)]
@@ -24,14 +15,12 @@ impl Placement {
     /// Both frames are the same.
     pub(super) const SAME: Self = Self {
         position: [0.0; 3],
-        rotation: SAME_AXES,
+        rotation: IDENTITY,
     };
 
     /// A vector of the frame, in components of the other.
     pub(super) fn vector(&self, vector: Vector) -> Vector {
-        let [x, y, z] = self.rotation;
-        // No minus zero.
-        [0, 1, 2].map(|i| x[i] * vector[0] + y[i] * vector[1] + z[i] * vector[2] + 0.0)
+        apply(&transposed(&self.rotation), vector)
     }
 
     /// A point of the frame, seen from the other's origin.
@@ -43,16 +32,9 @@ impl Placement {
     pub(super) fn then(&self, inner: &Self) -> Self {
         Self {
             position: self.point(inner.position),
-            rotation: product(&inner.rotation, &self.rotation),
+            rotation: then(&self.rotation, &inner.rotation),
         }
     }
-}
-
-/// The rotation `first`, then `second`, which is given in the axes that `first` leads to.
-pub(super) fn product(second: &Rotation, first: &Rotation) -> Rotation {
-    second.map(|row| {
-        [0, 1, 2].map(|i| row[0] * first[0][i] + row[1] * first[1][i] + row[2] * first[2][i] + 0.0)
-    })
 }
 
 /// The rotation about a unit axis by an angle with this sine and cosine.
@@ -79,37 +61,9 @@ pub(super) fn about(axis: Vector, [sine, cosine]: [f64; 2]) -> Rotation {
     rows.map(|row| row.map(|entry| entry + 0.0))
 }
 
-pub(super) fn sum(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] + b[i] + 0.0)
-}
-
-pub(super) fn difference(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i] + 0.0)
-}
-
-pub(super) fn scaled(a: Vector, factor: f64) -> Vector {
-    a.map(|entry| entry * factor + 0.0)
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-pub(super) fn length(a: Vector) -> f64 {
-    dot(a, a).sqrt()
-}
-
 /// The vector of length one with this direction; `None` where it is too short to have one, as MuJoCo sees it.
 pub(super) fn unit(a: Vector) -> Option<Vector> {
-    let length = length(a);
+    let size = length(a);
     // A length of exactly one stays as it is.
-    (length > 1e-14 && length.is_finite()).then(|| a.map(|entry| entry / length + 0.0))
+    (size > 1e-14 && size.is_finite()).then(|| a.map(|entry| entry / size + 0.0))
 }

@@ -1,7 +1,8 @@
 //! Masses and inertias of shapes, and of shapes together.
 
 use crate::description::Rotation;
-use crate::description::mjcf::placement::{Placement, Vector, difference};
+use crate::description::mjcf::placement::Placement;
+use crate::geometry::{Vector, difference};
 
 /// A symmetric matrix: xx, yy, zz, xy, xz, yz.
 pub(super) type Tensor = [f64; 6];

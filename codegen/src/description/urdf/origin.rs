@@ -3,6 +3,7 @@
 use crate::description::xml::{Element, Known, Reader};
 use crate::description::{Given, Optional, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Spanned};
+use crate::geometry;
 
 /// A frame in another one.
 pub(super) struct Origin {
@@ -84,25 +85,6 @@ fn of_quaternion(xyzw: [f64; 4]) -> Option<Rotation> {
     if largest == 0.0 {
         return None;
     }
-    let scaled = xyzw.map(|part| part / largest);
-    let length = libm::sqrt(scaled.iter().map(|part| part * part).sum());
-    let [x, y, z, w] = scaled.map(|part| part / length);
-    let rows = [
-        [
-            1.0 - 2.0 * (y * y + z * z),
-            2.0 * (x * y + w * z),
-            2.0 * (x * z - w * y),
-        ],
-        [
-            2.0 * (x * y - w * z),
-            1.0 - 2.0 * (x * x + z * z),
-            2.0 * (y * z + w * x),
-        ],
-        [
-            2.0 * (x * z + w * y),
-            2.0 * (y * z - w * x),
-            1.0 - 2.0 * (x * x + y * y),
-        ],
-    ];
-    Some(rows.map(|row| row.map(|entry| entry + 0.0)))
+    let [x, y, z, w] = xyzw.map(|part| part / largest);
+    geometry::of_quaternion([w, x, y, z])
 }

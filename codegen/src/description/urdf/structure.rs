@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::description::cycles::cycles;
 use crate::description::urdf::joint::JointElement;
 use crate::description::urdf::link::Link;
 use crate::description::xml::{Reader, shown};
@@ -197,30 +198,6 @@ fn two_parents(first: &JointElement<'_>, second: &JointElement<'_>) -> Diagnosti
             None => fault,
         }
     })
-}
-
-/// Every cycle once, from the link on that stands first in the file.
-fn cycles(lower_of: &[Option<usize>]) -> Vec<Vec<usize>> {
-    // From which start a link was first reached; a link reached twice from one start lies on a cycle.
-    let mut reached: Vec<Option<usize>> = vec![None; lower_of.len()];
-    let mut cycles = Vec::new();
-    for start in 0..lower_of.len() {
-        let mut here = Some(start);
-        while let Some(link) = here.filter(|link| reached[*link].is_none()) {
-            reached[link] = Some(start);
-            here = lower_of[link];
-        }
-        if let Some(entry) = here.filter(|link| reached[*link] == Some(start)) {
-            let around = std::iter::successors(lower_of[entry], |link| lower_of[*link])
-                .take_while(|link| *link != entry);
-            let mut cycle: Vec<usize> = std::iter::once(entry).chain(around).collect();
-            let places = 0..cycle.len();
-            let first = places.min_by_key(|place| cycle[*place]).unwrap_or(0);
-            cycle.rotate_left(first);
-            cycles.push(cycle);
-        }
-    }
-    cycles
 }
 
 fn hang_in_a_cycle(
