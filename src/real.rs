@@ -57,6 +57,18 @@ pub trait Real:
     #[must_use]
     fn abs(self) -> Self;
 
+    /// `self * a + b`: called by code that was generated with fused multiply-add, and by no other.
+    ///
+    /// Rounded once where the crate is compiled for hardware that has the operation (x86 with the target feature
+    /// `fma`, AArch64) and with the feature `std`; rounded twice elsewhere, never a call of software. So the bits
+    /// depend on the target, but for products that are exact: these are the same everywhere. All scalars and
+    /// lanes of one program round alike.
+    #[must_use]
+    #[inline]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
     /// Sine and cosine of an angle in rad.
     ///
     /// For `f64` and `f32`: below 1 ulp for `|x| < 10000`, in [-1, 1] for any finite argument, NaN for the
@@ -74,6 +86,15 @@ pub trait Real:
     }
 }
 
+/// True where a multiplication and an addition are one instruction. `core` alone does not have it.
+pub(crate) const FUSED: bool = cfg!(all(
+    feature = "std",
+    any(
+        target_feature = "fma",
+        all(target_arch = "aarch64", target_feature = "neon")
+    )
+));
+
 impl Real for f64 {
     #[inline]
     fn from_f64(number: f64) -> Self {
@@ -83,6 +104,16 @@ impl Real for f64 {
     #[inline]
     fn abs(self) -> Self {
         self.abs()
+    }
+
+    #[cfg(feature = "std")]
+    #[inline]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            Self::mul_add(self, a, b)
+        } else {
+            self * a + b
+        }
     }
 
     #[inline]
@@ -104,6 +135,16 @@ impl Real for f32 {
     #[inline]
     fn abs(self) -> Self {
         self.abs()
+    }
+
+    #[cfg(feature = "std")]
+    #[inline]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            Self::mul_add(self, a, b)
+        } else {
+            self * a + b
+        }
     }
 
     #[inline]

@@ -28,6 +28,13 @@ pub fn array_f64(x: &[f64; 7], out: &mut ([f64; 7], [f64; 7])) { *out = f64::sin
 #[unsafe(no_mangle)]
 pub fn array_f32(x: &[f32; 7], out: &mut ([f32; 7], [f32; 7])) { *out = f32::sin_cos_array(*x); }
 
+#[unsafe(no_mangle)]
+pub fn mul_add_f64(a: f64, b: f64, c: f64) -> f64 { Real::mul_add(a, b, c) }
+#[unsafe(no_mangle)]
+pub fn mul_add_f32(a: f32, b: f32, c: f32) -> f32 { Real::mul_add(a, b, c) }
+#[unsafe(no_mangle)]
+pub fn negated_f64(a: f64, b: f64, c: f64) -> f64 { Real::mul_add(-a, b, -c) }
+
 #[path = "oscillator.rs"]
 mod oscillator;
 use oscillator::Oscillator;
@@ -44,10 +51,12 @@ fn rustc(arguments: &[&str]) {
     assert!(output.status.success(), "rustc {arguments:?}\n{errors}");
 }
 
-/// The probe's instructions, by function.
-fn instructions(opt_level: &str) -> BTreeMap<String, Vec<String>> {
+/// The probe's instructions, by function; `options` are rustc's, for the crate and the probe.
+fn instructions(opt_level: &str, options: &[&str]) -> BTreeMap<String, Vec<String>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("assembly_{opt_level}"));
+    let name = format!("assembly_{opt_level}{}", options.concat());
+    let name = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&folder).unwrap();
     fs::write(folder.join("probe.rs"), PROBE).unwrap();
     fs::copy(
@@ -59,6 +68,7 @@ fn instructions(opt_level: &str) -> BTreeMap<String, Vec<String>> {
     let level = format!("opt-level={opt_level}");
     let (library, assembly) = (path("libkane.rlib"), path("probe.s"));
     let common = ["--edition=2024", "-C", &level, "-C", "codegen-units=1"];
+    let common = [&common[..], options].concat();
     let source = root.join("src/lib.rs");
     let kane = [
         "--crate-name=kane",
@@ -104,7 +114,7 @@ fn instructions(opt_level: &str) -> BTreeMap<String, Vec<String>> {
 }
 
 fn require_straight_code(opt_level: &str) {
-    let functions = instructions(opt_level);
+    let functions = instructions(opt_level, &[]);
     for name in ["scalar_f64", "scalar_f32", "array_f64", "array_f32", "step"] {
         let instructions = &functions[name];
         assert!(
@@ -139,4 +149,44 @@ fn sines_are_straight_code_at_opt_level_2() {
 #[test]
 fn sines_are_straight_code_at_opt_level_3() {
     require_straight_code("3");
+}
+
+const STD: [&str; 2] = ["--cfg", "feature=\"std\""];
+const FMA: [&str; 2] = ["-C", "target-feature=+fma"];
+
+#[test]
+fn mul_add_is_one_instruction_where_the_hardware_has_it() {
+    let functions = instructions("3", &[STD, FMA].concat());
+    for (name, instruction) in [
+        ("mul_add_f64", "vfmadd213sd"),
+        ("mul_add_f32", "vfmadd213ss"),
+        ("negated_f64", "vfnmsub213sd"),
+    ] {
+        let found = &functions[name];
+        assert!(found[0].starts_with(instruction), "`{name}`: {found:?}");
+        assert!(found.len() <= 2, "`{name}` does more: {found:?}");
+    }
+    // Nobody fuses where nobody asks for it: sines keep their bits.
+    for name in ["scalar_f64", "scalar_f32", "array_f64", "array_f32"] {
+        let fused = functions[name]
+            .iter()
+            .find(|instruction| instruction.starts_with("vfm") || instruction.starts_with("vfn"));
+        assert_eq!(fused, None, "`{name}`");
+    }
+}
+
+#[test]
+fn mul_add_is_never_a_call() {
+    for options in [&[][..], &STD, &FMA] {
+        let functions = instructions("3", options);
+        for name in ["mul_add_f64", "mul_add_f32", "negated_f64"] {
+            for instruction in &functions[name] {
+                let wrong = ["call", "jmp", "vf"];
+                assert!(
+                    !wrong.iter().any(|wrong| instruction.starts_with(wrong)),
+                    "`{name}` with {options:?}: {instruction}"
+                );
+            }
+        }
+    }
 }

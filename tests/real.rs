@@ -348,6 +348,34 @@ fn arrays_have_the_bits_of_their_lanes() {
     }
 }
 
+/// `x = 1 + 2^-30` has a square that f64 does not hold, and `1 + 2^-15` one that f32 does not.
+#[test]
+fn mul_add_rounds_once_exactly_where_the_hardware_does() {
+    let (x, y) = (1.0 + (-30_f64).exp2(), 1.0 + (-15_f32).exp2());
+    let fused = cfg!(all(
+        feature = "std",
+        any(target_feature = "fma", target_arch = "aarch64")
+    ));
+    assert_eq!(Real::mul_add(x, x, -(x * x)) != 0.0, fused);
+    assert_eq!(Real::mul_add(y, y, -(y * y)) != 0.0, fused);
+}
+
+#[test]
+fn mul_add_of_exact_products_is_the_same_everywhere() {
+    let mut random = Random(SEED + 10);
+    for _ in 0..10_000 {
+        // 26 bits and 11 bits: their products are exact.
+        let half = |random: &mut Random| (random.number() * 67_108_864.0).trunc();
+        let (a, b, c) = (half(&mut random), half(&mut random), random.number());
+        assert_eq!(Real::mul_add(a, b, c).to_bits(), (a * b + c).to_bits());
+        let short =
+            |random: &mut Random| <f32 as Real>::from_f64((random.number() * 2048.0).trunc());
+        let (a, b) = (short(&mut random), short(&mut random));
+        let c = <f32 as Real>::from_f64(c);
+        assert_eq!(Real::mul_add(a, b, c).to_bits(), (a * b + c).to_bits());
+    }
+}
+
 /// The bits themselves: another machine or compiler must give the same.
 #[test]
 fn bits_are_the_same_everywhere() {
