@@ -60,7 +60,7 @@ pub trait Real:
     /// `self * a + b`: called by code that was generated with fused multiply-add, and by no other.
     ///
     /// Rounded once where the crate is compiled for hardware that has the operation (x86 with the target feature
-    /// `fma`, AArch64) and with the feature `std`; rounded twice elsewhere, never a call of software. So the bits
+    /// `fma`, 64-bit Arm) and with the feature `std`; rounded twice elsewhere, never a call of software. So the bits
     /// depend on the target, but for products that are exact: these are the same everywhere. All scalars and
     /// lanes of one program round alike.
     #[must_use]

@@ -73,6 +73,14 @@ impl Build {
         self
     }
 
+    /// Fuses multiplications and additions (`Real::mul_add`): faster where the hardware has that, but the last bits
+    /// then depend on the machine.
+    #[must_use]
+    pub fn fma(mut self) -> Self {
+        self.options.fma = true;
+        self
+    }
+
     /// Says how the root link of a URDF hangs from the inertial frame, in place of fixed.
     #[must_use]
     pub fn base(mut self, base: Base) -> Self {

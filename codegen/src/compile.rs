@@ -31,6 +31,9 @@ pub struct Options {
     pub functions: Functions,
     /// In which formulation.
     pub formulation: config::Formulation,
+    /// Whether functions fuse products into sums, `Real::mul_add`: faster where the hardware has that, but the last bits
+    /// then depend on the machine. `Prepared::new` does not.
+    pub fma: bool,
 }
 
 /// A module's programs.
@@ -117,6 +120,11 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
             });
         }
         let program = program::flatten(&graph, &roots);
+        let program = if options.fma {
+            program::fuse(program)
+        } else {
+            program
+        };
         verify(&program, function.name)?;
         let operations = program.operations();
         functions.push(Emittable {

@@ -37,6 +37,8 @@ pub struct System {
     pub functions: Functions,
     /// From which formulation.
     pub formulation: Formulation,
+    /// Whether functions use fused multiply-add.
+    pub fma: bool,
 }
 
 /// The functions to generate.
@@ -83,11 +85,12 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 9] = [
+const SYSTEM_KEYS: [&str; 10] = [
     "model",
     "output",
     "functions",
     "formulation",
+    "fma",
     "base",
     "chart",
     "snap",
@@ -140,6 +143,7 @@ struct Written {
     changes: Changes,
     functions: Option<Functions>,
     formulation: Option<Formulation>,
+    fma: bool,
 }
 
 impl Written {
@@ -151,6 +155,7 @@ impl Written {
             changes: self.changes,
             functions: self.functions?,
             formulation: self.formulation?,
+            fma: self.fma,
         })
     }
 }
@@ -181,6 +186,10 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
         changes: changes(reader, &table),
         functions: functions(reader, &table, known),
         formulation: formulation(reader, &table),
+        fma: table
+            .get("fma")
+            .and_then(|item| reader.truth(item, &table.what("fma")))
+            .unwrap_or_default(),
     })
 }
 

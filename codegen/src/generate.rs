@@ -118,6 +118,7 @@ fn described(options: &Options) -> String {
     parts.extend(listed("lock", locked.collect()));
     let removed = changes.remove.iter().map(|name| format!("{name:?}"));
     parts.extend(listed("remove", removed.collect()));
+    parts.extend(options.fma.then(|| "fma: true".to_owned()));
     parts.join("; ")
 }
 

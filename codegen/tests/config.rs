@@ -32,6 +32,7 @@ fn systems_and_functions_keep_their_order() {
         model = "b.toml"
         functions = ["rotation", "bias"]
         formulation = "notes"
+        fma = true
         [[system]]
         model = "a.toml"
         output = "../a.rs"
@@ -50,6 +51,7 @@ fn systems_and_functions_keep_their_order() {
         (b.formulation, a.formulation),
         (Formulation::Notes, Formulation::Recursive)
     );
+    assert_eq!((b.fma, a.fma), (true, false));
     assert_eq!(
         (a.model.as_str(), &a.functions),
         ("a.toml", &Functions::All)

@@ -64,6 +64,7 @@ mod config_file {
         all_and_more
         backslash
         empty_path
+        fma_is_string
         functions_is_string
         lock_is_list
         locked_at_text

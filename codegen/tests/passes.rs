@@ -203,6 +203,21 @@ fn flattening_gives_a_verified_program_of_the_same_values() {
 }
 
 #[test]
+fn fusing_gives_a_verified_program_of_the_same_values_with_as_many_operations() {
+    for seed in SEEDS {
+        let (graph, roots) = random_graph(seed);
+        let plain = program::flatten(&graph, &roots);
+        let fused = program::fuse(plain.clone());
+        program::verify(&fused).unwrap_or_else(|error| panic!("seed {seed}: {error}"));
+        assert_eq!(plain.operations(), fused.operations(), "seed {seed}");
+        for (&root, found) in roots.iter().zip(fused.evaluate(input)) {
+            let old = bounded(&graph, root, input);
+            assert_same(seed, (found, old.1), old);
+        }
+    }
+}
+
+#[test]
 fn a_common_factor_is_pulled_out_of_a_long_sum() {
     let mut graph = ExprGraph::default();
     let [a, b, c, d] = [0, 1, 2, 3].map(|i| graph.input(Input::Q(CoordinateId::new(i))));

@@ -63,6 +63,7 @@ impl Listed {
             options: Options {
                 functions: system.functions.clone(),
                 formulation: system.formulation,
+                fma: system.fma,
                 reading: system.reading,
                 changes: system.changes.clone(),
             },

@@ -72,6 +72,7 @@ pub(crate) const BAD_INPUT: u8 = 2;
         output = \"generated/arm.rs\"\n  \
         functions = [\"all\"]          # or names; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
+        fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
         remove = [\"finger_1\"]        # joints to fix at zero\n\n  \

@@ -51,6 +51,21 @@ pub(crate) struct Selection {
     #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
 
+    /// Fuse multiplications and additions: faster where the hardware has that, but the last bits then depend on the machine
+    ///
+    /// Calls `kane::Real::mul_add`, which is one instruction where the program is compiled for one (x86 with
+    /// `-C target-feature=+fma` or a `target-cpu` that has it, 64-bit Arm), and two elsewhere. `--fma=false` stands above
+    /// `fma = true` in `kane.toml`.
+    #[arg(
+        long,
+        value_name = "BOOL",
+        requires = "model",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "true"
+    )]
+    fma: Option<bool>,
+
     #[command(flatten)]
     changes: ChangesArguments,
 
@@ -127,6 +142,9 @@ impl Selection {
             push("--formulation");
             push(name_of(&formulation, &Formulation::ALL));
         }
+        if let Some(fma) = self.fma {
+            push(if fma { "--fma" } else { "--fma=false" });
+        }
         for word in self.changes.words() {
             push(&word);
         }
@@ -200,6 +218,7 @@ impl Selection {
                 job.options.formulation = formulation;
             }
             let options = &mut job.options;
+            options.fma = self.fma.unwrap_or(options.fma);
             options.reading = self.changes.reading_above(options.reading);
             options.changes = self.changes.above(options.changes.clone());
         }

@@ -293,6 +293,15 @@ impl Reader {
         Some(Spanned::new(number + 0.0, item.span()))
     }
 
+    /// A value that must be true or false.
+    pub(crate) fn truth(&mut self, item: &Item<'_>, what: &str) -> Option<bool> {
+        if let DeValue::Boolean(value) = item.get_ref() {
+            return Some(*value);
+        }
+        self.wrong_type(item, what, "true or false");
+        None
+    }
+
     fn out_of_range(&mut self, item: &Item<'_>, what: &str, digits: &str, kind: &str) {
         let shown: String = if digits.len() > 24 {
             format!("{}...", &digits[..24])

@@ -32,6 +32,10 @@ impl Writer<'_> {
             }
             Operation::Mul(a, b) => binary(self.left_of_product(a), parse_quote!(*), self.atom(b)),
             Operation::Div(a, b) => binary(self.left_of_product(a), parse_quote!(/), self.atom(b)),
+            Operation::MulAdd(a, b, c) => {
+                let [a, b, c] = [a, b, c].map(|operand| self.operand(operand));
+                parse_quote!(R::mul_add(#a, #b, #c))
+            }
             Operation::Abs(a) => {
                 let a = self.operand(a);
                 parse_quote!(R::abs(#a))

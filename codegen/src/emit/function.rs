@@ -61,6 +61,12 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
         String::new()
     };
     lines.push(format!("Operations: {operations}{how}."));
+    if program.fused() > 0 {
+        let fused = program.fused();
+        lines.push(format!(
+            "Of the multiplications and additions {fused} each are fused."
+        ));
+    }
     let (doc, allow) = (doc(lines), allow_generated());
     let name = ident(function.name);
     let (arguments, output_type) = (arguments(function), output_type(function));

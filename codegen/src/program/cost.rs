@@ -59,11 +59,29 @@ impl Program {
                 Instruction::Compute { operation, .. } => match operation {
                     Operation::Add(..) => operations.add += 1,
                     Operation::Mul(..) => operations.mul += 1,
+                    Operation::MulAdd(..) => {
+                        operations.mul += 1;
+                        operations.add += 1;
+                    }
                     Operation::Div(..) => operations.div += 1,
                     Operation::Abs(_) | Operation::Neg(_) => {}
                 },
             }
         }
         operations
+    }
+
+    /// How many pairs of a multiplication and an addition are fused; both count among [`Self::operations`].
+    pub fn fused(&self) -> usize {
+        let fused = self.instructions.iter().filter(|instruction| {
+            matches!(
+                instruction,
+                Instruction::Compute {
+                    operation: Operation::MulAdd(..),
+                    ..
+                }
+            )
+        });
+        fused.count()
     }
 }

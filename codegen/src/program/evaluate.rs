@@ -18,6 +18,9 @@ impl Program {
                     values[result.index()] = match *operation {
                         Operation::Add(a, b) => read(&values, a) + read(&values, b),
                         Operation::Mul(a, b) => read(&values, a) * read(&values, b),
+                        Operation::MulAdd(a, b, c) => {
+                            libm::fma(read(&values, a), read(&values, b), read(&values, c))
+                        }
                         Operation::Div(a, b) => read(&values, a) / read(&values, b),
                         Operation::Abs(a) => read(&values, a).abs(),
                         Operation::Neg(a) => -read(&values, a),

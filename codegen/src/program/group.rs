@@ -53,7 +53,11 @@ impl Groups {
             let mut span = Span {
                 first: place,
                 last: place,
-                operations: 1,
+                operations: if matches!(operation, Operation::MulAdd(..)) {
+                    2
+                } else {
+                    1
+                },
                 operation,
             };
             let mut operands: Vec<ValueId> =
@@ -86,7 +90,7 @@ impl Groups {
 }
 
 /// How often each value is used.
-fn uses(program: &Program) -> Vec<usize> {
+pub(super) fn uses(program: &Program) -> Vec<usize> {
     let mut uses = vec![0; program.values.len()];
     let operands = program.instructions.iter().flat_map(Instruction::operands);
     for id in operands

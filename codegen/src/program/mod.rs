@@ -7,12 +7,14 @@
 mod cost;
 mod evaluate;
 mod flatten;
+mod fuse;
 mod group;
 mod name;
 mod verify;
 
 pub use cost::Operations;
 pub use flatten::flatten;
+pub use fuse::fuse;
 pub use group::Groups;
 pub use name::{Place, RESERVED, names, prepared_fields};
 pub use verify::{VerifyError, verify};
@@ -75,13 +77,15 @@ pub enum Instruction {
     },
 }
 
-/// An operation on one or two operands.
+/// An operation on one to three operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operation {
     /// `a + b`; the first is not a value's negative.
     Add(Operand, Operand),
     /// `a b`; neither is a value's negative.
     Mul(Operand, Operand),
+    /// `a b + c`, rounded once; `b` is not a value's negative. Only where fused multiply-add is asked for.
+    MulAdd(Operand, Operand, Operand),
     /// `a / b`; neither is a value's negative.
     Div(Operand, Operand),
     /// `|a|`; not negative.
@@ -121,11 +125,22 @@ impl Program {
 impl Operation {
     /// The operands.
     pub fn operands(self) -> impl Iterator<Item = Operand> {
-        let pair = match self {
-            Self::Add(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b)],
-            Self::Abs(a) | Self::Neg(a) => [Some(a), None],
+        let operands = match self {
+            Self::MulAdd(a, b, c) => [Some(a), Some(b), Some(c)],
+            Self::Add(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b), None],
+            Self::Abs(a) | Self::Neg(a) => [Some(a), None, None],
         };
-        pair.into_iter().flatten()
+        operands.into_iter().flatten()
+    }
+
+    /// The operands, to be changed.
+    fn operands_mut(&mut self) -> impl Iterator<Item = &mut Operand> {
+        let operands = match self {
+            Self::MulAdd(a, b, c) => [Some(a), Some(b), Some(c)],
+            Self::Add(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b), None],
+            Self::Abs(a) | Self::Neg(a) => [Some(a), None, None],
+        };
+        operands.into_iter().flatten()
     }
 }
 

@@ -76,9 +76,11 @@ fn check_operation(result: usize, operation: Operation) -> Result<(), VerifyErro
     {
         return Err(VerifyError::Unfolded(result));
     }
-    let first_may_be_negative = false;
-    let second_may_be_negative = matches!(operation, Operation::Add(..));
-    let allowed = [first_may_be_negative, second_may_be_negative];
+    let allowed = match operation {
+        Operation::Add(..) => [false, true, false],
+        Operation::MulAdd(..) => [true, false, true],
+        _ => [false; 3],
+    };
     let misplaced = operation
         .operands()
         .zip(allowed)

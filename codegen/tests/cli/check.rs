@@ -89,6 +89,7 @@ fn command_that_is_printed_brings_the_files_up_to_date() {
             "bias",
             "--formulation",
             "notes",
+            "--fma",
         ],
     );
     let command = ran.out.lines().last().unwrap();
@@ -97,7 +98,7 @@ fn command_that_is_printed_brings_the_files_up_to_date() {
         .unwrap();
     assert_eq!(
         command,
-        "generate arm.toml --functions bias --formulation notes"
+        "generate arm.toml --functions bias --formulation notes --fma"
     );
     let words: Vec<&str> = command.split(' ').collect();
     assert_eq!(project.kane_in("models", &words).code, 0);

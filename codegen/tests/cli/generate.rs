@@ -381,6 +381,24 @@ fn all_unknown_functions_are_reported_with_what_was_meant() {
 }
 
 #[test]
+fn fused_multiplication_is_asked_for_in_kane_toml_or_above_it() {
+    let project = Project::arm();
+    let config = project.read("kane.toml");
+    project.write("kane.toml", &format!("{config}fma = true\n"));
+    let text = |arguments: &[&str]| {
+        let ran = project.kane(&[&["generate", "models/arm.toml"], arguments].concat());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        project.read("generated/arm.rs")
+    };
+    let fused = text(&[]);
+    assert!(fused.contains("; fma: true.") && fused.contains("R::mul_add("));
+    assert!(!text(&["--fma=false"]).contains("mul_add"));
+    project.write("kane.toml", &config);
+    assert!(!text(&[]).contains("mul_add"));
+    assert_eq!(text(&["--fma"]), fused);
+}
+
+#[test]
 fn options_of_one_model_need_a_model() {
     for option in [
         ["--functions", "bias"],
@@ -391,6 +409,7 @@ fn options_of_one_model_need_a_model() {
         ["--snap", "0"],
         ["--lock", "elbow"],
         ["--remove", "elbow"],
+        ["--fma", "--force"],
     ] {
         let ran = Project::arm().kane(&["generate", option[0], option[1]]);
         assert_eq!(ran.code, 2);
