@@ -15,6 +15,7 @@ extern crate self as kane;
 mod array;
 pub mod block;
 mod joint;
+mod lanes;
 mod load;
 mod real;
 mod sin_cos;
@@ -54,6 +55,10 @@ pub mod eight_body;
 pub use array::Array;
 pub use block::Block;
 pub use joint::{Chart, Frame, Joint};
+pub use lanes::Lanes;
 pub use load::Load;
 pub use real::Real;
 pub use system::System;
+/// The crate of vectors for which [`Lanes`] is implemented.
+#[cfg(feature = "wide")]
+pub use wide;

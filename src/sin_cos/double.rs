@@ -5,6 +5,8 @@
     reason = "the lanes of an array become vectors only where nothing is left to call"
 )]
 
+use super::word::{Word, select};
+
 /// Adding it rounds to the nearest integer and leaves that integer, mod 2^51, in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
 /// Where the argument is cut, so that nothing below can overflow.
@@ -39,68 +41,54 @@ const COS: [f64; 6] = [
 
 /// Sine and cosine of `x` (rad).
 #[inline(always)]
-pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+pub(crate) fn sin_cos<W: Word<Float = f64>>(x: W) -> (W, W) {
     let (quadrant, n) = quarter_turns(x);
     let (hi, lo) = reduce(x, n);
     select(quadrant, sin(hi, lo), cos(hi, lo))
 }
 
-/// The argument, kept where nothing below can overflow.
+/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number; of an argument kept where nothing below can
+/// overflow.
 #[inline(always)]
-fn cut(x: f64) -> f64 {
-    x.clamp(-CUT, CUT)
-}
-
-/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number.
-#[inline(always)]
-fn quarter_turns(x: f64) -> (u64, f64) {
-    let shifted = cut(x) * TWO_OVER_PI + ROUND;
-    (shifted.to_bits(), shifted - ROUND)
+fn quarter_turns<W: Word<Float = f64>>(x: W) -> (W, W) {
+    let round = W::from(ROUND);
+    let shifted = x.cut(CUT) * TWO_OVER_PI.into() + round;
+    (shifted, shifted - round)
 }
 
 /// `x - n π/2` as the sum of two numbers, the second below half an ulp of the first.
 #[inline(always)]
-fn reduce(x: f64, n: f64) -> (f64, f64) {
+fn reduce<W: Word<Float = f64>>(x: W, n: W) -> (W, W) {
+    let half_pi = |part: usize| W::from(HALF_PI[part]);
     // The first difference is exact; the second loses `rest`.
-    let first = cut(x) - n * HALF_PI[0];
-    let w = n * HALF_PI[1];
+    let first = x.cut(CUT) - n * half_pi(0);
+    let w = n * half_pi(1);
     let second = first - w;
     let rest = (first - second) - w;
-    let w = n * HALF_PI[2];
+    let w = n * half_pi(2);
     let hi = second - w;
     // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
-    let lo = ((second - hi) - w) + rest + 0.0 * x;
+    let lo = ((second - hi) - w) + rest + W::from(0.0) * x;
     (hi, lo)
 }
 
 /// `sin(hi + lo)` for `|hi| <= π/4`.
 #[inline(always)]
-fn sin(hi: f64, lo: f64) -> f64 {
+fn sin<W: Word<Float = f64>>(hi: W, lo: W) -> W {
+    let k = |power: usize| W::from(SIN[power]);
     let z = hi * hi;
     let cube = z * hi;
-    let p = SIN[1] + z * (SIN[2] + z * (SIN[3] + z * (SIN[4] + z * SIN[5])));
-    hi - ((z * (0.5 * lo - cube * p) - lo) - cube * SIN[0])
+    let p = k(1) + z * (k(2) + z * (k(3) + z * (k(4) + z * k(5))));
+    hi - ((z * (W::from(0.5) * lo - cube * p) - lo) - cube * k(0))
 }
 
 /// `cos(hi + lo)` for `|hi| <= π/4`.
 #[inline(always)]
-fn cos(hi: f64, lo: f64) -> f64 {
+fn cos<W: Word<Float = f64>>(hi: W, lo: W) -> W {
+    let (one, k) = (W::from(1.0), |power: usize| W::from(COS[power]));
     let z = hi * hi;
-    let p = COS[0] + z * (COS[1] + z * (COS[2] + z * (COS[3] + z * (COS[4] + z * COS[5]))));
-    let half = 0.5 * z;
-    let head = 1.0 - half;
-    head + (((1.0 - head) - half) + (z * (z * p) - hi * lo))
-}
-
-/// The pair of the whole angle from that of the reduced one.
-#[inline(always)]
-fn select(quadrant: u64, sin: f64, cos: f64) -> (f64, f64) {
-    let (s, c) = (sin.to_bits(), cos.to_bits());
-    let swap = (s ^ c) & (quadrant & 1).wrapping_neg();
-    let sin_sign = (quadrant & 2) << 62;
-    let cos_sign = (quadrant.wrapping_add(1) & 2) << 62;
-    (
-        f64::from_bits(s ^ swap ^ sin_sign),
-        f64::from_bits(c ^ swap ^ cos_sign),
-    )
+    let p = k(0) + z * (k(1) + z * (k(2) + z * (k(3) + z * (k(4) + z * k(5)))));
+    let half = W::from(0.5) * z;
+    let head = one - half;
+    head + (((one - head) - half) + (z * (z * p) - hi * lo))
 }

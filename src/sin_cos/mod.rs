@@ -16,11 +16,16 @@
 //! `hi + lo`. Both polynomials are evaluated, and `n mod 4` chooses between them and sets the signs by bit
 //! operations. The polynomials are minimax in relative error on [0, π/4], each coefficient rounded before
 //! the next was fitted.
+//!
+//! All is written once for a [`Word`](word::Word): a scalar, or lanes of it.
 
 mod double;
 mod lanes;
 mod single;
+mod word;
 
 pub(crate) use double::sin_cos as sin_cos_f64;
 pub(crate) use lanes::each;
 pub(crate) use single::sin_cos as sin_cos_f32;
+#[cfg(feature = "wide")]
+pub(crate) use word::Word;

@@ -5,6 +5,8 @@
     reason = "the lanes of an array become vectors only where nothing is left to call"
 )]
 
+use super::word::{Word, select};
+
 /// Adding it rounds to the nearest integer and leaves that integer, mod 2^22, in the low bits.
 const ROUND: f32 = 12_582_912.0; // 1.5 * 2^23
 /// Where the argument is cut, so that the reduced angle stays below 1.
@@ -21,68 +23,54 @@ const COS: [f32; 3] = [0.041_666_646, -0.001_388_731, 2.443_232_7e-5];
 
 /// Sine and cosine of `x` (rad).
 #[inline(always)]
-pub(crate) fn sin_cos(x: f32) -> (f32, f32) {
+pub(crate) fn sin_cos<W: Word<Float = f32>>(x: W) -> (W, W) {
     let (quadrant, n) = quarter_turns(x);
     let (hi, lo) = reduce(x, n);
     select(quadrant, sin(hi, lo), cos(hi, lo))
 }
 
-/// The argument, kept where nothing below can overflow.
+/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number; of an argument kept where nothing below can
+/// overflow.
 #[inline(always)]
-fn cut(x: f32) -> f32 {
-    x.clamp(-CUT, CUT)
-}
-
-/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number.
-#[inline(always)]
-fn quarter_turns(x: f32) -> (u32, f32) {
-    let shifted = cut(x) * TWO_OVER_PI + ROUND;
-    (shifted.to_bits(), shifted - ROUND)
+fn quarter_turns<W: Word<Float = f32>>(x: W) -> (W, W) {
+    let round = W::from(ROUND);
+    let shifted = x.cut(CUT) * TWO_OVER_PI.into() + round;
+    (shifted, shifted - round)
 }
 
 /// `x - n π/2` as the sum of two numbers, the second below half an ulp of the first.
 #[inline(always)]
-fn reduce(x: f32, n: f32) -> (f32, f32) {
+fn reduce<W: Word<Float = f32>>(x: W, n: W) -> (W, W) {
+    let half_pi = |part: usize| W::from(HALF_PI[part]);
     // The first two differences are exact; the third loses `rest`.
-    let second = (cut(x) - n * HALF_PI[0]) - n * HALF_PI[1];
-    let w = n * HALF_PI[2];
+    let second = (x.cut(CUT) - n * half_pi(0)) - n * half_pi(1);
+    let w = n * half_pi(2);
     let third = second - w;
     let rest = (second - third) - w;
-    let w = n * HALF_PI[3];
+    let w = n * half_pi(3);
     let hi = third - w;
     // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
-    let lo = ((third - hi) - w) + rest + 0.0 * x;
+    let lo = ((third - hi) - w) + rest + W::from(0.0) * x;
     (hi, lo)
 }
 
 /// `sin(hi + lo)` for `|hi| <= π/4`.
 #[inline(always)]
-fn sin(hi: f32, lo: f32) -> f32 {
+fn sin<W: Word<Float = f32>>(hi: W, lo: W) -> W {
+    let k = |power: usize| W::from(SIN[power]);
     let z = hi * hi;
     let cube = z * hi;
-    let p = SIN[1] + z * SIN[2];
-    hi - ((z * (0.5 * lo - cube * p) - lo) - cube * SIN[0])
+    let p = k(1) + z * k(2);
+    hi - ((z * (W::from(0.5) * lo - cube * p) - lo) - cube * k(0))
 }
 
 /// `cos(hi + lo)` for `|hi| <= π/4`.
 #[inline(always)]
-fn cos(hi: f32, lo: f32) -> f32 {
+fn cos<W: Word<Float = f32>>(hi: W, lo: W) -> W {
+    let (one, k) = (W::from(1.0), |power: usize| W::from(COS[power]));
     let z = hi * hi;
-    let p = COS[0] + z * (COS[1] + z * COS[2]);
-    let half = 0.5 * z;
-    let head = 1.0 - half;
-    head + (((1.0 - head) - half) + (z * (z * p) - hi * lo))
-}
-
-/// The pair of the whole angle from that of the reduced one.
-#[inline(always)]
-fn select(quadrant: u32, sin: f32, cos: f32) -> (f32, f32) {
-    let (s, c) = (sin.to_bits(), cos.to_bits());
-    let swap = (s ^ c) & (quadrant & 1).wrapping_neg();
-    let sin_sign = (quadrant & 2) << 30;
-    let cos_sign = (quadrant.wrapping_add(1) & 2) << 30;
-    (
-        f32::from_bits(s ^ swap ^ sin_sign),
-        f32::from_bits(c ^ swap ^ cos_sign),
-    )
+    let p = k(0) + z * (k(1) + z * k(2));
+    let half = W::from(0.5) * z;
+    let head = one - half;
+    head + (((one - head) - half) + (z * (z * p) - hi * lo))
 }

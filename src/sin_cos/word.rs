@@ -1,0 +1,80 @@
+//! What the sines need of a scalar: arithmetic, and its bits.
+
+#![expect(
+    clippy::inline_always,
+    reason = "the lanes of an array become vectors only where nothing is left to call"
+)]
+
+use core::ops::{Add, BitAnd, BitXor, Mul, Shl, Sub};
+
+/// A float or several side by side, and the integers of its size in which its bits are turned.
+///
+/// Every operation is that of IEEE 754, lane by lane, so that all words give the same bits.
+pub(crate) trait Word:
+    Copy + From<Self::Float> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// The float; as a word it stands in every lane.
+    type Float;
+    /// As many bits, as two's complement integers.
+    type Bits: Copy
+        + Default
+        + BitAnd<Output = Self::Bits>
+        + BitXor<Output = Self::Bits>
+        + Sub<Output = Self::Bits>
+        + Shl<u32, Output = Self::Bits>;
+    /// 1 in every lane.
+    const ONE: Self::Bits;
+    /// The place of the sign bit.
+    const SIGN: u32;
+
+    /// Between `-limit` and `limit`; anything for NaN.
+    fn cut(self, limit: Self::Float) -> Self;
+    /// The bits.
+    fn to_bits(self) -> Self::Bits;
+    /// From the bits.
+    fn from_bits(bits: Self::Bits) -> Self;
+}
+
+/// The pair of the whole angle from that of the reduced one; `quadrant` holds the number of right angles between them in
+/// its low two bits.
+#[inline(always)]
+pub(super) fn select<W: Word>(quadrant: W, sin: W, cos: W) -> (W, W) {
+    let (quadrant, s, c) = (quadrant.to_bits(), sin.to_bits(), cos.to_bits());
+    let swap = (s ^ c) & (W::Bits::default() - (quadrant & W::ONE));
+    // Two right angles turn the sine's sign, one or two the cosine's.
+    let sign = W::ONE << W::SIGN;
+    let two = quadrant << (W::SIGN - 1);
+    let one = quadrant << W::SIGN;
+    (
+        W::from_bits(s ^ swap ^ (two & sign)),
+        W::from_bits(c ^ swap ^ ((two ^ one) & sign)),
+    )
+}
+
+macro_rules! words {
+    ($($float:ident: $bits:ident),+) => {$(
+        impl Word for $float {
+            type Float = Self;
+            type Bits = $bits;
+            const ONE: $bits = 1;
+            const SIGN: u32 = $bits::BITS - 1;
+
+            #[inline(always)]
+            fn cut(self, limit: Self) -> Self {
+                self.clamp(-limit, limit)
+            }
+
+            #[inline(always)]
+            fn to_bits(self) -> $bits {
+                self.to_bits().cast_signed()
+            }
+
+            #[inline(always)]
+            fn from_bits(bits: $bits) -> Self {
+                Self::from_bits(bits.cast_unsigned())
+            }
+        }
+    )+};
+}
+
+words!(f64: i64, f32: i32);
