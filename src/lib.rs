@@ -25,6 +25,7 @@ pub mod functions;
 mod system;
 
 // What can be done with any system.
+pub mod batch;
 #[cfg(feature = "std")]
 pub mod chart;
 pub mod checked;
