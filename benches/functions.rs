@@ -3,6 +3,11 @@
 //! `SYSTEM/function`: calls that do not wait for one another, as many as the machine overlaps. `SYSTEM/chained`: every call
 //! waits for the output of the one before, as a control loop's does.
 
+#![expect(
+    clippy::large_stack_arrays,
+    reason = "a mass matrix is an array, here as in a control loop"
+)]
+
 use std::hint::black_box;
 use std::time::Duration;
 

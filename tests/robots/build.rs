@@ -55,6 +55,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .remove("panda_joint5"),
         "panda_held",
     )?;
+    for (name, base) in [("panda", Base::Fixed), ("solo12", Base::Free)] {
+        unsnapped(name)
+            .base(base)
+            .functions(DYNAMICS)
+            .fma()
+            .name(format!("{name}_fused"))
+            .run()?;
+    }
     for gripper in ["gripper", "gripper_free"] {
         let built = Build::new(format!("gripper/{gripper}.urdf"));
         generate(built.clone(), gripper)?;

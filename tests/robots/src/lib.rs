@@ -48,10 +48,14 @@ modules! {
     panda_snapped
     /// In the notes' formulation.
     panda_notes
+    /// With fused multiply-add.
+    panda_fused
     /// Two joints locked, one removed.
     panda_held
     /// As its file is.
     solo12
+    /// With fused multiply-add.
+    solo12_fused
     /// Its base described by angles.
     solo12_angles
     /// As that, in the notes' formulation.
@@ -150,6 +154,10 @@ pub const ROBOTS: [Compiled; 7] = [
     compiled!(talos, talos_snapped, None, Some(make!(talos_angles))),
 ];
 
+/// The panda with fused multiply-add.
+pub const PANDA_FUSED: MakeDynamics = make!(panda_fused);
+/// solo12 with fused multiply-add.
+pub const SOLO12_FUSED: MakeDynamics = make!(solo12_fused);
 /// solo12 with its base described by angles, in the notes' formulation.
 pub const SOLO12_ANGLES_NOTES: MakeDynamics = make!(solo12_angles_notes);
 /// The panda with `panda_joint3` locked at 0.4, `panda_joint6` at -0.7, and `panda_joint5` removed.
