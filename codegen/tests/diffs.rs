@@ -107,6 +107,18 @@ fn statements(text: &str) -> Vec<String> {
     statements
 }
 
+/// A statement without the place at which it reads a sine or cosine: where a body's angles come to be needed, those of
+/// the bodies after it move.
+fn without_place(statement: &str) -> String {
+    for array in ["= sines[", "= cosines["] {
+        if let Some((value, place)) = statement.split_once(array) {
+            assert!(place.trim_end_matches("];").parse::<usize>().is_ok());
+            return format!("{value}{array}];");
+        }
+    }
+    statement.to_owned()
+}
+
 /// The statements that stand in one text alone, function by function, with a mark for which.
 fn changes(old: &str, new: &str) -> Vec<(ChangeTag, String)> {
     let counted = |text: &str| {
@@ -116,6 +128,7 @@ fn changes(old: &str, new: &str) -> Vec<(ChangeTag, String)> {
             if let Some(rest) = statement.strip_prefix("pub fn ") {
                 rest.split('<').next().unwrap().clone_into(&mut function);
             }
+            let statement = without_place(&statement);
             *counts.entry((function.clone(), statement)).or_default() += 1;
         }
         counts
@@ -178,14 +191,12 @@ impl Names {
     /// The body that a statement belongs to: that of the value it declares, assigns or stores, or of the field.
     fn body_of(&self, statement: &str) -> Option<&str> {
         if let Some(rest) = statement.strip_prefix("let ") {
-            let names = if rest.starts_with("(sines") {
-                rest.split('[').nth(1)?
-            } else {
-                rest
-            };
+            if rest.starts_with("(sines") {
+                // All angles stand together.
+                return Some("system");
+            }
             return self.body(
-                names
-                    .trim_start_matches(['(', '[', ' '])
+                rest.trim_start_matches(['(', ' '])
                     .trim_start_matches("_, "),
             );
         }
@@ -364,6 +375,23 @@ fn a_last_leaf_changes_only_lines_of_the_bodies_on_its_path() {
         );
         assert_only_bodies_change(&old, &new, path);
     }
+}
+
+#[test]
+fn a_last_leaf_s_angles_are_lines_of_their_own_among_all_angles() {
+    let old = eight_body();
+    let new = with_leaf(&old, 7, &body("tool", 7, "\"free\""));
+    let angles = |text: &str| -> Vec<String> {
+        let text = module(text, Formulation::Cheapest);
+        let function = text.split_once("pub fn inverse_dynamics<").unwrap().1;
+        let list = function.split_once("R::sin_cos_array([\n").unwrap().1;
+        let list = list.split_once("    ]);").unwrap().0;
+        list.lines().map(|line| line.trim().to_owned()).collect()
+    };
+    let (old, new) = (angles(&old), angles(&new));
+    assert_eq!(old.len(), 24);
+    assert_eq!(new[..24], old);
+    assert_eq!(new[24..], ["tool_theta1,", "tool_theta2,", "tool_theta3,"]);
 }
 
 #[test]

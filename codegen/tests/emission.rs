@@ -180,7 +180,7 @@ fn banner_shows_every_change_and_its_hash_covers_them() {
         let generated = generate(&source, "cart_pole.toml", &options).unwrap();
         let line = generated.source.lines().nth(1).unwrap().to_owned();
         let (hash, options) = line
-            .split_once(", format 2; functions: bias; formulation: cheapest; ")
+            .split_once(", format 3; functions: bias; formulation: cheapest; ")
             .unwrap();
         (hash.to_owned(), options.to_owned())
     };

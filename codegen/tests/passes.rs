@@ -315,3 +315,40 @@ fn the_verifier_sees_each_broken_promise() {
         Err(program::VerifyError::Dead(_))
     ));
 }
+
+#[test]
+fn sines_of_all_angles_that_are_known_at_the_start_are_taken_together_in_the_order_of_bodies() {
+    let mut graph = ExprGraph::default();
+    let q = [0, 0, 1].into_iter().enumerate().map(|(i, body)| {
+        graph.enter(BodyId::new(body));
+        graph.input(Input::Q(CoordinateId::new(i)))
+    });
+    let q: Vec<Expr> = q.collect();
+    graph.enter(BodyId::new(1));
+    let half = graph.number(0.5);
+    let scaled = graph.mul(half, q[0]);
+    let outer = [graph.sin(scaled), graph.cos(q[2])];
+    graph.enter(BodyId::new(0));
+    let product = graph.mul(outer[0], outer[1]);
+    let sum = graph.add(q[0], q[1]);
+    let inner = [graph.cos(sum), graph.sin(sum)];
+    let late = graph.sin(product);
+    let all = graph.mul(inner[0], inner[1]);
+    let root = graph.add(all, late);
+    let program = program::flatten(&graph, &[root]);
+    program::verify(&program).unwrap();
+    let angles = |instruction: &program::Instruction| match instruction {
+        program::Instruction::SinCos { angles, .. } => Some(angles.len()),
+        program::Instruction::Compute { .. } => None,
+    };
+    let found: Vec<_> = program.instructions.iter().map(angles).collect();
+    // The two operations of the angles, the three angles, then the rest with the sine of what holds sines.
+    assert_eq!(found[..3], [None, None, Some(3)]);
+    assert_eq!(found.iter().flatten().collect::<Vec<_>>(), [&3, &1]);
+    let scopes = program.instructions[2].results();
+    let scopes: Vec<_> = scopes.map(|id| program.value(id).scope).collect();
+    let [inner, outer] = [0, 1].map(|body| Some(BodyId::new(body)));
+    // Sines, then cosines.
+    assert_eq!(scopes, [inner, outer, inner, outer]);
+    assert_eq!(program.operations().trig, 8);
+}

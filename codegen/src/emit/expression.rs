@@ -68,20 +68,13 @@ impl Writer<'_> {
         })
     }
 
-    /// The inputs that an operation and those inside it read, in order.
-    pub(super) fn inputs_of(&self, operation: Operation, inputs: &mut Vec<ValueId>) {
+    /// The values with names of their own that an operation and those inside it read, in order.
+    pub(super) fn read_by(&self, operation: Operation, read: &mut Vec<ValueId>) {
         for id in operation.operands().filter_map(Operand::value) {
-            self.input_of(id, inputs);
-        }
-    }
-
-    /// The inputs behind one value, as [`Self::inputs_of`].
-    pub(super) fn input_of(&self, id: ValueId, inputs: &mut Vec<ValueId>) {
-        if let Some(inner) = self.groups.inlined(id) {
-            self.inputs_of(inner, inputs);
-        } else if matches!(self.program.value(id).origin, Origin::Input(input) if !matches!(input, Input::Prepared(_)))
-        {
-            inputs.push(id);
+            match self.groups.inlined(id) {
+                Some(inner) => self.read_by(inner, read),
+                None => read.push(id),
+            }
         }
     }
 

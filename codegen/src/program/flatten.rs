@@ -2,6 +2,7 @@
 //!
 //! A difference may be computed either way round: as its label means it, or as it was written. A sum of two negatives
 //! is computed as their sum. The sign then passes on to what uses the value and ends in a subtraction or a store.
+//! Sines and cosines are taken first, all angles together.
 
 use std::collections::BTreeMap;
 
@@ -15,6 +16,7 @@ use crate::{
 pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
     let mut flattening = Flattening {
         graph,
+        sines: sines(graph, roots),
         needed: graph.reachable(roots),
         wanted: wanted_signs(graph, roots),
         stored: stored(graph, roots),
@@ -25,11 +27,9 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
             stores: Vec::new(),
         },
     };
+    flattening.ready_sines();
     for id in graph.ids() {
-        if flattening.needed[id.index()] && flattening.operands[id.index()].is_none() {
-            let operand = flattening.node(id);
-            flattening.operands[id.index()] = Some(operand);
-        }
+        flattening.flatten(id);
     }
     let stores = roots.iter().map(|&root| flattening.expr(root)).collect();
     Program {
@@ -41,6 +41,8 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
 struct Flattening<'a> {
     graph: &'a ExprGraph,
     needed: Vec<bool>,
+    /// The sines and cosines that are needed, by their angle.
+    sines: BTreeMap<NodeId, Vec<NodeId>>,
     /// For each node, whether its negative is wanted.
     wanted: Vec<bool>,
     /// For each node that is stored, whether its negative is.
@@ -84,6 +86,14 @@ impl Flattening<'_> {
         ValueId(value)
     }
 
+    /// Flattens a node that is needed, unless it is there already; its operands are.
+    fn flatten(&mut self, id: NodeId) {
+        if self.needed[id.index()] && self.operands[id.index()].is_none() {
+            let operand = self.node(id);
+            self.operands[id.index()] = Some(operand);
+        }
+    }
+
     fn node(&mut self, id: NodeId) -> Operand {
         let of = |id| Expr::of(id);
         match self.graph.node(id) {
@@ -92,7 +102,10 @@ impl Flattening<'_> {
                 id: self.value(Origin::Input(input), id, false),
                 negative: false,
             },
-            Node::Sin(_) | Node::Cos(_) => self.sin_cos(id),
+            Node::Sin(angle) | Node::Cos(angle) => {
+                self.sin_cos(&[angle]);
+                self.operands[id.index()].expect("program: the sines of an angle hold its node")
+            }
             Node::Abs(a) => {
                 let a = self.expr(of(a));
                 self.compute(id, Operation::Abs(unsigned(a)), false)
@@ -176,69 +189,76 @@ impl Flattening<'_> {
         }
     }
 
-    /// Sines and cosines of one body's angles together, where the first of them stands.
-    fn sin_cos(&mut self, first: NodeId) -> Operand {
-        let scope = self.graph.scope(first);
-        let group: Vec<NodeId> = self
-            .graph
-            .ids()
-            .skip(first.index())
-            .filter(|&id| id == first || self.joins(id, scope))
-            .collect();
-        let mut places: BTreeMap<NodeId, usize> = BTreeMap::new();
-        let mut angles = Vec::new();
-        for &id in &group {
-            let angle = argument(self.graph, id);
-            places.entry(angle).or_insert_with(|| {
-                angles.push(angle);
-                angles.len() - 1
-            });
+    /// First of all the sines and cosines of every angle that no other sine is part of, body after body: together they
+    /// vectorise.
+    fn ready_sines(&mut self) {
+        let ready = ready(self.graph);
+        let angles = self.sines.iter().filter(|(angle, _)| ready[angle.index()]);
+        let mut angles: Vec<(NodeId, NodeId)> =
+            angles.map(|(&angle, nodes)| (nodes[0], angle)).collect();
+        angles.sort_by_key(|&(first, _)| (self.graph.scope(first), first));
+        let angles: Vec<NodeId> = angles.into_iter().map(|(_, angle)| angle).collect();
+        if angles.is_empty() {
+            return;
         }
-        let angles: Vec<Operand> = angles
-            .into_iter()
-            .map(|angle| {
-                if self.operands[angle.index()].is_none() {
-                    let operand = self.node(angle);
-                    self.operands[angle.index()] = Some(operand);
-                }
-                self.expr(Expr::of(angle))
-            })
-            .collect();
-        let mut sines = vec![None; angles.len()];
-        let mut cosines = vec![None; angles.len()];
-        for &id in &group {
-            let place = places[&argument(self.graph, id)];
-            let is_sine = matches!(self.graph.node(id), Node::Sin(_));
-            // sin(-x) = -sin(x).
-            let negative = is_sine && angles[place].is_negative();
-            let result = self.value(Origin::Instruction, id, negative);
-            let slot = if is_sine {
-                &mut sines[place]
-            } else {
-                &mut cosines[place]
-            };
-            *slot = Some(result);
-            self.operands[id.index()] = Some(Operand::Value {
-                id: result,
-                negative,
-            });
+        let exprs: Vec<Expr> = angles.iter().copied().map(Expr::of).collect();
+        let needed = self.graph.reachable(&exprs);
+        for id in self.graph.ids().filter(|id| needed[id.index()]) {
+            self.flatten(id);
         }
-        let angles = angles.into_iter().map(unsigned).collect();
+        self.sin_cos(&angles);
+    }
+
+    /// Sines and cosines of these angles.
+    fn sin_cos(&mut self, angles: &[NodeId]) {
+        let mut instruction = (Vec::new(), Vec::new(), Vec::new());
+        for angle in angles {
+            let operand = self.expr(Expr::of(*angle));
+            let (mut sine, mut cosine) = (None, None);
+            for id in self.sines[angle].clone() {
+                let is_sine = matches!(self.graph.node(id), Node::Sin(_));
+                // sin(-x) = -sin(x).
+                let negative = is_sine && operand.is_negative();
+                let result = self.value(Origin::Instruction, id, negative);
+                *(if is_sine { &mut sine } else { &mut cosine }) = Some(result);
+                self.operands[id.index()] = Some(Operand::Value {
+                    id: result,
+                    negative,
+                });
+            }
+            instruction.0.push(unsigned(operand));
+            instruction.1.push(sine);
+            instruction.2.push(cosine);
+        }
+        let (angles, sines, cosines) = instruction;
         self.program.instructions.push(Instruction::SinCos {
             angles,
             sines,
             cosines,
         });
-        self.operands[first.index()].expect("program: the group holds its first")
     }
+}
 
-    /// True for a sine or cosine of an input in the same body, which can be computed together with the first.
-    fn joins(&self, id: NodeId, scope: Option<BodyId>) -> bool {
-        let is_trigonometric = matches!(self.graph.node(id), Node::Sin(_) | Node::Cos(_));
-        let is_open = self.needed[id.index()] && self.operands[id.index()].is_none();
-        let joins = is_trigonometric && is_open && self.graph.scope(id) == scope;
-        joins && matches!(self.graph.node(argument(self.graph, id)), Node::Input(_))
+/// The sines and cosines that `roots` need, by their angle: at most one of each.
+fn sines(graph: &ExprGraph, roots: &[Expr]) -> BTreeMap<NodeId, Vec<NodeId>> {
+    let needed = graph.reachable(roots);
+    let mut sines: BTreeMap<NodeId, Vec<NodeId>> = BTreeMap::new();
+    for id in graph.ids().filter(|id| needed[id.index()]) {
+        if let Node::Sin(angle) | Node::Cos(angle) = graph.node(id) {
+            sines.entry(angle).or_default().push(id);
+        }
     }
+    sines
+}
+
+/// For each node, whether it is made without a sine or cosine, so that it can be known when the function starts.
+fn ready(graph: &ExprGraph) -> Vec<bool> {
+    let mut ready: Vec<bool> = Vec::with_capacity(graph.len());
+    for node in graph.ids().map(|id| graph.node(id)) {
+        let is_trigonometric = matches!(node, Node::Sin(_) | Node::Cos(_));
+        ready.push(!is_trigonometric && node.operands().all(|operand| ready[operand.index()]));
+    }
+    ready
 }
 
 /// For each node that is a root, whether the root is its negative.
@@ -261,15 +281,6 @@ fn wanted_signs(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
             .unwrap_or_else(|| graph.as_written(id).is_negative())
     };
     graph.ids().map(wanted).collect()
-}
-
-/// The angle of a sine or cosine.
-fn argument(graph: &ExprGraph, id: NodeId) -> NodeId {
-    graph
-        .node(id)
-        .operands()
-        .next()
-        .expect("program: a sine has an argument")
 }
 
 fn unsigned(operand: Operand) -> Operand {

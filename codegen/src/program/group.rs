@@ -37,19 +37,13 @@ impl Groups {
         let mut spans: Vec<Option<Span>> = vec![None; program.values.len()];
         let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
         for instruction in &program.instructions {
-            let Some(scope) = instruction
-                .results()
-                .next()
-                .map(|id| program.value(id).scope)
-            else {
-                continue;
-            };
-            let counter = counters.entry(scope).or_default();
-            let place = *counter;
-            *counter += 1;
             let Instruction::Compute { result, operation } = *instruction else {
                 continue;
             };
+            let scope = program.value(result).scope;
+            let counter = counters.entry(scope).or_default();
+            let place = *counter;
+            *counter += 1;
             let mut span = Span {
                 first: place,
                 last: place,

@@ -2,7 +2,8 @@
 //!
 //! In: a graph and its roots. Out: a [`Program`]. Afterwards: every value is assigned once, before it is used, and is
 //! used; no operation has only numbers for operands; every number is finite; every output is stored once.
-//! Does not: choose what to compute. The order is that of the derivation, from body to body.
+//! Does not: choose what to compute. The order is that of the derivation, from body to body; only the sines and cosines
+//! of all angles stand together before the rest.
 
 mod cost;
 mod evaluate;
@@ -66,7 +67,8 @@ pub enum Instruction {
         /// The operation.
         operation: Operation,
     },
-    /// Sines and cosines of several angles together, so that they vectorise.
+    /// Sines and cosines of several angles together, so that they vectorise: only the first of a program's has more than
+    /// one angle.
     SinCos {
         /// The angles.
         angles: Vec<Operand>,
@@ -116,6 +118,11 @@ impl ValueId {
 }
 
 impl Program {
+    /// The ids of the values.
+    pub fn ids(&self) -> impl Iterator<Item = ValueId> + use<> {
+        (0..u32::try_from(self.values.len()).expect("program: value ids are u32")).map(ValueId)
+    }
+
     /// The value with this id.
     pub fn value(&self, id: ValueId) -> &Value {
         &self.values[id.index()]
