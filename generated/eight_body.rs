@@ -24634,6 +24634,78 @@ impl<R: kane::Real> kane::functions::Bias<R> for Prepared<R> {
     }
 }
 
+/// The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.
+/// N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.
+///
+/// Operations: 0 = 0 mul + 0 add + 0 div + 0 trig; formulation: notes.
+#[allow(
+    dead_code,
+    unused_variables,
+    clippy::approx_constant,
+    clippy::many_single_char_names,
+    clippy::needless_late_init,
+    clippy::too_many_arguments,
+    reason = "generated: arguments follow one pattern, numbers are the model's"
+)]
+#[inline(never)]
+pub fn gravity_forces<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], tau: &mut [R; NU]) {
+    tau[0] = R::from_f64(0.0);
+    tau[1] = R::from_f64(0.0);
+    tau[2] = R::from_f64(0.0);
+    tau[3] = R::from_f64(0.0);
+    tau[4] = R::from_f64(0.0);
+    tau[5] = R::from_f64(0.0);
+    tau[6] = R::from_f64(0.0);
+    tau[7] = R::from_f64(0.0);
+    tau[8] = R::from_f64(0.0);
+    tau[9] = R::from_f64(0.0);
+    tau[10] = R::from_f64(0.0);
+    tau[11] = R::from_f64(0.0);
+    tau[12] = R::from_f64(0.0);
+    tau[13] = R::from_f64(0.0);
+    tau[14] = R::from_f64(0.0);
+    tau[15] = R::from_f64(0.0);
+    tau[16] = R::from_f64(0.0);
+    tau[17] = R::from_f64(0.0);
+    tau[18] = R::from_f64(0.0);
+    tau[19] = R::from_f64(0.0);
+    tau[20] = R::from_f64(0.0);
+    tau[21] = R::from_f64(0.0);
+    tau[22] = R::from_f64(0.0);
+    tau[23] = R::from_f64(0.0);
+    tau[24] = R::from_f64(0.0);
+    tau[25] = R::from_f64(0.0);
+    tau[26] = R::from_f64(0.0);
+    tau[27] = R::from_f64(0.0);
+    tau[28] = R::from_f64(0.0);
+    tau[29] = R::from_f64(0.0);
+    tau[30] = R::from_f64(0.0);
+    tau[31] = R::from_f64(0.0);
+    tau[32] = R::from_f64(0.0);
+    tau[33] = R::from_f64(0.0);
+    tau[34] = R::from_f64(0.0);
+    tau[35] = R::from_f64(0.0);
+    tau[36] = R::from_f64(0.0);
+    tau[37] = R::from_f64(0.0);
+    tau[38] = R::from_f64(0.0);
+    tau[39] = R::from_f64(0.0);
+    tau[40] = R::from_f64(0.0);
+    tau[41] = R::from_f64(0.0);
+    tau[42] = R::from_f64(0.0);
+    tau[43] = R::from_f64(0.0);
+    tau[44] = R::from_f64(0.0);
+    tau[45] = R::from_f64(0.0);
+    tau[46] = R::from_f64(0.0);
+    tau[47] = R::from_f64(0.0);
+}
+
+impl<R: kane::Real> kane::functions::GravityForces<R> for Prepared<R> {
+    #[inline]
+    fn gravity_forces(&self, q: &[R; NQ], tau: &mut [R; NU]) {
+        self::gravity_forces(self, q, tau);
+    }
+}
+
 /// Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.
 /// N m for an angle's speed, N for a translation's.
 ///

@@ -30,6 +30,7 @@
 //! | [`MassMatrix`] | `mass_matrix(q, m)` | `Matrix` | (42) |
 //! | [`Forcing`] | `forcing(q, u, loads, f)` | `U` | (43) |
 //! | [`Bias`] | `bias(q, u, bias)` | `U` | `M u_dot + bias = tau` |
+//! | [`GravityForces`] | `gravity_forces(q, tau)` | `U` | (36), of weight |
 //! | [`InverseDynamics`] | `inverse_dynamics(q, u, u_dot, tau)` | `U` | `M u_dot + bias = tau` |
 //! | [`ForwardDynamics`] | `forward_dynamics(q, u, tau, u_dot)` | `U` | (41) |
 //! | [`ForwardDynamicsPivots`] | `forward_dynamics_pivots(q, pivots)` | `U` | `M = Lᵀ D L` |
@@ -196,6 +197,10 @@ function_traits! {
     /// The terms of `M u_dot + bias = tau` without `u_dot` and `tau`: Coriolis, centrifugal, gyroscopic terms
     /// and weight, N m and N. Also called the nonlinear effects.
     Bias: bias(q: &Self::Q, u: &Self::U, bias: &mut Self::U);
+
+    /// The generalized forces `tau` that hold the system at rest against gravity alone, N m and N: the part of
+    /// [`Bias`] that gravity has, without springs. Often called the gravity torque, `g(q)`.
+    GravityForces: gravity_forces(q: &Self::Q, tau: &mut Self::U);
 
     /// Inverse dynamics: the generalized forces `tau = M u_dot + bias` that a motion needs, N m and N. Often
     /// called by its algorithm, RNEA.

@@ -10,12 +10,13 @@ use kane_codegen::{
 };
 
 /// What has a value in the references, and no other function: each is compiled several times.
-const FUNCTIONS: [&str; 11] = [
+const FUNCTIONS: [&str; 12] = [
     "rotation",
     "origin_position",
     "mass_center_position",
     "mass_matrix",
     "bias",
+    "gravity_forces",
     "inverse_dynamics",
     "forward_dynamics",
     "kinetic_energy",
@@ -25,9 +26,10 @@ const FUNCTIONS: [&str; 11] = [
 ];
 
 /// Of these, those with two formulations.
-const DYNAMICS: [&str; 4] = [
+const DYNAMICS: [&str; 5] = [
     "mass_matrix",
     "bias",
+    "gravity_forces",
     "inverse_dynamics",
     "forward_dynamics",
 ];

@@ -3,7 +3,7 @@
 use super::{Argument, Derivation, Function, Shape, derive, terms};
 
 /// Every function a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 31] = [
+pub static CATALOGUE: [Function; 32] = [
     Function {
         name: "relative_rotation",
         trait_name: Some("RelativeRotation"),
@@ -305,6 +305,23 @@ pub static CATALOGUE: [Function; 31] = [
             notes: derive::bias,
             recursive: derive::bias_recursive,
             literal_terms: terms::of_vector,
+        },
+    },
+    Function {
+        name: "gravity_forces",
+        trait_name: Some("GravityForces"),
+        arguments: &[Argument::Q],
+        output: "tau",
+        shape: Shape::Speeds,
+        is_default: false,
+        doc: &[
+            "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
+            "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
+        ],
+        derive: Derivation::Either {
+            notes: derive::gravity_forces,
+            recursive: derive::gravity_forces_recursive,
+            literal_terms: terms::of_weight,
         },
     },
     Function {

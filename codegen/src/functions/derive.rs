@@ -9,7 +9,7 @@ use crate::{
         position, velocity,
     },
     partition::Row,
-    recursive::{composite, inverse_dynamics},
+    recursive::{composite, gravity, inverse_dynamics},
     solve::{self, Factors},
     tree::Tree,
 };
@@ -210,6 +210,14 @@ pub(super) fn bias(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 pub(super) fn bias_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let tau = inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Zero);
     with_forces(graph, tree, Accelerations::Zero, tau)
+}
+
+pub(super) fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    dynamics::gravity_forces(graph, tree)
+}
+
+pub(super) fn gravity_forces_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    gravity::gravity_forces(graph, tree)
 }
 
 pub(super) fn inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

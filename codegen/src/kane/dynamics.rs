@@ -2,7 +2,7 @@
 
 use super::{Accelerations, given, orientation, velocity};
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Symmetric, Vector},
+    expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, negated},
     id::{BodyId, BodyMap, SpeedId},
     partition::Row,
     tree::Tree,
@@ -88,6 +88,22 @@ pub fn inverse_dynamics(
 pub fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let loads = loads(graph, tree);
     generalized(graph, tree, &loads)
+}
+
+/// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`.
+pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let relative = orientation::relative(graph, tree);
+    let gravity = gravity_in_bodies(graph, tree, &relative);
+    let supports = BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let mass = given::mass(graph, tree.body(body));
+        let weight = graph.scale(mass, gravity[body]);
+        Wrench {
+            force: negated(weight),
+            moment: graph.zero_vector(),
+        }
+    });
+    generalized(graph, tree, &supports)
 }
 
 /// The loads as wrenches.

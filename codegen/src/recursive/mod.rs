@@ -7,5 +7,6 @@
 
 pub mod composite;
 pub mod frames;
+pub mod gravity;
 pub mod inertia;
 pub mod inverse_dynamics;

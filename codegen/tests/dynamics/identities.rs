@@ -146,6 +146,22 @@ pub(crate) fn forcing_is_loads_less_bias(model: &dyn Model, state: &State) -> f6
     )
 }
 
+/// `gravity_forces = -sum_K V_G_K^T m_K g`.
+pub(crate) fn gravity_forces_hold_the_weight(model: &dyn Model, state: &State) -> f64 {
+    let rotations = matrices(model, "rotation", state);
+    let solids = model.composition().solids();
+    let supports: Vec<[f64; 6]> = solids
+        .iter()
+        .zip(&rotations)
+        .map(|(solid, turn)| {
+            let [x, y, z] = scaled(-solid.mass, times(turn, gravity(model.tree())));
+            [x, y, z, 0.0, 0.0, 0.0]
+        })
+        .collect();
+    let (expected, most) = projected(model, state, &supports);
+    relative_to(most, &model.evaluate("gravity_forces", state), &expected)
+}
+
 /// `sum_K V_G_K^T F_K + W_K^T M_K`, and the largest term of it.
 fn projected(model: &dyn Model, state: &State, loads: &[[f64; 6]]) -> (Vec<f64>, f64) {
     let velocity = rows(model, "partial_velocity", state);
@@ -472,8 +488,8 @@ pub(crate) fn disagreement(
             }
             "forward_dynamics_pivots" => pivot_error(&m, &found, &expected),
             // Sums of terms of the mass matrix's size.
-            "bias" | "inverse_dynamics" | "forcing" | "linear_momentum" | "angular_momentum"
-            | "potential_energy" => {
+            "bias" | "gravity_forces" | "inverse_dynamics" | "forcing" | "linear_momentum"
+            | "angular_momentum" | "potential_energy" => {
                 relative_to(largest(&expected).max(m.norm()), &found, &expected)
             }
             _ => relative(&found, &expected),

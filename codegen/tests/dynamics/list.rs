@@ -15,6 +15,7 @@ macro_rules! test_every_identity {
             generalized_forces_are_projected_loads: EXACT;
             inverse_dynamics_is_newton_euler: EXACT;
             power_is_the_rate_of_energy: DIFFERENTIATED;
+            gravity_forces_hold_the_weight: EXACT;
             bias_follows_from_the_energies: DIFFERENTIATED;
             bias_at_rest_is_the_gradient_of_potential_energy: DIFFERENTIATED;
             energies_and_momenta_are_sums_over_bodies: EXACT;

@@ -5,8 +5,8 @@
 use kane::{
     Array, Frame, Joint, System,
     functions::{
-        AngularMomentum, Bias, ForwardDynamics, InverseDynamics, KineticEnergy, LinearMomentum,
-        MassCenterPosition, MassMatrix, OriginPosition, PotentialEnergy, Rotation,
+        AngularMomentum, Bias, ForwardDynamics, GravityForces, InverseDynamics, KineticEnergy,
+        LinearMomentum, MassCenterPosition, MassMatrix, OriginPosition, PotentialEnergy, Rotation,
     },
     integrate,
 };
@@ -21,6 +21,8 @@ pub trait Dynamics {
     fn mass_matrix(&self, q: &[f64]) -> Vec<f64>;
     /// The bias.
     fn bias(&self, q: &[f64], u: &[f64]) -> Vec<f64>;
+    /// The generalized forces against gravity.
+    fn gravity_forces(&self, q: &[f64]) -> Vec<f64>;
     /// The generalized forces of a motion.
     fn inverse_dynamics(&self, q: &[f64], u: &[f64], u_dot: &[f64]) -> Vec<f64>;
     /// The accelerations under generalized forces.
@@ -70,7 +72,11 @@ pub struct Limits {
 
 impl<S> Dynamics for S
 where
-    S: MassMatrix<f64> + Bias<f64> + InverseDynamics<f64> + ForwardDynamics<f64>,
+    S: MassMatrix<f64>
+        + Bias<f64>
+        + GravityForces<f64>
+        + InverseDynamics<f64>
+        + ForwardDynamics<f64>,
 {
     fn joints(&self) -> &'static [Joint] {
         S::JOINTS
@@ -90,6 +96,12 @@ where
         let mut bias = S::U::filled(f64::NAN);
         Bias::bias(self, &array(q), &array(u), &mut bias);
         bias.as_ref().to_vec()
+    }
+
+    fn gravity_forces(&self, q: &[f64]) -> Vec<f64> {
+        let mut tau = S::U::filled(f64::NAN);
+        GravityForces::gravity_forces(self, &array(q), &mut tau);
+        tau.as_ref().to_vec()
     }
 
     fn inverse_dynamics(&self, q: &[f64], u: &[f64], u_dot: &[f64]) -> Vec<f64> {

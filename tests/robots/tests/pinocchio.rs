@@ -86,6 +86,8 @@ fn check_dynamics(
         let rest = vec![0.0; v.len()];
         let weight = motion.pinocchio_tau(&robot.bias(q, &rest));
         compare("gravity_torque", &weight, tolerances.values);
+        let weight = motion.pinocchio_tau(&robot.gravity_forces(q));
+        compare("gravity_torque", &weight, tolerances.values);
     }
 }
 

@@ -6,11 +6,12 @@ use kane::{
     Array, Block, Load, Real, System, block,
     functions::{
         AngleRates, AngularAcceleration, AngularMomentum, AngularVelocity, Bias, Forcing,
-        ForwardDynamics, ForwardDynamicsPivots, GeneralizedForces, InverseDynamics, KineticEnergy,
-        LinearMomentum, MassCenterAcceleration, MassCenterPosition, MassCenterVelocity, MassMatrix,
-        OriginPosition, OriginVelocity, PartialAngularVelocity, PartialAngularVelocityDot,
-        PartialVelocity, PartialVelocityDot, PartialVelocityOrigin, PartialVelocityOriginDot,
-        PotentialEnergy, RelativeAngularVelocity, RelativeRotation, Rotation, Singularity,
+        ForwardDynamics, ForwardDynamicsPivots, GeneralizedForces, GravityForces, InverseDynamics,
+        KineticEnergy, LinearMomentum, MassCenterAcceleration, MassCenterPosition,
+        MassCenterVelocity, MassMatrix, OriginPosition, OriginVelocity, PartialAngularVelocity,
+        PartialAngularVelocityDot, PartialVelocity, PartialVelocityDot, PartialVelocityOrigin,
+        PartialVelocityOriginDot, PotentialEnergy, RelativeAngularVelocity, RelativeRotation,
+        Rotation, Singularity,
     },
 };
 
@@ -37,6 +38,7 @@ pub trait Dynamics<R: Real>:
     + MassMatrix<R>
     + Forcing<R>
     + Bias<R>
+    + GravityForces<R>
     + InverseDynamics<R>
     + ForwardDynamics<R>
     + ForwardDynamicsPivots<R>
@@ -48,6 +50,7 @@ impl<R: Real, S> Dynamics<R> for S where
         + MassMatrix<R>
         + Forcing<R>
         + Bias<R>
+        + GravityForces<R>
         + InverseDynamics<R>
         + ForwardDynamics<R>
         + ForwardDynamicsPivots<R>
@@ -117,6 +120,7 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
         "generalized_forces" => system.generalized_forces(&q, &loads, &mut out),
         "forcing" => system.forcing(&q, &u, &loads, &mut out),
         "bias" => system.bias(&q, &u, &mut out),
+        "gravity_forces" => system.gravity_forces(&q, &mut out),
         "inverse_dynamics" => system.inverse_dynamics(&q, &u, &u_dot, &mut out),
         "forward_dynamics" => system.forward_dynamics(&q, &u, &tau, &mut out),
         "forward_dynamics_pivots" => system.forward_dynamics_pivots(&q, &mut out),
