@@ -10,7 +10,7 @@ use crate::{
     description::Reading,
     emit::Emittable,
     error::Error,
-    functions::{CATALOGUE, Derived, Formulation, Function, Shape},
+    functions::{CATALOGUE, Derived, Formulation, Function, Request, RequestError},
     passes::{factor, hoist, hoist::Preparation},
     program::{self, Operations, Program},
     tree::{Changes, Tree},
@@ -43,7 +43,7 @@ pub struct Compiled {
     pub preparation: Program,
     /// The fields of `Prepared`.
     pub fields: Vec<String>,
-    /// The functions, in the order of the catalogue.
+    /// The functions, in the order of the catalogue, then those that join several.
     pub functions: Vec<Emittable>,
 }
 
@@ -64,12 +64,14 @@ impl Options {
         let Functions::Named(names) = &self.functions else {
             return Ok(());
         };
-        let unknown = names.iter().find(|name| Function::find(name).is_none());
-        unknown.map_or(Ok(()), |name| {
-            let known = CATALOGUE.iter().map(|function| function.name).collect();
-            Err(Error::UnknownFunction {
-                name: name.clone(),
-                known,
+        let fault = names.iter().find_map(|name| Request::parse(name).err());
+        fault.map_or(Ok(()), |fault| {
+            Err(match fault {
+                RequestError::Unknown { name } => {
+                    let known = CATALOGUE.iter().map(|function| function.name).collect();
+                    Error::UnknownFunction { name, known }
+                }
+                fault => Error::Request(fault),
             })
         })
     }
@@ -82,6 +84,16 @@ impl Options {
             _ => false,
         };
         always || self.functions.names(function)
+    }
+
+    /// What is to be generated, in the order of a module.
+    pub fn requests(&self, tree: &Tree) -> Vec<Request> {
+        let catalogue = CATALOGUE.iter();
+        let selected = catalogue.filter(|function| self.selects(tree, function));
+        let mut requests: Vec<Request> = selected.map(Request::from).collect();
+        let named = self.functions.requests();
+        requests.extend(named.into_iter().filter(|named| named.alone().is_none()));
+        requests
     }
 }
 
@@ -100,24 +112,15 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     }
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
-    for function in CATALOGUE
-        .iter()
-        .filter(|function| options.selects(tree, function))
-    {
+    for function in options.requests(tree) {
         let Choice {
             formulation,
             derived,
-        } = choose(tree, function, options.formulation);
-        let (graph, roots) = hoist::run(
-            &derived.graph,
-            &derived.roots,
-            function.name,
-            &mut preparation,
-        );
+        } = choose(tree, &function, options.formulation);
+        let name = function.name();
+        let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &name, &mut preparation);
         if derived.graph.overflowed() || graph.overflowed() {
-            return Err(Error::Unrepresentable {
-                function: function.name.to_owned(),
-            });
+            return Err(Error::Unrepresentable { function: name });
         }
         let program = program::flatten(&graph, &roots);
         let program = if options.fma {
@@ -125,7 +128,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         } else {
             program
         };
-        verify(&program, function.name)?;
+        verify(&program, &name)?;
         let operations = program.operations();
         functions.push(Emittable {
             function,
@@ -160,7 +163,7 @@ pub struct Choice {
 }
 
 /// The function in the formulation that is wanted, where it has it: what is emitted.
-pub fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> Choice {
+pub fn choose(tree: &Tree, function: &Request, wanted: config::Formulation) -> Choice {
     if wanted == config::Formulation::Cheapest && function.formulations().len() > 1 {
         // On a large tree the literal sums alone would take longer than all the rest.
         let recursive = candidate(tree, function, Formulation::Recursive);
@@ -188,12 +191,13 @@ pub fn choose(tree: &Tree, function: &Function, wanted: config::Formulation) -> 
 }
 
 /// The function in this formulation, as it would be emitted.
-pub fn candidate(tree: &Tree, function: &Function, formulation: Formulation) -> Choice {
+pub fn candidate(tree: &Tree, function: &Request, formulation: Formulation) -> Choice {
     let derived = function.derive(tree, formulation);
-    let (graph, roots) = match function.shape {
+    let (graph, roots) = if function.is_compact() {
         // The pattern of a compact output follows from the tree: nothing to factor across columns.
-        Shape::Columns => (derived.graph, derived.roots),
-        _ => factor::run(&derived.graph, &derived.roots),
+        (derived.graph, derived.roots)
+    } else {
+        factor::run(&derived.graph, &derived.roots)
     };
     Choice {
         formulation,

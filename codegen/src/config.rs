@@ -12,7 +12,7 @@ use crate::compile::SNAP_TOLERANCES;
 use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::{Base, Chart, Reading};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
-use crate::functions::Function;
+use crate::functions::{Function, Request, RequestError};
 use crate::tree::Changes;
 
 /// What a `kane.toml` asks for.
@@ -54,6 +54,19 @@ pub enum Functions {
 }
 
 impl Functions {
+    /// Those that are named, in the order in which a module holds them, each once; names that are none are left out.
+    pub fn requests(&self) -> Vec<Request> {
+        let names: &[String] = match self {
+            Self::Default | Self::All => &[],
+            Self::Named(names) => names,
+        };
+        let requests = names.iter().filter_map(|name| Request::parse(name).ok());
+        let mut requests: Vec<Request> = requests.collect();
+        requests.sort_by_key(Request::place);
+        requests.dedup_by_key(|request| request.place());
+        requests
+    }
+
     /// True where the function is among them.
     pub fn names(&self, function: &Function) -> bool {
         match self {
@@ -246,18 +259,8 @@ fn functions(reader: &mut Reader, system: &Table<'_, '_>, known: &[&str]) -> Opt
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
         };
-        if name.value != "all" && !known.contains(&name.value.as_str()) {
-            let fault = Diagnostic::error(format!(
-                "{what} names `{}`, which is no function",
-                name.value.escape_debug()
-            ));
-            let help = match nearest(&name.value, known) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("the functions are {}", list(known)),
-            };
-            reader
-                .faults
-                .push(fault.at(name.span, "unknown function").help(help));
+        if let Some(fault) = request_fault(&name, &what, known) {
+            reader.faults.push(fault);
         } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
             reader.faults.push(
@@ -283,6 +286,40 @@ fn functions(reader: &mut Reader, system: &Table<'_, '_>, known: &[&str]) -> Opt
             names.into_iter().map(|name| name.value).collect(),
         )),
     }
+}
+
+/// What is wrong with an entry of `functions`.
+fn request_fault(name: &Spanned<String>, what: &str, known: &[&str]) -> Option<Diagnostic> {
+    if name.value == "all" {
+        return None;
+    }
+    let among = |part: &str| known.contains(&part);
+    let fault = match Request::parse(&name.value) {
+        Ok(request) => {
+            let mut parts = request.parts().iter().map(|part| part.name);
+            let name = parts.find(|part| !among(part))?.to_owned();
+            RequestError::Unknown { name }
+        }
+        Err(fault) => fault,
+    };
+    let RequestError::Unknown { name: part } = fault else {
+        let fault = Diagnostic::error(format!("{what}: {fault}"));
+        return Some(fault.at(name.span, "cannot be joined"));
+    };
+    let whole = if part == name.value {
+        String::new()
+    } else {
+        format!(" in `{}`", name.value.escape_debug())
+    };
+    let fault = Diagnostic::error(format!(
+        "{what} names `{}`{whole}, which is no function",
+        part.escape_debug()
+    ));
+    let help = match nearest(&part, known) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("the functions are {}", list(known)),
+    };
+    Some(fault.at(name.span, "unknown function").help(help))
 }
 
 fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulation> {

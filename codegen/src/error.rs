@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::{compile::SNAP_TOLERANCES, diagnostic::Diagnostics};
+use crate::{compile::SNAP_TOLERANCES, diagnostic::Diagnostics, functions::RequestError};
 
 /// Why nothing was generated.
 #[derive(Debug, thiserror::Error)]
@@ -19,6 +19,9 @@ pub enum Error {
         /// The names there are.
         known: Vec<&'static str>,
     },
+    /// Functions that cannot be joined as they were.
+    #[error("{0}")]
+    Request(RequestError),
     /// A tolerance that is none, or so large that it would make another system.
     #[error("the snap tolerance is {tolerance:?}; expected at least {} and less than {}", SNAP_TOLERANCES.start, SNAP_TOLERANCES.end)]
     SnapTolerance {

@@ -9,7 +9,7 @@ use crate::{
     diagnostic::{Diagnostics, Source},
     emit::{self, Module},
     error::Error,
-    functions::CATALOGUE,
+    functions::Request,
     program::Operations,
     tree::{self, Tree},
 };
@@ -26,7 +26,7 @@ pub struct Generated {
     /// The text.
     pub source: String,
     /// The functions that it holds, with their operations.
-    pub functions: Vec<(&'static str, Operations)>,
+    pub functions: Vec<(String, Operations)>,
     /// What the user should know about the description; never errors.
     pub warnings: Diagnostics,
 }
@@ -53,7 +53,7 @@ pub fn generate(
     let functions = compiled
         .functions
         .iter()
-        .map(|emittable| (emittable.function.name, emittable.operations))
+        .map(|emittable| (emittable.function.name(), emittable.operations))
         .collect();
     let module = Module {
         tree,
@@ -90,15 +90,10 @@ fn described(options: &Options) -> String {
     let functions = match &options.functions {
         Functions::Default => "default".to_owned(),
         Functions::All => "all".to_owned(),
-        // In the order of the catalogue, in which the module holds them.
         Functions::Named(_) => {
-            let named = CATALOGUE
-                .iter()
-                .filter(|function| options.functions.names(function));
-            named
-                .map(|function| function.name)
-                .collect::<Vec<_>>()
-                .join(", ")
+            let named = options.functions.requests();
+            let named: Vec<String> = named.iter().map(Request::text).collect();
+            named.join(", ")
         }
     };
     let formulation = name_of(&options.formulation, &Formulation::ALL);

@@ -37,7 +37,7 @@ fn counts(
     tree: &Tree,
     functions: Functions,
     formulation: Formulation,
-) -> Vec<(&'static str, Operations)> {
+) -> Vec<(String, Operations)> {
     let compiled = compile::compile(
         tree,
         &Options {
@@ -50,18 +50,18 @@ fn counts(
     compiled
         .functions
         .iter()
-        .map(|emittable| (emittable.function.name, emittable.operations))
+        .map(|emittable| (emittable.function.name(), emittable.operations))
         .collect()
 }
 
-fn dynamics(tree: &Tree, formulation: Formulation) -> Vec<(&'static str, Operations)> {
+fn dynamics(tree: &Tree, formulation: Formulation) -> Vec<(String, Operations)> {
     let names = NAMED.iter().map(ToString::to_string).collect();
     let mut counts = counts(tree, Functions::Named(names), formulation);
-    counts.retain(|(name, _)| *name != "q_dot");
+    counts.retain(|(name, _)| name != "q_dot");
     counts
 }
 
-fn table(counts: &[(&str, Operations)]) -> String {
+fn table(counts: &[(String, Operations)]) -> String {
     counts
         .iter()
         .fold(String::new(), |mut text, (name, operations)| {

@@ -1,154 +1,242 @@
-//! Fused multiply-add: the same values up to rounding, the same counts, and nothing of it where it is not asked for.
+//! Several functions in one: the same numbers, with the work that they share done once.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use std::fs;
+use std::{fmt::Write as _, fs};
 
 use kane_codegen::{
-    compile::{self, Compiled, Options},
-    config::Functions,
+    compile::{self, Options},
+    config::{self, Functions},
     description::{self, Base, Reading, no_includes},
     diagnostic::Source,
+    emit::Emittable,
     expr::Input,
-    generate,
-    program::{self, Instruction, Operand, Operation, Program},
-    tree,
+    functions::{Formulation, Request, RequestError},
+    generate::generate,
+    program::Operations,
+    tree::{self, Tree},
 };
 
-/// Rounding of a function, relative to the largest entry of its output: some hundred operations deep, and a solution
-/// whose mass matrix has a condition number of some thousands.
-const TOLERANCE: f64 = 1e-11;
-const MODELS: [(&str, Option<Base>); 4] = [
-    ("models/eight_body.toml", None),
-    ("tests/robots/ur5/ur5.urdf", Some(Base::Fixed)),
-    ("tests/robots/panda/panda.urdf", Some(Base::Fixed)),
-    ("tests/robots/solo12/solo12.urdf", Some(Base::Free)),
+/// What control loops ask for together.
+const JOINED: [&str; 5] = [
+    "mass_matrix+bias",
+    "mass_matrix+bias+gravity_forces",
+    "inverse_dynamics+forward_dynamics",
+    "rotation+mass_center_position+mass_matrix+bias",
+    "kinetic_energy+potential_energy",
 ];
 
-fn compiled(path: &str, base: Option<Base>, fma: bool) -> Compiled {
+/// Models with hinges and sliders, joints of several angles, quaternions, followers, runtime values.
+fn models() -> Vec<(&'static str, Tree)> {
+    let robot = |path: &'static str, base| {
+        let reading = Reading {
+            base: Some(base),
+            chart: None,
+        };
+        (path, read(path, &reading))
+    };
+    let own = |path: &'static str| (path, read(path, &Reading::default()));
+    vec![
+        own("codegen/tests/models/cart_pole.toml"),
+        own("codegen/tests/models/pendulum.toml"),
+        own("models/eight_body.toml"),
+        own("tests/robots/gripper/gripper.urdf"),
+        robot("tests/robots/panda/panda.urdf", Base::Fixed),
+        robot("tests/robots/solo12/solo12.urdf", Base::Free),
+    ]
+}
+
+fn read(path: &str, reading: &Reading) -> Tree {
     let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let reading = Reading { base, chart: None };
-    let description = description::read(&Source::new(path, text), &reading, &no_includes);
-    let tree = tree::build(&description).unwrap().tree;
+    let description = description::read(&Source::new(path, text), reading, &no_includes);
+    tree::build(&description).unwrap().tree
+}
+
+/// Numbers between -1 and 1 without a pattern; quaternions need not be of length one for what is compared here.
+fn input(tree: &Tree, given: Input) -> f64 {
+    let (kind, place) = match given {
+        Input::Q(id) => (1.0, id.index()),
+        Input::U(id) => (2.0, id.index()),
+        Input::UDot(id) => (3.0, id.index()),
+        Input::Tau(id) => (4.0, id.index()),
+        Input::Parameter(id) => return tree.parameters[id.index()].nominal,
+        other => unreachable!("{other:?} is no argument of these functions"),
+    };
+    libm::sin(12.9 * f64::from(u32::try_from(place).unwrap()) + 7.3 * kind + 0.4)
+}
+
+fn compiled(tree: &Tree, names: &[&str]) -> Vec<(Emittable, Vec<f64>)> {
     let options = Options {
-        fma,
+        functions: Functions::Named(names.iter().map(ToString::to_string).collect()),
         ..Options::default()
     };
-    compile::compile(&tree, &options).unwrap()
-}
-
-/// Some state: the same number for the same input.
-fn state(input: Input) -> f64 {
-    let spread = |place: usize, step: f64| (0.4 + step * place as f64) % 1.6 - 0.8;
-    match input {
-        Input::Q(id) => spread(id.index(), 0.37),
-        Input::U(id) => spread(id.index(), 0.71),
-        Input::UDot(id) => spread(id.index(), 1.03),
-        Input::Tau(id) => spread(id.index(), 1.31),
-        other => unreachable!("{other:?} is no input of these"),
-    }
+    let compiled = compile::compile(tree, &options).unwrap();
+    let prepared = compiled.preparation.evaluate(|given| input(tree, given));
+    let evaluated = compiled.functions.into_iter().map(|emittable| {
+        let values = emittable.program.evaluate(|given| match given {
+            Input::Prepared(place) => prepared[place],
+            given => input(tree, given),
+        });
+        (emittable, values)
+    });
+    let mut evaluated: Vec<_> = evaluated.collect();
+    let always = |name: &str| ["q_dot", "normalize"].contains(&name);
+    evaluated.retain(|(emittable, _)| !always(&emittable.function.name()));
+    evaluated
 }
 
 #[test]
-fn fused_functions_agree_up_to_rounding() {
-    for (path, base) in MODELS {
-        let (plain, fused) = (compiled(path, base, false), compiled(path, base, true));
-        for (plain, fused) in plain.functions.iter().zip(&fused.functions) {
-            let name = plain.function.name;
-            let (plain, fused) = (plain.program.evaluate(state), fused.program.evaluate(state));
-            let largest = plain.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            for (one, other) in plain.iter().zip(&fused) {
-                let error = (one - other).abs();
-                assert!(
-                    error <= TOLERANCE * largest,
-                    "{path}, {name}: {one} is not {other}"
-                );
+fn outputs_are_those_of_the_separate_functions_in_the_order_asked_for() {
+    for (model, tree) in models() {
+        for joined in JOINED {
+            let (_, found) = compiled(&tree, &[joined]).remove(0);
+            let parts = joined.split('+');
+            let expected: Vec<f64> = parts
+                .flat_map(|part| compiled(&tree, &[part]).remove(0).1)
+                .collect();
+            assert_eq!(found.len(), expected.len());
+            let scale = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+            for (place, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                let error = (found - expected).abs() / scale;
+                assert!(error < 1e-12, "{model} {joined} {place}: {error:e}");
             }
         }
     }
 }
 
 #[test]
-fn fusing_keeps_the_counts_and_fuses_most_sums_of_the_dynamics() {
-    for (path, base) in MODELS {
-        let (plain, fused) = (compiled(path, base, false), compiled(path, base, true));
-        for (plain, fused) in plain.functions.iter().zip(&fused.functions) {
-            assert_eq!(plain.operations, fused.program.operations(), "{path}");
-            assert_eq!(plain.program.fused(), 0, "{path}");
-            if ["inverse_dynamics", "forward_dynamics"].contains(&plain.function.name) {
-                let (pairs, adds) = (fused.program.fused(), fused.operations.add);
-                assert!(2 * pairs > adds, "{path}: {pairs} of {adds} sums are fused");
+fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
+    for (model, tree) in models() {
+        for formulation in [Formulation::Notes, Formulation::Recursive] {
+            for joined in JOINED {
+                let evaluated = |text: &str| {
+                    let derived = Request::parse(text).unwrap().derive(&tree, formulation);
+                    derived
+                        .graph
+                        .evaluate(&derived.roots, |given| input(&tree, given))
+                };
+                let expected: Vec<f64> = joined.split('+').flat_map(evaluated).collect();
+                assert_eq!(evaluated(joined), expected, "{model} {joined}");
             }
         }
     }
-}
-
-/// The results of products that a sum could take in.
-fn lone_products_of_sums(program: &Program) -> usize {
-    let mut uses = vec![0; program.values.len()];
-    let operands = program.instructions.iter().flat_map(Instruction::operands);
-    for id in operands
-        .chain(program.stores.iter().copied())
-        .filter_map(Operand::value)
-    {
-        uses[id.index()] += 1;
-    }
-    let mut is_product = vec![false; program.values.len()];
-    let mut count = 0;
-    for instruction in &program.instructions {
-        if let Instruction::Compute { result, operation } = instruction {
-            is_product[result.index()] =
-                matches!(operation, Operation::Mul(..)) && uses[result.index()] == 1;
-            if matches!(operation, Operation::Add(..)) {
-                let ids = operation.operands().filter_map(Operand::value);
-                count += ids.filter(|id| is_product[id.index()]).count();
-            }
-        }
-    }
-    count
 }
 
 #[test]
-fn no_product_that_a_sum_alone_uses_is_left() {
-    for (path, base) in MODELS {
-        for function in compiled(path, base, true).functions {
-            program::verify(&function.program).unwrap();
-            let left = lone_products_of_sums(&function.program);
-            assert_eq!(left, 0, "{path}, {}", function.function.name);
+fn shared_work_is_done_once() {
+    for (model, tree) in models() {
+        for joined in JOINED {
+            let whole = compiled(&tree, &[joined]).remove(0).0.operations;
+            let (mut sum, mut most) = (Operations::default(), Operations::default());
+            for part in joined.split('+') {
+                let part = compiled(&tree, &[part]).remove(0).0.operations;
+                sum += part;
+                most.trig = most.trig.max(part.trig);
+            }
+            let shares = sum.trig > most.trig;
+            assert!(
+                whole.total() < sum.total() || !shares,
+                "{model} {joined}: {whole} of {sum}"
+            );
+            assert!(whole.total() <= sum.total(), "{model} {joined}");
+            assert_eq!(whole.trig, most.trig, "{model} {joined}: one sine an angle");
         }
     }
 }
 
-fn module(fma: bool) -> String {
+#[test]
+fn operations_of_robots() {
+    let mut text = String::new();
+    for (model, tree) in models().into_iter().skip(2) {
+        for joined in JOINED {
+            let whole = compiled(&tree, &[joined]).remove(0).0.operations;
+            let separate = joined.split('+').map(|part| {
+                let (emittable, _) = compiled(&tree, &[part]).remove(0);
+                emittable.operations.total()
+            });
+            let separate: usize = separate.sum();
+            let name = model.rsplit('/').next().unwrap();
+            writeln!(text, "{name} {joined}: {whole}; apart {separate}").unwrap();
+        }
+    }
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn a_cart_pole_s_mass_matrix_and_bias_in_one() {
     let path = format!("{}/tests/models/cart_pole.toml", env!("CARGO_MANIFEST_DIR"));
     let source = Source::new("cart_pole.toml", fs::read_to_string(path).unwrap());
     let options = Options {
-        functions: Functions::Named(vec!["forward_dynamics".to_owned()]),
-        fma,
+        functions: Functions::Named(vec!["mass_matrix+bias".to_owned()]),
         ..Options::default()
     };
-    let generated = generate::generate(&source, "models/cart_pole.toml", &options, &no_includes);
-    generated.unwrap().source
+    let module = generate(&source, "models/cart_pole.toml", &options, &no_includes).unwrap();
+    let names: Vec<&str> = module.functions.iter().map(|(name, _)| &**name).collect();
+    assert_eq!(names, ["q_dot", "mass_matrix_and_bias"]);
+    assert!(module.source.contains("functions: mass_matrix+bias;"));
+    let start = module.source.find("/// `mass_matrix`").unwrap();
+    insta::assert_snapshot!(module.source[start..]);
 }
 
 #[test]
-fn text_without_fused_multiplication_has_nothing_of_it() {
-    let text = module(false);
-    assert!(!text.contains("mul_add") && !text.contains("fma") && !text.contains("fused"));
+fn outputs_that_share_a_name_with_one_another_or_an_argument_go_by_their_functions() {
+    let names = |text: &str| -> Vec<String> {
+        let outputs = Request::parse(text).unwrap().outputs();
+        outputs.into_iter().map(|output| output.name).collect()
+    };
+    assert_eq!(names("mass_matrix+bias"), ["m", "bias"]);
+    assert_eq!(
+        names("kinetic_energy+potential_energy"),
+        ["kinetic_energy", "potential_energy"]
+    );
+    assert_eq!(
+        names("inverse_dynamics+forward_dynamics"),
+        ["inverse_dynamics", "forward_dynamics"]
+    );
+    assert_eq!(
+        names("q_dot+bias+gravity_forces+generalized_forces"),
+        ["q_dot", "bias", "gravity_forces", "generalized_forces"]
+    );
 }
 
 #[test]
-fn banner_and_hash_tell_of_fused_multiplication() {
-    let banner = |fma| module(fma).lines().nth(1).unwrap().to_owned();
-    let (plain, fused) = (banner(false), banner(true));
-    assert!(fused.ends_with("; fma: true."), "{fused}");
-    let hash = |line: &str| line.split_once(',').unwrap().0.to_owned();
-    assert_ne!(hash(&plain), hash(&fused));
+fn arguments_are_those_of_all_parts_in_the_order_of_every_function() {
+    let request = Request::parse("forward_dynamics+inverse_dynamics+forcing").unwrap();
+    let names: Vec<&str> = request.arguments().iter().map(|a| a.name()).collect();
+    assert_eq!(names, ["q", "u", "u_dot", "tau", "loads"]);
 }
 
 #[test]
-fn a_cart_pole_with_fused_multiplication() {
-    let text = module(true);
-    let start = text.find("/// Forward dynamics").unwrap();
-    insta::assert_snapshot!(text[start..].split("impl").next().unwrap());
+fn what_cannot_be_joined_is_refused() {
+    let error = |text: &str| Request::parse(text).unwrap_err();
+    assert!(matches!(error("mass+bias"), RequestError::Unknown { name } if name == "mass"));
+    assert!(matches!(error("bias+"), RequestError::Unknown { name } if name.is_empty()));
+    assert!(matches!(error("bias+bias"), RequestError::Repeated { name, .. } if name == "bias"));
+    let compact = error("bias+partial_velocity");
+    assert!(matches!(compact, RequestError::Compact { name, .. } if name == "partial_velocity"));
+    let options = Options {
+        functions: Functions::Named(vec!["bias+bias".to_owned()]),
+        ..Options::default()
+    };
+    let tree = read("models/cart_pole.toml", &Reading::default());
+    let error = compile::compile(&tree, &options).unwrap_err();
+    assert_eq!(error.to_string(), "`bias+bias` names `bias` twice");
+}
+
+#[test]
+fn the_order_in_which_functions_are_listed_does_not_matter() {
+    let names = |list: &[&str]| -> Vec<String> {
+        let functions = Functions::Named(list.iter().map(ToString::to_string).collect());
+        functions.requests().iter().map(Request::text).collect()
+    };
+    let expected = [
+        "mass_matrix",
+        "bias",
+        "mass_matrix+bias",
+        "bias+mass_matrix",
+    ];
+    let reversed: Vec<&str> = expected.into_iter().rev().collect();
+    assert_eq!(names(&reversed), expected);
+    assert_eq!(names(&expected), expected);
+    assert!(config::Functions::Default.requests().is_empty());
 }

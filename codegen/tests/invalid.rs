@@ -63,6 +63,7 @@ mod config_file {
         absolute_path
         all_and_more
         backslash
+        compact_part_of_a_function
         empty_path
         fma_is_string
         functions_is_string
@@ -76,6 +77,8 @@ mod config_file {
         remove_is_string
         removed_twice
         repeated_function
+        repeated_joined_function
+        repeated_part_of_a_function
         several_faults
         several_faults_of_changes
         snap_is_negative
@@ -86,6 +89,7 @@ mod config_file {
         unknown_formulation
         unknown_function
         unknown_function_far_from_any
+        unknown_part_of_a_function
         unknown_key
         unknown_root_key
     }

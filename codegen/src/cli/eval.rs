@@ -11,9 +11,10 @@ use kane_codegen::{
     compile, config,
     diagnostic::Source,
     error::Error,
-    functions::{Block, Function, Shape},
+    functions::{Block, Request},
+    tree::Tree,
 };
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::{
     Failures, Outcome, changes::ChangesArguments, job, json, parse, say, selection, state,
@@ -25,7 +26,7 @@ use super::{
 /// shape of the function's output: a number, a list, or nested lists, matrices by rows. A number that is not finite is
 /// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
 /// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
-/// `columns`, all from 0.
+/// `columns`, all from 0. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "The state file holds what the function is given, in SI units:\n  \
@@ -69,9 +70,7 @@ pub(crate) struct Arguments {
 /// Evaluates and prints.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
-    let function = Function::find(&arguments.function)
-        .ok_or_else(|| selection::unknown_function(&arguments.function));
-    let function = failures.keep(function);
+    let function = failures.keep(selection::request(&arguments.function));
     let changes = &arguments.changes;
     failures.keep(changes.check());
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes());
@@ -84,13 +83,13 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     job::warn(&checked.warnings);
 
     let tree = &checked.tree;
-    let inputs = state::read(&state, tree, function)?;
-    let derived = compile::choose(tree, function, arguments.formulation).derived;
+    let inputs = state::read(&state, tree, &function)?;
+    let derived = compile::choose(tree, &function, arguments.formulation).derived;
     let numbers = derived.graph.evaluate(&derived.roots, |input| {
         *inputs.get(&input).unwrap_or_else(|| {
             unreachable!(
                 "eval: `{}` reads {input:?}, which is none of its arguments",
-                function.name
+                function.name()
             )
         })
     });
@@ -101,13 +100,25 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
             numbers.len()
         ));
     }
-    let array = json::array(&numbers, &function.shape.lengths(tree, numbers.len() / 3));
-    let value = match function.shape {
-        Shape::Columns => json!({ "blocks": blocks(&derived.blocks), "columns": array }),
-        _ => array,
-    };
-    json::write(out, &value)?;
+    json::write(out, &value(tree, &function, &numbers, &derived.blocks))?;
     Ok(Outcome::Done)
+}
+
+/// The output in its shape; an object of several.
+fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) -> Value {
+    let mut rest = numbers;
+    let mut outputs = Map::new();
+    for output in function.outputs() {
+        let lengths = output.shape.lengths(tree, numbers.len() / 3);
+        let (own, others) = rest.split_at(lengths.iter().product());
+        outputs.insert(output.name, json::array(own, &lengths));
+        rest = others;
+    }
+    if function.is_compact() {
+        outputs.insert("blocks".to_owned(), blocks(compact));
+    }
+    let only = outputs.values().next().filter(|_| outputs.len() == 1);
+    only.cloned().unwrap_or(Value::Object(outputs))
 }
 
 fn blocks(blocks: &[Block]) -> Value {

@@ -7,7 +7,7 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    functions::Formulation,
+    functions::{CATALOGUE, Formulation, Request},
     id::BodyId,
     program::Operations,
     report::{self, Cell, Counts, Partitions},
@@ -15,7 +15,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, changes::ChangesArguments, job, json};
+use super::{Failures, Outcome, changes::ChangesArguments, job, json, selection};
 
 /// Show a model's tree, coordinates, partitions, parameters and operation counts
 ///
@@ -50,6 +50,10 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
+    /// Count these functions in place of all, with commas between them; `mass_matrix+bias` is one function that does both
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    functions: Option<Vec<String>>,
+
     /// Print JSON for programs
     #[arg(long)]
     json: bool,
@@ -59,18 +63,40 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let changes = &arguments.changes;
     changes.check()?;
+    let requests = requests(arguments.functions.as_deref())?;
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
     if arguments.json {
-        json::write(out, &value(tree))?;
+        json::write(out, &value(tree, &counts(tree, requests)))?;
     } else {
-        write(out, tree)?;
+        write(out, tree, requests)?;
     }
     Ok(Outcome::Done)
 }
 
-fn write(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
+/// The functions that are counted: all, or those that are named.
+fn requests(names: Option<&[String]>) -> Result<Vec<Request>, Failures> {
+    let Some(names) = names else {
+        return Ok(CATALOGUE.iter().map(Request::from).collect());
+    };
+    let mut failures = Failures::default();
+    let requests = names.iter();
+    let requests = requests
+        .filter_map(|name| failures.keep(selection::request(name)))
+        .collect();
+    failures.none()?;
+    Ok(requests)
+}
+
+fn counts(tree: &Tree, requests: Vec<Request>) -> Vec<Counts> {
+    let requests = requests.into_iter();
+    requests
+        .map(|request| report::count(tree, request))
+        .collect()
+}
+
+fn write(out: &mut dyn Write, tree: &Tree, requests: Vec<Request>) -> io::Result<()> {
     let order = match tree.order {
         Order::Body => "body after body",
         Order::Notes => "all angles, then all translations, Eq. (1)",
@@ -98,7 +124,7 @@ fn write(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
     write_coordinates(out, tree, order)?;
     write_partitions(out, tree, &report::partitions(tree))?;
     write_parameters(out, tree)?;
-    write_counts(out, &report::counts(tree))
+    write_counts(out, &counts(tree, requests))
 }
 
 /// Bodies that are part of others.
@@ -215,12 +241,8 @@ fn write_counts(out: &mut dyn Write, counts: &[Counts]) -> io::Result<()> {
     )?;
     writeln!(out, "{:36}{:>9}{:>11}", "", "notes", "recursive")?;
     for count in counts {
-        let name = count.function.name;
-        let default = if count.function.is_default {
-            " (d)"
-        } else {
-            ""
-        };
+        let name = count.function.text();
+        let default = if is_default(count) { " (d)" } else { "" };
         let cell = |formulation: Formulation| match operations(count, formulation) {
             Some(operations) => {
                 let mark = if formulation == count.cheapest {
@@ -242,6 +264,12 @@ fn write_counts(out: &mut dyn Write, counts: &[Counts]) -> io::Result<()> {
     Ok(())
 }
 
+/// True for a function of the default set.
+fn is_default(count: &Counts) -> bool {
+    let alone = count.function.alone();
+    alone.is_some_and(|function| function.is_default)
+}
+
 fn operations(count: &Counts, formulation: Formulation) -> Option<Operations> {
     let found = count
         .formulations
@@ -259,13 +287,13 @@ fn gravity(tree: &Tree) -> [f64; 3] {
     tree.gravity.map(|component| tree.nominal(component))
 }
 
-fn value(tree: &Tree) -> Value {
+fn value(tree: &Tree, counts: &[Counts]) -> Value {
     let order = match tree.order {
         Order::Body => "body",
         Order::Notes => "notes",
     };
     let bodies: Value = tree.body_ids().map(|body| body_value(tree, body)).collect();
-    let counts: Value = report::counts(tree).iter().map(counts_value).collect();
+    let counts: Value = counts.iter().map(counts_value).collect();
     let parameter = |parameter: &tree::Parameter| {
         let body = parameter.body.map(|body| body.index() + 1);
         json!({ "name": parameter.name, "body": body, "nominal": parameter.nominal, "unit": parameter.unit })
@@ -379,8 +407,8 @@ fn counts_value(counts: &Counts) -> Value {
     };
     let formulations: Map<String, Value> = counts.formulations.iter().map(formulation).collect();
     json!({
-        "name": counts.function.name,
-        "default": counts.function.is_default,
+        "name": counts.function.text(),
+        "default": is_default(counts),
         "formulations": formulations,
         "cheapest": counts.cheapest.name(),
     })

@@ -10,7 +10,7 @@ use kane_codegen::{
     config::{Formulation, Functions},
     diagnostic::nearest,
     error::Error,
-    functions::CATALOGUE,
+    functions::{CATALOGUE, Request, RequestError},
 };
 
 use super::{
@@ -42,7 +42,7 @@ pub(crate) struct Selection {
 
     /// The functions, with commas between them; `all` for every one
     ///
-    /// `kane info MODEL` lists them. `q_dot` is always among them, and with quaternions `normalize`: the trait
+    /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both. `q_dot` is always among them, and with quaternions `normalize`: the trait
     /// `kane::System` needs them.
     #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
     functions: Option<Vec<String>>,
@@ -93,8 +93,16 @@ pub(crate) struct Whole {
     pub(crate) root: PathBuf,
 }
 
+/// Reads a name of `--functions` or `--function`.
+pub(crate) fn request(text: &str) -> Result<Request, Failures> {
+    Request::parse(text).map_err(|fault| match fault {
+        RequestError::Unknown { name } => unknown_function(&name),
+        fault => Failures::message(fault.to_string()),
+    })
+}
+
 /// Why a function cannot be had, with the name that was probably meant.
-pub(crate) fn unknown_function(name: &str) -> Failures {
+fn unknown_function(name: &str) -> Failures {
     let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
     let help = match nearest(name, &known) {
         Some(near) => format!("did you mean `{near}`?"),
@@ -260,8 +268,8 @@ fn functions(names: &[String]) -> Result<Functions, Failures> {
             failures.add(Failures::message(
                 "--functions names functions beside `all`",
             ));
-        } else if CATALOGUE.iter().all(|function| function.name != name) {
-            failures.add(unknown_function(name));
+        } else if let Err(fault) = request(name) {
+            failures.add(fault);
         } else if names[..index].contains(name) {
             failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Source, nearest},
     expr::Input,
-    functions::{Argument, Function},
+    functions::{Argument, Request},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
     tree::Tree,
 };
@@ -18,24 +18,12 @@ use serde_json::{Map, Value};
 pub(crate) type State = BTreeMap<Input, f64>;
 
 const PARAMETERS: &str = "parameters";
-const ARGUMENTS: [Argument; 6] = [
-    Argument::Q,
-    Argument::U,
-    Argument::UDot,
-    Argument::Tau,
-    Argument::Loads,
-    Argument::RelativeAngularVelocity,
-];
 
 /// Reads the state of a tree, as far as the function needs it; what else the file holds must be right as well.
 ///
 /// # Errors
 /// Everything that is wrong with the file.
-pub(crate) fn read(
-    source: &Source,
-    tree: &Tree,
-    function: &Function,
-) -> Result<State, Diagnostics> {
+pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<State, Diagnostics> {
     let mut reader = Reader {
         tree,
         state: nominal(tree),
@@ -75,18 +63,21 @@ impl Reader<'_> {
         self.faults.push(Diagnostic::error(message));
     }
 
-    fn file(&mut self, file: &Map<String, Value>, function: &Function) {
-        let keys: Vec<&str> = ARGUMENTS.iter().map(|argument| argument.name()).collect();
+    fn file(&mut self, file: &Map<String, Value>, function: &Request) {
+        let keys: Vec<&str> = Argument::ALL
+            .iter()
+            .map(|argument| argument.name())
+            .collect();
         let keys = [&keys[..], &[PARAMETERS]].concat();
         self.unknown_keys("the file", file, &keys);
-        for argument in ARGUMENTS {
+        for argument in Argument::ALL {
             match file.get(argument.name()) {
                 Some(value) => self.argument(argument, value),
-                None if function.arguments.contains(&argument) => {
+                None if function.arguments().contains(&argument) => {
                     let (name, expected) = (argument.name(), self.expected(argument));
                     self.fault(format!(
                         "`{}` needs `{name}`, which is missing; expected {expected}",
-                        function.name
+                        function.text()
                     ));
                 }
                 None => {}

@@ -11,17 +11,18 @@ use super::{
 };
 use crate::{
     expr::Input,
-    functions::{Argument, Function, Shape},
+    functions::{Argument, Function, Output, Request, Shape},
     program::{self, Groups, Origin, Place, Program, ValueId},
     tree::Tree,
 };
 
 /// The items of one function, in order: its pattern, itself, its trait.
 pub(super) fn items(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Vec<TokenStream> {
-    let function = emittable.function;
-    let mut items = pattern(emittable);
+    let alone = emittable.function.alone();
+    let mut items = alone.map_or_else(Vec::new, |function| pattern(emittable, function));
     items.push(free_function(tree, emittable, fields));
-    items.extend(function.trait_name.map(|name| trait_impl(function, name)));
+    let in_trait = alone.and_then(|function| Some((function, function.trait_name?)));
+    items.extend(in_trait.map(|(function, name)| trait_impl(emittable, function, name)));
     items
 }
 
@@ -34,18 +35,20 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
         ..
     } = emittable;
     let groups = Groups::of(program);
-    let names = program::names(program, &groups, tree, Place::Function { fields });
-    let n_columns = program.stores.len() / 3;
-    let lengths = function.shape.lengths(tree, n_columns);
-    let output = ident(function.output);
+    let outputs: Vec<String> = function.outputs().into_iter().map(|o| o.name).collect();
+    let place = Place::Function {
+        fields,
+        outputs: &outputs,
+    };
+    let names = program::names(program, &groups, tree, place);
     let writer = Writer {
         program,
         groups: &groups,
         names: &names,
     };
     let mut stores = Stores::default();
-    for (place, &store) in program.stores.iter().enumerate() {
-        let (target, value) = (target(&output, &lengths, place), writer.operand(store));
+    for (target, &store) in targets(tree, emittable).into_iter().zip(&program.stores) {
+        let value = writer.operand(store);
         let statement = quote!(#target = #value;);
         match store.value().filter(|&id| !is_field(program, id)) {
             Some(id) => stores.of_values.entry(id).or_default().push(statement),
@@ -53,7 +56,7 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
         }
     }
     let statements = statements::of(program, &groups, &names, &[], stores);
-    let mut lines: Vec<String> = function.doc.iter().map(ToString::to_string).collect();
+    let mut lines = function.doc();
     lines.push(String::new());
     let how = if function.formulations().len() > 1 {
         format!("; formulation: {}", formulation.name())
@@ -68,16 +71,29 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
         ));
     }
     let (doc, allow) = (doc(lines), allow_generated());
-    let name = ident(function.name);
-    let (arguments, output_type) = (arguments(function), output_type(function));
+    let name = ident(&function.name());
+    let (arguments, outputs) = (arguments(function), declared_outputs(function));
     quote! {
         #doc
         #allow
         #[inline(never)]
-        pub fn #name<R: kane::Real>(p: &Prepared<R>, #(#arguments,)* #output: &mut #output_type) {
+        pub fn #name<R: kane::Real>(p: &Prepared<R>, #(#arguments,)* #(#outputs),*) {
             #(#statements)*
         }
     }
+}
+
+/// The place of every store: the entries of one output after the other.
+fn targets(tree: &Tree, emittable: &Emittable) -> Vec<TokenStream> {
+    let n_columns = emittable.program.stores.len() / 3;
+    let mut targets = Vec::with_capacity(emittable.program.stores.len());
+    for output in emittable.function.outputs() {
+        let name = ident(&output.name);
+        let lengths = output.shape.lengths(tree, n_columns);
+        let size = lengths.iter().product();
+        targets.extend((0..size).map(|place| target(&name, &lengths, place)));
+    }
+    targets
 }
 
 /// True for a field of `Prepared`, which needs no statement before it is stored.
@@ -105,8 +121,8 @@ fn target(output: &proc_macro2::Ident, lengths: &[usize], place: usize) -> Token
     quote!(#output #([#indexes])*)
 }
 
-fn arguments(function: &Function) -> Vec<TokenStream> {
-    let argument = |argument: &Argument| {
+fn arguments(function: &Request) -> Vec<TokenStream> {
+    let argument = |argument: Argument| {
         let name = ident(argument.name());
         match argument {
             Argument::Q => quote!(#name: &[R; NQ]),
@@ -115,11 +131,20 @@ fn arguments(function: &Function) -> Vec<TokenStream> {
             Argument::RelativeAngularVelocity => quote!(#name: &[[R; 3]; NB]),
         }
     };
-    function.arguments.iter().map(argument).collect()
+    function.arguments().into_iter().map(argument).collect()
 }
 
-fn output_type(function: &Function) -> TokenStream {
-    match function.shape {
+/// The outputs as the last arguments.
+fn declared_outputs(function: &Request) -> Vec<TokenStream> {
+    let declared = |output: Output| {
+        let (name, output_type) = (ident(&output.name), output_type(function, output.shape));
+        quote!(#name: &mut #output_type)
+    };
+    function.outputs().into_iter().map(declared).collect()
+}
+
+fn output_type(function: &Request, shape: Shape) -> TokenStream {
+    match shape {
         Shape::Scalar => quote!(R),
         Shape::Vector => quote!([R; 3]),
         Shape::Coordinates => quote!([R; NQ]),
@@ -129,21 +154,24 @@ fn output_type(function: &Function) -> TokenStream {
         Shape::BodyVectors => quote!([[R; 3]; NB]),
         Shape::BodyMatrices => quote!([[[R; 3]; 3]; NB]),
         Shape::Columns => {
-            let columns = ident(&function.columns_constant());
+            let compact = function
+                .alone()
+                .expect("functions: a compact output stands alone");
+            let columns = ident(&compact.columns_constant());
             quote!([[R; 3]; #columns])
         }
     }
 }
 
 /// The pattern of a compact output, as constants.
-fn pattern(emittable: &Emittable) -> Vec<TokenStream> {
-    if emittable.function.shape != Shape::Columns {
+fn pattern(emittable: &Emittable, function: &Function) -> Vec<TokenStream> {
+    if function.shape != Shape::Columns {
         return Vec::new();
     }
-    let name = emittable.function.name;
+    let name = function.name;
     let (columns, blocks) = (
-        ident(&emittable.function.columns_constant()),
-        ident(&emittable.function.blocks_constant()),
+        ident(&function.columns_constant()),
+        ident(&function.blocks_constant()),
     );
     let n_columns = Literal::usize_unsuffixed(emittable.program.stores.len() / 3);
     let n_blocks = Literal::usize_unsuffixed(emittable.blocks.len());
@@ -164,13 +192,14 @@ fn pattern(emittable: &Emittable) -> Vec<TokenStream> {
 }
 
 /// The runtime crate's trait for the function.
-fn trait_impl(function: &Function, trait_name: &str) -> TokenStream {
+fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> TokenStream {
     let (trait_name, method, output) = (
         ident(trait_name),
         ident(function.name),
         ident(function.output),
     );
-    let (arguments, output_type) = (arguments(function), output_type(function));
+    let request = &emittable.function;
+    let (arguments, output_type) = (arguments(request), output_type(request, function.shape));
     let names = function
         .arguments
         .iter()

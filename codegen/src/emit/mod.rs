@@ -15,7 +15,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use crate::{
-    functions::{Block, Formulation, Function},
+    functions::{Block, Formulation, Request},
     program::{Operations, Program},
     tree::Tree,
 };
@@ -23,8 +23,8 @@ use crate::{
 /// A function ready to be emitted.
 #[derive(Clone, Debug)]
 pub struct Emittable {
-    /// The catalogue's entry.
-    pub function: &'static Function,
+    /// What was asked for.
+    pub function: Request,
     /// How the sums over bodies are associated.
     pub formulation: Formulation,
     /// The program; its inputs may be prepared values.
@@ -46,7 +46,7 @@ pub struct Module<'a> {
     pub preparation: Program,
     /// The fields of `Prepared`.
     pub fields: Vec<String>,
-    /// The functions, in the order of the catalogue.
+    /// The functions, in order.
     pub functions: Vec<Emittable>,
 }
 

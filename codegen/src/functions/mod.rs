@@ -1,17 +1,19 @@
 //! The catalogue of functions a user can ask for.
 //!
 //! In: a name. Out: a [`Function`], which says what it is given, what it writes, what that means, and how it is
-//! derived. Afterwards: every function derives its output in a graph of its own, so its text depends on the model
-//! and the options, never on what else is asked for. Does not: emit.
+//! derived; or names joined, and a [`Request`]. Afterwards: every request derives its outputs in a graph of its own, so its
+//! text depends on the model and the options, never on what else is asked for. Does not: emit.
 
 mod catalogue;
 mod derive;
 mod frames;
+mod request;
 mod terms;
 
 use std::fmt;
 
 pub use catalogue::CATALOGUE;
+pub use request::{Output, Request, RequestError};
 
 use crate::{
     expr::{Expr, ExprGraph},
@@ -158,9 +160,19 @@ impl Function {
 
     /// Derives the function; one that has a single formulation takes no notice of `formulation`.
     pub fn derive(&self, tree: &Tree, formulation: Formulation) -> Derived {
-        let mut graph = ExprGraph::default();
-        let mut blocks = Vec::new();
-        let roots = match (self.derive, formulation) {
+        let mut derived = Derived {
+            graph: ExprGraph::default(),
+            roots: Vec::new(),
+            blocks: Vec::new(),
+        };
+        self.derive_in(&mut derived, tree, formulation);
+        derived
+    }
+
+    /// Derives the function after others, in the same graph.
+    fn derive_in(&self, derived: &mut Derived, tree: &Tree, formulation: Formulation) {
+        let graph = &mut derived.graph;
+        match (self.derive, formulation) {
             (Derivation::Only(entries), _)
             | (Derivation::Either { notes: entries, .. }, Formulation::Notes)
             | (
@@ -168,21 +180,16 @@ impl Function {
                     recursive: entries, ..
                 },
                 Formulation::Recursive,
-            ) => entries(&mut graph, tree),
+            ) => derived.roots.extend(entries(graph, tree)),
             (Derivation::Compact(rows), _) => {
-                let rows = rows(&mut graph, tree);
-                blocks = pattern(tree, &rows);
-                let columns = rows
-                    .iter()
-                    .flat_map(|row| row.columns(&mut graph, tree))
-                    .collect::<Vec<_>>();
-                columns.into_iter().flat_map(|(_, column)| column).collect()
+                let rows = rows(graph, tree);
+                derived.blocks = pattern(tree, &rows);
+                for row in rows.iter() {
+                    let columns = row.columns(graph, tree);
+                    let columns = columns.into_iter().flat_map(|(_, column)| column);
+                    derived.roots.extend(columns);
+                }
             }
-        };
-        Derived {
-            graph,
-            roots,
-            blocks,
         }
     }
 
@@ -222,6 +229,16 @@ pub fn pattern(tree: &Tree, rows: &BodyMap<Row>) -> Vec<Block> {
 }
 
 impl Argument {
+    /// All of them, in the order in which functions are given them.
+    pub const ALL: [Self; 6] = [
+        Self::Q,
+        Self::U,
+        Self::UDot,
+        Self::Tau,
+        Self::Loads,
+        Self::RelativeAngularVelocity,
+    ];
+
     /// The argument's name in generated code.
     pub fn name(self) -> &'static str {
         match self {

@@ -23,7 +23,7 @@ pub struct Preparation {
 #[derive(Clone, Debug)]
 pub struct Field {
     /// The function that needs it; `None` for a parameter, which all share.
-    pub function: Option<&'static str>,
+    pub function: Option<String>,
     /// The body that it belongs to.
     pub scope: Option<BodyId>,
     /// What the function calls it.
@@ -36,7 +36,7 @@ pub struct Field {
 pub fn run(
     old: &ExprGraph,
     roots: &[Expr],
-    function: &'static str,
+    function: &str,
     preparation: &mut Preparation,
 ) -> (ExprGraph, Vec<Expr>) {
     let needed = old.reachable(roots);
@@ -90,7 +90,7 @@ impl Preparation {
         &mut self,
         graph: &mut ExprGraph,
         value: Expr,
-        function: &'static str,
+        function: &str,
         old: &ExprGraph,
         id: NodeId,
     ) -> Expr {
@@ -101,12 +101,14 @@ impl Preparation {
         }
         let is_parameter = matches!(self.graph.node(value.node()), Node::Input(_));
         let function = Some(function).filter(|_| !is_parameter);
-        let known = |field: &Field| field.root.node() == value.node() && field.function == function;
+        let known = |field: &Field| {
+            field.root.node() == value.node() && field.function.as_deref() == function
+        };
         let place = self.fields.iter().position(known).unwrap_or_else(|| {
             let label = old.label(id);
             let negative = value.is_negative() ^ label.is_some_and(|label| label.negative);
             self.fields.push(Field {
-                function,
+                function: function.map(str::to_owned),
                 scope: old.scope(id),
                 label: label.map(|label| label.text.clone()),
                 root: value.abs_sign().signed(negative),

@@ -52,6 +52,8 @@ pub enum Place<'a> {
     Function {
         /// The fields, in the order of the prepared values.
         fields: &'a [String],
+        /// The names of its outputs.
+        outputs: &'a [String],
     },
     /// In what computes `Prepared`.
     Preparation,
@@ -63,16 +65,17 @@ pub fn names(program: &Program, groups: &Groups, tree: &Tree, place: Place<'_>) 
     let mut names = vec![String::new(); program.values.len()];
     let mut taken: BTreeSet<String> = RESERVED.map(String::from).into();
     let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
+    let (fields, outputs, letter): (&[String], &[String], _) = match place {
+        Place::Function { fields, outputs } => (fields, outputs, "t"),
+        Place::Preparation => (&[], &[], "k"),
+    };
+    taken.extend(outputs.iter().cloned());
     let mut claim = |name: String| {
         let mut unique = name;
         while !taken.insert(unique.clone()) {
             unique.push('_');
         }
         unique
-    };
-    let (fields, letter): (&[String], _) = match place {
-        Place::Function { fields } => (fields, "t"),
-        Place::Preparation => (&[], "k"),
     };
     for (value, name) in program.values.iter().zip(&mut names) {
         if let Origin::Input(input) = value.origin {
@@ -112,7 +115,7 @@ pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
             .scope
             .map_or("system", |body| tree.body(body).identifier.as_str());
         let mut name = match (
-            field.function,
+            field.function.as_deref(),
             &field.label,
             preparation.graph.node(field.root.node()),
         ) {
@@ -121,7 +124,9 @@ pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
                 format!("{}_{body}_{label}", function.unwrap_or_default())
             }
             (function, None, _) => {
-                let counter = counters.entry((function, field.scope)).or_default();
+                let counter = counters
+                    .entry((field.function.clone(), field.scope))
+                    .or_default();
                 *counter += 1;
                 format!("{}_{body}_k{counter}", function.unwrap_or_default())
             }

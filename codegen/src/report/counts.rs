@@ -2,7 +2,7 @@
 
 use crate::{
     compile::{self, Choice},
-    functions::{CATALOGUE, Formulation, Function},
+    functions::{CATALOGUE, Formulation, Request},
     program::Operations,
     tree::Tree,
 };
@@ -11,7 +11,7 @@ use crate::{
 #[derive(Clone, Debug)]
 pub struct Counts {
     /// The function.
-    pub function: &'static Function,
+    pub function: Request,
     /// Its formulations, each with the operations that it leaves in the loop.
     pub formulations: Vec<(Formulation, Operations)>,
     /// The one with the fewest operations, which is what is generated where nothing else is asked for.
@@ -20,18 +20,17 @@ pub struct Counts {
 
 /// Counts the operations of every function, in the order of the catalogue.
 pub fn counts(tree: &Tree) -> Vec<Counts> {
-    CATALOGUE
-        .iter()
-        .map(|function| count(tree, function))
-        .collect()
+    let requests = CATALOGUE.iter().map(Request::from);
+    requests.map(|request| count(tree, request)).collect()
 }
 
-fn count(tree: &Tree, function: &'static Function) -> Counts {
+/// Counts the operations of one function.
+pub fn count(tree: &Tree, function: Request) -> Counts {
     let formulations: Vec<(Formulation, Operations)> = function
         .formulations()
         .iter()
         .map(|&formulation| {
-            let Choice { derived, .. } = compile::candidate(tree, function, formulation);
+            let Choice { derived, .. } = compile::candidate(tree, &function, formulation);
             (formulation, compile::operations(&derived))
         })
         .collect();

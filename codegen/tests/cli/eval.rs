@@ -179,6 +179,24 @@ fn matrix_is_printed_by_rows() {
 }
 
 #[test]
+fn functions_in_one_are_printed_as_an_object_of_outputs() {
+    let state = r#"{"q": [0, 0, 0], "u": [1, 0, 0]}"#;
+    let alone = |function: &str| serde_json::from_str::<Value>(&arm(function, state).out).unwrap();
+    let joined = alone("kinetic_energy+mass_matrix");
+    assert_eq!(joined.as_object().unwrap().len(), 2);
+    assert_eq!(joined["energy"], alone("kinetic_energy"));
+    assert_eq!(joined["m"], alone("mass_matrix"));
+}
+
+#[test]
+fn functions_in_one_need_what_any_of_them_needs() {
+    let ran = arm("mass_matrix+bias", r#"{"q": [0, 0, 0]}"#);
+    assert_eq!(ran.code, 2);
+    let fault = "`mass_matrix+bias` needs `u`, which is missing; expected a list of 3 numbers";
+    assert!(ran.err.contains(fault), "{}", ran.err);
+}
+
+#[test]
 fn parameters_are_nominal_unless_the_state_says_otherwise() {
     // Only the slider moves: its kinetic energy is that of both masses, 2.0 and 1.5 kg, at 2 m/s.
     let energy = |parameters: &str| {

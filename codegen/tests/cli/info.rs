@@ -151,6 +151,22 @@ fn counts_are_those_of_the_generated_functions() {
 }
 
 #[test]
+fn functions_that_are_named_are_counted_alone() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "{ runtime = 2.0 }"));
+    let functions = "bias,mass_matrix+bias";
+    let ran = project.kane(&["info", "arm.toml", "--functions", functions]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let (_, counts) = ran.out.split_once("Operations of each").unwrap();
+    let names = counts.lines().filter_map(|line| line.split(' ').next());
+    let names: Vec<&str> = names.filter(|name| !name.is_empty()).collect();
+    assert_eq!(names[names.len() - 2..], ["bias", "mass_matrix+bias"]);
+    let ran = project.kane(&["info", "arm.toml", "--functions", "bias+mass"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("`mass` is no function"), "{}", ran.err);
+}
+
+#[test]
 fn cheapest_formulation_is_marked() {
     let text = info(&[]);
     let line = text

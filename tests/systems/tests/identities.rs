@@ -194,7 +194,6 @@ mod bits {
         compile::{self, Options},
         config::{Formulation, Functions},
         expr::Input,
-        functions::Shape,
         tree::Tree,
     };
 
@@ -237,7 +236,7 @@ mod bits {
             let given = |given: Input| input(model.tree(), &state, given);
             let prepared = compiled.preparation.evaluate(given);
             for emittable in &compiled.functions {
-                let name = emittable.function.name;
+                let name = emittable.function.name();
                 if only_both && emittable.function.formulations().len() == 1 {
                     continue;
                 }
@@ -245,12 +244,12 @@ mod bits {
                     Input::Prepared(place) => prepared[place],
                     input => given(input),
                 });
-                let expected = if emittable.function.shape == Shape::Columns {
+                let expected = if emittable.function.is_compact() {
                     dense(model.tree(), &emittable.blocks, &values)
                 } else {
                     values
                 };
-                let found = model.evaluate(name, &state);
+                let found = model.evaluate(&name, &state);
                 assert!(
                     found == expected,
                     "{} {name}, state of seed {seed}:\n{found:?}\n{expected:?}",

@@ -160,7 +160,7 @@ fn signatures(compiled: Compiled) -> Vec<String> {
 }
 
 /// The text, and for each function its operations.
-fn generated(compiled: Compiled) -> (String, Vec<(&'static str, usize)>) {
+fn generated(compiled: Compiled) -> (String, Vec<(String, usize)>) {
     let options = Options {
         functions: Functions::All,
         formulation: Formulation::Recursive,
@@ -172,7 +172,7 @@ fn generated(compiled: Compiled) -> (String, Vec<(&'static str, usize)>) {
     let counts = generated
         .functions
         .iter()
-        .map(|(name, operations)| (*name, operations.total()));
+        .map(|(name, operations)| (name.clone(), operations.total()));
     (generated.source, counts.collect())
 }
 

@@ -1,0 +1,212 @@
+//! What a user asks for: a function of the catalogue, or several in one that shares their work.
+//!
+//! In: a text such as `bias` or `mass_matrix+bias`. Out: a [`Request`]. Afterwards: every part is of the catalogue, none is
+//! there twice, and what is joined has no compact output.
+
+use super::{Argument, CATALOGUE, Derived, Formulation, Function, Shape};
+use crate::{expr::ExprGraph, tree::Tree};
+
+/// A function to generate.
+#[derive(Clone, Debug)]
+pub struct Request {
+    parts: Vec<&'static Function>,
+}
+
+/// An output of a function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Output {
+    /// The argument's name.
+    pub name: String,
+    /// The shape.
+    pub shape: Shape,
+}
+
+/// Why a function cannot be had.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RequestError {
+    /// A name that the catalogue does not hold.
+    #[error("`{}` is no function", name.escape_debug())]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// A part that is there twice.
+    #[error("`{request}` names `{name}` twice")]
+    Repeated {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+    /// A compact output beside others.
+    #[error("`{request}` joins `{name}` to others, which no function with a compact output can be")]
+    Compact {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+}
+
+impl Request {
+    /// Reads names of the catalogue with `+` between them.
+    ///
+    /// ```
+    /// use kane_codegen::functions::Request;
+    ///
+    /// let request = Request::parse("mass_matrix+bias").unwrap();
+    /// assert_eq!(request.name(), "mass_matrix_and_bias");
+    /// assert!(Request::parse("mass_matrix+mass").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn parse(text: &str) -> Result<Self, RequestError> {
+        let mut parts: Vec<&'static Function> = Vec::new();
+        for name in text.split('+') {
+            let part = Function::find(name).ok_or_else(|| RequestError::Unknown {
+                name: name.to_owned(),
+            })?;
+            if parts.iter().any(|known| known.name == name) {
+                return Err(RequestError::Repeated {
+                    request: text.to_owned(),
+                    name: name.to_owned(),
+                });
+            }
+            parts.push(part);
+        }
+        let compact = parts.iter().find(|part| part.shape == Shape::Columns);
+        match compact {
+            Some(part) if parts.len() > 1 => Err(RequestError::Compact {
+                request: text.to_owned(),
+                name: part.name.to_owned(),
+            }),
+            _ => Ok(Self { parts }),
+        }
+    }
+
+    /// The functions of the catalogue that it is made of, in the order asked for.
+    pub fn parts(&self) -> &[&'static Function] {
+        &self.parts
+    }
+
+    /// The function of the catalogue, where it is one alone.
+    pub fn alone(&self) -> Option<&'static Function> {
+        match self.parts[..] {
+            [function] => Some(function),
+            _ => None,
+        }
+    }
+
+    /// As it is asked for: `mass_matrix+bias`.
+    pub fn text(&self) -> String {
+        self.joined("+")
+    }
+
+    /// The generated function's name: `mass_matrix_and_bias`.
+    pub fn name(&self) -> String {
+        self.joined("_and_")
+    }
+
+    fn joined(&self, between: &str) -> String {
+        let names: Vec<&str> = self.parts.iter().map(|part| part.name).collect();
+        names.join(between)
+    }
+
+    /// Where it stands in a module: the catalogue's functions in their order, then those that join several.
+    pub fn place(&self) -> (usize, Vec<usize>) {
+        let place = |part: &&Function| {
+            let found = CATALOGUE.iter().position(|known| known.name == part.name);
+            found.expect("functions: a part is of the catalogue")
+        };
+        let kind = usize::from(self.alone().is_none());
+        (kind, self.parts.iter().map(place).collect())
+    }
+
+    /// What it is given besides the parameters: whatever one of its parts is given, in the order of all functions.
+    pub fn arguments(&self) -> Vec<Argument> {
+        let is_given = |argument: &Argument| {
+            let mut parts = self.parts.iter();
+            parts.any(|part| part.arguments.contains(argument))
+        };
+        Argument::ALL.into_iter().filter(is_given).collect()
+    }
+
+    /// What it writes, in the order asked for. An output that has the name of another one or of an argument goes by the
+    /// name of its function.
+    pub fn outputs(&self) -> Vec<Output> {
+        let arguments = self.arguments();
+        let is_free = |name: &str| {
+            let among = self.parts.iter().filter(|part| part.output == name);
+            among.count() == 1 && arguments.iter().all(|argument| argument.name() != name)
+        };
+        let output = |part: &&Function| {
+            let own = is_free(part.output) || self.parts.len() == 1;
+            Output {
+                name: if own { part.output } else { part.name }.to_owned(),
+                shape: part.shape,
+            }
+        };
+        self.parts.iter().map(output).collect()
+    }
+
+    /// True for the function of a compact output.
+    pub fn is_compact(&self) -> bool {
+        self.parts.iter().any(|part| part.shape == Shape::Columns)
+    }
+
+    /// Lines of documentation.
+    pub fn doc(&self) -> Vec<String> {
+        if let Some(function) = self.alone() {
+            return function.doc.iter().map(ToString::to_string).collect();
+        }
+        let names = self.joined("` and `");
+        let mut lines = vec![format!("`{names}` in one: what they share is done once.")];
+        for (part, output) in self.parts.iter().zip(self.outputs()) {
+            lines.push(String::new());
+            let mut doc = part.doc.iter();
+            let first = doc.next().map_or("", |line| line);
+            lines.push(format!("`{}`: {first}", output.name));
+            lines.extend(doc.map(ToString::to_string));
+        }
+        lines
+    }
+
+    /// The formulations in which the function can be derived.
+    pub fn formulations(&self) -> &'static [Formulation] {
+        let lists = self.parts.iter().map(|part| part.formulations());
+        lists
+            .max_by_key(|list| list.len())
+            .expect("functions: a request has a part")
+    }
+
+    /// How many terms the notes' sums have at least: as [`Function::literal_terms`]; parts may have all theirs in common.
+    pub fn literal_terms(&self, tree: &Tree) -> usize {
+        let terms = self.parts.iter().map(|part| part.literal_terms(tree));
+        terms.max().unwrap_or(0)
+    }
+
+    /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no
+    /// notice of `formulation`.
+    pub fn derive(&self, tree: &Tree, formulation: Formulation) -> Derived {
+        let mut derived = Derived {
+            graph: ExprGraph::default(),
+            roots: Vec::new(),
+            blocks: Vec::new(),
+        };
+        for part in &self.parts {
+            derived.graph.enter(None);
+            part.derive_in(&mut derived, tree, formulation);
+        }
+        derived
+    }
+}
+
+impl From<&'static Function> for Request {
+    fn from(function: &'static Function) -> Self {
+        Self {
+            parts: vec![function],
+        }
+    }
+}
