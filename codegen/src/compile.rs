@@ -11,7 +11,7 @@ use crate::{
     emit::Emittable,
     error::Error,
     functions::{CATALOGUE, Derived, Formulation, Function, Request, RequestError},
-    passes::{factor, hoist, hoist::Preparation},
+    passes::{factor, hoist, hoist::Preparation, sines},
     program::{self, Operations, Program},
     tree::{Changes, Tree},
 };
@@ -43,7 +43,7 @@ pub struct Compiled {
     pub preparation: Program,
     /// The fields of `Prepared`.
     pub fields: Vec<String>,
-    /// The functions, in the order of the catalogue, then those that join several.
+    /// The functions, in the order of the catalogue, then the others.
     pub functions: Vec<Emittable>,
 }
 
@@ -117,6 +117,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
             formulation,
             derived,
         } = choose(tree, &function, options.formulation);
+        let derived = given_sines(tree, &function, derived);
         let name = function.name();
         let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &name, &mut preparation);
         if derived.graph.overflowed() || graph.overflowed() {
@@ -193,7 +194,7 @@ pub fn choose(tree: &Tree, function: &Request, wanted: config::Formulation) -> C
 /// The function in this formulation, as it would be emitted.
 pub fn candidate(tree: &Tree, function: &Request, formulation: Formulation) -> Choice {
     let derived = function.derive(tree, formulation);
-    let (graph, roots) = if function.is_compact() {
+    let (graph, roots) = if function.compact().is_some() {
         // The pattern of a compact output follows from the tree: nothing to factor across columns.
         (derived.graph, derived.roots)
     } else {
@@ -206,6 +207,20 @@ pub fn candidate(tree: &Tree, function: &Request, formulation: Formulation) -> C
             roots,
             blocks: derived.blocks,
         },
+    }
+}
+
+/// What is chosen, with sines and cosines as inputs where they are to be given: the choice is that of the function which
+/// computes them, whose bits it keeps.
+pub fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> Derived {
+    if !function.is_at_sin_cos() {
+        return derived;
+    }
+    let (graph, roots) = sines::run(&derived.graph, &derived.roots, &sines::angles(tree));
+    Derived {
+        graph,
+        roots,
+        blocks: derived.blocks,
     }
 }
 

@@ -72,8 +72,8 @@ fn input(case: &Value, tree: &Tree, input: Input) -> f64 {
                 .as_f64()
                 .unwrap()
         }
-        Input::Parameter(_) | Input::Prepared(_) => {
-            unreachable!("the references have no parameters")
+        Input::Parameter(_) | Input::Prepared(_) | Input::Sine(_) | Input::Cosine(_) => {
+            unreachable!("the references have no parameters, nor are sines given")
         }
     }
 }

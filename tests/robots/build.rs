@@ -70,7 +70,26 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         generate(built.clone(), gripper)?;
         notes(built, gripper)?;
     }
+    joined(model("panda"), "panda")?;
+    joined(model("solo12").base(Base::Free), "solo12")?;
+    joined(Build::new("gripper/gripper.urdf"), "gripper")?;
     mjcf()
+}
+
+/// Functions as they stand in the catalogue, joined, and with their sines and cosines given.
+fn joined(build: Build, name: &str) -> Result<(), Error> {
+    let functions = [
+        "mass_matrix",
+        "bias",
+        "gravity_forces",
+        "inverse_dynamics",
+        "mass_matrix+bias+gravity_forces",
+        "mass_matrix+bias(sin_cos)",
+        "inverse_dynamics(sin_cos)",
+    ];
+    let build = build.functions(functions);
+    build.name(format!("{name}_joined")).run()?;
+    Ok(())
 }
 
 /// A robot of the references: as its file is, snapped as by default, and in the notes' formulation.

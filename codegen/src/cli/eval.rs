@@ -114,7 +114,7 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
         outputs.insert(output.name, json::array(own, &lengths));
         rest = others;
     }
-    if function.is_compact() {
+    if function.compact().is_some() {
         outputs.insert("blocks".to_owned(), blocks(compact));
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);

@@ -42,7 +42,8 @@ pub(crate) struct Selection {
 
     /// The functions, with commas between them; `all` for every one
     ///
-    /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both. `q_dot` is always among them, and with quaternions `normalize`: the trait
+    /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
+    /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
     /// `kane::System` needs them.
     #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
     functions: Option<Vec<String>>,

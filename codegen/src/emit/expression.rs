@@ -148,6 +148,8 @@ pub(super) fn input(input: Input, parameters: &[String]) -> TokenStream {
     let literal = Literal::usize_unsuffixed;
     match input {
         Input::Q(id) => index("q", &literal(id.index())),
+        Input::Sine(place) => given_sine("sines", place),
+        Input::Cosine(place) => given_sine("cosines", place),
         Input::U(id) => index("u", &literal(id.index())),
         Input::UDot(id) => index("u_dot", &literal(id.index())),
         Input::Tau(id) => index("tau", &literal(id.index())),
@@ -169,6 +171,11 @@ pub(super) fn input(input: Input, parameters: &[String]) -> TokenStream {
         }
         Input::Prepared(_) => unreachable!("emit: prepared values are fields, not locals"),
     }
+}
+
+fn given_sine(array: &str, place: usize) -> TokenStream {
+    let (array, place) = (ident(array), Literal::usize_unsuffixed(place));
+    quote!(sin_cos.#array[#place])
 }
 
 fn index(array: &str, place: &Literal) -> TokenStream {

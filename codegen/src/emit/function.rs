@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{
-    Emittable, allow_generated, allow_unused, doc,
+    Emittable, Module, allow_generated, allow_unused, doc,
     expression::Writer,
     ident,
     statements::{self, Stores},
@@ -17,9 +17,20 @@ use crate::{
 };
 
 /// The items of one function, in order: its pattern, itself, its trait.
-pub(super) fn items(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Vec<TokenStream> {
+pub(super) fn items(module: &Module<'_>, emittable: &Emittable) -> Vec<TokenStream> {
+    let (tree, fields) = (module.tree, &module.fields);
     let alone = emittable.function.alone();
-    let mut items = alone.map_or_else(Vec::new, |function| pattern(emittable, function));
+    // Two functions of one compact output have its pattern in common.
+    let is_first = |function: &&Function| {
+        let plain = |other: &Emittable| other.function.alone().map(|other| other.name);
+        alone.is_some()
+            || module
+                .functions
+                .iter()
+                .all(|other| plain(other) != Some(function.name))
+    };
+    let compact = emittable.function.compact().filter(is_first);
+    let mut items = compact.map_or_else(Vec::new, |function| pattern(emittable, function));
     items.push(free_function(tree, emittable, fields));
     let in_trait = alone.and_then(|function| Some((function, function.trait_name?)));
     items.extend(in_trait.map(|(function, name)| trait_impl(emittable, function, name)));
@@ -125,6 +136,9 @@ fn arguments(function: &Request) -> Vec<TokenStream> {
     let argument = |argument: Argument| {
         let name = ident(argument.name());
         match argument {
+            Argument::Q if function.is_at_sin_cos() => {
+                quote!(#name: &[R; NQ], sin_cos: &SinCos<R>)
+            }
             Argument::Q => quote!(#name: &[R; NQ]),
             Argument::U | Argument::UDot | Argument::Tau => quote!(#name: &[R; NU]),
             Argument::Loads => quote!(#name: &[kane::Load<R>; NB]),
@@ -155,8 +169,8 @@ fn output_type(function: &Request, shape: Shape) -> TokenStream {
         Shape::BodyMatrices => quote!([[[R; 3]; 3]; NB]),
         Shape::Columns => {
             let compact = function
-                .alone()
-                .expect("functions: a compact output stands alone");
+                .compact()
+                .expect("functions: its output is compact");
             let columns = ident(&compact.columns_constant());
             quote!([[R; 3]; #columns])
         }
@@ -165,9 +179,6 @@ fn output_type(function: &Request, shape: Shape) -> TokenStream {
 
 /// The pattern of a compact output, as constants.
 fn pattern(emittable: &Emittable, function: &Function) -> Vec<TokenStream> {
-    if function.shape != Shape::Columns {
-        return Vec::new();
-    }
     let name = function.name;
     let (columns, blocks) = (
         ident(&function.columns_constant()),

@@ -8,6 +8,7 @@
 mod expression;
 mod function;
 mod items;
+mod sin_cos;
 mod statements;
 mod tables;
 
@@ -62,8 +63,12 @@ pub fn source(module: &Module<'_>) -> String {
     items.extend(items::parameters(module.tree));
     items.extend(items::prepared(module, fields));
     items.push(items::system(module.tree));
-    for function in &module.functions {
-        items.extend(function::items(module.tree, function, fields));
+    let mut functions = module.functions.iter();
+    if functions.any(|emittable| emittable.function.is_at_sin_cos()) {
+        items.extend(sin_cos::items(module.tree));
+    }
+    for emittable in &module.functions {
+        items.extend(function::items(module, emittable));
     }
     for item in items {
         text.push('\n');

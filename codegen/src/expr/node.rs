@@ -39,6 +39,10 @@ pub enum Node {
 pub enum Input {
     /// An entry of `q`.
     Q(CoordinateId),
+    /// The sine of an angle among the coordinates, by its place among these.
+    Sine(usize),
+    /// Its cosine.
+    Cosine(usize),
     /// An entry of `u`.
     U(SpeedId),
     /// An entry of `u_dot`.

@@ -1,15 +1,19 @@
 //! What a user asks for: a function of the catalogue, or several in one that shares their work.
 //!
-//! In: a text such as `bias` or `mass_matrix+bias`. Out: a [`Request`]. Afterwards: every part is of the catalogue, none is
-//! there twice, and what is joined has no compact output.
+//! In: a text such as `bias`, `mass_matrix+bias` or `bias(sin_cos)`. Out: a [`Request`]. Afterwards: every part is of the
+//! catalogue, none is there twice, and what is joined has no compact output.
 
 use super::{Argument, CATALOGUE, Derived, Formulation, Function, Shape};
 use crate::{expr::ExprGraph, tree::Tree};
+
+/// What stands after the name of a function that is given sines and cosines.
+const AT_SIN_COS: &str = "(sin_cos)";
 
 /// A function to generate.
 #[derive(Clone, Debug)]
 pub struct Request {
     parts: Vec<&'static Function>,
+    at_sin_cos: bool,
 }
 
 /// An output of a function.
@@ -50,13 +54,15 @@ pub enum RequestError {
 }
 
 impl Request {
-    /// Reads names of the catalogue with `+` between them.
+    /// Reads names of the catalogue with `+` between them, and `(sin_cos)` after them where the function is to be given the
+    /// sines and cosines of the angles among the coordinates.
     ///
     /// ```
     /// use kane_codegen::functions::Request;
     ///
     /// let request = Request::parse("mass_matrix+bias").unwrap();
     /// assert_eq!(request.name(), "mass_matrix_and_bias");
+    /// assert_eq!(Request::parse("bias(sin_cos)").unwrap().name(), "bias_at_sin_cos");
     /// assert!(Request::parse("mass_matrix+mass").is_err());
     /// ```
     ///
@@ -64,7 +70,8 @@ impl Request {
     /// The first thing that is wrong with it.
     pub fn parse(text: &str) -> Result<Self, RequestError> {
         let mut parts: Vec<&'static Function> = Vec::new();
-        for name in text.split('+') {
+        let names = text.strip_suffix(AT_SIN_COS);
+        for name in names.unwrap_or(text).split('+') {
             let part = Function::find(name).ok_or_else(|| RequestError::Unknown {
                 name: name.to_owned(),
             })?;
@@ -82,7 +89,10 @@ impl Request {
                 request: text.to_owned(),
                 name: part.name.to_owned(),
             }),
-            _ => Ok(Self { parts }),
+            _ => Ok(Self {
+                parts,
+                at_sin_cos: names.is_some(),
+            }),
         }
     }
 
@@ -91,22 +101,33 @@ impl Request {
         &self.parts
     }
 
-    /// The function of the catalogue, where it is one alone.
+    /// The function of the catalogue, where it is one as it stands there.
     pub fn alone(&self) -> Option<&'static Function> {
         match self.parts[..] {
-            [function] => Some(function),
+            [function] if !self.at_sin_cos => Some(function),
             _ => None,
         }
     }
 
-    /// As it is asked for: `mass_matrix+bias`.
-    pub fn text(&self) -> String {
-        self.joined("+")
+    /// The function of a compact output.
+    pub fn compact(&self) -> Option<&'static Function> {
+        let mut parts = self.parts.iter();
+        parts.find(|part| part.shape == Shape::Columns).copied()
     }
 
-    /// The generated function's name: `mass_matrix_and_bias`.
+    /// True where the sines and cosines of the angles among the coordinates are given, after `q`.
+    pub fn is_at_sin_cos(&self) -> bool {
+        self.at_sin_cos
+    }
+
+    /// As it is asked for: `mass_matrix+bias(sin_cos)`.
+    pub fn text(&self) -> String {
+        self.joined("+") + self.suffix(AT_SIN_COS)
+    }
+
+    /// The generated function's name: `mass_matrix_and_bias_at_sin_cos`.
     pub fn name(&self) -> String {
-        self.joined("_and_")
+        self.joined("_and_") + self.suffix("_at_sin_cos")
     }
 
     fn joined(&self, between: &str) -> String {
@@ -114,14 +135,19 @@ impl Request {
         names.join(between)
     }
 
-    /// Where it stands in a module: the catalogue's functions in their order, then those that join several.
-    pub fn place(&self) -> (usize, Vec<usize>) {
+    fn suffix<'a>(&self, at_sin_cos: &'a str) -> &'a str {
+        if self.at_sin_cos { at_sin_cos } else { "" }
+    }
+
+    /// Where it stands in a module: the catalogue's functions in their order, then the others.
+    pub fn place(&self) -> (usize, Vec<usize>, bool) {
         let place = |part: &&Function| {
             let found = CATALOGUE.iter().position(|known| known.name == part.name);
             found.expect("functions: a part is of the catalogue")
         };
         let kind = usize::from(self.alone().is_none());
-        (kind, self.parts.iter().map(place).collect())
+        let parts = self.parts.iter().map(place).collect();
+        (kind, parts, self.at_sin_cos)
     }
 
     /// What it is given besides the parameters: whatever one of its parts is given, in the order of all functions.
@@ -151,14 +177,21 @@ impl Request {
         self.parts.iter().map(output).collect()
     }
 
-    /// True for the function of a compact output.
-    pub fn is_compact(&self) -> bool {
-        self.parts.iter().any(|part| part.shape == Shape::Columns)
-    }
-
     /// Lines of documentation.
     pub fn doc(&self) -> Vec<String> {
-        if let Some(function) = self.alone() {
+        let mut lines = self.meaning();
+        if self.at_sin_cos {
+            lines.push(String::new());
+            lines.push(
+                "`sin_cos` holds what the function `sin_cos` computes from this `q`, once for all that are called there."
+                    .to_owned(),
+            );
+        }
+        lines
+    }
+
+    fn meaning(&self) -> Vec<String> {
+        if let [function] = self.parts[..] {
             return function.doc.iter().map(ToString::to_string).collect();
         }
         let names = self.joined("` and `");
@@ -207,6 +240,7 @@ impl From<&'static Function> for Request {
     fn from(function: &'static Function) -> Self {
         Self {
             parts: vec![function],
+            at_sin_cos: false,
         }
     }
 }

@@ -3,10 +3,12 @@
 //! In: a derived function. Out: the same roots with fewer operations, and parameters' own work taken out.
 //! In order, with what holds afterwards:
 //! 1. `factor`: no sum has two products with a common factor that nothing else needs.
-//! 2. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
+//! 2. `sines`, where it is asked for: sines and cosines of coordinates are inputs.
+//! 3. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
 //!
 //! Dead values, order and names are the program's: see `program`.
 
 pub mod factor;
 pub mod hoist;
 mod rebuild;
+pub mod sines;

@@ -8,12 +8,15 @@ use super::{Groups, Instruction, Origin, Program};
 use crate::{
     expr::{Input, Node},
     id::BodyId,
-    passes::hoist::{Field, Preparation},
+    passes::{
+        hoist::{Field, Preparation},
+        sines,
+    },
     tree::Tree,
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 29] = [
+pub const RESERVED: [&str; 30] = [
     "accelerations",
     "alpha",
     "bias",
@@ -34,6 +37,7 @@ pub const RESERVED: [&str; 29] = [
     "q_dot",
     "rates",
     "rotations",
+    "sin_cos",
     "sines",
     "tau",
     "u",
@@ -143,6 +147,8 @@ pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
 #[derive(Default)]
 struct Known {
     q: Vec<String>,
+    /// The body and axis of each angle: `hinge` and `3`.
+    angles: Vec<(String, &'static str)>,
     u: Vec<String>,
     u_dot: Vec<String>,
     tau: Vec<String>,
@@ -152,6 +158,13 @@ impl Known {
     fn of(tree: &Tree) -> Self {
         Self {
             q: tree.coordinate_names(),
+            angles: sines::angles(tree)
+                .into_iter()
+                .map(|angle| {
+                    let axis = angle.kind.trim_start_matches("theta");
+                    (tree.body(angle.body).identifier.clone(), axis)
+                })
+                .collect(),
             u: tree.speed_names(),
             u_dot: tree.along_speeds("_ddot", "_dot"),
             tau: tree.along_speeds("_tau", "_tau"),
@@ -166,7 +179,13 @@ impl Known {
                 ["x", "y", "z"][axis]
             )
         };
+        let sine = |place: usize, function: &str| {
+            let (body, axis) = &self.angles[place];
+            format!("{body}_{function}{axis}")
+        };
         match input {
+            Input::Sine(place) => sine(place, "sin"),
+            Input::Cosine(place) => sine(place, "cos"),
             Input::Q(coordinate) => self.q[coordinate.index()].clone(),
             Input::U(speed) => self.u[speed.index()].clone(),
             Input::UDot(speed) => self.u_dot[speed.index()].clone(),

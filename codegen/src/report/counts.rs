@@ -26,22 +26,26 @@ pub fn counts(tree: &Tree) -> Vec<Counts> {
 
 /// Counts the operations of one function.
 pub fn count(tree: &Tree, function: Request) -> Counts {
-    let formulations: Vec<(Formulation, Operations)> = function
+    let formulations: Vec<_> = function
         .formulations()
         .iter()
         .map(|&formulation| {
             let Choice { derived, .. } = compile::candidate(tree, &function, formulation);
-            (formulation, compile::operations(&derived))
+            let plain = compile::operations(&derived).total();
+            let derived = compile::given_sines(tree, &function, derived);
+            (formulation, compile::operations(&derived), plain)
         })
         .collect();
     // The first of equals, as `compile::choose` takes it.
-    let (cheapest, _) = *formulations
+    let (cheapest, ..) = *formulations
         .iter()
-        .min_by_key(|(_, operations)| operations.total())
+        .min_by_key(|(.., plain)| *plain)
         .expect("functions: every function has a formulation");
+    let formulations = formulations.into_iter();
+    let formulations = formulations.map(|(formulation, operations, _)| (formulation, operations));
     Counts {
         function,
-        formulations,
+        formulations: formulations.collect(),
         cheapest,
     }
 }

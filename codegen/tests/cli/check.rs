@@ -336,3 +336,53 @@ fn reader_that_leaves_early_changes_nothing() {
     assert_eq!(ended.status.code(), Some(1));
     assert_eq!(String::from_utf8_lossy(&ended.stderr), "");
 }
+
+#[test]
+fn operations_of_functions_in_one_and_at_sines_and_cosines_are_compared_like_others() {
+    let project = Project::arm();
+    let functions = "\"mass_matrix+bias\", \"bias(sin_cos)\"";
+    let listed = system("models/arm.toml", "generated/arm.rs");
+    let listed = listed.replace("\"mass_matrix\", \"bias\"", functions);
+    project.write("kane.toml", &listed);
+    let generated = project.kane(&["generate"]);
+    assert_eq!(generated.code, 0, "{}", generated.err);
+    assert_eq!(project.kane(&["check"]).code, 0);
+    project.replace(
+        "models/arm.toml",
+        "mass_center = [0.0, 0.02, -0.4]",
+        "mass_center = [0.0, 0.0, -0.4]",
+    );
+    let ran = project.kane(&["check"]);
+    assert_eq!(ran.code, 1);
+    for name in ["mass_matrix_and_bias", "bias_at_sin_cos"] {
+        let of_function = |line: &str| line.split_whitespace().nth(1) == Some(name);
+        let line = ran.out.lines().find(|line| of_function(line));
+        assert!(line.is_some_and(|line| line.contains("(-")), "{}", ran.out);
+    }
+}
+
+#[test]
+fn functions_given_on_the_command_line_are_joined_as_in_the_file() {
+    let project = Project::arm();
+    let text = |functions: &str| {
+        let arguments = ["generate", "models/arm.toml", "--output", "-"];
+        project.kane(&[&arguments[..], &["--functions", functions]].concat())
+    };
+    let ran = text("mass_matrix+bias,mass_matrix+bias(sin_cos)");
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(
+        ran.out
+            .contains("functions: mass_matrix+bias, mass_matrix+bias(sin_cos);")
+    );
+    assert!(ran.out.contains("pub fn mass_matrix_and_bias_at_sin_cos<"));
+    let ran = text("bias+bais,bias+bias,bias+partial_velocity,bias+mass_matrix,bias+mass_matrix");
+    assert_eq!(ran.code, 2);
+    for fault in [
+        "`bais` is no function; did you mean `bias`?",
+        "`bias+bias` names `bias` twice",
+        "`bias+partial_velocity` joins `partial_velocity` to others",
+        "--functions names `bias+mass_matrix` twice",
+    ] {
+        assert!(ran.err.contains(fault), "{fault}\n{}", ran.err);
+    }
+}

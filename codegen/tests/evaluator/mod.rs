@@ -121,6 +121,7 @@ pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
         Input::Moment(body, axis) => state.loads[body.index()][3 + axis],
         Input::RelativeAngularVelocity(body, axis) => state.w_rel[body.index()][axis],
         Input::Parameter(id) => tree.parameters[id.index()].nominal,
+        Input::Sine(_) | Input::Cosine(_) => unreachable!("no function is given them here"),
         Input::Prepared(_) => unreachable!("prepared values are hoisted"),
     }
 }

@@ -52,10 +52,14 @@ modules! {
     panda_fused
     /// Two joints locked, one removed.
     panda_held
+    /// With functions in one, and at sines and cosines.
+    panda_joined
     /// As its file is.
     solo12
     /// With fused multiply-add.
     solo12_fused
+    /// With functions in one, and at sines and cosines.
+    solo12_joined
     /// Its base described by angles.
     solo12_angles
     /// As that, in the notes' formulation.
@@ -74,6 +78,8 @@ modules! {
     gripper
     /// In the notes' formulation.
     gripper_notes
+    /// With functions in one, and at sines and cosines.
+    gripper_joined
     /// The same, where none follows.
     gripper_free
     /// In the notes' formulation.

@@ -1,0 +1,61 @@
+//! Sines and cosines as a value of their own, for the functions that are given them.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{allow_generated, allow_unused, doc};
+use crate::{passes::sines, program::Operations, tree::Tree};
+
+/// The number and names of the angles, the type that holds their sines and cosines, and the function that computes them.
+pub(super) fn items(tree: &Tree) -> Vec<TokenStream> {
+    let angles = sines::angles(tree);
+    let n_angles = Literal::usize_unsuffixed(angles.len());
+    let coordinates = tree.coordinate_names();
+    let names = angles
+        .iter()
+        .map(|angle| &coordinates[angle.coordinate.index()]);
+    let places = angles
+        .iter()
+        .map(|angle| Literal::usize_unsuffixed(angle.coordinate.index()));
+    let operations = Operations {
+        trig: 2 * angles.len(),
+        ..Operations::default()
+    };
+    let cost = doc([format!("Operations: {operations}.")]);
+    let (allow, allow_generated) = (allow_unused(), allow_generated());
+    vec![
+        quote! {
+            /// Number of angles among the coordinates.
+            #allow
+            pub const NA: usize = #n_angles;
+        },
+        quote! {
+            /// The names of the angles among the coordinates, in the order of `q`.
+            #allow
+            pub const ANGLE_NAMES: [&str; NA] = [#(#names),*];
+        },
+        quote! {
+            /// The sine and cosine of every angle among the coordinates.
+            #allow
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            pub struct SinCos<R> {
+                /// The sines, in the order of `ANGLE_NAMES`.
+                pub sines: [R; NA],
+                /// The cosines.
+                pub cosines: [R; NA],
+            }
+        },
+        quote! {
+            /// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
+            ///
+            #cost
+            #allow_generated
+            #[inline(never)]
+            pub fn sin_cos<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], sin_cos: &mut SinCos<R>) {
+                let (sines, cosines) = R::sin_cos_array([#(q[#places]),*]);
+                sin_cos.sines = sines;
+                sin_cos.cosines = cosines;
+            }
+        },
+    ]
+}

@@ -1,0 +1,92 @@
+//! Functions in one, and functions that are given sines and cosines, compiled: the numbers of the separate ones.
+
+/// Entries between -1 and 1 without a pattern.
+fn numbers<const N: usize>(kind: u16, seed: u16) -> [f64; N] {
+    std::array::from_fn(|place| {
+        let place = u16::try_from(place).expect("robots have few joints");
+        let number = 12.9 * f64::from(place) + 7.3 * f64::from(kind) + 0.61 * f64::from(seed);
+        number.sin()
+    })
+}
+
+fn assert_close(found: &[f64], expected: &[f64]) {
+    let scale = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+    for (found, expected) in found.iter().zip(expected) {
+        let error = (found - expected).abs() / scale;
+        // Sums of some hundred products in another order; NaN fails.
+        assert!(error < 1e-13, "{found} is not {expected}: {error:e}");
+    }
+}
+
+macro_rules! robots {
+    ($($robot:ident)+) => {$(
+        mod $robot {
+            use super::{assert_close, numbers};
+            use kane_test_robots::$robot::{
+                ANGLE_NAMES, COORDINATE_NAMES, NA, NQ, NU, Prepared, SinCos, bias, gravity_forces, inverse_dynamics,
+                inverse_dynamics_at_sin_cos, mass_matrix, mass_matrix_and_bias_and_gravity_forces,
+                mass_matrix_and_bias_at_sin_cos, sin_cos,
+            };
+
+            fn given(system: &Prepared<f64>, q: &[f64; NQ]) -> SinCos<f64> {
+                let mut given = SinCos { sines: [f64::NAN; NA], cosines: [f64::NAN; NA] };
+                sin_cos(system, q, &mut given);
+                given
+            }
+
+            #[test]
+            fn functions_in_one_write_what_the_separate_ones_do() {
+                let system = Prepared::<f64>::nominal();
+                for seed in 0..10 {
+                    let (q, u) = (numbers(1, seed), numbers(2, seed));
+                    let mut expected = ([[f64::NAN; NU]; NU], [f64::NAN; NU], [f64::NAN; NU]);
+                    mass_matrix(&system, &q, &mut expected.0);
+                    bias(&system, &q, &u, &mut expected.1);
+                    gravity_forces(&system, &q, &mut expected.2);
+                    let mut found = ([[f64::NAN; NU]; NU], [f64::NAN; NU], [f64::NAN; NU]);
+                    mass_matrix_and_bias_and_gravity_forces(&system, &q, &u, &mut found.0, &mut found.1, &mut found.2);
+                    assert_close(found.0.as_flattened(), expected.0.as_flattened());
+                    assert_close(&found.1, &expected.1);
+                    assert_close(&found.2, &expected.2);
+                    let mut found = ([[f64::NAN; NU]; NU], [f64::NAN; NU]);
+                    mass_matrix_and_bias_at_sin_cos(&system, &q, &given(&system, &q), &u, &mut found.0, &mut found.1);
+                    assert_close(found.0.as_flattened(), expected.0.as_flattened());
+                    assert_close(&found.1, &expected.1);
+                }
+            }
+
+            #[test]
+            fn sines_and_cosines_that_are_given_change_no_bit() {
+                let system = Prepared::<f64>::nominal();
+                for seed in 0..10 {
+                    let (q, u, u_dot) = (numbers(1, seed), numbers(2, seed), numbers(3, seed));
+                    let (mut expected, mut found) = ([f64::NAN; NU], [f64::NAN; NU]);
+                    inverse_dynamics(&system, &q, &u, &u_dot, &mut expected);
+                    inverse_dynamics_at_sin_cos(&system, &q, &given(&system, &q), &u, &u_dot, &mut found);
+                    assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits));
+                }
+            }
+
+            #[test]
+            fn angles_are_coordinates_in_their_order() {
+                let angles = COORDINATE_NAMES.iter().filter(|name| ANGLE_NAMES.contains(name));
+                assert!(angles.eq(&ANGLE_NAMES));
+                let system = Prepared::<f64>::nominal();
+                let q = numbers(1, 0);
+                let given = given(&system, &q);
+                for (place, name) in ANGLE_NAMES.iter().enumerate() {
+                    let coordinate = COORDINATE_NAMES.iter().position(|known| known == name);
+                    let angle: f64 = q[coordinate.expect("an angle is a coordinate")];
+                    assert!((given.sines[place] - angle.sin()).abs() < 1e-15);
+                    assert!((given.cosines[place] - angle.cos()).abs() < 1e-15);
+                }
+            }
+        }
+    )+};
+}
+
+robots! {
+    panda_joined
+    solo12_joined
+    gripper_joined
+}
