@@ -69,7 +69,8 @@ macro_rules! lanes {
             type Float = $scalar;
             type Bits = $bits;
             const ONE: $bits = $bits::ONE;
-            const SIGN: u32 = $scalar::MANTISSA_DIGITS.next_power_of_two() - 1;
+            const TWO: $bits = $bits::splat(2);
+            const SHIFT: u32 = <$scalar as Word>::SHIFT;
 
             #[inline(always)]
             fn cut(self, limit: $scalar) -> Self {

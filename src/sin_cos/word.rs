@@ -24,8 +24,10 @@ pub(crate) trait Word:
         + Shl<u32, Output = Self::Bits>;
     /// 1 in every lane.
     const ONE: Self::Bits;
-    /// The place of the sign bit.
-    const SIGN: u32;
+    /// 2 in every lane.
+    const TWO: Self::Bits;
+    /// By how much 2 is shifted to be the sign bit.
+    const SHIFT: u32;
 
     /// Between `-limit` and `limit`; anything for NaN.
     fn cut(self, limit: Self::Float) -> Self;
@@ -36,18 +38,18 @@ pub(crate) trait Word:
 }
 
 /// The pair of the whole angle from that of the reduced one; `quadrant` holds the number of right angles between them in
-/// its low two bits.
+/// its low two bits, and is not the least integer, which is the zero that has a sign.
 #[inline(always)]
 pub(super) fn select<W: Word>(quadrant: W, sin: W, cos: W) -> (W, W) {
     let (quadrant, s, c) = (quadrant.to_bits(), sin.to_bits(), cos.to_bits());
-    let swap = (s ^ c) & (W::Bits::default() - (quadrant & W::ONE));
-    // Two right angles turn the sine's sign, one or two the cosine's.
-    let sign = W::ONE << W::SIGN;
-    let two = quadrant << (W::SIGN - 1);
-    let one = quadrant << W::SIGN;
+    let zero = W::Bits::default();
+    let swap = (s ^ c) & (zero - (quadrant & W::ONE));
+    // Two and three right angles turn the sine's sign, one and two the cosine's.
+    let sin_sign = (quadrant & W::TWO) << W::SHIFT;
+    let cos_sign = ((zero - quadrant) & W::TWO) << W::SHIFT;
     (
-        W::from_bits(s ^ swap ^ (two & sign)),
-        W::from_bits(c ^ swap ^ ((two ^ one) & sign)),
+        W::from_bits(s ^ swap ^ sin_sign),
+        W::from_bits(c ^ swap ^ cos_sign),
     )
 }
 
@@ -57,7 +59,8 @@ macro_rules! words {
             type Float = Self;
             type Bits = $bits;
             const ONE: $bits = 1;
-            const SIGN: u32 = $bits::BITS - 1;
+            const TWO: $bits = 2;
+            const SHIFT: u32 = $bits::BITS - 2;
 
             #[inline(always)]
             fn cut(self, limit: Self) -> Self {
