@@ -49,6 +49,7 @@
 use core::error::Error;
 use core::fmt;
 use core::marker::PhantomData;
+use core::ops::Range;
 
 use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix};
 use crate::{Array, Lanes, System};
@@ -63,6 +64,19 @@ pub struct Batch<L> {
 /// Up to [`Lanes::LANES`] neighbouring states of a [`Batch`].
 #[derive(Clone, Copy, Debug)]
 pub struct Group<L> {
+    first: usize,
+    states: usize,
+    lanes: PhantomData<L>,
+}
+
+/// How many groups a [`Tile`] has: their states fill whole cache lines of a row, at least.
+const GROUPS: usize = 8;
+
+/// Neighbouring groups, which are read and written row by row.
+///
+/// Rows are often a power of two apart, and then their lines compete for one place in the cache: it is faster to take
+/// several groups from each than to come back to it for each group.
+struct Tile<L> {
     first: usize,
     states: usize,
     lanes: PhantomData<L>,
@@ -124,13 +138,17 @@ impl<L: Lanes> Batch<L> {
 
     /// The groups, in the order of the states; the last one may be smaller than the others.
     pub fn groups(self) -> impl Iterator<Item = Group<L>> {
-        (0..self.states)
-            .step_by(L::LANES.max(1))
-            .map(move |first| Group {
-                first,
-                states: (self.states - first).min(L::LANES),
-                lanes: PhantomData,
-            })
+        groups(0..self.states)
+    }
+
+    /// The tiles, in the order of the states; the last one may be smaller than the others.
+    fn tiles(self) -> impl Iterator<Item = Tile<L>> {
+        let size = GROUPS * L::LANES.max(1);
+        (0..self.states).step_by(size).map(move |first| Tile {
+            first,
+            states: (self.states - first).min(size),
+            lanes: PhantomData,
+        })
     }
 
     /// A quantity with this many `rows`, to be read; `argument` is its name in the error.
@@ -190,14 +208,16 @@ impl<L: Lanes> Batch<L> {
         let q_rows = self.rows("q", q, S::Q::LEN)?;
         let u_rows = self.rows("u", u, S::U::LEN)?;
         let mut q_dot_rows = self.rows_mut("q_dot", q_dot, S::Q::LEN)?;
-        let mut q = S::Q::filled(L::from_f64(0.0));
-        let mut u = S::U::filled(L::from_f64(0.0));
-        let mut q_dot = S::Q::filled(L::from_f64(0.0));
-        for group in self.groups() {
-            group.load(&q_rows, &mut q);
-            group.load(&u_rows, &mut u);
-            system.q_dot(&q, &u, &mut q_dot);
-            group.store(q_dot.as_ref(), &mut q_dot_rows);
+        let mut q = [S::Q::filled(L::from_f64(0.0)); GROUPS];
+        let mut u = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        let mut q_dot = [S::Q::filled(L::from_f64(0.0)); GROUPS];
+        for tile in self.tiles() {
+            tile.load(&q_rows, &mut q);
+            tile.load(&u_rows, &mut u);
+            for (((_, q), u), q_dot) in tile.groups().zip(&q).zip(&u).zip(&mut q_dot) {
+                system.q_dot(q, u, q_dot);
+            }
+            tile.store(&q_dot, &mut q_dot_rows);
         }
         Ok(())
     }
@@ -214,12 +234,15 @@ impl<L: Lanes> Batch<L> {
     ) -> Result<(), LengthError> {
         let q_rows = self.rows("q", q, S::Q::LEN)?;
         let mut m_rows = self.rows_mut("m", m, S::U::LEN * S::U::LEN)?;
-        let mut q = S::Q::filled(L::from_f64(0.0));
+        let mut q = [S::Q::filled(L::from_f64(0.0)); GROUPS];
         let mut m = S::Matrix::filled(S::U::filled(L::from_f64(0.0)));
-        for group in self.groups() {
-            group.load(&q_rows, &mut q);
-            system.mass_matrix(&q, &mut m);
-            group.store(m.as_ref().iter().flat_map(AsRef::as_ref), &mut m_rows);
+        for tile in self.tiles() {
+            tile.load(&q_rows, &mut q);
+            for (group, q) in tile.groups().zip(&q) {
+                system.mass_matrix(q, &mut m);
+                let entries = m.as_ref().iter().flat_map(AsRef::as_ref);
+                group.store(entries, &mut m_rows);
+            }
         }
         Ok(())
     }
@@ -238,14 +261,16 @@ impl<L: Lanes> Batch<L> {
         let q_rows = self.rows("q", q, S::Q::LEN)?;
         let u_rows = self.rows("u", u, S::U::LEN)?;
         let mut bias_rows = self.rows_mut("bias", bias, S::U::LEN)?;
-        let mut q = S::Q::filled(L::from_f64(0.0));
-        let mut u = S::U::filled(L::from_f64(0.0));
-        let mut bias = S::U::filled(L::from_f64(0.0));
-        for group in self.groups() {
-            group.load(&q_rows, &mut q);
-            group.load(&u_rows, &mut u);
-            system.bias(&q, &u, &mut bias);
-            group.store(bias.as_ref(), &mut bias_rows);
+        let mut q = [S::Q::filled(L::from_f64(0.0)); GROUPS];
+        let mut u = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        let mut bias = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        for tile in self.tiles() {
+            tile.load(&q_rows, &mut q);
+            tile.load(&u_rows, &mut u);
+            for (((_, q), u), bias) in tile.groups().zip(&q).zip(&u).zip(&mut bias) {
+                system.bias(q, u, bias);
+            }
+            tile.store(&bias, &mut bias_rows);
         }
         Ok(())
     }
@@ -266,16 +291,20 @@ impl<L: Lanes> Batch<L> {
         let u_rows = self.rows("u", u, S::U::LEN)?;
         let u_dot_rows = self.rows("u_dot", u_dot, S::U::LEN)?;
         let mut tau_rows = self.rows_mut("tau", tau, S::U::LEN)?;
-        let mut q = S::Q::filled(L::from_f64(0.0));
-        let mut u = S::U::filled(L::from_f64(0.0));
-        let mut u_dot = S::U::filled(L::from_f64(0.0));
-        let mut tau = S::U::filled(L::from_f64(0.0));
-        for group in self.groups() {
-            group.load(&q_rows, &mut q);
-            group.load(&u_rows, &mut u);
-            group.load(&u_dot_rows, &mut u_dot);
-            system.inverse_dynamics(&q, &u, &u_dot, &mut tau);
-            group.store(tau.as_ref(), &mut tau_rows);
+        let mut q = [S::Q::filled(L::from_f64(0.0)); GROUPS];
+        let mut u = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        let mut u_dot = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        let mut tau = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        for tile in self.tiles() {
+            tile.load(&q_rows, &mut q);
+            tile.load(&u_rows, &mut u);
+            tile.load(&u_dot_rows, &mut u_dot);
+            for ((((_, q), u), u_dot), tau) in
+                tile.groups().zip(&q).zip(&u).zip(&u_dot).zip(&mut tau)
+            {
+                system.inverse_dynamics(q, u, u_dot, tau);
+            }
+            tile.store(&tau, &mut tau_rows);
         }
         Ok(())
     }
@@ -296,18 +325,73 @@ impl<L: Lanes> Batch<L> {
         let u_rows = self.rows("u", u, S::U::LEN)?;
         let tau_rows = self.rows("tau", tau, S::U::LEN)?;
         let mut u_dot_rows = self.rows_mut("u_dot", u_dot, S::U::LEN)?;
-        let mut q = S::Q::filled(L::from_f64(0.0));
-        let mut u = S::U::filled(L::from_f64(0.0));
-        let mut tau = S::U::filled(L::from_f64(0.0));
-        let mut u_dot = S::U::filled(L::from_f64(0.0));
-        for group in self.groups() {
-            group.load(&q_rows, &mut q);
-            group.load(&u_rows, &mut u);
-            group.load(&tau_rows, &mut tau);
-            system.forward_dynamics(&q, &u, &tau, &mut u_dot);
-            group.store(u_dot.as_ref(), &mut u_dot_rows);
+        let mut q = [S::Q::filled(L::from_f64(0.0)); GROUPS];
+        let mut u = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        let mut tau = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        let mut u_dot = [S::U::filled(L::from_f64(0.0)); GROUPS];
+        for tile in self.tiles() {
+            tile.load(&q_rows, &mut q);
+            tile.load(&u_rows, &mut u);
+            tile.load(&tau_rows, &mut tau);
+            for ((((_, q), u), tau), u_dot) in
+                tile.groups().zip(&q).zip(&u).zip(&tau).zip(&mut u_dot)
+            {
+                system.forward_dynamics(q, u, tau, u_dot);
+            }
+            tile.store(&u_dot, &mut u_dot_rows);
         }
         Ok(())
+    }
+}
+
+/// Groups of these states.
+fn groups<L: Lanes>(states: Range<usize>) -> impl Iterator<Item = Group<L>> {
+    let end = states.end;
+    let groups = states.step_by(L::LANES.max(1));
+    groups.map(move |first| Group {
+        first,
+        states: (end - first).min(L::LANES),
+        lanes: PhantomData,
+    })
+}
+
+impl<L: Lanes> Tile<L> {
+    fn groups(&self) -> impl Iterator<Item = Group<L>> + use<L> {
+        groups(self.first..self.first + self.states)
+    }
+
+    /// As [`Group::load`], one array a group.
+    fn load<A: Array<L>>(&self, rows: &Rows<'_, L::Scalar>, values: &mut [A; GROUPS]) {
+        if self.states < GROUPS * L::LANES {
+            for (group, values) in self.groups().zip(values) {
+                group.load(rows, values);
+            }
+            return;
+        }
+        let rows = rows.values.chunks_exact(rows.states);
+        for (row, states) in rows.enumerate().take(A::LEN) {
+            let states = states.get(self.first..).unwrap_or_default();
+            for (values, states) in values.iter_mut().zip(states.chunks_exact(L::LANES)) {
+                values[row] = L::load(states);
+            }
+        }
+    }
+
+    /// As [`Group::store`], one array a group.
+    fn store<A: Array<L>>(&self, values: &[A; GROUPS], rows: &mut RowsMut<'_, L::Scalar>) {
+        if self.states < GROUPS * L::LANES {
+            for (group, values) in self.groups().zip(values) {
+                group.store(values.as_ref(), rows);
+            }
+            return;
+        }
+        let rows = rows.values.chunks_exact_mut(rows.states);
+        for (row, states) in rows.enumerate().take(A::LEN) {
+            let states = states.get_mut(self.first..).unwrap_or_default();
+            for (values, states) in values.iter().zip(states.chunks_exact_mut(L::LANES)) {
+                values[row].store(states);
+            }
+        }
     }
 }
 

@@ -91,7 +91,7 @@ where
 
 #[test]
 fn single_lanes_are_the_functions_themselves() {
-    check::<f64>(&[0, 1, 3]);
+    check::<f64>(&[0, 1, 3, 8, 17]);
     check::<f32>(&[2]);
 }
 
@@ -99,8 +99,14 @@ fn single_lanes_are_the_functions_themselves() {
 #[test]
 fn lanes_are_the_functions_of_each_state_whatever_is_left_over() {
     use kane::wide::{f32x4, f64x8};
-    check::<f64x8>(&[0, 1, 7, 8, 9, 16, 21]);
-    check::<f32x4>(&[0, 3, 4, 5, 8]);
+    // Without optimization each of ten thousand vectors has places of its own on the stack, more than a test's has.
+    let thread = std::thread::Builder::new().stack_size(1 << 28);
+    let checks = thread.spawn(|| {
+        // Groups, and tiles of eight of them.
+        check::<f64x8>(&[0, 1, 7, 8, 9, 16, 21, 63, 64, 65, 139]);
+        check::<f32x4>(&[0, 3, 4, 5, 8, 31, 32, 70]);
+    });
+    checks.unwrap().join().unwrap();
 }
 
 /// Any function, by groups, here that of the energies: the example of the documentation with lanes and a rest.
