@@ -1,0 +1,80 @@
+// casadi MODEL.txt FOLDER: C from Pinocchio's own templates on CasADi's symbols, one file a function.
+//
+// Of the graph with and without CasADi's elimination of common subexpressions the one with fewer operations is written;
+// of the mass matrix the upper triangle, which is what Pinocchio computes. Prints the operations of each.
+#include <pinocchio/autodiff/casadi.hpp>
+#include <pinocchio/multibody.hpp>
+
+namespace pinocchio {
+// The kinds of joints that occur, where Pinocchio has 25 (an eighth of the time to compile): what is written is the same.
+template <typename Scalar, int Options> struct FewJoints {
+  typedef JointModelRevoluteTpl<Scalar, Options, 0> JointModelRX;
+  typedef JointModelRevoluteTpl<Scalar, Options, 1> JointModelRY;
+  typedef JointModelRevoluteTpl<Scalar, Options, 2> JointModelRZ;
+  typedef JointModelRevoluteUnalignedTpl<Scalar, Options> JointModelRevoluteUnaligned;
+  typedef JointModelFreeFlyerTpl<Scalar, Options> JointModelFreeFlyer;
+  typedef boost::variant<JointModelRX, JointModelRY, JointModelRZ, JointModelRevoluteUnaligned, JointModelFreeFlyer>
+      JointModelVariant;
+  typedef boost::variant<JointDataRevoluteTpl<Scalar, Options, 0>, JointDataRevoluteTpl<Scalar, Options, 1>,
+                         JointDataRevoluteTpl<Scalar, Options, 2>, JointDataRevoluteUnalignedTpl<Scalar, Options>,
+                         JointDataFreeFlyerTpl<Scalar, Options>>
+      JointDataVariant;
+};
+} // namespace pinocchio
+#define JOINTS pin::FewJoints
+#include "model.hpp"
+#include <pinocchio/algorithm/aba.hpp>
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+
+#include <iostream>
+
+using casadi::SX;
+
+// Multiplications, additions, divisions, signs and trigonometric functions.
+static casadi_int operations(const casadi::Function &f) {
+  casadi_int n = 0;
+  for (casadi_int k = 0; k < f.n_instructions(); ++k) {
+    const auto id = f.instruction_id(k);
+    n += id != casadi::OP_INPUT && id != casadi::OP_OUTPUT && id != casadi::OP_CONST;
+  }
+  return n;
+}
+
+static SX symbols(const char *name, int n, Eigen::Matrix<SX, Eigen::Dynamic, 1> &v) {
+  const SX s = SX::sym(name, n);
+  v.resize(n);
+  for (int i = 0; i < n; ++i) v[i] = s(i);
+  return s;
+}
+
+// What is zero is left out.
+template <typename Derived> static SX sparse(const Eigen::MatrixBase<Derived> &m, bool upper = false) {
+  SX out(m.rows(), m.cols());
+  for (int j = 0; j < m.cols(); ++j)
+    for (int i = 0; i < (upper ? j + 1 : m.rows()); ++i)
+      if (!m(i, j).is_zero()) out(i, j) = m(i, j);
+  return out;
+}
+
+static void write(const std::string &folder, const std::string &name, const std::vector<SX> &in, const SX &out) {
+  const casadi::Function plain(name, in, {out}, casadi::Dict{{"cse", false}}), shared(name, in, {out}, casadi::Dict{{"cse", true}});
+  const auto &chosen = operations(shared) < operations(plain) ? shared : plain;
+  casadi::CodeGenerator code(name + ".c");
+  code.add(chosen);
+  code.generate(folder + "/");
+  std::cout << name << " " << operations(chosen) << std::endl;
+}
+
+int main(int argc, char **argv) {
+  if (argc != 3) return std::cerr << "usage: casadi MODEL.txt FOLDER\n", 2;
+  const auto model = read_model(argv[1]).cast<SX>();
+  const std::string folder = argv[2];
+  Eigen::Matrix<SX, Eigen::Dynamic, 1> q, v, a, tau;
+  const SX sq = symbols("q", model.nq, q), sv = symbols("v", model.nv, v), sa = symbols("a", model.nv, a),
+           st = symbols("tau", model.nv, tau);
+  DataOf<SX> inverse(model), matrix(model), forward(model);
+  write(folder, "inverse_dynamics", {sq, sv, sa}, sparse(pin::rnea(model, inverse, q, v, a)));
+  write(folder, "mass_matrix", {sq}, sparse(pin::crba(model, matrix, q), true));
+  write(folder, "forward_dynamics", {sq, sv, st}, sparse(pin::aba(model, forward, q, v, tau)));
+}

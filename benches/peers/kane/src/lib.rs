@@ -1,0 +1,99 @@
+//! What the program of the comparison loads: for each robot and function one C function and what it works on.
+//!
+//! Arrays are as long as the robot's coordinates and speeds. The third, `x`, is `u_dot` for inverse dynamics and `tau` for
+//! forward dynamics. Neither library is told that its arguments are finite, and both are called as a user calls them.
+
+use std::{
+    ffi::{CStr, c_char, c_void},
+    ptr,
+};
+
+mod dynibo;
+mod generated;
+
+/// A function with its object first, then `q`, `u`, `x` and the output.
+type Call = unsafe extern "C" fn(*mut c_void, *const f64, *const f64, *const f64, *mut f64);
+
+/// A function and its object, which lives as long as the process; both null where there is none.
+#[repr(C)]
+pub struct Candidate {
+    call: Option<Call>,
+    object: *mut c_void,
+}
+
+impl Candidate {
+    const NONE: Self = Self {
+        call: None,
+        object: ptr::null_mut(),
+    };
+
+    fn new<T>(call: Call, object: T) -> Self {
+        Self {
+            call: Some(call),
+            object: Box::into_raw(Box::new(object)).cast(),
+        }
+    }
+}
+
+/// A function of the comparison, by the number by which the program calls it.
+#[derive(Clone, Copy)]
+enum Function {
+    InverseDynamics,
+    MassMatrix,
+    ForwardDynamics,
+}
+
+impl Function {
+    fn new(number: u32) -> Option<Self> {
+        match number {
+            0 => Some(Self::InverseDynamics),
+            1 => Some(Self::MassMatrix),
+            2 => Some(Self::ForwardDynamics),
+            _ => None,
+        }
+    }
+}
+
+/// A function of a generated robot; the mass matrix row by row, whole.
+///
+/// # Safety
+/// `robot` is a C string.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kane_candidate(robot: *const c_char, function: u32) -> Candidate {
+    // SAFETY: as the caller promises.
+    let robot = unsafe { CStr::from_ptr(robot) };
+    let found = Function::new(function).zip(robot.to_str().ok());
+    found.map_or(Candidate::NONE, |(function, robot)| {
+        generated::candidate(robot, function)
+    })
+}
+
+/// A function of the robot that dynibo reads from a URDF; the mass matrix column by column, whole.
+///
+/// # Safety
+/// `urdf` is a C string.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dynibo_candidate(
+    urdf: *const c_char,
+    floating: bool,
+    function: u32,
+) -> Candidate {
+    // SAFETY: as the caller promises.
+    let urdf = unsafe { CStr::from_ptr(urdf) };
+    let found = Function::new(function).zip(urdf.to_str().ok());
+    found.map_or(Candidate::NONE, |(function, urdf)| {
+        dynibo::candidate(urdf, floating, function)
+    })
+}
+
+/// The place among dynibo's joints of the joint with this name, -1 where there is none.
+///
+/// # Safety
+/// Both are C strings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dynibo_joint(urdf: *const c_char, name: *const c_char) -> isize {
+    // SAFETY: as the caller promises.
+    let (urdf, name) = unsafe { (CStr::from_ptr(urdf), CStr::from_ptr(name)) };
+    let place = dynibo::joint(&urdf.to_string_lossy(), &name.to_string_lossy());
+    place.map_or(-1, usize::cast_signed)
+}
