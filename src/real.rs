@@ -120,6 +120,11 @@ impl Real for f64 {
     fn sin_cos(self) -> (Self, Self) {
         sin_cos::sin_cos_f64(self)
     }
+
+    #[inline]
+    fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        sin_cos::scalars(angles, sin_cos::sin_cos_f64)
+    }
 }
 
 impl Real for f32 {
@@ -150,5 +155,10 @@ impl Real for f32 {
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         sin_cos::sin_cos_f32(self)
+    }
+
+    #[inline]
+    fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        sin_cos::scalars(angles, sin_cos::sin_cos_f32)
     }
 }

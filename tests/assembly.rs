@@ -51,25 +51,14 @@ fn rustc(arguments: &[&str]) {
     assert!(output.status.success(), "rustc {arguments:?}\n{errors}");
 }
 
-/// The probe's instructions, by function; `options` are rustc's, for the crate and the probe.
-fn instructions(opt_level: &str, options: &[&str]) -> BTreeMap<String, Vec<String>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let name = format!("assembly_{opt_level}{}", options.concat());
+/// A folder of a build's own, and in it this crate without features; `arguments` are rustc's.
+fn library(arguments: &[&str]) -> (PathBuf, String) {
+    let name = format!("assembly{}", arguments.concat());
     let name = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join("probe.rs"), PROBE).unwrap();
-    fs::copy(
-        root.join("tests/common/oscillator.rs"),
-        folder.join("oscillator.rs"),
-    )
-    .unwrap();
-    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
-    let level = format!("opt-level={opt_level}");
-    let (library, assembly) = (path("libkane.rlib"), path("probe.s"));
-    let common = ["--edition=2024", "-C", &level, "-C", "codegen-units=1"];
-    let common = [&common[..], options].concat();
-    let source = root.join("src/lib.rs");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs");
+    let library = folder.join("libkane.rlib").to_str().unwrap().to_owned();
     let kane = [
         "--crate-name=kane",
         "--crate-type=lib",
@@ -77,9 +66,24 @@ fn instructions(opt_level: &str, options: &[&str]) -> BTreeMap<String, Vec<Strin
         &library,
         source.to_str().unwrap(),
     ];
-    rustc(&[&common[..], &kane].concat());
-    let external = format!("kane={library}");
-    let source = path("probe.rs");
+    rustc(&[arguments, &kane].concat());
+    (folder, format!("kane={library}"))
+}
+
+/// The probe's instructions, by function; `options` are rustc's, for the crate and the probe.
+fn instructions(opt_level: &str, options: &[&str]) -> BTreeMap<String, Vec<String>> {
+    let level = format!("opt-level={opt_level}");
+    let common = ["--edition=2024", "-C", &level, "-C", "codegen-units=1"];
+    let common = [&common[..], options].concat();
+    let (folder, external) = library(&common);
+    fs::write(folder.join("probe.rs"), PROBE).unwrap();
+    fs::copy(
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/common/oscillator.rs"),
+        folder.join("oscillator.rs"),
+    )
+    .unwrap();
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let (source, assembly) = (path("probe.rs"), path("probe.s"));
     let probe = [
         "--emit=asm",
         "--extern",
@@ -151,6 +155,65 @@ fn sines_are_straight_code_at_opt_level_3() {
     require_straight_code("3");
 }
 
+const AVX2: [&str; 2] = ["-C", "target-feature=+avx2"];
+
+#[test]
+fn with_avx_seven_sines_are_vectors_of_eight() {
+    let functions = instructions("3", &AVX2);
+    let (_, eight) = functions
+        .iter()
+        .find(|(name, _)| name.contains("eight") && name.contains("lanes"))
+        .expect("a function of its own");
+    for (function, calls) in [(&functions["array_f64"], 1), (eight, 0)] {
+        let found = function.iter().filter(|i| i.starts_with("call")).count();
+        assert_eq!(found, calls, "{function:?}");
+        let one = function.iter().find(|i| {
+            let name = i.split('\t').next().unwrap_or(i);
+            name.starts_with("vmul") && (name.ends_with("sd") || name.ends_with("ss"))
+        });
+        assert_eq!(one, None, "one lane alone");
+    }
+}
+
+/// Prints what differs.
+const LANES: &str = r#"
+use kane::Real;
+
+fn lanes_are_scalars<const N: usize>() {
+    let angles: [f64; N] = core::array::from_fn(|i| (7.3 * (i + N) as f64 - 40.0) * 1.7);
+    let (s, c) = f64::sin_cos_array(angles);
+    let alone = angles.map(<f64 as Real>::sin_cos);
+    let (t, d) = f32::sin_cos_array(angles.map(|x| x as f32));
+    let alone_f32 = angles.map(|x| <f32 as Real>::sin_cos(x as f32));
+    for i in 0..N {
+        if (s[i].to_bits(), c[i].to_bits()) != (alone[i].0.to_bits(), alone[i].1.to_bits()) { println!("f64: {i} of {N}"); }
+        if (t[i].to_bits(), d[i].to_bits()) != (alone_f32[i].0.to_bits(), alone_f32[i].1.to_bits()) { println!("f32: {i} of {N}"); }
+    }
+}
+
+macro_rules! all { ($($n:literal)*) => { $(lanes_are_scalars::<$n>();)* } }
+
+fn main() { all!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 19 23 32); }
+"#;
+
+/// On a machine without AVX2 this shows nothing.
+#[test]
+fn with_avx_arrays_have_the_bits_of_their_lanes() {
+    if !is_x86_feature_detected!("avx2") {
+        return;
+    }
+    let common = [&["--edition=2024", "-C", "opt-level=2"], &AVX2[..]].concat();
+    let (folder, external) = library(&common);
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let (source, program) = (path("main.rs"), path("main"));
+    fs::write(&source, LANES).unwrap();
+    let main = ["--extern", &external, "-o", &program, &source];
+    rustc(&[&common[..], &main].concat());
+    let output = Command::new(program).output().unwrap();
+    assert!(output.status.success());
+    assert_eq!(str::from_utf8(&output.stdout).unwrap(), "");
+}
+
 const STD: [&str; 2] = ["--cfg", "feature=\"std\""];
 const FMA: [&str; 2] = ["-C", "target-feature=+fma"];
 
@@ -167,8 +230,11 @@ fn mul_add_is_one_instruction_where_the_hardware_has_it() {
         assert!(found.len() <= 2, "`{name}` does more: {found:?}");
     }
     // Nobody fuses where nobody asks for it: sines keep their bits.
-    for name in ["scalar_f64", "scalar_f32", "array_f64", "array_f32"] {
-        let fused = functions[name]
+    for (name, instructions) in functions
+        .iter()
+        .filter(|(name, _)| !name.contains("mul_add") && *name != "negated_f64")
+    {
+        let fused = instructions
             .iter()
             .find(|instruction| instruction.starts_with("vfm") || instruction.starts_with("vfn"));
         assert_eq!(fused, None, "`{name}`");

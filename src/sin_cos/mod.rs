@@ -25,7 +25,7 @@ mod single;
 mod word;
 
 pub(crate) use double::sin_cos as sin_cos_f64;
-pub(crate) use lanes::each;
+pub(crate) use lanes::{each, scalars};
 pub(crate) use single::sin_cos as sin_cos_f32;
 #[cfg(feature = "wide")]
 pub(crate) use word::Word;
