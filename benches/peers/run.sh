@@ -5,6 +5,7 @@
 #
 # PEERS_WORK: the folder of everything that is downloaded and built; by default kane-peers in the user's cache.
 # PEERS_SECONDS: for how long each function of each robot is timed; by default 2.
+# PEERS_FMA: 1 for our functions with fused multiply-add; by default without.
 # PEERS_SNAP: what the rivals' models are snapped to, as ours are to 1e-9; by default 0, as their readers leave them.
 set -euo pipefail
 
@@ -65,8 +66,10 @@ program casadi "half a minute" -O1 -DBOOST_VARIANT_USE_RELAXED_GET_BY_DEFAULT -i
 program bench "three minutes" -O3 -march=native -isystem "$site/mujoco/include" "$mujoco" "-Wl,-rpath,$site/mujoco" -ldl
 
 say "our functions and dynibo"
+features=()
+if [ "${PEERS_FMA:-0}" = 1 ]; then features=(--features fma); fi
 CARGO_TARGET_DIR=$work/target RUSTFLAGS='-C target-cpu=native' \
-    cargo build --quiet --release --manifest-path "$here/kane/Cargo.toml"
+    cargo build --quiet --release --manifest-path "$here/kane/Cargo.toml" "${features[@]}"
 
 # CasADi's C, one folder for each tolerance of snapping.
 models=$work/models-$snap

@@ -10,10 +10,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ("solo12", Base::Free),
         ("talos", Base::Free),
     ] {
-        Build::new(format!("../../../tests/robots/{name}/{name}.urdf"))
+        let build = Build::new(format!("../../../tests/robots/{name}/{name}.urdf"))
             .base(base)
-            .functions(["inverse_dynamics", "mass_matrix", "forward_dynamics"])
-            .run()?;
+            .functions(["inverse_dynamics", "mass_matrix", "forward_dynamics"]);
+        let build = if cfg!(feature = "fma") {
+            build.fma()
+        } else {
+            build
+        };
+        build.run()?;
     }
     Ok(())
 }
