@@ -117,19 +117,19 @@ pub fn coordinate_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
         if let Orientation::AngularVelocity { chart, speeds } = joint.orientation {
             plain = 3..6;
             let w = speeds.map(|speed| graph.input(Input::U(speed)));
-            match (chart, joint.angles()) {
-                (Chart::EulerParameters(e), _) => {
+            match chart {
+                Chart::EulerParameters(e) => {
                     let own = parameter_rates(graph, e, w);
                     e.into_iter().zip(own).for_each(|(e, rate)| set(e, rate));
                 }
-                (Chart::Angles(places), Some(angles)) => {
+                Chart::Angles(places) => {
+                    let angles = joint.angles().expect("tree: the chart has angles");
                     let own = self::rates(graph, tree, angles, w);
                     places
                         .into_iter()
                         .zip(own)
                         .for_each(|(place, rate)| set(place, rate));
                 }
-                (Chart::Angles(_), None) => {}
             }
         }
         for motion in plain {

@@ -4,7 +4,7 @@
 use super::{Accelerations, dynamics::SpeedMatrix, given};
 use crate::{
     expr::{Expr, ExprGraph},
-    tree::{Mechanics, Motion, Tree, Value},
+    tree::{Joint, Mechanics, Motion, Tree, Value},
 };
 
 /// A motion of a joint with what acts along it, and the place of the motion among its joint's six.
@@ -15,11 +15,7 @@ struct Acting<'a> {
 }
 
 /// Calls `f` for every motion, in the scope of its body.
-fn each(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    mut f: impl FnMut(&mut ExprGraph, &crate::tree::Joint, Acting<'_>),
-) {
+fn each(graph: &mut ExprGraph, tree: &Tree, mut f: impl FnMut(&mut ExprGraph, &Joint, Acting<'_>)) {
     for body in tree.body_ids() {
         graph.enter(body);
         let joint = &tree.body(body).joint;
@@ -117,7 +113,7 @@ fn reflected(graph: &mut ExprGraph, acting: &Acting<'_>) -> Expr {
 }
 
 /// How far a spring is from rest; `None` without one.
-fn stretch(graph: &mut ExprGraph, joint: &crate::tree::Joint, acting: &Acting<'_>) -> Option<Expr> {
+fn stretch(graph: &mut ExprGraph, joint: &Joint, acting: &Acting<'_>) -> Option<Expr> {
     if acting.mechanics.stiffness == Value::Baked(0.0) {
         return None;
     }

@@ -283,22 +283,28 @@ fn shown(written: &Written) -> String {
         .map_or_else(String::new, |name| name.value.escape_debug().to_string())
 }
 
-/// Places are given later, when all bodies are there.
-const NO_COORDINATE: fn() -> CoordinateId = || CoordinateId::new(0);
-const NO_SPEED: fn() -> SpeedId = || SpeedId::new(0);
+/// A place in `q` that is given later, when all bodies are there.
+fn no_coordinate() -> CoordinateId {
+    CoordinateId::new(0)
+}
+
+/// The same in `u`.
+fn no_speed() -> SpeedId {
+    SpeedId::new(0)
+}
 
 fn coordinate(freedom: Freedom) -> Coordinate {
     match freedom {
         Freedom::Locked(value) => Coordinate::Locked(value),
         Freedom::Free(_) => Coordinate::Free {
-            coordinate: NO_COORDINATE(),
-            speed: NO_SPEED(),
+            coordinate: no_coordinate(),
+            speed: no_speed(),
         },
         Freedom::Follows {
             multiplier, offset, ..
         } => Coordinate::Mimic {
-            coordinate: NO_COORDINATE(),
-            speed: NO_SPEED(),
+            coordinate: no_coordinate(),
+            speed: no_speed(),
             multiplier,
             offset,
         },
@@ -310,12 +316,12 @@ fn orientation(joint: &Resolved) -> Orientation {
         return Orientation::Rates([0, 1, 2].map(|motion| coordinate(joint.motions[motion])));
     }
     let chart = match joint.chart {
-        ChartKind::Angles => Chart::Angles([NO_COORDINATE(); 3]),
-        ChartKind::Quaternion => Chart::EulerParameters([NO_COORDINATE(); 4]),
+        ChartKind::Angles => Chart::Angles([no_coordinate(); 3]),
+        ChartKind::Quaternion => Chart::EulerParameters([no_coordinate(); 4]),
     };
     Orientation::AngularVelocity {
         chart,
-        speeds: [NO_SPEED(); 3],
+        speeds: [no_speed(); 3],
     }
 }
 

@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
-use kane_codegen::description::{Base, JointKind, Reading};
+use kane_codegen::{
+    description::{self, Base, JointKind, Reading},
+    diagnostic::Source,
+    tree,
+};
 
 use super::{body_names, kind, limits, lower_bodies, parse_well};
 
@@ -101,4 +105,21 @@ robots! {
     solo12
     talos
     ur5
+}
+
+/// Users map `q` by it: the order is the file's, not the alphabet's.
+#[test]
+fn the_order_of_coordinates_is_told() {
+    let text = std::fs::read_to_string(format!(
+        "{}/../tests/robots/panda/panda.urdf",
+        env!("CARGO_MANIFEST_DIR")
+    ));
+    let source = Source::new("panda.urdf", text.unwrap());
+    let reading = Reading::default();
+    let description = description::read(&source, &reading, &description::no_includes);
+    let checked = tree::build(&description).unwrap();
+    let told = checked.warnings.to_string();
+    let expected = "the coordinates, in order, are panda_joint1, panda_joint2, panda_joint3, panda_joint4, panda_joint5, \
+                    panda_joint6, panda_joint7";
+    assert!(told.contains(expected), "{told}");
 }
