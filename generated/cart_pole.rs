@@ -164,18 +164,17 @@ impl<R: kane::Real> Default for Parameters<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prepared<R> {
     bias_pole_k1: R,
-    bias_pole_k2: R,
     bias_pole_moment_z: R,
     forward_dynamics_cart_k1: R,
     forward_dynamics_pole_inverse_theta2: R,
     forward_dynamics_pole_k1: R,
     forward_dynamics_pole_k2: R,
-    forward_dynamics_pole_k3: R,
     forward_dynamics_pole_moment_z: R,
-    inverse_dynamics_pole_inertia_o_xx: R,
+    inverse_dynamics_cart_k1: R,
+    inverse_dynamics_pole_inertia_o_yy: R,
     inverse_dynamics_pole_moment_z: R,
     mass_matrix_cart_k1: R,
-    mass_matrix_pole_inertia_o_xx: R,
+    mass_matrix_pole_inertia_o_yy: R,
     mass_matrix_pole_moment_z: R,
     pole_mass: R,
 }
@@ -183,7 +182,7 @@ pub struct Prepared<R> {
 impl<R: kane::Real> Prepared<R> {
     /// Prepares a set of parameters.
     ///
-    /// Operations: 8 = 5 mul + 2 add + 1 div + 0 trig.
+    /// Operations: 7 = 4 mul + 2 add + 1 div + 0 trig.
     #[allow(
         dead_code,
         unused_variables,
@@ -197,27 +196,25 @@ impl<R: kane::Real> Prepared<R> {
     pub fn new(parameters: &Parameters<R>) -> Self {
         let pole_mass = parameters.pole_mass;
         let pole_moment_z = R::from_f64(0.4) * pole_mass;
-        let pole_inertia_o_xx = R::from_f64(0.16000000000000003) * pole_mass
+        let pole_inertia_o_yy = R::from_f64(0.16000000000000003) * pole_mass
             + R::from_f64(0.03);
         let cart_k1 = pole_mass + R::from_f64(2.0);
-        let pole_k1 = R::from_f64(9.81) * pole_mass;
-        let pole_k2 = R::from_f64(3.9240000000000004) * pole_mass;
-        let pole_inverse_theta2 = R::from_f64(1.0) / pole_inertia_o_xx;
-        let pole_k3 = pole_moment_z * pole_inverse_theta2;
+        let pole_k1 = R::from_f64(3.9240000000000004) * pole_mass;
+        let pole_inverse_theta2 = R::from_f64(1.0) / pole_inertia_o_yy;
+        let pole_k2 = pole_moment_z * pole_inverse_theta2;
         Self {
             bias_pole_k1: pole_k1,
-            bias_pole_k2: pole_k2,
             bias_pole_moment_z: pole_moment_z,
             forward_dynamics_cart_k1: cart_k1,
             forward_dynamics_pole_inverse_theta2: pole_inverse_theta2,
             forward_dynamics_pole_k1: pole_k1,
             forward_dynamics_pole_k2: pole_k2,
-            forward_dynamics_pole_k3: pole_k3,
             forward_dynamics_pole_moment_z: pole_moment_z,
-            inverse_dynamics_pole_inertia_o_xx: pole_inertia_o_xx,
+            inverse_dynamics_cart_k1: cart_k1,
+            inverse_dynamics_pole_inertia_o_yy: pole_inertia_o_yy,
             inverse_dynamics_pole_moment_z: pole_moment_z,
             mass_matrix_cart_k1: cart_k1,
-            mass_matrix_pole_inertia_o_xx: pole_inertia_o_xx,
+            mass_matrix_pole_inertia_o_yy: pole_inertia_o_yy,
             mass_matrix_pole_moment_z: pole_moment_z,
             pole_mass,
         }
@@ -362,7 +359,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[0][1] = pole_theta2_f_cart_x;
     m[1][0] = pole_theta2_f_cart_x;
     m[0][0] = p.mass_matrix_cart_k1;
-    m[1][1] = p.mass_matrix_pole_inertia_o_xx;
+    m[1][1] = p.mass_matrix_pole_inertia_o_yy;
 }
 
 impl<R: kane::Real> kane::functions::MassMatrix<R> for Prepared<R> {
@@ -401,7 +398,7 @@ pub fn q_dot<R: kane::Real>(
 /// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.
 /// Also known as nonlinear effects, nle, `C q_dot + g`.
 ///
-/// Operations: 11 = 7 mul + 2 add + 0 div + 2 trig; formulation: recursive.
+/// Operations: 6 = 4 mul + 0 add + 0 div + 2 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -419,18 +416,13 @@ pub fn bias<R: kane::Real>(
     bias: &mut [R; NU],
 ) {
     let pole_theta2 = q[1];
-    let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    let (pole_sin2, _) = R::sin_cos(pole_theta2);
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
-    let pole_minus_f_x = p.bias_pole_k1 * pole_sin2;
-    let pole_t1 = p.bias_pole_k1 * pole_cos2;
-    let pole_t2 = p.bias_pole_moment_z * pole_minus_u_xx;
-    let pole_n_y = -(p.bias_pole_k2 * pole_sin2);
+    let pole_minus_f_z = p.bias_pole_moment_z * pole_minus_u_xx;
+    let pole_n_y = -(p.bias_pole_k1 * pole_sin2);
     bias[1] = pole_n_y;
-    let pole_f_z = pole_t1 - pole_t2;
-    let pole_t3 = pole_cos2 * pole_minus_f_x;
-    let pole_t4 = pole_sin2 * pole_f_z;
-    let cart_f_x = pole_t4 - pole_t3;
+    let cart_f_x = -(pole_sin2 * pole_minus_f_z);
     bias[0] = cart_f_x;
 }
 
@@ -444,7 +436,7 @@ impl<R: kane::Real> kane::functions::Bias<R> for Prepared<R> {
 /// Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.
 /// N m for an angle's speed, N for a translation's.
 ///
-/// Operations: 23 = 14 mul + 7 add + 0 div + 2 trig; formulation: recursive.
+/// Operations: 16 = 10 mul + 4 add + 0 div + 2 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -465,23 +457,17 @@ pub fn inverse_dynamics<R: kane::Real>(
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
     let cart_s1_ddot = u_dot[0];
-    let pole_a_z = R::from_f64(9.81) * pole_cos2 + pole_sin2 * cart_s1_ddot;
     let pole_a_x = pole_cos2 * cart_s1_ddot - R::from_f64(9.81) * pole_sin2;
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
-    let pole_t1 = p.pole_mass * pole_a_x;
-    let pole_t2 = p.pole_mass * pole_a_z;
     let pole_theta2_ddot = u_dot[1];
-    let pole_t3 = p.inverse_dynamics_pole_moment_z * pole_theta2_ddot;
-    let pole_t4 = p.inverse_dynamics_pole_moment_z * pole_minus_u_xx;
-    let pole_t5 = p.inverse_dynamics_pole_moment_z * pole_a_x;
-    let pole_t6 = p.inverse_dynamics_pole_inertia_o_xx * pole_theta2_ddot;
-    let pole_f_x = pole_t1 + pole_t3;
-    let pole_f_z = pole_t2 - pole_t4;
-    let pole_n_y = pole_t5 + pole_t6;
+    let pole_f_x = p.inverse_dynamics_pole_moment_z * pole_theta2_ddot;
+    let pole_minus_f_z = p.inverse_dynamics_pole_moment_z * pole_minus_u_xx;
+    let pole_n_y = p.inverse_dynamics_pole_moment_z * pole_a_x
+        + p.inverse_dynamics_pole_inertia_o_yy * pole_theta2_ddot;
     tau[1] = pole_n_y;
-    let pole_t7 = pole_cos2 * pole_f_x + pole_sin2 * pole_f_z;
-    let cart_f_x = R::from_f64(2.0) * cart_s1_ddot + pole_t7;
+    let pole_t1 = pole_cos2 * pole_f_x - pole_sin2 * pole_minus_f_z;
+    let cart_f_x = p.inverse_dynamics_cart_k1 * cart_s1_ddot + pole_t1;
     tau[0] = cart_f_x;
 }
 
@@ -498,10 +484,10 @@ impl<R: kane::Real> kane::functions::InverseDynamics<R> for Prepared<R> {
     }
 }
 
-/// Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved by `L^T D L` along the tree. Also known as aba.
+/// Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.
 /// Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.
 ///
-/// Operations: 24 = 14 mul + 7 add + 1 div + 2 trig; formulation: recursive.
+/// Operations: 19 = 11 mul + 5 add + 1 div + 2 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -523,26 +509,21 @@ pub fn forward_dynamics<R: kane::Real>(
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
-    let pole_minus_f_x = p.forward_dynamics_pole_k1 * pole_sin2;
-    let pole_t1 = p.forward_dynamics_pole_k1 * pole_cos2;
-    let pole_t2 = p.forward_dynamics_pole_moment_z * pole_minus_u_xx;
-    let pole_minus_n_y = p.forward_dynamics_pole_k2 * pole_sin2;
-    let pole_f_z = pole_t1 - pole_t2;
-    let pole_t3 = pole_cos2 * pole_minus_f_x;
-    let pole_t4 = pole_sin2 * pole_f_z;
-    let cart_f_x = pole_t4 - pole_t3;
+    let pole_minus_f_z = p.forward_dynamics_pole_moment_z * pole_minus_u_xx;
+    let pole_minus_n_y = p.forward_dynamics_pole_k1 * pole_sin2;
+    let cart_minus_f_x = pole_sin2 * pole_minus_f_z;
     let pole_theta2_f_cart_x = p.forward_dynamics_pole_moment_z * pole_cos2;
-    let pole_l_theta2_cart_s1 = p.forward_dynamics_pole_k3 * pole_cos2;
+    let pole_l_theta2_cart_s1 = p.forward_dynamics_pole_k2 * pole_cos2;
     let cart_pivot_s1 = p.forward_dynamics_cart_k1
         - pole_theta2_f_cart_x * pole_l_theta2_cart_s1;
     let cart_inverse_s1 = R::from_f64(1.0) / cart_pivot_s1;
     let pole_theta2_tau = tau[1];
-    let pole_t5 = pole_minus_n_y + pole_theta2_tau;
+    let pole_t1 = pole_theta2_tau + pole_minus_n_y;
     let cart_s1_tau = tau[0];
     let cart_s1_ddot = cart_inverse_s1
-        * (cart_s1_tau - cart_f_x - pole_l_theta2_cart_s1 * pole_t5);
+        * (cart_s1_tau + cart_minus_f_x - pole_l_theta2_cart_s1 * pole_t1);
     u_dot[0] = cart_s1_ddot;
-    let pole_theta2_ddot = p.forward_dynamics_pole_inverse_theta2 * pole_t5
+    let pole_theta2_ddot = p.forward_dynamics_pole_inverse_theta2 * pole_t1
         - pole_l_theta2_cart_s1 * cart_s1_ddot;
     u_dot[1] = pole_theta2_ddot;
 }

@@ -27,6 +27,7 @@ use crate::{
     error::Error,
     generate::generate,
     output::{self, Overwrite},
+    recursive::Technique,
 };
 
 /// One description to generate from a build script.
@@ -78,6 +79,13 @@ impl Build {
     #[must_use]
     pub fn fma(mut self) -> Self {
         self.options.fma = true;
+        self
+    }
+
+    /// Leaves out a technique that lowers the number of operations; the values stay the same.
+    #[must_use]
+    pub fn without(mut self, technique: Technique) -> Self {
+        self.options.without.insert(technique);
         self
     }
 

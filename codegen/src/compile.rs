@@ -3,7 +3,7 @@
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
-use std::ops::Range;
+use std::{collections::BTreeSet, ops::Range};
 
 use crate::{
     config::{self, Functions},
@@ -13,6 +13,8 @@ use crate::{
     functions::{CATALOGUE, Derived, Formulation, Function, Request, RequestError},
     passes::{factor, hoist, hoist::Preparation, sines},
     program::{self, Operations, Program},
+    recursive::{Plan, Technique},
+    search, threads,
     tree::{Changes, Tree},
 };
 
@@ -34,6 +36,8 @@ pub struct Options {
     /// Whether functions fuse products into sums, `Real::mul_add`: faster where the hardware has that, but the last bits
     /// then depend on the machine. `Prepared::new` does not.
     pub fma: bool,
+    /// The techniques to leave out.
+    pub without: BTreeSet<Technique>,
 }
 
 /// A module's programs.
@@ -59,6 +63,13 @@ impl Options {
             return Err(Error::LockedValue {
                 name: name.clone(),
                 value: *value,
+            });
+        }
+        let names: Vec<&String> = self.changes.lock.iter().map(|(name, _)| name).collect();
+        let twice = (1..names.len()).find(|&place| names[..place].contains(&names[place]));
+        if let Some(place) = twice {
+            return Err(Error::LockedTwice {
+                name: names[place].clone(),
             });
         }
         let Functions::Named(names) = &self.functions else {
@@ -112,11 +123,13 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     }
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
-    for function in options.requests(tree) {
+    let requests = options.requests(tree);
+    let choices = threads::map(&requests, |function| choose(tree, function, options));
+    for (function, choice) in requests.into_iter().zip(choices) {
         let Choice {
             formulation,
             derived,
-        } = choose(tree, &function, options.formulation);
+        } = choice;
         let derived = given_sines(tree, &function, derived);
         let name = function.name();
         let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &name, &mut preparation);
@@ -164,54 +177,78 @@ pub struct Choice {
 }
 
 /// The function in the formulation that is wanted, where it has it: what is emitted.
-pub fn choose(tree: &Tree, function: &Request, wanted: config::Formulation) -> Choice {
-    if wanted == config::Formulation::Cheapest && function.formulations().len() > 1 {
-        // On a large tree the literal sums alone would take longer than all the rest.
-        let recursive = candidate(tree, function, Formulation::Recursive);
-        if operations(&recursive.derived).total() < function.literal_terms(tree) {
-            return recursive;
-        }
+pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
+    let has_choice = function.formulations().len() > 1;
+    let notes = || of_formulation(tree, function, Formulation::Notes, &options.without);
+    if !has_choice || options.formulation == config::Formulation::Notes {
+        return notes();
     }
-    let candidates = function
-        .formulations()
-        .iter()
-        .copied()
-        .filter(|&formulation| match wanted {
-            config::Formulation::Cheapest => true,
-            config::Formulation::Notes => formulation == Formulation::Notes,
-            // A function that has one formulation has no other to offer.
-            config::Formulation::Recursive => {
-                formulation == Formulation::Recursive || function.formulations().len() == 1
-            }
-        });
-    let in_loop = |choice: &Choice| operations(&choice.derived).total();
-    candidates
-        .map(|formulation| candidate(tree, function, formulation))
-        .min_by_key(in_loop)
-        .expect("functions: every function has a formulation")
+    let recursive = of_formulation(tree, function, Formulation::Recursive, &options.without);
+    // On a large tree the literal sums alone would take longer than all the rest.
+    let count = operations(&recursive.derived).total();
+    let is_wanted = options.formulation == config::Formulation::Recursive;
+    if is_wanted || count < function.literal_terms(tree) {
+        return recursive;
+    }
+    let notes = notes();
+    if operations(&notes.derived).total() <= count {
+        notes
+    } else {
+        recursive
+    }
 }
 
-/// The function in this formulation, as it would be emitted.
-pub fn candidate(tree: &Tree, function: &Request, formulation: Formulation) -> Choice {
-    let derived = function.derive(tree, formulation);
+/// The function in this formulation, by its cheapest plan without some techniques.
+pub fn of_formulation(
+    tree: &Tree,
+    function: &Request,
+    formulation: Formulation,
+    without: &BTreeSet<Technique>,
+) -> Choice {
+    let plan = match formulation {
+        Formulation::Notes => {
+            Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
+        }
+        Formulation::Recursive => search::cheapest(tree, function, without),
+    };
+    Choice {
+        formulation,
+        derived: candidate(tree, function, formulation, &plan),
+    }
+}
+
+/// The function in this formulation by this plan, as it would be emitted.
+pub fn candidate(
+    tree: &Tree,
+    function: &Request,
+    formulation: Formulation,
+    plan: &Plan,
+) -> Derived {
+    let derived = function.derive(tree, formulation, plan);
+    if plan.uses(Technique::Factor) {
+        factored(function, derived)
+    } else {
+        derived
+    }
+}
+
+/// A function with its sums factored.
+fn factored(function: &Request, derived: Derived) -> Derived {
     let (graph, roots) = if function.compact().is_some() {
         // The pattern of a compact output follows from the tree: nothing to factor across columns.
         (derived.graph, derived.roots)
     } else {
         factor::run(&derived.graph, &derived.roots)
     };
-    Choice {
-        formulation,
-        derived: Derived {
-            graph,
-            roots,
-            blocks: derived.blocks,
-        },
+    Derived {
+        graph,
+        roots,
+        blocks: derived.blocks,
     }
 }
 
-/// What is chosen, with sines and cosines as inputs where they are to be given: the choice is that of the function which
-/// computes them, whose bits it keeps.
+/// What is chosen, with sines and cosines as inputs where they are to be given: the formulation is that of the function
+/// which computes them, the plan one that needs few operations to take sums of angles apart.
 pub fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> Derived {
     if !function.is_at_sin_cos() {
         return derived;

@@ -4,7 +4,7 @@
 //! file, with `/` between folders, no two systems write one file, and every function named is known.
 //! Does not: open the files.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -13,6 +13,7 @@ use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::{Base, Chart, Reading};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
 use crate::functions::{Function, Request, RequestError};
+use crate::recursive::Technique;
 use crate::tree::Changes;
 
 /// What a `kane.toml` asks for.
@@ -39,6 +40,8 @@ pub struct System {
     pub formulation: Formulation,
     /// Whether functions use fused multiply-add.
     pub fma: bool,
+    /// The techniques to leave out.
+    pub without: BTreeSet<Technique>,
 }
 
 /// The functions to generate.
@@ -98,12 +101,13 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 10] = [
+const SYSTEM_KEYS: [&str; 11] = [
     "model",
     "output",
     "functions",
     "formulation",
     "fma",
+    "without",
     "base",
     "chart",
     "snap",
@@ -157,6 +161,7 @@ struct Written {
     functions: Option<Functions>,
     formulation: Option<Formulation>,
     fma: bool,
+    without: BTreeSet<Technique>,
 }
 
 impl Written {
@@ -169,6 +174,7 @@ impl Written {
             functions: self.functions?,
             formulation: self.formulation?,
             fma: self.fma,
+            without: self.without,
         })
     }
 }
@@ -203,6 +209,7 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
             .get("fma")
             .and_then(|item| reader.truth(item, &table.what("fma")))
             .unwrap_or_default(),
+        without: without(reader, &table),
     })
 }
 
@@ -329,6 +336,18 @@ fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulatio
     let what = system.what("formulation");
     let found = reader.choice(item, &what, &Formulation::ALL, "unknown formulation");
     found.map(|found| found.value)
+}
+
+fn without(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Technique> {
+    let what = system.what("without");
+    let item = system.get("without");
+    let entries = item.and_then(|item| reader.list(item, &what, "names"));
+    let entries = entries.unwrap_or_default().into_iter().enumerate();
+    let names = entries.filter_map(|(index, entry)| {
+        let what = format!("entry {} of {what}", index + 1);
+        reader.choice(entry, &what, &Technique::ALL, "unknown technique")
+    });
+    names.map(|technique| technique.value).collect()
 }
 
 fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {

@@ -36,6 +36,12 @@ pub enum Error {
         /// The value.
         value: f64,
     },
+    /// A coordinate that is to be held at two values.
+    #[error("`{name}` is locked twice")]
+    LockedTwice {
+        /// The coordinate or joint.
+        name: String,
+    },
     /// A file that would be overwritten does not begin with our banner.
     #[error("`{}` was not written by `kane generate`; move it away, or overwrite it with --force", path.display())]
     NotGenerated {

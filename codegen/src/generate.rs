@@ -11,6 +11,7 @@ use crate::{
     error::Error,
     functions::Request,
     program::Operations,
+    recursive::Technique,
     tree::{self, Tree},
 };
 
@@ -113,6 +114,12 @@ fn described(options: &Options) -> String {
     parts.extend(listed("lock", locked.collect()));
     let removed = changes.remove.iter().map(|name| format!("{name:?}"));
     parts.extend(listed("remove", removed.collect()));
+    let without = Technique::ALL.iter();
+    let without = without.filter(|(_, technique)| options.without.contains(technique));
+    parts.extend(listed(
+        "without",
+        without.map(|(name, _)| (*name).to_owned()).collect(),
+    ));
     parts.extend(options.fma.then(|| "fma: true".to_owned()));
     parts.join("; ")
 }

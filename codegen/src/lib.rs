@@ -38,6 +38,8 @@ pub mod functions;
 pub mod compile;
 pub mod passes;
 pub mod program;
+pub mod search;
+mod threads;
 // From here on there is text.
 pub mod build_script;
 pub mod emit;

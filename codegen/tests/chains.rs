@@ -38,7 +38,11 @@ fn chain(n_bodies: u8) -> Tree {
 /// Operations as emitted.
 fn cost(tree: &Tree, function: &str) -> usize {
     let function = Function::find(function).expect("a function of the catalogue");
-    let derived = function.derive(tree, Formulation::Recursive);
+    let derived = function.derive(
+        tree,
+        Formulation::Recursive,
+        &kane_codegen::recursive::Plan::full(tree),
+    );
     let (graph, roots) = factor::run(&derived.graph, &derived.roots);
     operations(&Derived {
         graph,

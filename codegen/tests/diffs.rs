@@ -14,6 +14,7 @@ use kane_codegen::{
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
+    recursive::Technique,
 };
 use similar::ChangeTag;
 
@@ -77,6 +78,8 @@ fn module(text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All,
         formulation,
+        // Which solver is the cheaper depends on all bodies.
+        without: BTreeSet::from([Technique::Articulated]),
         ..Options::default()
     };
     generate(

@@ -246,6 +246,12 @@ fn tolerances_and_values_that_are_none_are_an_error() {
         error(changes),
         "`elbow` is locked at inf; expected a finite number"
     );
+    let lock = vec![("elbow".to_owned(), 0.5), ("elbow".to_owned(), 0.7)];
+    let changes = Changes {
+        lock,
+        ..Changes::default()
+    };
+    assert_eq!(error(changes), "`elbow` is locked twice");
 }
 
 #[test]
@@ -303,4 +309,46 @@ fn frames_at_numbers_that_f64_does_not_hold_are_refused() {
     let source = Source::new("far.toml", text.concat());
     let error = generate(&source, "far.toml", &options).unwrap_err();
     assert!(matches!(error, Error::Unrepresentable { .. }), "{error}");
+}
+
+/// A chain of hinges about z, each at its own place.
+fn hinges(n_bodies: usize) -> String {
+    let lower: Vec<String> = (0..n_bodies).map(|body| body.to_string()).collect();
+    let head = format!("name = \"chain\"\nlower_bodies = [{}]\n", lower.join(", "));
+    let bodies = (1..=n_bodies).map(|body| {
+        format!(
+            "[[body]]\nname = \"b{body}\"\nmass = 1.0\nmass_center = [0.{body}, 0.0, 0.1]\nattachment = [0.2, 0.{body}, 0.0]\n\
+             inertia = {{ xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\njoint = [\"theta3\"]\n"
+        )
+    });
+    head + &bodies.collect::<String>()
+}
+
+#[test]
+fn functions_of_many_angles_declare_their_values_by_few_lets() {
+    for n_bodies in [500, 700, 2000] {
+        let options = Options {
+            functions: named(&["relative_rotation"]),
+            ..Options::default()
+        };
+        let source = Source::new("chain.toml", hinges(n_bodies));
+        let text = generate(&source, "chain.toml", &options).unwrap().source;
+        let (_, function) = text.split_once("pub fn relative_rotation<").unwrap();
+        let (function, _) = function.split_once("\n}\n").unwrap();
+        // The stack of rustc ends after two or three thousand of them in debug builds.
+        let n_lets = function.matches("\n    let ").count();
+        assert!(n_lets <= 1_801, "{n_lets} of {n_bodies} bodies");
+        let assigned = function.lines().filter_map(|line| {
+            let (name, _) = line.trim().split_once(" = ")?;
+            Some(name.strip_prefix("let ").unwrap_or(name).to_owned())
+        });
+        let mut values: Vec<String> = assigned.filter(|name| name.starts_with('b')).collect();
+        values.sort();
+        let expected = (1..=n_bodies)
+            .flat_map(|body| ["theta3", "sin3", "cos3"].map(|value| format!("b{body}_{value}")));
+        let mut expected: Vec<String> = expected.collect();
+        expected.sort();
+        assert_eq!(values, expected);
+        assert_eq!(function.matches("sin_cos").count(), 1);
+    }
 }

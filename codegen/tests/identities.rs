@@ -26,6 +26,7 @@ use kane_codegen::{
     geometry::IDENTITY,
     passes::factor,
     program,
+    recursive::{self, Plan, Regroup, Technique},
     tree::{Body, Chart, Coordinate, Mechanics, Orientation, Tree, Value},
 };
 
@@ -200,6 +201,29 @@ fn both_formulations_agree() {
     });
 }
 
+/// Each technique alone, and all but each: in turn, one for every tree.
+#[test]
+fn techniques_do_not_matter() {
+    let has_both = |function: &Function| function.formulations().len() == 2;
+    for base in [Plan::plain, Plan::full] {
+        hold_of(EXACT, |system, model, state| {
+            let (tree, n_bodies) = (model.tree(), model.tree().bodies.len());
+            let (_, technique) = Technique::ALL[n_bodies % Technique::ALL.len()];
+            let other = Evaluator::planned(system, Formulation::Recursive, |tree| {
+                let plan = base(tree).with_regroup(None, Regroup::ALL[n_bodies % 3]);
+                let used = !plan.uses(technique);
+                let is_possible =
+                    technique != Technique::Articulated || !recursive::has_followers(tree);
+                plan.with(technique, used && is_possible)
+            });
+            let (error, function) = identities::disagreement(model, &other, has_both, state);
+            assert!(error <= EXACT, "{}, {function}: {error:e}", system.name);
+            assert_eq!(tree.n_speeds, other.tree().n_speeds);
+            error
+        });
+    }
+}
+
 #[test]
 fn numbering_of_bodies_does_not_matter() {
     hold_of(EXACT, |system, model, state| {
@@ -253,7 +277,7 @@ fn passes_keep_the_values_of_every_function() {
                     function.name,
                     formulation.name()
                 );
-                let derived = function.derive(tree, formulation);
+                let derived = function.derive(tree, formulation, &Plan::full(tree));
                 let of = |graph: &ExprGraph, roots: &[Expr], prepared: &[f64]| {
                     graph.evaluate(roots, |given| match given {
                         Input::Prepared(place) => prepared[place],

@@ -92,6 +92,7 @@ mod config_file {
         unknown_part_of_a_function
         unknown_key
         unknown_root_key
+        unknown_technique
     }
 
     #[test]

@@ -88,7 +88,11 @@ fn a_massless_frame_leaves_the_mass_centre_of_a_massless_body_where_it_is() {
     );
     let tree = build(&text).unwrap().tree;
     let function = Function::find("mass_center_position").unwrap();
-    let derived = function.derive(&tree, Formulation::Recursive);
+    let derived = function.derive(
+        &tree,
+        Formulation::Recursive,
+        &kane_codegen::recursive::Plan::full(&tree),
+    );
     let centers = derived.graph.evaluate(&derived.roots, |_| 0.0);
     // The joint at (0, 0.1, 0.3), the origin a metre below, and the mass centre from there.
     let expected = [0.01, 0.12, -1.2];

@@ -314,6 +314,17 @@ fn the_verifier_sees_each_broken_promise() {
         broken(|p| p.stores.clear()),
         Err(program::VerifyError::Dead(_))
     ));
+    let none = || program::Instruction::SinCos {
+        angles: vec![program::Operand::Number(0.5); 2],
+        sines: vec![None; 2],
+        cosines: vec![None; 2],
+    };
+    let mut twice = good();
+    twice.instructions.extend([none(), none()]);
+    assert_eq!(
+        program::verify(&twice),
+        Err(program::VerifyError::SinesApart(2))
+    );
 }
 
 #[test]

@@ -79,7 +79,11 @@ fn input(case: &Value, tree: &Tree, input: Input) -> f64 {
 }
 
 fn evaluate(case: &Value, tree: &Tree, function: &str, formulation: Formulation) -> Vec<f64> {
-    let derived = Function::find(function).unwrap().derive(tree, formulation);
+    let derived = Function::find(function).unwrap().derive(
+        tree,
+        formulation,
+        &kane_codegen::recursive::Plan::full(tree),
+    );
     let mut known = std::collections::BTreeMap::new();
     derived.graph.evaluate(&derived.roots, |given| {
         *known
@@ -166,9 +170,11 @@ fn check(name: &str) {
             ("partial_velocity_dot", "v_G_y_dot"),
         ];
         for (function, key) in partials {
-            let derived = Function::find(function)
-                .unwrap()
-                .derive(&tree, Formulation::Notes);
+            let derived = Function::find(function).unwrap().derive(
+                &tree,
+                Formulation::Notes,
+                &kane_codegen::recursive::Plan::full(&tree),
+            );
             let columns = derived
                 .graph
                 .evaluate(&derived.roots, |given| input(case, &tree, given));

@@ -2,7 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use std::{collections::BTreeMap, fs};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+};
 
 use kane_codegen::{
     compile::{self, Options},
@@ -143,17 +146,34 @@ fn both(function: &str) -> [String; 2] {
 
 #[test]
 fn values_have_the_bits_of_the_function_that_computes_its_sines() {
+    let mut n_same = 0;
     for tree in plain_models() {
         for function in FUNCTIONS {
             let [plain, given] = both(function);
             let found = compiled(&tree, &[&plain, &given]);
             let (values, expected) = (&found[&given].1, &found[&plain].1);
-            assert_eq!(values, expected, "{} {function}", tree.name);
             let (given, plain) = (found[&given].0.operations, found[&plain].0.operations);
             assert_eq!(given.trig, 0, "{} {function}", tree.name);
-            assert_eq!(given.total(), plain.total() - plain.trig, "{function}");
+            // Sums of angles may make another plan the cheaper one.
+            if given.total() == plain.total() - plain.trig {
+                n_same += 1;
+                assert_eq!(values, expected, "{} {function}", tree.name);
+            } else {
+                assert!(given.total() > plain.total() - plain.trig, "{function}");
+                let largest = expected
+                    .iter()
+                    .fold(0.0_f64, |most, one| most.max(one.abs()));
+                for (one, other) in values.iter().zip(expected) {
+                    assert!(
+                        (one - other).abs() <= 1e-12 * largest,
+                        "{} {function}",
+                        tree.name
+                    );
+                }
+            }
         }
     }
+    assert!(n_same > 2, "{n_same} have the same plan");
 }
 
 #[test]
@@ -297,7 +317,7 @@ fn counts_are_those_of_what_is_generated() {
     ] {
         for function in FUNCTIONS {
             let [_, given] = both(function);
-            let counts = report::count(&tree, Request::parse(&given).unwrap());
+            let counts = report::count(&tree, Request::parse(&given).unwrap(), &BTreeSet::new());
             let found = &compiled(&tree, &[&given])[&given].0;
             let stated = counts.formulations.iter();
             let (_, stated) = stated

@@ -8,7 +8,8 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    compile, config,
+    compile::{self, Options},
+    config,
     diagnostic::Source,
     error::Error,
     functions::{Block, Request},
@@ -84,7 +85,11 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
 
     let tree = &checked.tree;
     let inputs = state::read(&state, tree, &function)?;
-    let derived = compile::choose(tree, &function, arguments.formulation).derived;
+    let options = Options {
+        formulation: arguments.formulation,
+        ..Options::default()
+    };
+    let derived = compile::choose(tree, &function, &options).derived;
     let numbers = derived.graph.evaluate(&derived.roots, |input| {
         *inputs.get(&input).unwrap_or_else(|| {
             unreachable!(

@@ -1,6 +1,7 @@
 //! `kane info`.
 
 use std::{
+    collections::BTreeSet,
     io::{self, Write},
     path::PathBuf,
 };
@@ -10,12 +11,13 @@ use kane_codegen::{
     functions::{CATALOGUE, Formulation, Request},
     id::BodyId,
     program::Operations,
+    recursive::Technique,
     report::{self, Cell, Counts, Partitions},
     tree::{self, Coordinate, Order, Tree},
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, changes::ChangesArguments, job, json, selection};
+use super::{Failures, Outcome, changes::ChangesArguments, job, json, parse::one_of, selection};
 
 /// Show a model's tree, coordinates, partitions, parameters and operation counts
 ///
@@ -54,6 +56,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     functions: Option<Vec<String>>,
 
+    /// Techniques to leave out that lower the number of operations, with commas between them
+    #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
+    without: Vec<Technique>,
+
     /// Print JSON for programs
     #[arg(long)]
     json: bool,
@@ -67,10 +73,11 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
+    let without = arguments.without.iter().copied().collect();
     if arguments.json {
-        json::write(out, &value(tree, &counts(tree, requests)))?;
+        json::write(out, &value(tree, &counts(tree, requests, &without)))?;
     } else {
-        write(out, tree, requests)?;
+        write(out, tree, &counts(tree, requests, &without))?;
     }
     Ok(Outcome::Done)
 }
@@ -89,14 +96,14 @@ fn requests(names: Option<&[String]>) -> Result<Vec<Request>, Failures> {
     Ok(requests)
 }
 
-fn counts(tree: &Tree, requests: Vec<Request>) -> Vec<Counts> {
+fn counts(tree: &Tree, requests: Vec<Request>, without: &BTreeSet<Technique>) -> Vec<Counts> {
     let requests = requests.into_iter();
     requests
-        .map(|request| report::count(tree, request))
+        .map(|request| report::count(tree, request, without))
         .collect()
 }
 
-fn write(out: &mut dyn Write, tree: &Tree, requests: Vec<Request>) -> io::Result<()> {
+fn write(out: &mut dyn Write, tree: &Tree, counts: &[Counts]) -> io::Result<()> {
     let order = match tree.order {
         Order::Body => "body after body",
         Order::Notes => "all angles, then all translations, Eq. (1)",
@@ -124,7 +131,7 @@ fn write(out: &mut dyn Write, tree: &Tree, requests: Vec<Request>) -> io::Result
     write_coordinates(out, tree, order)?;
     write_partitions(out, tree, &report::partitions(tree))?;
     write_parameters(out, tree)?;
-    write_counts(out, &counts(tree, requests))
+    write_counts(out, counts)
 }
 
 /// Bodies that are part of others.

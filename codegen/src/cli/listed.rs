@@ -64,6 +64,7 @@ impl Listed {
                 functions: system.functions.clone(),
                 formulation: system.formulation,
                 fma: system.fma,
+                without: system.without.clone(),
                 reading: system.reading,
                 changes: system.changes.clone(),
             },

@@ -73,6 +73,7 @@ pub(crate) const BAD_INPUT: u8 = 2;
         functions = [\"all\"]          # or names; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
         fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \
+        without = [\"regroup\"]        # techniques to leave out that lower the number of operations\n  \
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
         remove = [\"finger_1\"]        # joints to fix at zero\n\n  \

@@ -11,6 +11,7 @@ use kane_codegen::{
     diagnostic::nearest,
     error::Error,
     functions::{CATALOGUE, Request, RequestError},
+    recursive::Technique,
 };
 
 use super::{
@@ -66,6 +67,10 @@ pub(crate) struct Selection {
         default_missing_value = "true"
     )]
     fma: Option<bool>,
+
+    /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
+    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
+    without: Vec<Technique>,
 
     #[command(flatten)]
     changes: ChangesArguments,
@@ -151,6 +156,12 @@ impl Selection {
             push("--formulation");
             push(name_of(&formulation, &Formulation::ALL));
         }
+        if !self.without.is_empty() {
+            push("--without");
+            let names = self.without.iter();
+            let names: Vec<&str> = names.map(|one| name_of(one, &Technique::ALL)).collect();
+            push(&names.join(","));
+        }
         if let Some(fma) = self.fma {
             push(if fma { "--fma" } else { "--fma=false" });
         }
@@ -228,6 +239,9 @@ impl Selection {
             }
             let options = &mut job.options;
             options.fma = self.fma.unwrap_or(options.fma);
+            if !self.without.is_empty() {
+                options.without = self.without.iter().copied().collect();
+            }
             options.reading = self.changes.reading_above(options.reading);
             options.changes = self.changes.above(options.changes.clone());
         }

@@ -18,6 +18,7 @@ use quote::quote;
 use crate::{
     functions::{Block, Formulation, Request},
     program::{Operations, Program},
+    threads,
     tree::Tree,
 };
 
@@ -67,9 +68,16 @@ pub fn source(module: &Module<'_>) -> String {
     if functions.any(|emittable| emittable.function.is_at_sin_cos()) {
         items.extend(sin_cos::items(module.tree));
     }
-    for emittable in &module.functions {
-        items.extend(function::items(module, emittable));
-    }
+    text.push_str(&printed(items));
+    let functions = threads::map(&module.functions, |emittable| {
+        printed(function::items(module, emittable))
+    });
+    text + &functions.concat()
+}
+
+/// Items, each after an empty line.
+fn printed(items: Vec<TokenStream>) -> String {
+    let mut text = String::new();
     for item in items {
         text.push('\n');
         text.push_str(&print(item));

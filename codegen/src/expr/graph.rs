@@ -1,6 +1,6 @@
 //! The graph: every constructor folds, shares, and keeps signs on references.
 
-use std::collections::BTreeMap;
+use rustc_hash::FxHashMap;
 
 use super::node::{Binding, Expr, Input, Label, Node, NodeId};
 use crate::id::BodyId;
@@ -17,8 +17,8 @@ pub struct ExprGraph {
     labels: Vec<Option<Label>>,
     /// For each node, whether it was its negative that was written.
     written_negative: Vec<bool>,
-    // Ordered, though only ever looked up: nothing here may depend on hash order.
-    known: BTreeMap<Node, NodeId>,
+    // Only ever looked up, so that nothing depends on hash order.
+    known: FxHashMap<Node, NodeId>,
     scope: Option<BodyId>,
     overflowed: bool,
 }
@@ -179,6 +179,9 @@ impl ExprGraph {
         if let Some(merged) = self.merge_multiples(a, b) {
             return merged;
         }
+        if let Some(rest) = self.cancelled(a, b).or_else(|| self.cancelled(b, a)) {
+            return rest;
+        }
         // Canonical: the older operand first, and without a sign.
         let (first, second) = if a.node() < b.node() { (a, b) } else { (b, a) };
         let negative = first.is_negative();
@@ -274,6 +277,21 @@ impl ExprGraph {
         }
         let sum = self.number(c + d);
         Some(self.mul(sum, Expr::new(x, false)))
+    }
+
+    /// `(a + b) - b = a`.
+    fn cancelled(&self, sum: Expr, other: Expr) -> Option<Expr> {
+        let Node::Add(first, second) = self.node(sum.node()) else {
+            return None;
+        };
+        let [first, second] = [first, second].map(|term| term.signed(sum.is_negative()));
+        if first == -other {
+            Some(second)
+        } else if second == -other {
+            Some(first)
+        } else {
+            None
+        }
     }
 
     /// An expression as a number times a node.

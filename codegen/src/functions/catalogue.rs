@@ -349,7 +349,7 @@ pub static CATALOGUE: [Function; 32] = [
         shape: Shape::Speeds,
         is_default: true,
         doc: &[
-            "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved by `L^T D L` along the tree. Also known as aba.",
+            "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
             "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
         ],
         derive: Derivation::Either {
@@ -366,7 +366,7 @@ pub static CATALOGUE: [Function; 32] = [
         shape: Shape::Speeds,
         is_default: false,
         doc: &[
-            "The pivots `D` of the `L^T D L` that forward dynamics solves with, by speed: all positive where the mass matrix is positive definite.",
+            "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
         ],
         derive: Derivation::Either {
             notes: derive::pivots,

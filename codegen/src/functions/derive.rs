@@ -2,14 +2,14 @@
 
 use super::frames;
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector},
+    expr::{Expr, ExprGraph, Input, Matrix, Vector},
     id::BodyMap,
     kane::{
         Accelerations, angular, dynamics, dynamics::SpeedMatrix, energy, mechanics, orientation,
         position, velocity,
     },
     partition::Row,
-    recursive::{composite, gravity, inverse_dynamics},
+    recursive::{self, Plan, composite, gravity, inverse_dynamics},
     solve::{self, Factors},
     tree::Tree,
 };
@@ -165,8 +165,8 @@ fn matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     with_rotors(graph, tree, a)
 }
 
-fn matrix_recursive(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
-    let a = composite::mass_matrix(graph, tree);
+fn matrix_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    let a = composite::mass_matrix(graph, tree, plan);
     with_rotors(graph, tree, a)
 }
 
@@ -174,16 +174,20 @@ pub(super) fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     matrix(graph, tree).concat()
 }
 
-pub(super) fn mass_matrix_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    matrix_recursive(graph, tree).concat()
+pub(super) fn mass_matrix_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    matrix_recursive(graph, tree, plan).concat()
 }
 
 pub(super) fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     dynamics::generalized_forces(graph, tree)
 }
 
-pub(super) fn generalized_forces_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    inverse_dynamics::generalized_forces(graph, tree)
+pub(super) fn generalized_forces_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    inverse_dynamics::generalized_forces(graph, tree, plan)
 }
 
 pub(super) fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -191,8 +195,8 @@ pub(super) fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     less_forces(graph, tree, f)
 }
 
-pub(super) fn forcing_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let f = inverse_dynamics::forcing(graph, tree);
+pub(super) fn forcing_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    let f = inverse_dynamics::forcing(graph, tree, plan);
     less_forces(graph, tree, f)
 }
 
@@ -207,8 +211,8 @@ pub(super) fn bias(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     with_forces(graph, tree, Accelerations::Zero, tau)
 }
 
-pub(super) fn bias_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let tau = inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Zero);
+pub(super) fn bias_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    let tau = inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero);
     with_forces(graph, tree, Accelerations::Zero, tau)
 }
 
@@ -216,8 +220,12 @@ pub(super) fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     dynamics::gravity_forces(graph, tree)
 }
 
-pub(super) fn gravity_forces_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    gravity::gravity_forces(graph, tree)
+pub(super) fn gravity_forces_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    gravity::gravity_forces(graph, tree, plan)
 }
 
 pub(super) fn inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -225,39 +233,45 @@ pub(super) fn inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> 
     with_forces(graph, tree, Accelerations::Given, tau)
 }
 
-pub(super) fn inverse_dynamics_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let tau = inverse_dynamics::inverse_dynamics(graph, tree, Accelerations::Given);
+pub(super) fn inverse_dynamics_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    let tau = inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Given);
     with_forces(graph, tree, Accelerations::Given, tau)
 }
 
 pub(super) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let bias = bias(graph, tree);
     let factors = factors(graph, tree);
-    solve_forward(graph, tree, &factors, &bias)
+    let mut net = applied(graph, tree);
+    solve::subtract(graph, tree, &mut net, &bias);
+    factors.solve(graph, net)
 }
 
-pub(super) fn forward_dynamics_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let bias = bias_recursive(graph, tree);
-    let factors = factors_recursive(graph, tree);
-    solve_forward(graph, tree, &factors, &bias)
-}
-
-/// `u_dot` with `M u_dot = tau - bias`.
-fn solve_forward(
+pub(super) fn forward_dynamics_recursive(
     graph: &mut ExprGraph,
     tree: &Tree,
-    factors: &Factors,
-    bias: &[Expr],
+    plan: &Plan,
 ) -> Vec<Expr> {
-    let mut net = bias.to_vec();
+    let mut net = applied(graph, tree);
+    let zero = vec![graph.zero(); net.len()];
+    let taken = with_forces(graph, tree, Accelerations::Zero, zero);
+    solve::subtract(graph, tree, &mut net, &taken);
+    recursive::forward_dynamics::forward_dynamics(graph, tree, plan, net)
+}
+
+/// `tau`, each entry in the scope of its body.
+fn applied(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids() {
         graph.enter(body);
         for (_, speed) in tree.body(body).joint.speeds() {
-            let tau = graph.input(crate::expr::Input::Tau(speed));
-            net[speed.index()] = graph.sub(tau, bias[speed.index()]);
+            tau[speed.index()] = graph.input(Input::Tau(speed));
         }
     }
-    factors.solve(graph, net)
+    tau
 }
 
 fn factors(graph: &mut ExprGraph, tree: &Tree) -> Factors {
@@ -265,8 +279,8 @@ fn factors(graph: &mut ExprGraph, tree: &Tree) -> Factors {
     solve::factorise(graph, tree, a)
 }
 
-fn factors_recursive(graph: &mut ExprGraph, tree: &Tree) -> Factors {
-    let a = matrix_recursive(graph, tree);
+fn factors_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Factors {
+    let a = matrix_recursive(graph, tree, plan);
     solve::factorise(graph, tree, a)
 }
 
@@ -274,8 +288,8 @@ pub(super) fn pivots(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     factors(graph, tree).pivots
 }
 
-pub(super) fn pivots_recursive(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    factors_recursive(graph, tree).pivots
+pub(super) fn pivots_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    factors_recursive(graph, tree, plan).pivots
 }
 
 pub(super) fn singularity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

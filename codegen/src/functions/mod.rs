@@ -19,6 +19,7 @@ use crate::{
     expr::{Expr, ExprGraph},
     id::BodyMap,
     partition::{Partition, Row},
+    recursive::Plan,
     tree::Tree,
 };
 
@@ -118,6 +119,7 @@ pub struct Block {
 }
 
 type Entries = fn(&mut ExprGraph, &Tree) -> Vec<Expr>;
+type PlannedEntries = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>;
 type Rows = fn(&mut ExprGraph, &Tree) -> BodyMap<Row>;
 
 #[derive(Clone, Copy)]
@@ -127,7 +129,7 @@ enum Derivation {
     /// The sums over bodies can be associated in two ways.
     Either {
         notes: Entries,
-        recursive: Entries,
+        recursive: PlannedEntries,
         /// How many terms the literal sums have at least.
         literal_terms: fn(&Tree) -> usize,
     },
@@ -158,29 +160,29 @@ impl Function {
         }
     }
 
-    /// Derives the function; one that has a single formulation takes no notice of `formulation`.
-    pub fn derive(&self, tree: &Tree, formulation: Formulation) -> Derived {
+    /// Derives the function; one that has a single formulation takes no notice of `formulation`, and only the recursive one
+    /// of `plan`.
+    pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
         let mut derived = Derived {
             graph: ExprGraph::default(),
             roots: Vec::new(),
             blocks: Vec::new(),
         };
-        self.derive_in(&mut derived, tree, formulation);
+        self.derive_in(&mut derived, tree, formulation, plan);
         derived
     }
 
     /// Derives the function after others, in the same graph.
-    fn derive_in(&self, derived: &mut Derived, tree: &Tree, formulation: Formulation) {
+    fn derive_in(&self, derived: &mut Derived, tree: &Tree, formulation: Formulation, plan: &Plan) {
         let graph = &mut derived.graph;
         match (self.derive, formulation) {
             (Derivation::Only(entries), _)
-            | (Derivation::Either { notes: entries, .. }, Formulation::Notes)
-            | (
-                Derivation::Either {
-                    recursive: entries, ..
-                },
-                Formulation::Recursive,
-            ) => derived.roots.extend(entries(graph, tree)),
+            | (Derivation::Either { notes: entries, .. }, Formulation::Notes) => {
+                derived.roots.extend(entries(graph, tree));
+            }
+            (Derivation::Either { recursive, .. }, Formulation::Recursive) => {
+                derived.roots.extend(recursive(graph, tree, plan));
+            }
             (Derivation::Compact(rows), _) => {
                 let rows = rows(graph, tree);
                 derived.blocks = pattern(tree, &rows);

@@ -4,7 +4,7 @@
 //! catalogue, none is there twice, and what is joined has no compact output.
 
 use super::{Argument, CATALOGUE, Derived, Formulation, Function, Shape};
-use crate::{expr::ExprGraph, tree::Tree};
+use crate::{expr::ExprGraph, recursive::Plan, tree::Tree};
 
 /// What stands after the name of a function that is given sines and cosines.
 const AT_SIN_COS: &str = "(sin_cos)";
@@ -206,6 +206,11 @@ impl Request {
         lines
     }
 
+    /// True where accelerations are solved for.
+    pub fn solves(&self) -> bool {
+        self.arguments().contains(&Argument::Tau)
+    }
+
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> &'static [Formulation] {
         let lists = self.parts.iter().map(|part| part.formulations());
@@ -221,8 +226,8 @@ impl Request {
     }
 
     /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no
-    /// notice of `formulation`.
-    pub fn derive(&self, tree: &Tree, formulation: Formulation) -> Derived {
+    /// notice of `formulation`, and only the recursive one of `plan`.
+    pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
         let mut derived = Derived {
             graph: ExprGraph::default(),
             roots: Vec::new(),
@@ -230,7 +235,7 @@ impl Request {
         };
         for part in &self.parts {
             derived.graph.enter(None);
-            part.derive_in(&mut derived, tree, formulation);
+            part.derive_in(&mut derived, tree, formulation, plan);
         }
         derived
     }

@@ -49,14 +49,15 @@ pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec
     let mut rebuilt = Rebuilt::new(old);
     for id in old.ids().filter(|id| needed[id.index()]) {
         graph.enter(old.scope(id));
-        let terms = match old.node(id) {
-            Node::Sin(angle) | Node::Cos(angle) => terms(old, &places, Expr::of(angle)),
+        let pair = match old.node(id) {
+            Node::Sin(angle) | Node::Cos(angle) => {
+                pair(&mut graph, old, &rebuilt, &places, Expr::of(angle))
+            }
             _ => None,
         };
-        let expr = match terms {
+        let expr = match pair {
             None => rebuilt.copy(&mut graph, old, id),
-            Some(terms) => {
-                let [sine, cosine] = of_sum(&mut graph, &rebuilt, &terms);
+            Some([sine, cosine]) => {
                 let is_sine = matches!(old.node(id), Node::Sin(_));
                 if is_sine { sine } else { cosine }
             }
@@ -68,57 +69,36 @@ pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec
     (graph, roots)
 }
 
-/// A term of an angle.
-#[derive(Clone, Copy, Debug)]
-enum Term {
-    /// An angle among the coordinates, or its negative.
-    Angle { place: usize, negative: bool },
-    /// What is known before the loop.
-    Known(Expr),
-}
-
-/// The terms of an angle; `None` where it has others.
-fn terms(
-    graph: &ExprGraph,
+/// Sine and cosine of an angle, of a sum from those of its terms, so that sums which continue one another share them:
+/// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`. `None` where it has others.
+fn pair(
+    graph: &mut ExprGraph,
+    old: &ExprGraph,
+    rebuilt: &Rebuilt,
     places: &BTreeMap<CoordinateId, usize>,
     angle: Expr,
-) -> Option<Vec<Term>> {
+) -> Option<[Expr; 2]> {
     let id = angle.node();
-    if graph.binding(id) != Binding::State {
-        return Some(vec![Term::Known(angle)]);
+    if old.binding(id) != Binding::State {
+        let angle = rebuilt.expr(angle);
+        return Some([graph.sin(angle), graph.cos(angle)].map(|entry| without_crumb(graph, entry)));
     }
-    match graph.node(id) {
-        Node::Input(Input::Q(coordinate)) => Some(vec![Term::Angle {
-            place: *places.get(&coordinate)?,
-            negative: angle.is_negative(),
-        }]),
+    match old.node(id) {
+        Node::Input(Input::Q(coordinate)) => {
+            let place = *places.get(&coordinate)?;
+            let sine = graph.input(Input::Sine(place)).signed(angle.is_negative());
+            Some([sine, graph.input(Input::Cosine(place))])
+        }
         Node::Add(a, b) => {
-            let [a, b] = [a, b].map(|term| terms(graph, places, term.signed(angle.is_negative())));
-            Some([a?, b?].concat())
+            let sign = angle.is_negative();
+            let [s, c] = pair(graph, old, rebuilt, places, a.signed(sign))?;
+            let [t, d] = pair(graph, old, rebuilt, places, b.signed(sign))?;
+            let [first, second, third, fourth] =
+                [(s, d), (c, t), (c, d), (s, t)].map(|(a, b)| graph.mul(a, b));
+            Some([graph.add(first, second), graph.sub(third, fourth)])
         }
         _ => None,
     }
-}
-
-/// Sine and cosine of a sum: `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.
-fn of_sum(graph: &mut ExprGraph, rebuilt: &Rebuilt, terms: &[Term]) -> [Expr; 2] {
-    let [mut sine, mut cosine] = [graph.zero(), graph.one()];
-    for term in terms {
-        let [s, c] = match *term {
-            Term::Angle { place, negative } => {
-                let sine = graph.input(Input::Sine(place));
-                [sine.signed(negative), graph.input(Input::Cosine(place))]
-            }
-            Term::Known(angle) => {
-                let angle = rebuilt.expr(angle);
-                [graph.sin(angle), graph.cos(angle)].map(|entry| without_crumb(graph, entry))
-            }
-        };
-        let [first, second, third, fourth] =
-            [(sine, c), (cosine, s), (cosine, c), (sine, s)].map(|(a, b)| graph.mul(a, b));
-        [sine, cosine] = [graph.add(first, second), graph.sub(third, fourth)];
-    }
-    [sine, cosine]
 }
 
 /// A sine or cosine, zero where it is so but for rounding, as that of a right angle is.

@@ -21,13 +21,16 @@ pub enum VerifyError {
     /// An operation has only numbers for operands.
     #[error("value {0} has only numbers for operands")]
     Unfolded(usize),
+    /// Sines of several angles are taken together more than once.
+    #[error("sines are taken together in {0} places")]
+    SinesApart(usize),
     /// A sign stands where it costs an operation.
     #[error("value {0} has a misplaced sign")]
     MisplacedSign(usize),
 }
 
 /// Checks that values are assigned once, before they are used, and are used; that nothing is left to fold; that signs
-/// stand where they cost nothing; and that every number is finite.
+/// stand where they cost nothing; that sines of several angles are taken in one place; and that every number is finite.
 ///
 /// # Errors
 /// The first promise that is broken.
@@ -59,6 +62,14 @@ pub fn verify(program: &Program) -> Result<(), VerifyError> {
                 return Err(VerifyError::AssignedTwice(result.index()));
             }
         }
+    }
+    let is_array = |instruction: &&Instruction| match instruction {
+        Instruction::SinCos { angles, .. } => angles.len() > 1,
+        Instruction::Compute { .. } => false,
+    };
+    let n_arrays = program.instructions.iter().filter(is_array).count();
+    if n_arrays > 1 {
+        return Err(VerifyError::SinesApart(n_arrays));
     }
     program
         .stores

@@ -6,32 +6,45 @@ use crate::{
     id::{BodyId, BodyMap},
     kane::dynamics::SpeedMatrix,
     recursive::{
-        frames::{self, Turning},
+        axes::{self, Axes},
         inertia::{self, Composite},
+        link::{self, Link, Turning},
+        plan::Plan,
+        shortcut::Shortcuts,
     },
     tree::{Motion, Tree},
 };
 
 /// Momentum of a composite body for a unit value of one speed: a column of the mass matrix on its way inward.
 #[derive(Clone, Copy, Debug)]
-struct Column {
+pub(super) struct Column {
     /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
-    body: BodyId,
+    pub(super) body: BodyId,
     motion: Motion,
     /// The speed's coordinate among its body's: "theta1" or "w1" to "s3".
     coordinate: &'static str,
-    linear: Vector,
+    pub(super) linear: Vector,
     /// About the current origin.
-    angular: Vector,
+    pub(super) angular: Vector,
+    /// The linear part where its root's translations are read, once it is there; `linear` is then zero.
+    pub(super) arrived: Option<Vector>,
 }
 
 /// `A`, Eq. (42), re-associated along the tree.
-pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
-    let frames = frames::frames(graph, tree);
-    let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| {
-        graph.enter(body);
-        inertia::own(graph, tree.body(body))
-    });
+pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    let links = link::links(graph, tree, plan);
+    matrix(graph, tree, plan, (&links, &axes::of_speeds(tree)))
+}
+
+/// The same with motions along other axes, for links that are there.
+pub(super) fn matrix(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    (links, axes): (&BodyMap<Link>, &BodyMap<Axes>),
+) -> SpeedMatrix {
+    let mut shortcuts = Shortcuts::new(graph, tree, plan, (links, axes));
+    let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
@@ -40,53 +53,60 @@ pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
         inertia::name(graph, &composite.inertia, "composite");
         graph.name_vector(composite.moment, "composite");
         let mut carried = std::mem::take(&mut columns[body]);
-        let frame = &frames[body];
+        let link = &links[body];
         let joint = &tree.body(body).joint;
-        if let Some(motions) = frames::angular_velocity(joint) {
-            let names = joint.motion_names();
-            for axis in 0..3 {
-                let reading = Reading::turn(body, axis, Some(motions[axis]), names[axis]);
-                reading.run(graph, &mut a, &composite, &mut carried);
-            }
+        let names = joint.motion_names();
+        let [turns, shifts] = axes[body].along_link(joint);
+        // Inside a body the translations' columns are read first: they are the sparsest.
+        for (axis, motion) in shifts.into_iter().flatten().enumerate() {
+            let reading = Reading::shift(body, axis, Some(motion));
+            reading.run(graph, &mut a, &composite, &mut carried);
         }
-        match &frame.turning {
+        for (axis, motion) in turns.into_iter().flatten().enumerate() {
+            let reading = Reading::turn(body, axis, Some(motion), names[axis]);
+            reading.run(graph, &mut a, &composite, &mut carried);
+        }
+        match &link.turning {
             Turning::Angles(rotations) => {
                 for rotation in rotations.iter().rev() {
                     let axis = rotation.axis.index();
-                    let name = ["theta1", "theta2", "theta3"][axis];
-                    let reading = Reading::turn(body, axis, rotation.motion, name);
+                    let motion = rotation.motion.filter(|_| turns.is_none());
+                    let reading = Reading::turn(body, axis, motion, names[axis]);
                     reading.run(graph, &mut a, &composite, &mut carried);
+                    if motion.is_some() {
+                        shortcuts.take(graph, body, &mut carried);
+                    }
                     composite = rotation.backward_composite(graph, &composite);
                     turn_columns(graph, &mut carried, |graph, v| rotation.backward(graph, v));
                     graph.enter(body);
                 }
             }
             Turning::Matrix(matrix) => {
-                composite = frames::turned_back(graph, matrix, &composite);
+                composite = link::turned_back(graph, matrix, &composite);
                 let back = transpose(matrix);
                 turn_columns(graph, &mut carried, |graph, v| graph.mul_vector(&back, v));
                 graph.enter(body);
             }
         }
-        for (axis, shift) in joint.shifts().into_iter().enumerate() {
-            let reading = Reading::shift(body, axis, shift);
+        for (axis, motion) in joint.shifts().into_iter().enumerate() {
+            let motion = motion.filter(|_| shifts.is_none());
+            let reading = Reading::shift(body, axis, motion);
             reading.run(graph, &mut a, &composite, &mut carried);
         }
-        composite = frame.composite_before_constant(graph, &composite);
+        composite = link.constant.backward_composite(graph, &composite);
         turn_columns(graph, &mut carried, |graph, v| {
-            frame.before_constant(graph, v)
+            link.constant.backward(graph, v)
         });
         graph.enter(body);
         if let Some(lower) = tree.lower(body) {
-            let offset = frames[body].offset;
             for column in &mut carried {
                 graph.enter(column.body);
-                let lever = graph.cross(offset, column.linear);
+                let lever = graph.cross(link.offset, column.linear);
                 column.angular = graph.add_vectors(column.angular, lever);
                 name_column(graph, tree, lower, column);
             }
             graph.enter(body);
-            let moved = composite.moved(graph, offset);
+            let moved = composite.moved(graph, link.offset);
             graph.enter(lower);
             composites[lower] = composites[lower].plus(graph, &moved);
             columns[lower].extend(carried);
@@ -169,13 +189,14 @@ impl Reading {
             coordinate: self.coordinate,
             linear,
             angular,
+            arrived: None,
         });
         let last = carried.len() - 1;
         for (place, column) in carried.iter().enumerate() {
             let momentum = if self.is_turn {
                 column.angular
             } else {
-                column.linear
+                column.arrived.unwrap_or(column.linear)
             };
             let entry = momentum[self.axis];
             add(graph, a, (motion, column.motion), entry, place == last);

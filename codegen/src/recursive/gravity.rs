@@ -9,8 +9,8 @@ use crate::{
     id::{BodyId, BodyMap},
     kane::given,
     recursive::{
-        frames::{self, Frame, Turning},
-        inertia,
+        link::{self, Link, Turning},
+        plan::Plan,
     },
     tree::{Motion, Tree},
 };
@@ -32,8 +32,8 @@ struct Upward {
 }
 
 /// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`.
-pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let frames = frames::frames(graph, tree);
+pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    let links = link::links(graph, tree, plan);
     let gravity = given::gravity(graph, tree);
     let upward = BodyMap::outward(tree.bodies.len(), |body, upward: &BodyMap<Upward>| {
         let below = tree
@@ -41,15 +41,11 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
             .and_then(|lower| upward[lower].after.last());
         let below = below.copied().unwrap_or(negated(gravity));
         graph.enter(body);
-        outward(graph, &frames[body], below)
+        outward(graph, &links[body], below)
     });
-    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| {
-        graph.enter(body);
-        let own = inertia::own(graph, tree.body(body));
-        Weight {
-            mass: own.mass,
-            moment: own.moment,
-        }
+    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| Weight {
+        mass: links[body].inertia.mass,
+        moment: links[body].inertia.moment,
     });
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids().rev() {
@@ -60,7 +56,7 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
             graph,
             tree,
             body,
-            &frames[body],
+            &links[body],
             (&upward[body], weight),
             &mut tau,
         );
@@ -76,9 +72,9 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     tau
 }
 
-fn outward(graph: &mut ExprGraph, frame: &Frame, below: Vector) -> Upward {
-    let before = graph.mul_vector(&frame.constant, below);
-    let after = match &frame.turning {
+fn outward(graph: &mut ExprGraph, link: &Link, below: Vector) -> Upward {
+    let before = link.constant.forward(graph, below);
+    let after = match &link.turning {
         Turning::Matrix(matrix) => vec![graph.mul_vector(matrix, before)],
         Turning::Angles(rotations) => {
             let mut a = before;
@@ -100,19 +96,19 @@ fn inward(
     graph: &mut ExprGraph,
     tree: &Tree,
     body: BodyId,
-    frame: &Frame,
+    link: &Link,
     (upward, weight): (&Upward, Weight),
     tau: &mut [Expr],
 ) -> Weight {
     let joint = &tree.body(body).joint;
     let Weight { mass, mut moment } = weight;
-    let turns = frames::angular_velocity(joint);
+    let turns = link::angular_velocity(joint);
     if let (Some(motions), Some(a)) = (turns, upward.after.last()) {
         for (axis, motion) in motions.into_iter().enumerate() {
             add_turn(graph, tau, Some(motion), axis, (moment, *a));
         }
     }
-    match &frame.turning {
+    match &link.turning {
         Turning::Angles(rotations) => {
             for (rotation, a) in rotations.iter().zip(&upward.after).rev() {
                 add_turn(
@@ -135,9 +131,9 @@ fn inward(
             add(graph, tau, shift, along);
         }
     }
-    moment = frame.before_constant(graph, moment);
+    moment = link.constant.backward(graph, moment);
     if tree.lower(body).is_some() {
-        let shift = graph.scale(mass, frame.offset);
+        let shift = graph.scale(mass, link.offset);
         moment = graph.add_vectors(moment, shift);
     }
     Weight { mass, moment }

@@ -1,7 +1,7 @@
 //! Inertia about a body's origin, of one body or of a body with all that it carries.
 
 use crate::{
-    expr::{Expr, ExprGraph, Symmetric, Vector},
+    expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
     kane::given,
     tree::{Body, Part},
 };
@@ -26,8 +26,6 @@ pub fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
         let part = of_part(graph, part);
         own = own.plus(graph, &part);
     }
-    graph.name_vector(own.moment, "moment");
-    name(graph, &own.inertia, "inertia_o");
     own
 }
 
@@ -71,6 +69,18 @@ impl Composite {
             moment,
             inertia,
         }
+    }
+
+    /// The second moments about the three planes through the point, `S_aa = (I_bb + I_cc - I_aa) / 2`, kg m².
+    pub fn second_moments(&self, graph: &mut ExprGraph) -> Vector {
+        let half = graph.number(0.5);
+        Axis::ALL.map(|axis| {
+            let (a, (b, c)) = (axis.index(), axis.others());
+            let diagonal = self.inertia.diagonal;
+            let around = graph.add(diagonal[b], diagonal[c]);
+            let twice = graph.sub(around, diagonal[a]);
+            graph.mul(half, twice)
+        })
     }
 
     /// Both together, about the same point.

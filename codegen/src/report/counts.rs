@@ -1,9 +1,12 @@
 //! The operations of every function in every formulation that it has.
 
+use std::collections::BTreeSet;
+
 use crate::{
     compile::{self, Choice},
-    functions::{CATALOGUE, Formulation, Request},
+    functions::{Formulation, Request},
     program::Operations,
+    recursive::Technique,
     tree::Tree,
 };
 
@@ -18,19 +21,14 @@ pub struct Counts {
     pub cheapest: Formulation,
 }
 
-/// Counts the operations of every function, in the order of the catalogue.
-pub fn counts(tree: &Tree) -> Vec<Counts> {
-    let requests = CATALOGUE.iter().map(Request::from);
-    requests.map(|request| count(tree, request)).collect()
-}
-
 /// Counts the operations of one function.
-pub fn count(tree: &Tree, function: Request) -> Counts {
+pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> Counts {
     let formulations: Vec<_> = function
         .formulations()
         .iter()
         .map(|&formulation| {
-            let Choice { derived, .. } = compile::candidate(tree, &function, formulation);
+            let Choice { derived, .. } =
+                compile::of_formulation(tree, &function, formulation, without);
             let plain = compile::operations(&derived).total();
             let derived = compile::given_sines(tree, &function, derived);
             (formulation, compile::operations(&derived), plain)

@@ -9,6 +9,6 @@ mod partitions;
 mod picture;
 
 pub use compare::{Change, Comparison, Counted, compare, counted, differs_in_layout_only};
-pub use counts::{Counts, count, counts};
+pub use counts::{Counts, count};
 pub use partitions::{Cell, Partitions, partitions};
 pub use picture::picture;

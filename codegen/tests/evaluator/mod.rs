@@ -15,6 +15,7 @@ use kane_codegen::{
     functions::{Block, Formulation, Function, Shape},
     passes::{factor, hoist},
     program::{self, Program},
+    recursive::Plan,
     tree::Tree,
 };
 
@@ -23,6 +24,7 @@ pub(crate) struct Evaluator {
     name: String,
     composition: Composition,
     formulation: Formulation,
+    plan: Plan,
     functions: Mutex<BTreeMap<&'static str, Arc<Flat>>>,
 }
 
@@ -34,11 +36,21 @@ struct Flat {
 }
 
 impl Evaluator {
+    /// With every technique where the formulation has any.
     pub(crate) fn new(system: &RandomSystem, formulation: Formulation) -> Self {
+        Self::planned(system, formulation, Plan::full)
+    }
+
+    pub(crate) fn planned(
+        system: &RandomSystem,
+        formulation: Formulation,
+        plan: impl FnOnce(&Tree) -> Plan,
+    ) -> Self {
         let text = system.toml();
         let tree = tree(&text).expect("a random system is accepted");
         Self {
             name: format!("{} in formulation {}", system.name, formulation.name()),
+            plan: plan(&tree),
             composition: Composition::new(&text, &tree),
             formulation,
             functions: Mutex::default(),
@@ -50,7 +62,7 @@ impl Evaluator {
         let mut functions = self.functions.lock().expect("no test panics in here");
         let flat = functions
             .entry(function.name)
-            .or_insert_with(|| Arc::new(flat(self.tree(), function, self.formulation)));
+            .or_insert_with(|| Arc::new(flat(self.tree(), function, self.formulation, &self.plan)));
         Arc::clone(flat)
     }
 }
@@ -79,8 +91,8 @@ impl Model for Evaluator {
 }
 
 /// Derives, factors, hoists and flattens.
-fn flat(tree: &Tree, function: &Function, formulation: Formulation) -> Flat {
-    let derived = function.derive(tree, formulation);
+fn flat(tree: &Tree, function: &Function, formulation: Formulation, plan: &Plan) -> Flat {
+    let derived = function.derive(tree, formulation, plan);
     let (graph, roots) = if function.shape == Shape::Columns {
         (derived.graph, derived.roots)
     } else {

@@ -154,7 +154,11 @@ fn built(text: &str) -> Tree {
 /// The most that the mass matrix has in rank in a few states.
 fn rank_of_mass_matrix(tree: &Tree, seed: u64) -> usize {
     let function = Function::find("mass_matrix").unwrap();
-    let derived = function.derive(tree, Formulation::Recursive);
+    let derived = function.derive(
+        tree,
+        Formulation::Recursive,
+        &crate::recursive::Plan::full(tree),
+    );
     let of_state = |seed| {
         let mut random = Random::new(seed);
         let mut q: Vec<f64> = (0..tree.n_coordinates).map(|_| random.signed()).collect();

@@ -1,0 +1,494 @@
+//! Forward dynamics by articulated bodies (Featherstone 1983): no mass matrix, and work that grows with the number of bodies.
+//!
+//! With the links moving as they would without accelerations, each needs a wrench; what the true motion adds is linear in the
+//! accelerations. From the leaves inward each motion is eliminated where it enters: it leaves the link an inertia that
+//! resists along that motion no more, and a wrench whose part along it is the joint's own force. From the inertial frame
+//! outward the accelerations follow. A body that moves freely hands nothing inward but that force.
+
+use super::{
+    axes::{self, Axes},
+    inertia::{self, Composite},
+    link::{self, Link, Turning},
+    motion::{self, Wrench},
+    plan::Plan,
+    rotation::{self, Constant, Rotation},
+};
+use crate::{
+    expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, transpose},
+    id::{BodyId, BodyMap},
+    kane::{Accelerations, given},
+    tree::{Motion, Tree, Value},
+};
+
+/// What relates a link's acceleration to the wrench it needs, about its origin: for a rigid body ten numbers, in general 21.
+#[derive(Clone, Copy, Debug)]
+enum Inertia {
+    Rigid(Composite),
+    Articulated(Blocks),
+}
+
+/// `n = I alpha + H a`, `f = H^T alpha + M a`.
+#[derive(Clone, Copy, Debug)]
+struct Blocks {
+    angular: Symmetric,
+    coupling: Matrix,
+    linear: Symmetric,
+}
+
+/// A motion that was eliminated: about (0 to 2) or along (3 to 5) an axis.
+#[derive(Clone, Debug)]
+struct Eliminated {
+    place: usize,
+    motion: Motion,
+    /// What is left of the joint's force for it, over what resists it.
+    own: Expr,
+    /// What the other parts of the acceleration take from it.
+    factors: [Expr; 6],
+    /// True where a rotor resists the motion as well.
+    has_rotor: bool,
+}
+
+/// What happens to a wrench on its way inward through a joint, in order.
+#[derive(Clone, Debug)]
+enum Step {
+    Eliminated(Eliminated),
+    Rotation(Rotation),
+    Matrix(Matrix),
+}
+
+/// Accelerations with `M u_dot + bias = tau`, of motions along `axes`; `tau` is theirs, less what springs and dampers take.
+pub(super) fn solution(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    (links, axes): (&BodyMap<Link>, &BodyMap<Axes>),
+    falls: &BodyMap<bool>,
+    tau: &[Expr],
+) -> Vec<Expr> {
+    assert!(
+        !axes::has_followers(tree),
+        "a speed that moves several joints cannot be eliminated where it enters"
+    );
+    let mut wrenches = motion::wrenches(graph, tree, links, plan, Accelerations::Zero, falls);
+    let mut inertias = BodyMap::outward(tree.bodies.len(), |body, _| {
+        Inertia::Rigid(links[body].inertia)
+    });
+    let mut steps = BodyMap::outward(tree.bodies.len(), |_, _| Vec::new());
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let mut passing = Passing {
+            inertia: inertias[body],
+            wrench: wrenches[body],
+            steps: Vec::new(),
+        };
+        passing.name(graph);
+        passing.through_joint(graph, tree, body, &links[body], axes[body], tau);
+        let link = &links[body];
+        if let Some(lower) = tree.lower(body) {
+            passing.move_inward(graph, link);
+            graph.enter(lower);
+            wrenches[lower] = wrenches[lower].plus(graph, &passing.wrench);
+            inertias[lower] = inertias[lower].plus(graph, &passing.inertia);
+        }
+        steps[body] = passing.steps;
+    }
+    outward(graph, tree, links, &steps)
+}
+
+/// The accelerations of the motions, from the inertial frame outward.
+fn outward(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    steps: &BodyMap<Vec<Step>>,
+) -> Vec<Expr> {
+    let mut accelerations = vec![graph.zero(); tree.n_speeds];
+    BodyMap::outward(tree.bodies.len(), |body, added: &BodyMap<[Vector; 2]>| {
+        graph.enter(body);
+        let link = &links[body];
+        let mut added = match tree.lower(body) {
+            None => [graph.zero_vector(); 2],
+            Some(lower) => {
+                let [alpha, a] = added[lower];
+                let turned = graph.cross(alpha, link.offset);
+                [alpha, graph.add_vectors(a, turned)].map(|v| link.constant.forward(graph, v))
+            }
+        };
+        for step in steps[body].iter().rev() {
+            match step {
+                Step::Rotation(rotation) => {
+                    added = added.map(|v| rotation.forward(graph, v));
+                }
+                Step::Matrix(matrix) => added = added.map(|v| graph.mul_vector(matrix, v)),
+                Step::Eliminated(eliminated) => {
+                    let acceleration = eliminated.recover(graph, &mut added);
+                    accelerations[eliminated.motion.speed.index()] = acceleration;
+                }
+            }
+        }
+        graph.name_vector(added[0], "alpha_added");
+        graph.name_vector(added[1], "a_added");
+        added
+    });
+    accelerations
+}
+
+impl Eliminated {
+    /// The acceleration of the motion, which is added to the link's.
+    fn recover(&self, graph: &mut ExprGraph, added: &mut [Vector; 2]) -> Expr {
+        let mut sum = self.own;
+        for (place, &factor) in self.factors.iter().enumerate() {
+            // Without a rotor its own factor is one: the sum is the whole new part, whatever it was before.
+            if place != self.place || self.has_rotor {
+                let term = graph.mul(factor, added[place / 3][place % 3]);
+                sum = graph.sub(sum, term);
+            }
+        }
+        let part = &mut added[self.place / 3][self.place % 3];
+        let (whole, acceleration) = if self.has_rotor {
+            (graph.add(*part, sum), sum)
+        } else {
+            (sum, graph.sub(sum, *part))
+        };
+        *part = whole;
+        acceleration
+    }
+}
+
+/// A link's inertia and wrench on their way inward.
+struct Passing {
+    inertia: Inertia,
+    wrench: Wrench,
+    steps: Vec<Step>,
+}
+
+impl Passing {
+    fn name(&self, graph: &mut ExprGraph) {
+        graph.name_vector(self.wrench.force, "f");
+        graph.name_vector(self.wrench.moment, "n");
+        match &self.inertia {
+            Inertia::Rigid(composite) => inertia::name(graph, &composite.inertia, "composite"),
+            Inertia::Articulated(blocks) => {
+                inertia::name(graph, &blocks.angular, "articulated");
+                graph.name_matrix(&blocks.coupling, "coupling");
+                inertia::name(graph, &blocks.linear, "carried");
+            }
+        }
+    }
+
+    /// From the link's axes to the joint's in the lower link.
+    fn through_joint(
+        &mut self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        body: BodyId,
+        link: &Link,
+        axes: Axes,
+        tau: &[Expr],
+    ) {
+        let joint = &tree.body(body).joint;
+        let [turns, shifts] = axes.along_link(joint);
+        let rotor = |place: usize| joint.mechanics[place].armature;
+        let eliminate = |passing: &mut Self, graph: &mut ExprGraph, place: usize, motion| {
+            let Some(motion) = motion else { return };
+            let name = joint.motion_names()[place];
+            let rotor = rotor(place);
+            passing.eliminate(graph, (place, name), motion, rotor, tau);
+        };
+        // Translations first: of a body that carries none but free ones their block is a multiple of the identity.
+        for (first, motions) in [(3, shifts), (0, turns)] {
+            for axis in [2, 1, 0] {
+                eliminate(
+                    self,
+                    graph,
+                    first + axis,
+                    motions.map(|motions| motions[axis]),
+                );
+            }
+        }
+        match &link.turning {
+            Turning::Angles(rotations) => {
+                for rotation in rotations.iter().rev() {
+                    let motion = rotation.motion.filter(|_| turns.is_none());
+                    eliminate(self, graph, rotation.axis.index(), motion);
+                    self.rotate(graph, rotation);
+                }
+            }
+            Turning::Matrix(matrix) => self.turn(graph, matrix),
+        }
+        for (axis, motion) in joint.shifts().into_iter().enumerate().rev() {
+            let motion = motion.filter(|_| shifts.is_none());
+            eliminate(self, graph, 3 + axis, motion);
+        }
+    }
+
+    fn rotate(&mut self, graph: &mut ExprGraph, rotation: &Rotation) {
+        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
+        self.inertia = match &self.inertia {
+            Inertia::Rigid(composite) => {
+                Inertia::Rigid(rotation.backward_composite(graph, composite))
+            }
+            Inertia::Articulated(blocks) => Inertia::Articulated(Blocks {
+                angular: rotation.backward_symmetric(graph, &blocks.angular),
+                coupling: rotation.backward_matrix(graph, &blocks.coupling),
+                linear: rotation.backward_symmetric(graph, &blocks.linear),
+            }),
+        };
+        self.steps.push(Step::Rotation(*rotation));
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, matrix: &Matrix) {
+        let back = transpose(matrix);
+        self.wrench = self.wrench.map(|v| graph.mul_vector(&back, v));
+        self.inertia = match &self.inertia {
+            Inertia::Rigid(composite) => {
+                Inertia::Rigid(link::turned_back(graph, matrix, composite))
+            }
+            Inertia::Articulated(blocks) => Inertia::Articulated(Blocks {
+                angular: graph.turn_back_symmetric(matrix, &blocks.angular),
+                coupling: rotation::turn_back(graph, matrix, &blocks.coupling),
+                linear: graph.turn_back_symmetric(matrix, &blocks.linear),
+            }),
+        };
+        self.steps.push(Step::Matrix(*matrix));
+    }
+
+    /// From the joint's axes to the lower link's, about its origin.
+    fn move_inward(&mut self, graph: &mut ExprGraph, link: &Link) {
+        let Wrench { force, moment } = self.wrench.map(|v| link.constant.backward(graph, v));
+        let lever = graph.cross(link.offset, force);
+        self.wrench = Wrench {
+            force,
+            moment: graph.add_vectors(moment, lever),
+        };
+        self.inertia = match &self.inertia {
+            Inertia::Rigid(composite) => {
+                let turned = link.constant.backward_composite(graph, composite);
+                Inertia::Rigid(turned.moved(graph, link.offset))
+            }
+            Inertia::Articulated(blocks) => {
+                let turned = blocks.turned_back(graph, &link.constant);
+                Inertia::Articulated(turned.moved(graph, link.offset))
+            }
+        };
+    }
+
+    /// Eliminates a motion: `D` is what resists it, `l` the column of the inertia over that.
+    fn eliminate(
+        &mut self,
+        graph: &mut ExprGraph,
+        (place, name): (usize, &str),
+        motion: Motion,
+        rotor: Value,
+        tau: &[Expr],
+    ) {
+        let mut rows = self.inertia.rows(graph);
+        let mut needed = self.wrench.parts();
+        let column = rows.map(|row| row[place]);
+        let rotor = given::value(graph, rotor);
+        let has_rotor = !graph.is_zero(rotor);
+        let pivot = graph.add(column[place], rotor);
+        graph.name(pivot, format!("pivot_{name}"));
+        let inverse = graph.reciprocal(pivot);
+        graph.name(inverse, format!("inverse_{name}"));
+        let force = tau[motion.speed.index()];
+        let rest = graph.sub(force, needed[place]);
+        graph.name(rest, format!("rest_{name}"));
+        let letters = ["nx", "ny", "nz", "fx", "fy", "fz"];
+        let mut factors = [graph.zero(); 6];
+        for (i, factor) in factors.iter_mut().enumerate() {
+            if i == place && !has_rotor {
+                *factor = graph.one();
+            } else {
+                *factor = graph.mul(column[i], inverse);
+                graph.name(*factor, format!("l_{name}_{}", letters[i]));
+            }
+        }
+        let zero = graph.zero();
+        for i in 0..6 {
+            for j in i..6 {
+                let entry = if (i == place || j == place) && !has_rotor {
+                    zero
+                } else {
+                    let update = graph.mul(factors[i], column[j]);
+                    graph.sub(rows[i][j], update)
+                };
+                (rows[i][j], rows[j][i]) = (entry, entry);
+            }
+            needed[i] = if i == place && !has_rotor {
+                force
+            } else {
+                let taken = graph.mul(factors[i], rest);
+                graph.add(needed[i], taken)
+            };
+        }
+        let own = graph.mul(rest, inverse);
+        self.inertia = Inertia::of_rows(graph, &rows);
+        self.wrench = Wrench::of_parts(needed);
+        self.steps.push(Step::Eliminated(Eliminated {
+            place,
+            motion,
+            own,
+            factors,
+            has_rotor,
+        }));
+    }
+}
+
+impl Inertia {
+    fn blocks(&self, graph: &mut ExprGraph) -> Blocks {
+        match self {
+            Self::Articulated(blocks) => *blocks,
+            Self::Rigid(Composite {
+                mass,
+                moment: [x, y, z],
+                inertia,
+            }) => {
+                let zero = graph.zero();
+                Blocks {
+                    angular: *inertia,
+                    coupling: [[zero, -*z, *y], [*z, zero, -*x], [-*y, *x, zero]],
+                    linear: Symmetric {
+                        diagonal: [*mass; 3],
+                        mixed: [zero; 3],
+                    },
+                }
+            }
+        }
+    }
+
+    /// The whole, for the moment and force of an angular and a linear acceleration.
+    fn rows(&self, graph: &mut ExprGraph) -> [[Expr; 6]; 6] {
+        let Blocks {
+            angular,
+            coupling,
+            linear,
+        } = self.blocks(graph);
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| match (i < 3, j < 3) {
+                (true, true) => angular.entry(i, j),
+                (true, false) => coupling[i][j - 3],
+                (false, true) => coupling[j][i - 3],
+                (false, false) => linear.entry(i - 3, j - 3),
+            })
+        })
+    }
+
+    /// Nothing at all counts as rigid.
+    fn of_rows(graph: &mut ExprGraph, rows: &[[Expr; 6]; 6]) -> Self {
+        let zero = graph.zero();
+        if rows.iter().flatten().all(|entry| *entry == zero) {
+            return Self::Rigid(Composite {
+                mass: zero,
+                moment: [zero; 3],
+                inertia: Symmetric {
+                    diagonal: [zero; 3],
+                    mixed: [zero; 3],
+                },
+            });
+        }
+        let symmetric = |first: usize| Symmetric {
+            diagonal: [0, 1, 2].map(|i| rows[first + i][first + i]),
+            mixed: [(1, 2), (0, 2), (0, 1)].map(|(i, j)| rows[first + i][first + j]),
+        };
+        Self::Articulated(Blocks {
+            angular: symmetric(0),
+            coupling: std::array::from_fn(|i| [3, 4, 5].map(|j| rows[i][j])),
+            linear: symmetric(3),
+        })
+    }
+
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        if let (Self::Rigid(own), Self::Rigid(other)) = (self, other) {
+            return Self::Rigid(own.plus(graph, other));
+        }
+        let (own, other) = (self.blocks(graph), other.blocks(graph));
+        let mut sum = |a: &Symmetric, b: &Symmetric| Symmetric {
+            diagonal: graph.add_vectors(a.diagonal, b.diagonal),
+            mixed: graph.add_vectors(a.mixed, b.mixed),
+        };
+        let (angular, linear) = (
+            sum(&own.angular, &other.angular),
+            sum(&own.linear, &other.linear),
+        );
+        Self::Articulated(Blocks {
+            angular,
+            coupling: [0, 1, 2].map(|i| graph.add_vectors(own.coupling[i], other.coupling[i])),
+            linear,
+        })
+    }
+}
+
+impl Blocks {
+    fn turned_back(&self, graph: &mut ExprGraph, constant: &Constant) -> Self {
+        Self {
+            angular: constant.backward_symmetric(graph, &self.angular),
+            coupling: constant.backward_matrix(graph, &self.coupling),
+            linear: constant.backward_symmetric(graph, &self.linear),
+        }
+    }
+
+    /// About a point from which this one's point lies at `d`: `H' = H + tilde(d) M`, `I' = I + tilde(d) H^T - H' tilde(d)`.
+    fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
+        if graph.is_zero_vector(d) {
+            return *self;
+        }
+        let columns = [0, 1, 2].map(|j| {
+            let carried = graph.cross(d, self.linear.column(j));
+            let column = [0, 1, 2].map(|i| self.coupling[i][j]);
+            graph.add_vectors(column, carried)
+        });
+        let coupling = transpose(&columns);
+        // (d × row j of H)_i + (d × row i of H')_j.
+        let mut turned = |i: usize, j: usize| {
+            if i == j {
+                let both = graph.add_vectors(self.coupling[i], coupling[i]);
+                let lever = graph.cross(d, both);
+                return lever[i];
+            }
+            let (first, second) = (
+                graph.cross(d, self.coupling[j]),
+                graph.cross(d, coupling[i]),
+            );
+            graph.add(first[i], second[j])
+        };
+        let diagonal = [0, 1, 2].map(|i| turned(i, i));
+        let mixed = [(1, 2), (0, 2), (0, 1)].map(|(i, j)| turned(i, j));
+        Self {
+            angular: Symmetric {
+                diagonal: graph.add_vectors(self.angular.diagonal, diagonal),
+                mixed: graph.add_vectors(self.angular.mixed, mixed),
+            },
+            coupling,
+            linear: self.linear,
+        }
+    }
+}
+
+impl Wrench {
+    fn map(&self, mut f: impl FnMut(Vector) -> Vector) -> Self {
+        Self {
+            force: f(self.force),
+            moment: f(self.moment),
+        }
+    }
+
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            force: graph.add_vectors(self.force, other.force),
+            moment: graph.add_vectors(self.moment, other.moment),
+        }
+    }
+
+    fn parts(&self) -> [Expr; 6] {
+        let ([nx, ny, nz], [fx, fy, fz]) = (self.moment, self.force);
+        [nx, ny, nz, fx, fy, fz]
+    }
+
+    fn of_parts([nx, ny, nz, fx, fy, fz]: [Expr; 6]) -> Self {
+        Self {
+            force: [fx, fy, fz],
+            moment: [nx, ny, nz],
+        }
+    }
+}

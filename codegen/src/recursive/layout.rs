@@ -1,0 +1,279 @@
+//! Where the recursion puts a link's origin and axes: the body's internal ones, slid along and turned about its joint's axis.
+//!
+//! A joint about an axis leaves the axis where it is, so any point of it can be the link's origin, and any turn about it is
+//! only a phase of the angle. Chosen well, what leads from link to link is sparse.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::{
+    inertia,
+    plan::{Plan, Technique},
+};
+use crate::{
+    expr::{Axis, Expr, ExprGraph, Vector},
+    geometry::{self, IDENTITY, Rotation},
+    id::{BodyId, BodyMap},
+    kane::given,
+    tree::{Coordinate, Joint, Orientation, Tree, Value},
+};
+
+/// A link's frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    /// From the lower link's axes to those of the joint's coordinates.
+    pub(super) constant: Rotation,
+    /// From the lower link's origin to where the joint's translations start, lower-link components.
+    pub(super) attachment: Vector,
+    /// What is added to the angle, rad.
+    pub(super) phase: f64,
+    /// From the body's internal axes to the link's: a turn about the joint's axis.
+    pub(super) axes: Rotation,
+    /// From the link's origin to the body's internal one, link components.
+    pub(super) origin: Vector,
+}
+
+/// The layout of every link.
+pub(super) fn layouts(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Layout> {
+    BodyMap::outward(tree.bodies.len(), |body, layouts: &BodyMap<Layout>| {
+        graph.enter(body);
+        let lower = tree.lower(body).map(|lower| layouts[lower]);
+        let mut layout = given_layout(graph, tree, body, lower);
+        if plan.uses(Technique::Slide) {
+            slide(graph, tree, body, &mut layout);
+        }
+        if plan.uses(Technique::Turn) {
+            turn(graph, tree, body, &mut layout);
+        }
+        layout
+    })
+}
+
+/// The body's internal frame, on its lower link.
+fn given_layout(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: Option<Layout>) -> Layout {
+    let joint = &tree.body(body).joint;
+    let mut attachment = given::attachment(graph, joint);
+    let mut constant = joint.rotation;
+    if let Some(lower) = lower {
+        let turned = given::constant(graph, &lower.axes);
+        attachment = graph.mul_vector(&turned, attachment);
+        attachment = graph.add_vectors(lower.origin, attachment);
+        if lower.axes != IDENTITY {
+            attachment = without_crumbs(graph, attachment, attachment);
+            constant = geometry::then(&geometry::transposed(&lower.axes), &constant)
+                .map(|row| row.map(|entry| if entry.abs() <= CRUMB { 0.0 } else { entry }));
+        }
+    }
+    Layout {
+        constant,
+        attachment,
+        phase: 0.0,
+        axes: IDENTITY,
+        origin: graph.zero_vector(),
+    }
+}
+
+/// The axis of a joint that turns about one alone, and translates along that at most.
+pub(super) fn turning_axis(joint: &Joint) -> Option<Axis> {
+    let Orientation::Rates(angles) = joint.orientation else {
+        return None;
+    };
+    let mut turning = Axis::ALL
+        .into_iter()
+        .filter(|axis| angles[axis.index()].motion().is_some());
+    let axis = turning.next()?;
+    let (b, c) = axis.others();
+    let is_plain = [angles[b], angles[c]] == [Coordinate::Locked(0.0); 2];
+    let is_still = [joint.translations[b], joint.translations[c]] == [Coordinate::Locked(0.0); 2];
+    (is_plain && is_still).then_some(axis)
+}
+
+/// True for a joint that never turns its body.
+pub(super) fn only_translates(joint: &Joint) -> bool {
+    joint.orientation == Orientation::Rates([Coordinate::Locked(0.0); 3])
+}
+
+/// Moves the origin so that the offset from the lower link's has no part along the joint's axis. The offset of a link on the
+/// inertial frame is of no account.
+fn slide(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) {
+    let joint = &tree.body(body).joint;
+    let constant = given::constant(graph, &layout.constant);
+    if only_translates(joint) {
+        layout.origin = graph.mul_vector(&constant, layout.attachment);
+        layout.attachment = graph.zero_vector();
+        return;
+    }
+    let Some(axis) = turning_axis(joint) else {
+        return;
+    };
+    layout.origin[axis.index()] = if tree.lower(body).is_none() {
+        slid_to_upper(graph, tree, body, axis)
+    } else {
+        let along;
+        (layout.attachment, along) = across(graph, constant[axis.index()], layout.attachment);
+        along
+    };
+}
+
+/// For a link on the inertial frame, how far its origin is moved down its axis to meet the first body on it that sits off
+/// the internal origin and cannot move there itself.
+fn slid_to_upper(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis) -> Expr {
+    for upper in uppers(tree, body) {
+        let joint = &tree.body(upper).joint;
+        let mut attachment = given::attachment(graph, joint);
+        if let Some(turning) = turning_axis(joint) {
+            let direction = joint.rotation[turning.index()].map(Value::Baked);
+            let direction = given::vector(graph, direction);
+            (attachment, _) = across(graph, direction, attachment);
+        }
+        if !graph.is_zero(attachment[axis.index()]) {
+            return -attachment[axis.index()];
+        }
+    }
+    graph.zero()
+}
+
+/// The part of a vector across a direction, and how much of it is along that.
+fn across(graph: &mut ExprGraph, direction: Vector, v: Vector) -> (Vector, Expr) {
+    let along = graph.dot(direction, v);
+    let part = graph.scale(along, direction);
+    let rest = graph.sub_vectors(v, part);
+    (without_crumbs(graph, rest, v), along)
+}
+
+/// The bodies on a body.
+pub(super) fn uppers(tree: &Tree, body: BodyId) -> impl Iterator<Item = BodyId> + '_ {
+    let ids = tree.body_ids();
+    ids.filter(move |upper| tree.lower(*upper) == Some(body))
+}
+
+/// A difference with those numbers made zero that rounding alone has left.
+pub(super) fn without_crumbs(graph: &mut ExprGraph, difference: Vector, of: Vector) -> Vector {
+    let numbers = of.map(|component| graph.as_number(component));
+    let [Some(x), Some(y), Some(z)] = numbers else {
+        return difference;
+    };
+    let scale = x.abs().max(y.abs()).max(z.abs());
+    difference.map(|component| match graph.as_number(component) {
+        Some(rest) if rest.abs() <= CRUMB * scale => graph.zero(),
+        _ => component,
+    })
+}
+
+/// What a few roundings leave of numbers near one.
+const CRUMB: f64 = 4.0 * f64::EPSILON;
+
+/// Turns the joint's axes before the angle, and the link's after it.
+fn turn(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) {
+    let joint = &tree.body(body).joint;
+    let Some(axis) = turning_axis(joint) else {
+        return;
+    };
+    let before = sparser(&mut layout.constant, axis);
+    let after = if uppers(tree, body).next().is_some() {
+        toward_upper(graph, tree, body, axis)
+    } else {
+        toward_mass(graph, tree, body, axis)
+    };
+    layout.axes = about(axis, after);
+    layout.phase = after - before;
+}
+
+/// Turns a constant rotation about the axis that it leads to until it is as sparse as that permits; the angle, rad.
+fn sparser(constant: &mut Rotation, axis: Axis) -> f64 {
+    let (a, (b, c)) = (axis.index(), axis.others());
+    let normal = (0..3).find(|&p| constant[a][p] == 0.0);
+    let Some(p) = normal else {
+        return 0.0;
+    };
+    // The coordinate axis p lies in the plane of the other two rows: one of them becomes it.
+    let (along_b, along_c) = (constant[b][p], constant[c][p]);
+    if along_b == 0.0 || along_c == 0.0 {
+        return 0.0;
+    }
+    let mut unit = [0.0; 3];
+    if along_b.abs() >= along_c.abs() {
+        let sign = 1.0_f64.copysign(along_b);
+        unit[p] = sign;
+        constant[b] = unit;
+        constant[c] = geometry::cross(constant[a], unit);
+        libm::atan2(sign * along_c, sign * along_b)
+    } else {
+        let sign = 1.0_f64.copysign(along_c);
+        unit[p] = sign;
+        constant[c] = unit;
+        constant[b] = geometry::cross(unit, constant[a]);
+        libm::atan2(-sign * along_b, sign * along_c)
+    }
+}
+
+/// The turn of a link after which the axis of the first body on it that has one askew lies in a coordinate plane, or, where
+/// that axis is parallel, the way to it along a coordinate axis.
+fn toward_upper(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis) -> f64 {
+    let (b, c) = axis.others();
+    for upper in uppers(tree, body) {
+        let joint = &tree.body(upper).joint;
+        let Some(turning) = turning_axis(joint) else {
+            continue;
+        };
+        let mut across = joint.rotation[turning.index()];
+        if across[b] == 0.0 && across[c] == 0.0 {
+            let attachment = given::attachment(graph, joint);
+            across = attachment.map(|component| graph.as_number(component).unwrap_or(0.0));
+        }
+        if across[b] != 0.0 && across[c] != 0.0 {
+            return to_an_axis(across[b], across[c]);
+        }
+    }
+    0.0
+}
+
+/// The smaller of the turns after which a vector in the plane across an axis lies along a coordinate axis.
+fn to_an_axis(along_b: f64, along_c: f64) -> f64 {
+    if along_b.abs() >= along_c.abs() {
+        libm::atan(along_c / along_b)
+    } else {
+        -libm::atan(along_b / along_c)
+    }
+}
+
+/// The turn of a link that carries none after which its first moment lies in a coordinate plane with the joint's axis.
+fn toward_mass(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis) -> f64 {
+    let (b, c) = axis.others();
+    let moment = inertia::own(graph, tree.body(body)).moment;
+    match (graph.as_number(moment[b]), graph.as_number(moment[c])) {
+        (Some(along_b), Some(along_c)) if along_b != 0.0 && along_c != 0.0 => {
+            to_an_axis(along_b, along_c)
+        }
+        _ => 0.0,
+    }
+}
+
+/// A rotation about a coordinate axis.
+fn about(axis: Axis, angle: f64) -> Rotation {
+    let (b, c) = axis.others();
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    let mut rotation = IDENTITY;
+    rotation[b][b] = cosine;
+    rotation[b][c] = sine;
+    rotation[c][b] = -sine;
+    rotation[c][c] = cosine;
+    rotation
+}
+
+/// Sine and cosine of an angle with a phase, of which right angles cost nothing.
+pub(super) fn phased(graph: &mut ExprGraph, angle: Expr, phase: f64) -> (Expr, Expr) {
+    let quarters = libm::round(phase / FRAC_PI_2);
+    if (phase - quarters * FRAC_PI_2).abs() > CRUMB {
+        let phase = graph.number(phase);
+        let angle = graph.add(angle, phase);
+        return (graph.sin(angle), graph.cos(angle));
+    }
+    let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
+    // Phases lie between minus and plus one turn.
+    match quarters.rem_euclid(4.0) {
+        0.0 => (sine, cosine),
+        1.0 => (cosine, -sine),
+        2.0 => (-sine, -cosine),
+        _ => (-cosine, sine),
+    }
+}

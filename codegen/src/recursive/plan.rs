@@ -1,0 +1,162 @@
+//! What the recursion is free to choose: a [`Plan`]. Every plan gives the same values; which is cheapest is counted.
+
+use std::collections::BTreeSet;
+
+use super::has_followers;
+use crate::{id::BodyId, tree::Tree};
+
+/// A way to fewer operations, which can be left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Technique {
+    /// Links have their origins where their joints' axes are nearest to the lower link's origin, so that offsets have no part
+    /// along the axis; a link that only translates has its lower link's.
+    Slide,
+    /// Links are turned about their joints' axes until the constant rotations between them are sparse (modified
+    /// Denavit-Hartenberg frames where that is possible), and those that carry none until their first moment is.
+    Turn,
+    /// Of a link's inertia its lower link is given what the joint does not move: base inertial parameters.
+    Regroup,
+    /// Of the mass given to a lower link so much is kept on the axis that the lower link's first moment has no part along the
+    /// way to it.
+    Balance,
+    /// Links on which all axes are parallel to their own do not turn.
+    Parallel,
+    /// Moments of inertia forces are `U S - S U^T` where second moments are zero.
+    SecondMoments,
+    /// What the inertial frame feels of a joint's motion is taken there at once, past joints at the same point.
+    Shortcut,
+    /// Accelerations are solved for by articulated bodies.
+    Articulated,
+    /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
+    LinkAxes,
+    /// Where accelerations are solved for, bodies that nothing holds are taken to fall, and gravity is added to the result.
+    Fall,
+    /// Common factors are taken out of sums.
+    Factor,
+}
+
+impl Technique {
+    /// All of them, with the names that they have in `kane.toml`.
+    pub const ALL: [(&str, Self); 11] = [
+        ("slide", Self::Slide),
+        ("turn", Self::Turn),
+        ("regroup", Self::Regroup),
+        ("balance", Self::Balance),
+        ("parallel", Self::Parallel),
+        ("second_moments", Self::SecondMoments),
+        ("shortcut", Self::Shortcut),
+        ("articulated", Self::Articulated),
+        ("link_axes", Self::LinkAxes),
+        ("fall", Self::Fall),
+        ("factor", Self::Factor),
+    ];
+}
+
+/// Which techniques are used, and how, link by link.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Plan {
+    used: BTreeSet<Technique>,
+    regroup: Vec<Regroup>,
+    parallel: Vec<bool>,
+}
+
+/// How much second moment along its axis a link gives its lower link, with all mass and first moment along it: so much that
+/// one of its own numbers becomes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Regroup {
+    /// It gives nothing at all.
+    None,
+    /// The second moment along the axis.
+    Second,
+    /// The moment of inertia about the first axis after the joint's, in cyclic order.
+    First,
+    /// The same about the second.
+    Last,
+}
+
+impl Regroup {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Second, Self::First, Self::Last, Self::None];
+}
+
+impl Plan {
+    /// Every technique left out.
+    pub fn plain(tree: &Tree) -> Self {
+        Self {
+            used: BTreeSet::new(),
+            regroup: vec![Regroup::Second; tree.bodies.len()],
+            parallel: vec![true; tree.bodies.len()],
+        }
+    }
+
+    /// Every technique used wherever it can be.
+    pub fn full(tree: &Tree) -> Self {
+        let mut plan = Self::plain(tree);
+        for (_, technique) in Technique::ALL {
+            plan.set(technique, true);
+        }
+        if has_followers(tree) {
+            // One speed then moves several joints: none can be eliminated where it enters.
+            plan.set(Technique::Articulated, false);
+        }
+        plan
+    }
+
+    /// Uses a technique, or leaves it out.
+    pub fn set(&mut self, technique: Technique, used: bool) {
+        if used {
+            self.used.insert(technique);
+        } else {
+            self.used.remove(&technique);
+        }
+    }
+
+    /// The same with a technique used, or left out.
+    #[must_use]
+    pub fn with(&self, technique: Technique, used: bool) -> Self {
+        let mut other = self.clone();
+        other.set(technique, used);
+        other
+    }
+
+    /// True where the technique is used.
+    pub fn uses(&self, technique: Technique) -> bool {
+        self.used.contains(&technique)
+    }
+
+    /// What a link gives its lower link.
+    pub fn regroup(&self, body: BodyId) -> Regroup {
+        if self.uses(Technique::Regroup) {
+            self.regroup[body.index()]
+        } else {
+            Regroup::None
+        }
+    }
+
+    /// The same with another choice for one link, or for all.
+    #[must_use]
+    pub fn with_regroup(&self, body: Option<BodyId>, choice: Regroup) -> Self {
+        let mut other = self.clone();
+        match body {
+            Some(body) => other.regroup[body.index()] = choice,
+            None => other.regroup.fill(choice),
+        }
+        other
+    }
+
+    /// True for a link that shall not turn, where it can.
+    pub fn parallel(&self, body: BodyId) -> bool {
+        self.uses(Technique::Parallel) && self.parallel[body.index()]
+    }
+
+    /// The same with another choice for one link, or for all.
+    #[must_use]
+    pub fn with_parallel(&self, body: Option<BodyId>, choice: bool) -> Self {
+        let mut other = self.clone();
+        match body {
+            Some(body) => other.parallel[body.index()] = choice,
+            None => other.parallel.fill(choice),
+        }
+        other
+    }
+}

@@ -1,0 +1,133 @@
+//! Shortcuts for the columns of a mass matrix to a root that translates.
+//!
+//! The linear part of a column is needed for the levers of the offsets that it passes, and where the root's translations are
+//! read, in axes that do not turn with the root. Once the last offset is passed it can go there at once: one rotation by a
+//! matrix that all columns of the link share, in place of one at every joint on the way.
+
+use super::{
+    axes::Axes,
+    composite::Column,
+    layout,
+    link::Link,
+    plan::{Plan, Technique},
+};
+use crate::{
+    expr::{ExprGraph, Matrix},
+    id::{BodyId, BodyMap},
+    tree::Tree,
+};
+
+/// The links from which a column's linear part can go to the root's translations.
+pub(super) struct Shortcuts<'a> {
+    tree: &'a Tree,
+    links: &'a BodyMap<Link>,
+    is_open: BodyMap<bool>,
+    /// The axes along which the root translates, by rows, in link components: as far as they were asked for.
+    directions: BodyMap<Option<Matrix>>,
+}
+
+impl<'a> Shortcuts<'a> {
+    pub(super) fn new(
+        graph: &ExprGraph,
+        tree: &'a Tree,
+        plan: &Plan,
+        (links, axes): (&'a BodyMap<Link>, &BodyMap<Axes>),
+    ) -> Self {
+        // Open: the link's joint only turns, and what is below has no offset up to the root.
+        let is_open = BodyMap::outward(tree.bodies.len(), |body, is_open: &BodyMap<bool>| {
+            let Some(lower) = tree.lower(body) else {
+                return false;
+            };
+            let joint = &tree.body(body).joint;
+            let only_turns =
+                layout::turning_axis(joint).is_some() && joint.shifts().iter().all(Option::is_none);
+            let is_next = match tree.lower(lower) {
+                None => {
+                    let shifts = tree.body(lower).joint.shifts();
+                    shifts.iter().all(Option::is_some) && !axes[lower].shifts
+                }
+                Some(_) => is_open[lower] && graph.is_zero_vector(links[lower].offset),
+            };
+            plan.uses(Technique::Shortcut) && only_turns && is_next
+        });
+        Self {
+            tree,
+            links,
+            is_open,
+            directions: BodyMap::outward(tree.bodies.len(), |_, _| None),
+        }
+    }
+
+    /// Sends the linear parts of columns that have arrived at a link, in its axes, to the root's translations, if that is
+    /// cheaper than to carry them on.
+    pub(super) fn take(&mut self, graph: &mut ExprGraph, body: BodyId, columns: &mut [Column]) {
+        let n_columns = columns
+            .iter()
+            .filter(|column| column.arrived.is_none())
+            .count();
+        if !self.is_open[body] || !self.is_cheaper(graph, body, n_columns) {
+            return;
+        }
+        graph.enter(body);
+        let link = &self.links[body];
+        let offset = link.constant.forward(graph, link.offset);
+        let offset = link.forward(graph, offset);
+        graph.name_vector(offset, "offset_turned");
+        let directions = self.directions(graph, body);
+        for column in columns.iter_mut().filter(|column| column.arrived.is_none()) {
+            graph.enter(column.body);
+            let lever = graph.cross(offset, column.linear);
+            column.angular = graph.add_vectors(column.angular, lever);
+            column.arrived = Some(graph.mul_vector(&directions, column.linear));
+            column.linear = graph.zero_vector();
+        }
+        graph.enter(body);
+    }
+
+    /// A rotation costs a vector 6 operations, three of them, for the directions, 18; an offset along one axis across the
+    /// joint's has two parts when turned, so that each lever costs 4 more.
+    fn is_cheaper(&self, graph: &mut ExprGraph, body: BodyId, n_columns: usize) -> bool {
+        let joint = &self.tree.body(body).joint;
+        let Some(axis) = layout::turning_axis(joint) else {
+            return false;
+        };
+        let offset = self.links[body]
+            .constant
+            .forward(graph, self.links[body].offset);
+        let (b, c) = axis.others();
+        let n_across = [b, c]
+            .into_iter()
+            .filter(|i| !graph.is_zero(offset[*i]))
+            .count();
+        match n_across {
+            0 => 6 * n_columns > 18,
+            1 => 2 * n_columns > 20,
+            _ => 6 * n_columns > 24,
+        }
+    }
+
+    fn directions(&mut self, graph: &mut ExprGraph, body: BodyId) -> Matrix {
+        if let Some(known) = self.directions[body] {
+            return known;
+        }
+        let link = &self.links[body];
+        let directions = match self.tree.lower(body) {
+            None => {
+                graph.enter(body);
+                let axes = graph.identity();
+                axes.map(|axis| link.forward(graph, axis))
+            }
+            Some(lower) => {
+                let below = self.directions(graph, lower);
+                graph.enter(body);
+                below.map(|direction| {
+                    let direction = link.constant.forward(graph, direction);
+                    link.forward(graph, direction)
+                })
+            }
+        };
+        graph.name_matrix(&directions, "direction");
+        self.directions[body] = Some(directions);
+        directions
+    }
+}
