@@ -12,6 +12,7 @@ use kane_codegen::{
     compile,
     description::{self, Base, Reading, no_includes, toml},
     diagnostic::Source,
+    expr::Input,
     functions::{Formulation, Request},
     geometry,
     program::Operations,
@@ -215,6 +216,68 @@ fn gains(tree: &Tree, function: &str) -> String {
         write!(row, "| {shown} ").unwrap();
     }
     row + "|"
+}
+
+/// Angles so small, beside a right one or alone, that their cosine rounds to one and their sine does not vanish.
+#[test]
+fn axes_that_lean_by_less_than_a_cosine_shows_are_not_taken_for_upright() {
+    for lean in [5e-9, 4.9e-12] {
+        let around = [
+            geometry::body_fixed_123([0.7, 0.0, RIGHT - lean]),
+            geometry::body_fixed_123([lean, 0.0, 0.0]),
+            geometry::body_fixed_123([0.0, lean, 0.0]),
+        ];
+        for (rotation, joint) in around.into_iter().zip(["s2", "theta3", "theta3"]) {
+            let mut text = String::from(
+                "name = \"leaning\"\ngravity = [0.3, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n",
+            );
+            for (k, joint) in ["theta3", joint, "theta3"].into_iter().enumerate() {
+                write!(
+                    text,
+                    "[[body]]\nname = \"b{k}\"\nmass = 1.5\nmass_center = [0.1, 0.2, 0.3]\n\
+                     inertia = {{ xx = 0.15, yy = 0.06, zz = 0.17, xy = 0.01, xz = 0.02, yz = 0.0 }}\n\
+                     attachment = [0.3, 0.1, 0.2]\nattachment_rotation = {rotation:?}\njoint = [\"{joint}\"]\n"
+                )
+                .unwrap();
+            }
+            let description = toml::parse(&Source::new("leaning.toml", text));
+            let changes = tree::Changes {
+                snap: 0.0,
+                ..tree::Changes::default()
+            };
+            let tree = tree::build_with(&description, &changes).unwrap().tree;
+            agrees_with_the_notes(&tree);
+        }
+    }
+}
+
+fn agrees_with_the_notes(tree: &Tree) {
+    for function in ["mass_matrix", "bias", "forward_dynamics", "gravity_forces"] {
+        let request = request(function);
+        let state = |input: Input| match input {
+            Input::Q(id) => 0.3 + 0.4 * id.index() as f64,
+            Input::U(id) => 1.0 - 0.3 * id.index() as f64,
+            Input::Tau(id) => 0.2 + 0.5 * id.index() as f64,
+            other => unreachable!("{other:?} is no input of these"),
+        };
+        let values = |formulation, plan: &Plan| {
+            let derived = request.derive(tree, formulation, plan);
+            derived.graph.evaluate(&derived.roots, state)
+        };
+        let expected = values(Formulation::Notes, &Plan::plain(tree));
+        let largest = expected
+            .iter()
+            .fold(0.0_f64, |most, one| most.max(one.abs()));
+        for plan in [Plan::plain(tree), Plan::full(tree)] {
+            for (found, expected) in values(Formulation::Recursive, &plan).iter().zip(&expected) {
+                // Some hundred roundings, and a condition below a thousand.
+                assert!(
+                    (found - expected).abs() <= 1e-12 * largest,
+                    "{function}: {found}, {expected} by the notes"
+                );
+            }
+        }
+    }
 }
 
 /// Of two hundred trees.

@@ -59,8 +59,8 @@ fn given_layout(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: Option<
         attachment = graph.add_vectors(lower.origin, attachment);
         if lower.axes != IDENTITY {
             attachment = without_crumbs(graph, attachment, attachment);
-            constant = geometry::then(&geometry::transposed(&lower.axes), &constant)
-                .map(|row| row.map(|entry| if entry.abs() <= CRUMB { 0.0 } else { entry }));
+            let turned = geometry::then(&geometry::transposed(&lower.axes), &constant);
+            constant = turned.map(exact);
         }
     }
     Layout {
@@ -157,6 +157,17 @@ pub(super) fn without_crumbs(graph: &mut ExprGraph, difference: Vector, of: Vect
         Some(rest) if rest.abs() <= CRUMB * scale => graph.zero(),
         _ => component,
     })
+}
+
+/// A row of a rotation with those entries made zero that rounding alone has left, and one that then stands alone.
+fn exact(row: [f64; 3]) -> [f64; 3] {
+    let rest = row.map(|entry| if entry.abs() <= CRUMB { 0.0 } else { entry });
+    let n_left = rest.iter().filter(|entry| **entry != 0.0).count();
+    if n_left == 1 {
+        rest.map(|entry| if entry == 0.0 { 0.0 } else { entry.signum() })
+    } else {
+        rest
+    }
 }
 
 /// What a few roundings leave of numbers near one.

@@ -88,8 +88,11 @@ pub(super) fn carries_parallel_axes(
         let Some(own) = layout::turning_axis(&tree.body(upper).joint) else {
             return false;
         };
-        let along = links[upper].constant.matrix[own.index()][axis.index()];
-        along.abs_sign() == one
+        let direction = links[upper].constant.matrix[own.index()];
+        // A cosine rounds to one where the sine is still 1e-8.
+        let (b, c) = axis.others();
+        let leans = !graph.is_zero(direction[b]) || !graph.is_zero(direction[c]);
+        direction[axis.index()].abs_sign() == one && !leans
     };
     let only_turns = |joint: &Joint| joint.shifts().iter().all(Option::is_none);
     let mut uppers = layout::uppers(tree, body).peekable();

@@ -187,16 +187,26 @@ pub fn turn_back(graph: &mut ExprGraph, m: &Matrix, tensor: &Matrix) -> Matrix {
 
 /// A permutation of the axes, then a rotation about one of them by an angle of this sine and cosine.
 fn split(rotation: &geometry::Rotation) -> Option<(geometry::Rotation, Axis, f64, f64)> {
-    let is_unit = |entry: &f64| entry.abs() == 1.0;
-    let entries = rotation.iter().flatten();
-    if entries.filter(|entry| is_unit(entry)).count() != 1 {
+    // Alone in its row and in its column: a cosine rounds to one where the sine is still 1e-8.
+    let column_of = |row: usize| {
+        let is_alone = |&j: &usize| {
+            (0..3).all(|other| {
+                (other == j || rotation[row][other] == 0.0)
+                    && (other == row || rotation[other][j] == 0.0)
+            })
+        };
+        (0..3)
+            .find(is_alone)
+            .filter(|&j| rotation[row][j].abs() == 1.0)
+    };
+    let mut alone = Axis::ALL
+        .into_iter()
+        .filter_map(|axis| Some((axis, column_of(axis.index())?)));
+    let (row, column) = alone.next()?;
+    if alone.next().is_some() {
         return None;
     }
-    let row = Axis::ALL
-        .into_iter()
-        .find(|axis| rotation[axis.index()].iter().any(is_unit))?;
     let (b, c) = row.others();
-    let column = (0..3).find(|&j| rotation[row.index()][j] != 0.0)?;
     let mut permutation = [[0.0; 3]; 3];
     permutation[row.index()] = rotation[row.index()];
     permutation[b][(column + 1) % 3] = 1.0;
