@@ -29,10 +29,41 @@ const SINE: usize = 10;
 /// In a function that does several things no angle is worth another one: there is one sine and one cosine a joint.
 const SINE_OF_SEVERAL: usize = 1_000_000;
 
+/// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
+const MOST_STARTS: usize = 1_500;
+
 /// The cheapest plan that was found for the function, without the techniques in `without`.
 pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+    let mut best: Option<Search<'_>> = None;
+    // Which way inertias are best regrouped depends most on these two.
+    let starts: [&[Technique]; 4] = [
+        &[],
+        &[Technique::Balance],
+        &[Technique::Slide],
+        &[Technique::Balance, Technique::Slide],
+    ];
+    for left_out in starts {
+        let search = from(tree, function, without, left_out);
+        let is_small = search.n_first <= MOST_STARTS;
+        if best.as_ref().is_none_or(|best| search.least < best.least) {
+            best = Some(search);
+        }
+        if !is_small {
+            break;
+        }
+    }
+    best.expect("search: one start is made").plan
+}
+
+/// The search that starts with all techniques but those of `left_out`.
+fn from<'a>(
+    tree: &'a Tree,
+    function: &'a Request,
+    without: &BTreeSet<Technique>,
+    left_out: &[Technique],
+) -> Search<'a> {
     let mut plan = Plan::full(tree).with_parallel(None, false);
-    for &technique in without {
+    for &technique in without.iter().chain(left_out) {
         plan.set(technique, false);
     }
     let mut search = Search {
@@ -41,6 +72,7 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
         least: usize::MAX,
         plan: plan.clone(),
         n_nodes: 0,
+        n_first: 0,
         is_exact: true,
         sine: if function.parts().len() == 1 {
             SINE
@@ -54,7 +86,7 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
     search.try_parallel_axes();
     search.try_regrouping();
     search.try_single_techniques(without);
-    search.plan
+    search
 }
 
 struct Search<'a> {
@@ -63,8 +95,9 @@ struct Search<'a> {
     /// The count of `plan`.
     least: usize,
     plan: Plan,
-    /// How many were built.
+    /// How many nodes were built, for all plans and for the first.
     n_nodes: usize,
+    n_first: usize,
     /// True while plans are compared by what is left after factoring.
     is_exact: bool,
     /// What a sine costs above other operations.
@@ -89,6 +122,9 @@ impl Search<'_> {
         }
         if count < self.least {
             (self.least, self.plan) = (count, plan);
+        }
+        if self.n_first == 0 {
+            self.n_first = self.n_nodes;
         }
     }
 
