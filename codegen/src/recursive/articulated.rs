@@ -7,33 +7,19 @@
 
 use super::{
     axes::{self, Axes},
-    inertia::{self, Composite},
-    link::{self, Link, Turning},
+    blocks::Inertia,
+    inertia,
+    link::{Link, Turning},
     motion::{self, Wrench},
     plan::Plan,
-    rotation::{self, Constant, Rotation},
+    rotation::Rotation,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, transpose},
+    expr::{Expr, ExprGraph, Matrix, Vector, transpose},
     id::{BodyId, BodyMap},
     kane::{Accelerations, given},
     tree::{Motion, Tree, Value},
 };
-
-/// What relates a link's acceleration to the wrench it needs, about its origin: for a rigid body ten numbers, in general 21.
-#[derive(Clone, Copy, Debug)]
-enum Inertia {
-    Rigid(Composite),
-    Articulated(Blocks),
-}
-
-/// `n = I alpha + H a`, `f = H^T alpha + M a`.
-#[derive(Clone, Copy, Debug)]
-struct Blocks {
-    angular: Symmetric,
-    coupling: Matrix,
-    linear: Symmetric,
-}
 
 /// A motion that was eliminated: about (0 to 2) or along (3 to 5) an axis.
 #[derive(Clone, Debug)]
@@ -224,32 +210,14 @@ impl Passing {
 
     fn rotate(&mut self, graph: &mut ExprGraph, rotation: &Rotation) {
         self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
-        self.inertia = match &self.inertia {
-            Inertia::Rigid(composite) => {
-                Inertia::Rigid(rotation.backward_composite(graph, composite))
-            }
-            Inertia::Articulated(blocks) => Inertia::Articulated(Blocks {
-                angular: rotation.backward_symmetric(graph, &blocks.angular),
-                coupling: rotation.backward_matrix(graph, &blocks.coupling),
-                linear: rotation.backward_symmetric(graph, &blocks.linear),
-            }),
-        };
+        self.inertia = self.inertia.rotated_back(graph, rotation);
         self.steps.push(Step::Rotation(*rotation));
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, matrix: &Matrix) {
         let back = transpose(matrix);
         self.wrench = self.wrench.map(|v| graph.mul_vector(&back, v));
-        self.inertia = match &self.inertia {
-            Inertia::Rigid(composite) => {
-                Inertia::Rigid(link::turned_back(graph, matrix, composite))
-            }
-            Inertia::Articulated(blocks) => Inertia::Articulated(Blocks {
-                angular: graph.turn_back_symmetric(matrix, &blocks.angular),
-                coupling: rotation::turn_back(graph, matrix, &blocks.coupling),
-                linear: graph.turn_back_symmetric(matrix, &blocks.linear),
-            }),
-        };
+        self.inertia = self.inertia.turned_back(graph, matrix);
         self.steps.push(Step::Matrix(*matrix));
     }
 
@@ -261,16 +229,7 @@ impl Passing {
             force,
             moment: graph.add_vectors(moment, lever),
         };
-        self.inertia = match &self.inertia {
-            Inertia::Rigid(composite) => {
-                let turned = link.constant.backward_composite(graph, composite);
-                Inertia::Rigid(turned.moved(graph, link.offset))
-            }
-            Inertia::Articulated(blocks) => {
-                let turned = blocks.turned_back(graph, &link.constant);
-                Inertia::Articulated(turned.moved(graph, link.offset))
-            }
-        };
+        self.inertia = self.inertia.moved_inward(graph, link);
     }
 
     /// Eliminates a motion: `D` is what resists it, `l` the column of the inertia over that.
@@ -332,136 +291,6 @@ impl Passing {
             factors,
             has_rotor,
         }));
-    }
-}
-
-impl Inertia {
-    fn blocks(&self, graph: &mut ExprGraph) -> Blocks {
-        match self {
-            Self::Articulated(blocks) => *blocks,
-            Self::Rigid(Composite {
-                mass,
-                moment: [x, y, z],
-                inertia,
-            }) => {
-                let zero = graph.zero();
-                Blocks {
-                    angular: *inertia,
-                    coupling: [[zero, -*z, *y], [*z, zero, -*x], [-*y, *x, zero]],
-                    linear: Symmetric {
-                        diagonal: [*mass; 3],
-                        mixed: [zero; 3],
-                    },
-                }
-            }
-        }
-    }
-
-    /// The whole, for the moment and force of an angular and a linear acceleration.
-    fn rows(&self, graph: &mut ExprGraph) -> [[Expr; 6]; 6] {
-        let Blocks {
-            angular,
-            coupling,
-            linear,
-        } = self.blocks(graph);
-        std::array::from_fn(|i| {
-            std::array::from_fn(|j| match (i < 3, j < 3) {
-                (true, true) => angular.entry(i, j),
-                (true, false) => coupling[i][j - 3],
-                (false, true) => coupling[j][i - 3],
-                (false, false) => linear.entry(i - 3, j - 3),
-            })
-        })
-    }
-
-    /// Nothing at all counts as rigid.
-    fn of_rows(graph: &mut ExprGraph, rows: &[[Expr; 6]; 6]) -> Self {
-        let zero = graph.zero();
-        if rows.iter().flatten().all(|entry| *entry == zero) {
-            return Self::Rigid(Composite {
-                mass: zero,
-                moment: [zero; 3],
-                inertia: Symmetric {
-                    diagonal: [zero; 3],
-                    mixed: [zero; 3],
-                },
-            });
-        }
-        let symmetric = |first: usize| Symmetric {
-            diagonal: [0, 1, 2].map(|i| rows[first + i][first + i]),
-            mixed: [(1, 2), (0, 2), (0, 1)].map(|(i, j)| rows[first + i][first + j]),
-        };
-        Self::Articulated(Blocks {
-            angular: symmetric(0),
-            coupling: std::array::from_fn(|i| [3, 4, 5].map(|j| rows[i][j])),
-            linear: symmetric(3),
-        })
-    }
-
-    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
-        if let (Self::Rigid(own), Self::Rigid(other)) = (self, other) {
-            return Self::Rigid(own.plus(graph, other));
-        }
-        let (own, other) = (self.blocks(graph), other.blocks(graph));
-        let mut sum = |a: &Symmetric, b: &Symmetric| Symmetric {
-            diagonal: graph.add_vectors(a.diagonal, b.diagonal),
-            mixed: graph.add_vectors(a.mixed, b.mixed),
-        };
-        let (angular, linear) = (
-            sum(&own.angular, &other.angular),
-            sum(&own.linear, &other.linear),
-        );
-        Self::Articulated(Blocks {
-            angular,
-            coupling: [0, 1, 2].map(|i| graph.add_vectors(own.coupling[i], other.coupling[i])),
-            linear,
-        })
-    }
-}
-
-impl Blocks {
-    fn turned_back(&self, graph: &mut ExprGraph, constant: &Constant) -> Self {
-        Self {
-            angular: constant.backward_symmetric(graph, &self.angular),
-            coupling: constant.backward_matrix(graph, &self.coupling),
-            linear: constant.backward_symmetric(graph, &self.linear),
-        }
-    }
-
-    /// About a point from which this one's point lies at `d`: `H' = H + tilde(d) M`, `I' = I + tilde(d) H^T - H' tilde(d)`.
-    fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
-        if graph.is_zero_vector(d) {
-            return *self;
-        }
-        let columns = [0, 1, 2].map(|j| {
-            let carried = graph.cross(d, self.linear.column(j));
-            let column = [0, 1, 2].map(|i| self.coupling[i][j]);
-            graph.add_vectors(column, carried)
-        });
-        let coupling = transpose(&columns);
-        // (d × row j of H)_i + (d × row i of H')_j.
-        let mut turned = |i: usize, j: usize| {
-            if i == j {
-                let both = graph.add_vectors(self.coupling[i], coupling[i]);
-                let lever = graph.cross(d, both);
-                return lever[i];
-            }
-            let (first, second) = (
-                graph.cross(d, self.coupling[j]),
-                graph.cross(d, coupling[i]),
-            );
-            graph.add(first[i], second[j])
-        };
-        let diagonal = [0, 1, 2].map(|i| turned(i, i));
-        let mixed = [(1, 2), (0, 2), (0, 1)].map(|(i, j)| turned(i, j));
-        Self {
-            angular: Symmetric {
-                diagonal: graph.add_vectors(self.angular.diagonal, diagonal),
-                mixed: graph.add_vectors(self.angular.mixed, mixed),
-            },
-            coupling,
-            linear: self.linear,
-        }
     }
 }
 

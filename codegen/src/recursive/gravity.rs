@@ -10,6 +10,7 @@ use crate::{
     kane::given,
     recursive::{
         link::{self, Link, Turning},
+        motion,
         plan::Plan,
     },
     tree::{Motion, Tree},
@@ -128,7 +129,7 @@ fn inward(
     for (axis, shift) in joint.shifts().into_iter().enumerate() {
         if shift.is_some() {
             let along = graph.mul(mass, upward.before[axis]);
-            add(graph, tau, shift, along);
+            motion::add(graph, tau, shift, along);
         }
     }
     moment = link.constant.backward(graph, moment);
@@ -153,15 +154,5 @@ fn add_turn(
     let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
     let (plus, minus) = (graph.mul(moment[b], a[c]), graph.mul(moment[c], a[b]));
     let along = graph.sub(plus, minus);
-    add(graph, tau, motion, along);
-}
-
-/// Adds what acts along a motion to the generalized force of its speed.
-fn add(graph: &mut ExprGraph, tau: &mut [Expr], motion: Option<Motion>, along: Expr) {
-    let Some(Motion { speed, factor }) = motion else {
-        return;
-    };
-    let factor = graph.number(factor);
-    let share = graph.mul(factor, along);
-    tau[speed.index()] = graph.add(tau[speed.index()], share);
+    motion::add(graph, tau, motion, along);
 }

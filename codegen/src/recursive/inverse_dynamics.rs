@@ -10,7 +10,7 @@ use crate::{
     expr::{Expr, ExprGraph, transpose},
     id::{BodyId, BodyMap},
     kane::{Accelerations, given},
-    tree::{Motion, Tree},
+    tree::Tree,
 };
 
 /// `A y_dot - f` without loads: `tau` for given accelerations, the bias for none.
@@ -106,7 +106,7 @@ fn project(
         let along_link = axes[body].along_link(joint);
         for (motions, along) in along_link.into_iter().zip([moment, force]) {
             for (motion, along) in motions.into_iter().flatten().zip(along) {
-                add(graph, &mut tau, Some(motion), along);
+                motion::add(graph, &mut tau, Some(motion), along);
             }
         }
         let [turns, shifts] = along_link.map(|motions| motions.is_none());
@@ -114,7 +114,7 @@ fn project(
             Turning::Angles(rotations) => {
                 for rotation in rotations.iter().rev() {
                     let motion = rotation.motion.filter(|_| turns);
-                    add(graph, &mut tau, motion, moment[rotation.axis.index()]);
+                    motion::add(graph, &mut tau, motion, moment[rotation.axis.index()]);
                     force = rotation.backward(graph, force);
                     moment = rotation.backward(graph, moment);
                 }
@@ -125,7 +125,7 @@ fn project(
             }
         }
         for (axis, shift) in joint.shifts().into_iter().enumerate() {
-            add(graph, &mut tau, shift.filter(|_| shifts), force[axis]);
+            motion::add(graph, &mut tau, shift.filter(|_| shifts), force[axis]);
         }
         [force, moment] = [force, moment].map(|v| link.constant.backward(graph, v));
         if let Some(lower) = tree.lower(body) {
@@ -140,14 +140,4 @@ fn project(
         }
     }
     tau
-}
-
-/// Adds what acts along a motion to the generalized force of its speed.
-fn add(graph: &mut ExprGraph, tau: &mut [Expr], motion: Option<Motion>, along: Expr) {
-    let Some(Motion { speed, factor }) = motion else {
-        return;
-    };
-    let factor = graph.number(factor);
-    let share = graph.mul(factor, along);
-    tau[speed.index()] = graph.add(tau[speed.index()], share);
 }

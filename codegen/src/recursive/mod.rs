@@ -7,6 +7,7 @@
 
 pub mod articulated;
 pub mod axes;
+mod blocks;
 pub mod composite;
 pub mod forward_dynamics;
 pub mod gravity;

@@ -10,7 +10,7 @@ use super::{
     rotation::Rotation,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Matrix, Vector, negated},
+    expr::{Axis, Expr, ExprGraph, Matrix, Vector, negated},
     id::BodyMap,
     kane::{Accelerations, given},
     tree::{Joint, Motion, Tree},
@@ -234,4 +234,14 @@ fn euler(graph: &mut ExprGraph, link: &Link, motion: &LinkMotion, by_second: boo
         }
         sum
     })
+}
+
+/// Adds what acts along a motion to the generalized force of its speed.
+pub fn add(graph: &mut ExprGraph, tau: &mut [Expr], motion: Option<Motion>, along: Expr) {
+    let Some(Motion { speed, factor }) = motion else {
+        return;
+    };
+    let factor = graph.number(factor);
+    let share = graph.mul(factor, along);
+    tau[speed.index()] = graph.add(tau[speed.index()], share);
 }

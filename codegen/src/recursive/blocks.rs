@@ -1,0 +1,193 @@
+//! Articulated inertias: how a link with all that it carries resists, when some of what it carries can move.
+
+use super::{
+    inertia::Composite,
+    link::{self, Link},
+    rotation::{self, Constant, Rotation},
+};
+use crate::expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, transpose};
+
+/// What relates a link's acceleration to the wrench it needs, about its origin: for a rigid body ten numbers, in general 21.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Inertia {
+    /// Of a rigid body.
+    Rigid(Composite),
+    /// Of a link from which motions were eliminated.
+    Articulated(Blocks),
+}
+
+/// `n = I alpha + H a`, `f = H^T alpha + M a`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Blocks {
+    pub(super) angular: Symmetric,
+    pub(super) coupling: Matrix,
+    pub(super) linear: Symmetric,
+}
+
+impl Inertia {
+    /// Components before a rotation of what is given by those after it.
+    pub(super) fn rotated_back(&self, graph: &mut ExprGraph, rotation: &Rotation) -> Self {
+        match self {
+            Self::Rigid(composite) => Self::Rigid(rotation.backward_composite(graph, composite)),
+            Self::Articulated(blocks) => Self::Articulated(Blocks {
+                angular: rotation.backward_symmetric(graph, &blocks.angular),
+                coupling: rotation.backward_matrix(graph, &blocks.coupling),
+                linear: rotation.backward_symmetric(graph, &blocks.linear),
+            }),
+        }
+    }
+
+    /// The same by a matrix.
+    pub(super) fn turned_back(&self, graph: &mut ExprGraph, matrix: &Matrix) -> Self {
+        match self {
+            Self::Rigid(composite) => Self::Rigid(link::turned_back(graph, matrix, composite)),
+            Self::Articulated(blocks) => Self::Articulated(Blocks {
+                angular: graph.turn_back_symmetric(matrix, &blocks.angular),
+                coupling: rotation::turn_back(graph, matrix, &blocks.coupling),
+                linear: graph.turn_back_symmetric(matrix, &blocks.linear),
+            }),
+        }
+    }
+
+    /// From a joint's axes to the lower link's, about its origin.
+    pub(super) fn moved_inward(&self, graph: &mut ExprGraph, link: &Link) -> Self {
+        match self {
+            Self::Rigid(composite) => {
+                let turned = link.constant.backward_composite(graph, composite);
+                Self::Rigid(turned.moved(graph, link.offset))
+            }
+            Self::Articulated(blocks) => {
+                let turned = blocks.turned_back(graph, &link.constant);
+                Self::Articulated(turned.moved(graph, link.offset))
+            }
+        }
+    }
+
+    fn blocks(&self, graph: &mut ExprGraph) -> Blocks {
+        match self {
+            Self::Articulated(blocks) => *blocks,
+            Self::Rigid(Composite {
+                mass,
+                moment: [x, y, z],
+                inertia,
+            }) => {
+                let zero = graph.zero();
+                Blocks {
+                    angular: *inertia,
+                    coupling: [[zero, -*z, *y], [*z, zero, -*x], [-*y, *x, zero]],
+                    linear: Symmetric {
+                        diagonal: [*mass; 3],
+                        mixed: [zero; 3],
+                    },
+                }
+            }
+        }
+    }
+
+    /// The whole, for the moment and force of an angular and a linear acceleration.
+    pub(super) fn rows(&self, graph: &mut ExprGraph) -> [[Expr; 6]; 6] {
+        let Blocks {
+            angular,
+            coupling,
+            linear,
+        } = self.blocks(graph);
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| match (i < 3, j < 3) {
+                (true, true) => angular.entry(i, j),
+                (true, false) => coupling[i][j - 3],
+                (false, true) => coupling[j][i - 3],
+                (false, false) => linear.entry(i - 3, j - 3),
+            })
+        })
+    }
+
+    /// Nothing at all counts as rigid.
+    pub(super) fn of_rows(graph: &mut ExprGraph, rows: &[[Expr; 6]; 6]) -> Self {
+        let zero = graph.zero();
+        if rows.iter().flatten().all(|entry| *entry == zero) {
+            return Self::Rigid(Composite {
+                mass: zero,
+                moment: [zero; 3],
+                inertia: Symmetric {
+                    diagonal: [zero; 3],
+                    mixed: [zero; 3],
+                },
+            });
+        }
+        let symmetric = |first: usize| Symmetric {
+            diagonal: [0, 1, 2].map(|i| rows[first + i][first + i]),
+            mixed: [(1, 2), (0, 2), (0, 1)].map(|(i, j)| rows[first + i][first + j]),
+        };
+        Self::Articulated(Blocks {
+            angular: symmetric(0),
+            coupling: std::array::from_fn(|i| [3, 4, 5].map(|j| rows[i][j])),
+            linear: symmetric(3),
+        })
+    }
+
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        if let (Self::Rigid(own), Self::Rigid(other)) = (self, other) {
+            return Self::Rigid(own.plus(graph, other));
+        }
+        let (own, other) = (self.blocks(graph), other.blocks(graph));
+        let mut sum = |a: &Symmetric, b: &Symmetric| Symmetric {
+            diagonal: graph.add_vectors(a.diagonal, b.diagonal),
+            mixed: graph.add_vectors(a.mixed, b.mixed),
+        };
+        let (angular, linear) = (
+            sum(&own.angular, &other.angular),
+            sum(&own.linear, &other.linear),
+        );
+        Self::Articulated(Blocks {
+            angular,
+            coupling: [0, 1, 2].map(|i| graph.add_vectors(own.coupling[i], other.coupling[i])),
+            linear,
+        })
+    }
+}
+
+impl Blocks {
+    fn turned_back(&self, graph: &mut ExprGraph, constant: &Constant) -> Self {
+        Self {
+            angular: constant.backward_symmetric(graph, &self.angular),
+            coupling: constant.backward_matrix(graph, &self.coupling),
+            linear: constant.backward_symmetric(graph, &self.linear),
+        }
+    }
+
+    /// About a point from which this one's point lies at `d`: `H' = H + tilde(d) M`, `I' = I + tilde(d) H^T - H' tilde(d)`.
+    fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
+        if graph.is_zero_vector(d) {
+            return *self;
+        }
+        let columns = [0, 1, 2].map(|j| {
+            let carried = graph.cross(d, self.linear.column(j));
+            let column = [0, 1, 2].map(|i| self.coupling[i][j]);
+            graph.add_vectors(column, carried)
+        });
+        let coupling = transpose(&columns);
+        // (d × row j of H)_i + (d × row i of H')_j.
+        let mut turned = |i: usize, j: usize| {
+            if i == j {
+                let both = graph.add_vectors(self.coupling[i], coupling[i]);
+                let lever = graph.cross(d, both);
+                return lever[i];
+            }
+            let (first, second) = (
+                graph.cross(d, self.coupling[j]),
+                graph.cross(d, coupling[i]),
+            );
+            graph.add(first[i], second[j])
+        };
+        let diagonal = [0, 1, 2].map(|i| turned(i, i));
+        let mixed = [(1, 2), (0, 2), (0, 1)].map(|(i, j)| turned(i, j));
+        Self {
+            angular: Symmetric {
+                diagonal: graph.add_vectors(self.angular.diagonal, diagonal),
+                mixed: graph.add_vectors(self.angular.mixed, mixed),
+            },
+            coupling,
+            linear: self.linear,
+        }
+    }
+}
