@@ -87,6 +87,7 @@ pub trait Real:
 }
 
 /// True where a multiplication and an addition are one instruction. `core` alone does not have it.
+#[cfg(any(feature = "std", feature = "wide"))]
 pub(crate) const FUSED: bool = cfg!(all(
     feature = "std",
     any(
