@@ -1,5 +1,10 @@
 //! Functions in one, and functions that are given sines and cosines, compiled: the numbers of the separate ones.
 
+#![expect(
+    clippy::disallowed_methods,
+    reason = "the platform's sines are what ours are held against"
+)]
+
 /// Entries between -1 and 1 without a pattern.
 fn numbers<const N: usize>(kind: u16, seed: u16) -> [f64; N] {
     std::array::from_fn(|place| {
