@@ -1,8 +1,8 @@
 //! The cheapest plan of the recursion, by count.
 //!
 //! In: a tree, a function, the techniques that may be used. Out: a [`Plan`]. Afterwards: for a function of up to
-//! [`MOST_EXACT`] nodes no single technique left out would lower the count; of larger ones each was tried once, before
-//! factoring. Choices link by link are tried until [`MOST_NODES`] were built. The same choices are tried in the same order on
+//! `MOST_EXACT` nodes no single technique left out would lower the count; of larger ones each was tried once, before
+//! factoring. Choices link by link are tried until `MOST_NODES` were built. The same choices are tried in the same order on
 //! every machine.
 
 use std::collections::BTreeSet;
