@@ -12,10 +12,10 @@ use super::{
     link::{Link, Turning},
     motion::{self, Wrench},
     plan::Plan,
-    rotation::Rotation,
+    rotation::{Rotation, Turn},
 };
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector, transpose},
+    expr::{Expr, ExprGraph, Matrix, Vector},
     id::{BodyId, BodyMap},
     kane::{Accelerations, given},
     tree::{Motion, Tree, Value},
@@ -105,7 +105,7 @@ fn outward(
                 Step::Rotation(rotation) => {
                     added = added.map(|v| rotation.forward(graph, v));
                 }
-                Step::Matrix(matrix) => added = added.map(|v| graph.mul_vector(matrix, v)),
+                Step::Matrix(matrix) => added = added.map(|v| matrix.forward(graph, v)),
                 Step::Eliminated(eliminated) => {
                     let acceleration = eliminated.recover(graph, &mut added);
                     accelerations[eliminated.motion.speed.index()] = acceleration;
@@ -197,10 +197,14 @@ impl Passing {
                 for rotation in rotations.iter().rev() {
                     let motion = rotation.motion.filter(|_| turns.is_none());
                     eliminate(self, graph, rotation.axis.index(), motion);
-                    self.rotate(graph, rotation);
+                    self.turn(graph, rotation);
+                    self.steps.push(Step::Rotation(*rotation));
                 }
             }
-            Turning::Matrix(matrix) => self.turn(graph, matrix),
+            Turning::Matrix(matrix) => {
+                self.turn(graph, matrix);
+                self.steps.push(Step::Matrix(*matrix));
+            }
         }
         for (axis, motion) in joint.shifts().into_iter().enumerate().rev() {
             let motion = motion.filter(|_| shifts.is_none());
@@ -208,28 +212,18 @@ impl Passing {
         }
     }
 
-    fn rotate(&mut self, graph: &mut ExprGraph, rotation: &Rotation) {
-        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
-        self.inertia = self.inertia.rotated_back(graph, rotation);
-        self.steps.push(Step::Rotation(*rotation));
-    }
-
-    fn turn(&mut self, graph: &mut ExprGraph, matrix: &Matrix) {
-        let back = transpose(matrix);
-        self.wrench = self.wrench.map(|v| graph.mul_vector(&back, v));
-        self.inertia = self.inertia.turned_back(graph, matrix);
-        self.steps.push(Step::Matrix(*matrix));
+    /// To the axes before a rotation.
+    fn turn(&mut self, graph: &mut ExprGraph, turn: &impl Turn) {
+        self.wrench = self.wrench.map(|v| turn.backward(graph, v));
+        self.inertia = self.inertia.turned_back(graph, turn);
     }
 
     /// From the joint's axes to the lower link's, about its origin.
     fn move_inward(&mut self, graph: &mut ExprGraph, link: &Link) {
-        let Wrench { force, moment } = self.wrench.map(|v| link.constant.backward(graph, v));
-        let lever = graph.cross(link.offset, force);
-        self.wrench = Wrench {
-            force,
-            moment: graph.add_vectors(moment, lever),
-        };
-        self.inertia = self.inertia.moved_inward(graph, link);
+        self.turn(graph, &link.constant);
+        let lever = graph.cross(link.offset, self.wrench.force);
+        self.wrench.moment = graph.add_vectors(self.wrench.moment, lever);
+        self.inertia = self.inertia.moved(graph, link.offset);
     }
 
     /// Eliminates a motion: `D` is what resists it, `l` the column of the inertia over that.

@@ -7,6 +7,7 @@
 use super::{
     link::Link,
     plan::{Plan, Technique},
+    rotation::Turn,
 };
 use crate::{
     expr::{Expr, ExprGraph, Vector},

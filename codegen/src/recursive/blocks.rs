@@ -1,10 +1,6 @@
 //! Articulated inertias: how a link with all that it carries resists, when some of what it carries can move.
 
-use super::{
-    inertia::Composite,
-    link::{self, Link},
-    rotation::{self, Constant, Rotation},
-};
+use super::{inertia::Composite, rotation::Turn};
 use crate::expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, transpose};
 
 /// What relates a link's acceleration to the wrench it needs, about its origin: for a rigid body ten numbers, in general 21.
@@ -26,40 +22,22 @@ pub(super) struct Blocks {
 
 impl Inertia {
     /// Components before a rotation of what is given by those after it.
-    pub(super) fn rotated_back(&self, graph: &mut ExprGraph, rotation: &Rotation) -> Self {
+    pub(super) fn turned_back(&self, graph: &mut ExprGraph, turn: &impl Turn) -> Self {
         match self {
-            Self::Rigid(composite) => Self::Rigid(rotation.backward_composite(graph, composite)),
+            Self::Rigid(composite) => Self::Rigid(turn.backward_composite(graph, composite)),
             Self::Articulated(blocks) => Self::Articulated(Blocks {
-                angular: rotation.backward_symmetric(graph, &blocks.angular),
-                coupling: rotation.backward_matrix(graph, &blocks.coupling),
-                linear: rotation.backward_symmetric(graph, &blocks.linear),
+                angular: turn.backward_symmetric(graph, &blocks.angular),
+                coupling: turn.backward_matrix(graph, &blocks.coupling),
+                linear: turn.backward_symmetric(graph, &blocks.linear),
             }),
         }
     }
 
-    /// The same by a matrix.
-    pub(super) fn turned_back(&self, graph: &mut ExprGraph, matrix: &Matrix) -> Self {
+    /// About a point from which this one's point lies at `d`.
+    pub(super) fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
         match self {
-            Self::Rigid(composite) => Self::Rigid(link::turned_back(graph, matrix, composite)),
-            Self::Articulated(blocks) => Self::Articulated(Blocks {
-                angular: graph.turn_back_symmetric(matrix, &blocks.angular),
-                coupling: rotation::turn_back(graph, matrix, &blocks.coupling),
-                linear: graph.turn_back_symmetric(matrix, &blocks.linear),
-            }),
-        }
-    }
-
-    /// From a joint's axes to the lower link's, about its origin.
-    pub(super) fn moved_inward(&self, graph: &mut ExprGraph, link: &Link) -> Self {
-        match self {
-            Self::Rigid(composite) => {
-                let turned = link.constant.backward_composite(graph, composite);
-                Self::Rigid(turned.moved(graph, link.offset))
-            }
-            Self::Articulated(blocks) => {
-                let turned = blocks.turned_back(graph, &link.constant);
-                Self::Articulated(turned.moved(graph, link.offset))
-            }
+            Self::Rigid(composite) => Self::Rigid(composite.moved(graph, d)),
+            Self::Articulated(blocks) => Self::Articulated(blocks.moved(graph, d)),
         }
     }
 
@@ -147,14 +125,6 @@ impl Inertia {
 }
 
 impl Blocks {
-    fn turned_back(&self, graph: &mut ExprGraph, constant: &Constant) -> Self {
-        Self {
-            angular: constant.backward_symmetric(graph, &self.angular),
-            coupling: constant.backward_matrix(graph, &self.coupling),
-            linear: constant.backward_symmetric(graph, &self.linear),
-        }
-    }
-
     /// About a point from which this one's point lies at `d`: `H' = H + tilde(d) M`, `I' = I + tilde(d) H^T - H' tilde(d)`.
     fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
         if graph.is_zero_vector(d) {

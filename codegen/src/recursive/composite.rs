@@ -2,7 +2,7 @@
 //! rigid body, whose momentum for a unit speed is carried inward and read off at every speed that it passes.
 
 use crate::{
-    expr::{Expr, ExprGraph, Vector, transpose},
+    expr::{Expr, ExprGraph, Vector},
     id::{BodyId, BodyMap},
     kane::dynamics::SpeedMatrix,
     recursive::{
@@ -10,6 +10,7 @@ use crate::{
         inertia::{self, Composite},
         link::{self, Link, Turning},
         plan::Plan,
+        rotation::Turn,
         shortcut::Shortcuts,
     },
     tree::{Motion, Tree},
@@ -77,14 +78,13 @@ pub(super) fn matrix(
                         shortcuts.take(graph, body, &mut carried);
                     }
                     composite = rotation.backward_composite(graph, &composite);
-                    turn_columns(graph, &mut carried, |graph, v| rotation.backward(graph, v));
+                    turn_columns(graph, &mut carried, rotation);
                     graph.enter(body);
                 }
             }
             Turning::Matrix(matrix) => {
-                composite = link::turned_back(graph, matrix, &composite);
-                let back = transpose(matrix);
-                turn_columns(graph, &mut carried, |graph, v| graph.mul_vector(&back, v));
+                composite = matrix.backward_composite(graph, &composite);
+                turn_columns(graph, &mut carried, matrix);
                 graph.enter(body);
             }
         }
@@ -94,9 +94,7 @@ pub(super) fn matrix(
             reading.run(graph, &mut a, &composite, &mut carried);
         }
         composite = link.constant.backward_composite(graph, &composite);
-        turn_columns(graph, &mut carried, |graph, v| {
-            link.constant.backward(graph, v)
-        });
+        turn_columns(graph, &mut carried, &link.constant);
         graph.enter(body);
         if let Some(lower) = tree.lower(body) {
             for column in &mut carried {
@@ -116,15 +114,11 @@ pub(super) fn matrix(
 }
 
 /// Turns the columns that are on their way inward.
-fn turn_columns(
-    graph: &mut ExprGraph,
-    columns: &mut [Column],
-    turn: impl Fn(&mut ExprGraph, Vector) -> Vector,
-) {
+fn turn_columns(graph: &mut ExprGraph, columns: &mut [Column], turn: &impl Turn) {
     for column in columns {
         graph.enter(column.body);
-        column.linear = turn(graph, column.linear);
-        column.angular = turn(graph, column.angular);
+        column.linear = turn.backward(graph, column.linear);
+        column.angular = turn.backward(graph, column.angular);
     }
 }
 

@@ -5,13 +5,14 @@
 //! joint reads off where both stand in the same axes, so no force is carried.
 
 use crate::{
-    expr::{Expr, ExprGraph, Vector, negated, transpose},
+    expr::{Expr, ExprGraph, Vector, negated},
     id::{BodyId, BodyMap},
     kane::given,
     recursive::{
         link::{self, Link, Turning},
         motion,
         plan::Plan,
+        rotation::Turn,
     },
     tree::{Motion, Tree},
 };
@@ -123,7 +124,7 @@ fn inward(
             }
         }
         Turning::Matrix(matrix) => {
-            moment = graph.mul_vector(&transpose(matrix), moment);
+            moment = matrix.backward(graph, moment);
         }
     }
     for (axis, shift) in joint.shifts().into_iter().enumerate() {

@@ -5,9 +5,10 @@ use super::{
     link::{self, Link, Turning},
     motion::{self, Wrench},
     plan::Plan,
+    rotation::Turn,
 };
 use crate::{
-    expr::{Expr, ExprGraph, transpose},
+    expr::{Expr, ExprGraph},
     id::{BodyId, BodyMap},
     kane::{Accelerations, given},
     tree::Tree,
@@ -120,8 +121,7 @@ fn project(
                 }
             }
             Turning::Matrix(matrix) => {
-                let back = transpose(matrix);
-                [force, moment] = [force, moment].map(|v| graph.mul_vector(&back, v));
+                [force, moment] = [force, moment].map(|v| matrix.backward(graph, v));
             }
         }
         for (axis, shift) in joint.shifts().into_iter().enumerate() {

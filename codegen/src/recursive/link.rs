@@ -7,10 +7,10 @@ use super::{
     parallel,
     plan::{Plan, Technique},
     regroup,
-    rotation::{Constant, Rotation},
+    rotation::{Constant, Rotation, Turn},
 };
 use crate::{
-    expr::{Axis, ExprGraph, Matrix, Vector, transpose},
+    expr::{Axis, ExprGraph, Matrix, Vector},
     geometry,
     id::{BodyId, BodyMap},
     kane::{given, orientation},
@@ -120,15 +120,6 @@ fn own_inertia(graph: &mut ExprGraph, body: &Body, layout: &Layout) -> Composite
     turned.moved(graph, layout.origin)
 }
 
-/// Components before a rotation of a composite body given by those after it.
-pub fn turned_back(graph: &mut ExprGraph, matrix: &Matrix, composite: &Composite) -> Composite {
-    Composite {
-        mass: composite.mass,
-        moment: graph.mul_vector(&transpose(matrix), composite.moment),
-        inertia: graph.turn_back_symmetric(matrix, &composite.inertia),
-    }
-}
-
 /// The bodies that need not turn: all axes on them are parallel to their own.
 pub fn parallel_axes(tree: &Tree, plan: &Plan) -> Vec<BodyId> {
     let mut graph = ExprGraph::default();
@@ -167,28 +158,29 @@ impl Link {
     /// Link components of a vector given by its components along the body's internal axes.
     pub fn of_body(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         let axes = given::constant(graph, &self.layout.axes);
-        let turned = graph.mul_vector(&axes, v);
-        match &self.unturned {
-            None => turned,
-            Some(rotation) => rotation.backward(graph, turned),
-        }
+        let turned = axes.forward(graph, v);
+        self.unturned(graph, turned)
     }
 
     /// The position from the link's origin of a point given from the body's internal one, each along its axes.
     pub fn point_of_body(&self, graph: &mut ExprGraph, position: Vector) -> Vector {
         let axes = given::constant(graph, &self.layout.axes);
-        let turned = graph.mul_vector(&axes, position);
+        let turned = axes.forward(graph, position);
         let from_origin = graph.add_vectors(self.layout.origin, turned);
+        self.unturned(graph, from_origin)
+    }
+
+    fn unturned(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         match &self.unturned {
-            None => from_origin,
-            Some(rotation) => rotation.backward(graph, from_origin),
+            None => v,
+            Some(rotation) => rotation.backward(graph, v),
         }
     }
 
     /// Components along the link's axes of a vector given along the joint's.
     pub fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         match &self.turning {
-            Turning::Matrix(matrix) => graph.mul_vector(matrix, v),
+            Turning::Matrix(matrix) => matrix.forward(graph, v),
             Turning::Angles(rotations) => rotations
                 .iter()
                 .fold(v, |v, rotation| rotation.forward(graph, v)),
@@ -198,7 +190,7 @@ impl Link {
     /// Components along the joint's axes of a vector given along the link's.
     pub fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         match &self.turning {
-            Turning::Matrix(matrix) => graph.mul_vector(&transpose(matrix), v),
+            Turning::Matrix(matrix) => matrix.backward(graph, v),
             Turning::Angles(rotations) => rotations
                 .iter()
                 .rev()

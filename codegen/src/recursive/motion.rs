@@ -7,7 +7,7 @@
 use super::{
     link::{self, Link, Turning},
     plan::{Plan, Technique},
-    rotation::Rotation,
+    rotation::{Rotation, Turn},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Matrix, Vector, negated},

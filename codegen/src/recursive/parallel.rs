@@ -7,7 +7,7 @@ use super::{
     layout,
     link::{Link, Turning},
     plan::Plan,
-    rotation::Rotation,
+    rotation::{Rotation, Turn},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph},

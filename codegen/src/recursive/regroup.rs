@@ -9,6 +9,7 @@ use super::{
     layout,
     link::Link,
     plan::{Plan, Regroup, Technique},
+    rotation::Turn,
 };
 use crate::{
     expr::{Axis, ExprGraph, Symmetric},

@@ -12,6 +12,52 @@ use crate::{
     tree::Motion,
 };
 
+/// A rotation, of whatever has components before and after it.
+pub trait Turn {
+    /// Components after the rotation of a vector given by its components before it.
+    fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector;
+
+    /// Components before the rotation of a vector given by its components after it.
+    fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector;
+
+    /// Components before the rotation of a symmetric tensor given by those after it.
+    fn backward_symmetric(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric;
+
+    /// Components before the rotation of any tensor given by those after it.
+    fn backward_matrix(&self, graph: &mut ExprGraph, tensor: &Matrix) -> Matrix;
+
+    /// Components before the rotation of a composite body given by those after it.
+    fn backward_composite(&self, graph: &mut ExprGraph, composite: &Composite) -> Composite {
+        Composite {
+            mass: composite.mass,
+            moment: self.backward(graph, composite.moment),
+            inertia: self.backward_symmetric(graph, &composite.inertia),
+        }
+    }
+}
+
+impl Turn for Matrix {
+    fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        graph.mul_vector(self, v)
+    }
+
+    fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        graph.mul_vector(&transpose(self), v)
+    }
+
+    fn backward_symmetric(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric {
+        graph.turn_back_symmetric(self, tensor)
+    }
+
+    fn backward_matrix(&self, graph: &mut ExprGraph, tensor: &Matrix) -> Matrix {
+        if *self == graph.identity() {
+            return *tensor;
+        }
+        let right = graph.mul_matrices(tensor, self);
+        graph.mul_matrices(&transpose(self), &right)
+    }
+}
+
 /// A rotation about a coordinate axis, from the components before it to those after it.
 #[derive(Clone, Copy, Debug)]
 pub struct Rotation {
@@ -23,31 +69,18 @@ pub struct Rotation {
     pub(super) cosine: Expr,
 }
 
-impl Rotation {
-    /// Components after the rotation of a vector given by its components before it.
-    pub fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+impl Turn for Rotation {
+    fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         self.turn(graph, v, self.sine)
     }
 
-    /// Components before the rotation of a vector given by its components after it.
-    pub fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+    fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         self.turn(graph, v, -self.sine)
     }
 
-    /// Components before the rotation of a composite body given by those after it.
-    pub fn backward_composite(&self, graph: &mut ExprGraph, composite: &Composite) -> Composite {
-        Composite {
-            mass: composite.mass,
-            moment: self.backward(graph, composite.moment),
-            inertia: self.backward_symmetric(graph, &composite.inertia),
-        }
-    }
-
-    /// Components before the rotation of a symmetric tensor given by those after it.
-    ///
     /// With `t = s (I_bb - I_cc) + 2 c I_bc` the turned entries are `I_bb - s t`, `I_cc + s t`, `c t - I_bc`;
     /// the other two turn as a vector.
-    pub fn backward_symmetric(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric {
+    fn backward_symmetric(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric {
         let (a, (b, c)) = (self.axis.index(), self.axis.others());
         let mut turned = *tensor;
         let difference = graph.sub(tensor.diagonal[b], tensor.diagonal[c]);
@@ -70,9 +103,9 @@ impl Rotation {
         turned
     }
 
-    /// Components before the rotation of any tensor given by those after it: as [`Self::backward_symmetric`], with
+    /// As [`Self::backward_symmetric`], with
     /// `t = s (H_bb - H_cc) + c (H_bc + H_cb)`.
-    pub fn backward_matrix(&self, graph: &mut ExprGraph, tensor: &Matrix) -> Matrix {
+    fn backward_matrix(&self, graph: &mut ExprGraph, tensor: &Matrix) -> Matrix {
         let (a, (b, c)) = (self.axis.index(), self.axis.others());
         let mut turned = *tensor;
         let difference = graph.sub(tensor[b][b], tensor[c][c]);
@@ -95,7 +128,9 @@ impl Rotation {
         }
         turned
     }
+}
 
+impl Rotation {
     fn turn(&self, graph: &mut ExprGraph, v: Vector, sine: Expr) -> Vector {
         let (b, c) = self.axis.others();
         let mut turned = v;
@@ -133,56 +168,36 @@ impl Constant {
             split,
         }
     }
-
-    /// Components after the rotation of a vector given by its components before it.
-    pub fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
-        graph.mul_vector(&self.matrix, v)
-    }
-
-    /// Components before the rotation of a vector given by its components after it.
-    pub fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
-        graph.mul_vector(&transpose(&self.matrix), v)
-    }
-
-    /// Components before the rotation of a composite body given by those after it.
-    pub fn backward_composite(&self, graph: &mut ExprGraph, composite: &Composite) -> Composite {
-        Composite {
-            mass: composite.mass,
-            moment: self.backward(graph, composite.moment),
-            inertia: self.backward_symmetric(graph, &composite.inertia),
-        }
-    }
-
-    /// Components before the rotation of a symmetric tensor given by those after it.
-    pub fn backward_symmetric(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric {
-        match &self.split {
-            None => graph.turn_back_symmetric(&self.matrix, tensor),
-            Some((permutation, rotation)) => {
-                let turned = rotation.backward_symmetric(graph, tensor);
-                graph.turn_back_symmetric(permutation, &turned)
-            }
-        }
-    }
-
-    /// Components before the rotation of any tensor given by those after it.
-    pub fn backward_matrix(&self, graph: &mut ExprGraph, tensor: &Matrix) -> Matrix {
-        match &self.split {
-            None => turn_back(graph, &self.matrix, tensor),
-            Some((permutation, rotation)) => {
-                let turned = rotation.backward_matrix(graph, tensor);
-                turn_back(graph, permutation, &turned)
-            }
-        }
-    }
 }
 
-/// `m^T h m`.
-pub fn turn_back(graph: &mut ExprGraph, m: &Matrix, tensor: &Matrix) -> Matrix {
-    if *m == graph.identity() {
-        return *tensor;
+impl Turn for Constant {
+    fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        self.matrix.forward(graph, v)
     }
-    let right = graph.mul_matrices(tensor, m);
-    graph.mul_matrices(&transpose(m), &right)
+
+    fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        self.matrix.backward(graph, v)
+    }
+
+    fn backward_symmetric(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric {
+        match &self.split {
+            None => self.matrix.backward_symmetric(graph, tensor),
+            Some((permutation, rotation)) => {
+                let turned = rotation.backward_symmetric(graph, tensor);
+                permutation.backward_symmetric(graph, &turned)
+            }
+        }
+    }
+
+    fn backward_matrix(&self, graph: &mut ExprGraph, tensor: &Matrix) -> Matrix {
+        match &self.split {
+            None => self.matrix.backward_matrix(graph, tensor),
+            Some((permutation, rotation)) => {
+                let turned = rotation.backward_matrix(graph, tensor);
+                permutation.backward_matrix(graph, &turned)
+            }
+        }
+    }
 }
 
 /// A permutation of the axes, then a rotation about one of them by an angle of this sine and cosine.

@@ -10,6 +10,7 @@ use super::{
     layout,
     link::Link,
     plan::{Plan, Technique},
+    rotation::Turn,
 };
 use crate::{
     expr::{ExprGraph, Matrix},
