@@ -68,6 +68,14 @@ impl ExprGraph {
         [self.zero(); 3]
     }
 
+    /// The zero tensor.
+    pub fn zero_symmetric(&mut self) -> Symmetric {
+        Symmetric {
+            diagonal: self.zero_vector(),
+            mixed: self.zero_vector(),
+        }
+    }
+
     /// The unit vector along an axis.
     pub fn unit_vector(&mut self, axis: usize) -> Vector {
         let mut unit = self.zero_vector();

@@ -96,11 +96,7 @@ pub fn inertia(graph: &mut ExprGraph, body: &Body) -> Symmetric {
         return part_inertia(graph, part);
     }
     let center = mass_center(graph, body);
-    let zero = graph.zero_vector();
-    let mut sum = Symmetric {
-        diagonal: zero,
-        mixed: zero,
-    };
+    let mut sum = graph.zero_symmetric();
     for part in &body.parts {
         let (mass, own_center) = (value(graph, part.mass), fixed(graph, &part.mass_center));
         let own = part_inertia(graph, part);

@@ -33,16 +33,23 @@ fn of_part(graph: &mut ExprGraph, part: &Part) -> Composite {
     let mass = given::value(graph, part.mass);
     let at_center = given::part_inertia(graph, part);
     let center = given::fixed(graph, &part.mass_center);
-    let zero = graph.zero();
-    let point = Composite {
-        mass,
-        moment: [zero; 3],
+    let around_center = Composite {
         inertia: at_center,
+        ..Composite::point(graph, mass)
     };
-    point.moved(graph, center)
+    around_center.moved(graph, center)
 }
 
 impl Composite {
+    /// A mass at the point.
+    pub fn point(graph: &mut ExprGraph, mass: Expr) -> Self {
+        Self {
+            mass,
+            moment: graph.zero_vector(),
+            inertia: graph.zero_symmetric(),
+        }
+    }
+
     /// The same bodies about a point from which this one's point lies at `offset`.
     ///
     /// With `h' = h + m d` and `H = h + h'`, the inertia is `I + (d·H) 1 - h d^T - d h'^T`.

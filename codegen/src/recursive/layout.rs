@@ -87,6 +87,12 @@ pub(super) fn turning_axis(joint: &Joint) -> Option<Axis> {
     (is_plain && is_still).then_some(axis)
 }
 
+/// The axis of a joint that turns about one alone, and does nothing else.
+pub(super) fn hinge_axis(joint: &Joint) -> Option<Axis> {
+    let is_still = joint.shifts().iter().all(Option::is_none);
+    turning_axis(joint).filter(|_| is_still)
+}
+
 /// True for a joint that never turns its body.
 pub(super) fn only_translates(joint: &Joint) -> bool {
     joint.orientation == Orientation::Rates([Coordinate::Locked(0.0); 3])

@@ -155,6 +155,12 @@ pub fn angular_velocity(joint: &Joint) -> Option<[Motion; 3]> {
 }
 
 impl Link {
+    /// Sets the inertia, and the second moments with it.
+    pub(super) fn set_inertia(&mut self, graph: &mut ExprGraph, inertia: Composite) {
+        self.second = inertia.second_moments(graph);
+        self.inertia = inertia;
+    }
+
     /// Link components of a vector given by its components along the body's internal axes.
     pub fn of_body(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         let axes = given::constant(graph, &self.layout.axes);

@@ -13,7 +13,7 @@ use crate::{
     expr::{Axis, Expr, ExprGraph},
     id::{BodyId, BodyMap},
     kane::given,
-    tree::{Joint, Orientation, Tree},
+    tree::{Orientation, Tree},
 };
 
 /// Merges what the plan wants merged and what can be.
@@ -94,9 +94,9 @@ pub(super) fn carries_parallel_axes(
         let leans = !graph.is_zero(direction[b]) || !graph.is_zero(direction[c]);
         direction[axis.index()].abs_sign() == one && !leans
     };
-    let only_turns = |joint: &Joint| joint.shifts().iter().all(Option::is_none);
+    let only_turns = layout::hinge_axis(&tree.body(body).joint).is_some();
     let mut uppers = layout::uppers(tree, body).peekable();
-    uppers.peek().is_some() && only_turns(&tree.body(body).joint) && uppers.all(is_parallel)
+    uppers.peek().is_some() && only_turns && uppers.all(is_parallel)
 }
 
 /// Leaves a link's axes where its joint's are.

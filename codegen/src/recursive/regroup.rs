@@ -12,7 +12,7 @@ use super::{
     rotation::Turn,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Symmetric},
+    expr::{Axis, ExprGraph},
     id::{BodyId, BodyMap},
     tree::Tree,
 };
@@ -32,97 +32,85 @@ fn regroup(
     plan: &Plan,
     links: &mut BodyMap<Link>,
 ) {
-    if layout::only_translates(&tree.body(body).joint) {
-        return give_tensor(graph, tree, body, plan, links);
+    let lower = tree.lower(body);
+    // Of a body without mass more would be needed than is saved.
+    let has_mass = |body: BodyId| !graph.is_zero(links[body].inertia.mass);
+    if !lower.is_none_or(has_mass) {
+        return;
     }
-    let Some((axis, lower)) = receiver(graph, tree, body, links) else {
+    graph.enter(body);
+    let (joint, choice) = (&tree.body(body).joint, plan.regroup(body));
+    let link = &mut links[body];
+    let given = if choice == Regroup::None {
+        return;
+    } else if let Some(axis) = layout::hinge_axis(joint) {
+        let given = take_from_axis(graph, axis, choice, link);
+        let turned = link.constant.backward_composite(graph, &given);
+        turned.moved(graph, link.offset)
+    } else if layout::only_translates(joint) {
+        take_tensor(graph, link)
+    } else {
         return;
     };
-    graph.enter(body);
-    let choice = plan.regroup(body);
+    let Some(lower) = lower else {
+        return;
+    };
+    graph.enter(lower);
+    let below = links[lower].inertia.plus(graph, &given);
+    links[lower].set_inertia(graph, below);
+    if plan.uses(Technique::Balance) && layout::hinge_axis(joint).is_some() {
+        balance(graph, tree, body, lower, links);
+    }
+}
+
+/// Takes from a link that turns what lies on its axis, along the joint's axes: a mass, its first moment, and its second moment.
+fn take_from_axis(
+    graph: &mut ExprGraph,
+    axis: Axis,
+    choice: Regroup,
+    link: &mut Link,
+) -> Composite {
     let (a, (b, c)) = (axis.index(), axis.others());
-    let link = &links[body];
     let mut inertia = link.inertia;
     let along = match choice {
-        Regroup::None => return,
+        Regroup::None => graph.zero(),
         Regroup::Second => link.second[a],
         Regroup::First => inertia.inertia.diagonal[b],
         Regroup::Last => inertia.inertia.diagonal[c],
     };
-    let zero = graph.zero();
-    // On the axis: a mass, its first moment, and its second moment.
-    let mut given = Composite {
-        mass: inertia.mass,
-        moment: [zero; 3],
-        inertia: Symmetric {
-            diagonal: [along; 3],
-            mixed: [zero; 3],
-        },
-    };
+    let mut given = Composite::point(graph, inertia.mass);
     given.moment[a] = inertia.moment[a];
-    given.inertia.diagonal[a] = zero;
+    let zero = graph.zero();
     inertia.mass = zero;
     inertia.moment[a] = zero;
     for across in [b, c] {
+        given.inertia.diagonal[across] = along;
         let rest = graph.sub(inertia.inertia.diagonal[across], along);
         inertia.inertia.diagonal[across] = rest;
     }
-    let mut second = inertia.second_moments(graph);
+    link.set_inertia(graph, inertia);
     if choice == Regroup::Second {
-        second[a] = zero;
+        link.second[a] = zero;
     }
-    let given = link
-        .constant
-        .backward_composite(graph, &given)
-        .moved(graph, link.offset);
-    (links[body].inertia, links[body].second) = (inertia, second);
-    if let Some(lower) = lower {
-        graph.enter(lower);
-        let below = &mut links[lower];
-        below.inertia = below.inertia.plus(graph, &given);
-        below.second = below.inertia.second_moments(graph);
-        if plan.uses(Technique::Balance) {
-            balance(graph, tree, body, lower, links);
-        }
-    }
+    given
 }
 
-/// A link that only translates turns as its lower link does: all its inertia may stand there, but for mass and first moment.
-fn give_tensor(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    body: BodyId,
-    plan: &Plan,
-    links: &mut BodyMap<Link>,
-) {
-    let lower = tree.lower(body);
-    let has_mass = |lower: BodyId| !graph.is_zero(links[lower].inertia.mass);
-    if plan.regroup(body) == Regroup::None || !lower.is_none_or(has_mass) {
-        return;
-    }
-    graph.enter(body);
+/// Takes all inertia but mass and first moment from a link that only translates, along the lower link's axes: it turns as that
+/// does.
+fn take_tensor(graph: &mut ExprGraph, link: &mut Link) -> Composite {
     let zero = graph.zero();
-    let none = Symmetric {
-        diagonal: [zero; 3],
-        mixed: [zero; 3],
+    let given = Composite {
+        inertia: link
+            .constant
+            .backward_symmetric(graph, &link.inertia.inertia),
+        ..Composite::point(graph, zero)
     };
-    let link = &mut links[body];
-    let tensor = link
-        .constant
-        .backward_symmetric(graph, &link.inertia.inertia);
-    link.inertia.inertia = none;
-    link.second = [zero; 3];
-    if let Some(lower) = lower {
-        graph.enter(lower);
-        let below = &mut links[lower];
-        let given = Composite {
-            mass: zero,
-            moment: [zero; 3],
-            inertia: tensor,
-        };
-        below.inertia = below.inertia.plus(graph, &given);
-        below.second = below.inertia.second_moments(graph);
-    }
+    let rest = Composite {
+        inertia: graph.zero_symmetric(),
+        ..link.inertia
+    };
+    link.set_inertia(graph, rest);
+    given
 }
 
 /// Takes back so much of a mass on the axis that the lower link's first moment has no part along the way to it, where that
@@ -156,40 +144,13 @@ fn balance(
     let Some((axis, kept)) = found else {
         return;
     };
-    let zero = graph.zero();
-    let taken = Composite {
-        mass: graph.number(-kept),
-        moment: [zero; 3],
-        inertia: Symmetric {
-            diagonal: [zero; 3],
-            mixed: [zero; 3],
-        },
-    };
-    let taken = taken.moved(graph, offset);
+    let taken = graph.number(-kept);
+    let taken = Composite::point(graph, taken).moved(graph, offset);
     let mut inertia = below.plus(graph, &taken);
-    inertia.moment[axis] = zero;
-    let second = inertia.second_moments(graph);
-    (links[lower].inertia, links[lower].second) = (inertia, second);
+    inertia.moment[axis] = graph.zero();
+    links[lower].set_inertia(graph, inertia);
     links[body].inertia.mass = graph.number(kept);
 }
 
 /// How many times the mass that there is may be kept on an axis: what is added and taken away must not drown the rest.
 const MOST_KEPT: f64 = 4.0;
-
-/// The axis of a joint that only turns, and the lower body that can be given what it does not move: `None` for the inertial
-/// frame. A body without mass is given none, for that would cost more there than it saves.
-fn receiver(
-    graph: &ExprGraph,
-    tree: &Tree,
-    body: BodyId,
-    links: &BodyMap<Link>,
-) -> Option<(Axis, Option<BodyId>)> {
-    let joint = &tree.body(body).joint;
-    let axis = layout::turning_axis(joint)?;
-    if joint.shifts().iter().any(Option::is_some) {
-        return None;
-    }
-    let lower = tree.lower(body);
-    let has_mass = |body: BodyId| !graph.is_zero(links[body].inertia.mass);
-    lower.is_none_or(has_mass).then_some((axis, lower))
-}

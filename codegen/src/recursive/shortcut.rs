@@ -39,9 +39,7 @@ impl<'a> Shortcuts<'a> {
             let Some(lower) = tree.lower(body) else {
                 return false;
             };
-            let joint = &tree.body(body).joint;
-            let only_turns =
-                layout::turning_axis(joint).is_some() && joint.shifts().iter().all(Option::is_none);
+            let only_turns = layout::hinge_axis(&tree.body(body).joint).is_some();
             let is_next = match tree.lower(lower) {
                 None => {
                     let shifts = tree.body(lower).joint.shifts();
@@ -89,7 +87,7 @@ impl<'a> Shortcuts<'a> {
     /// joint's has two parts when turned, so that each lever costs 4 more.
     fn is_cheaper(&self, graph: &mut ExprGraph, body: BodyId, n_columns: usize) -> bool {
         let joint = &self.tree.body(body).joint;
-        let Some(axis) = layout::turning_axis(joint) else {
+        let Some(axis) = layout::hinge_axis(joint) else {
             return false;
         };
         let offset = self.links[body]
