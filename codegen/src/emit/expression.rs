@@ -1,13 +1,11 @@
 //! Expressions: built as syntax, never spliced as tokens, so that no parenthesis is lost.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 use syn::{
-    BinOp, Expr, ExprBinary, ExprParen, ExprUnary, LitFloat, UnOp, parse_quote,
-    token::{Minus, Paren},
+    BinOp, Expr,
+    token::{Minus, Plus, Slash, Star},
 };
 
-use super::ident;
+use super::{ident, syntax};
 use crate::{
     expr::Input,
     program::{Groups, Operand, Operation, Origin, Program, ValueId},
@@ -23,25 +21,34 @@ pub(super) struct Writer<'a> {
 impl Writer<'_> {
     /// An operation, with the operations that stand inside it.
     pub(super) fn operation(&self, operation: Operation) -> Expr {
+        let (plus, minus) = (Plus::default(), Minus::default());
         match operation {
             Operation::Add(a, b) if b.is_negative() => {
-                binary(self.left_of_sum(a), parse_quote!(-), self.factor(-b))
+                syntax::binary(self.left_of_sum(a), BinOp::Sub(minus), self.factor(-b))
             }
             Operation::Add(a, b) => {
-                binary(self.left_of_sum(a), parse_quote!(+), self.right_of_sum(b))
+                syntax::binary(self.left_of_sum(a), BinOp::Add(plus), self.right_of_sum(b))
             }
-            Operation::Mul(a, b) => binary(self.left_of_product(a), parse_quote!(*), self.atom(b)),
-            Operation::Div(a, b) => binary(self.left_of_product(a), parse_quote!(/), self.atom(b)),
-            Operation::MulAdd(a, b, c) => {
-                let [a, b, c] = [a, b, c].map(|operand| self.operand(operand));
-                parse_quote!(R::mul_add(#a, #b, #c))
-            }
-            Operation::Abs(a) => {
-                let a = self.operand(a);
-                parse_quote!(R::abs(#a))
-            }
+            Operation::Mul(a, b) => syntax::binary(
+                self.left_of_product(a),
+                BinOp::Mul(Star::default()),
+                self.atom(b),
+            ),
+            Operation::Div(a, b) => syntax::binary(
+                self.left_of_product(a),
+                BinOp::Div(Slash::default()),
+                self.atom(b),
+            ),
+            Operation::MulAdd(a, b, c) => self.call("mul_add", &[a, b, c]),
+            Operation::Abs(a) => self.call("abs", &[a]),
             Operation::Neg(a) => self.negated(a),
         }
+    }
+
+    /// A function of `R`.
+    pub(super) fn call(&self, function: &str, arguments: &[Operand]) -> Expr {
+        let arguments = arguments.iter().map(|&argument| self.operand(argument));
+        syntax::call(syntax::of_scalar(function), arguments)
     }
 
     /// A number, a name, or the negative of one.
@@ -60,12 +67,7 @@ impl Writer<'_> {
     }
 
     fn negated(&self, operand: Operand) -> Expr {
-        let expr = Box::new(self.atom(operand));
-        Expr::Unary(ExprUnary {
-            attrs: Vec::new(),
-            op: UnOp::Neg(Minus::default()),
-            expr,
-        })
+        syntax::negative(self.atom(operand))
     }
 
     /// The values with names of their own that an operation and those inside it read, in order.
@@ -84,8 +86,8 @@ impl Writer<'_> {
         }
         let name = ident(&self.names[id.index()]);
         match self.program.value(id).origin {
-            Origin::Input(Input::Prepared(_)) => parse_quote!(p.#name),
-            _ => parse_quote!(#name),
+            Origin::Input(Input::Prepared(_)) => syntax::field(syntax::name(&ident("p")), &name),
+            _ => syntax::name(&name),
         }
     }
 
@@ -106,7 +108,7 @@ impl Writer<'_> {
     /// Where a product may stand bare but a sum may not.
     fn factor(&self, operand: Operand) -> Expr {
         match self.inner(operand) {
-            Some(Operation::Add(..)) => parenthesised(self.operand(operand)),
+            Some(Operation::Add(..)) => syntax::parenthesised(self.operand(operand)),
             _ => self.operand(operand),
         }
     }
@@ -120,82 +122,38 @@ impl Writer<'_> {
     fn atom(&self, operand: Operand) -> Expr {
         match self.inner(operand) {
             Some(Operation::Add(..) | Operation::Mul(..) | Operation::Div(..)) => {
-                parenthesised(self.operand(operand))
+                syntax::parenthesised(self.operand(operand))
             }
             _ => self.operand(operand),
         }
     }
 }
 
-/// The magnitude of a number: the shortest text that reads back bit for bit.
-pub(super) fn digits(value: f64) -> LitFloat {
-    let digits = syn::parse_str::<LitFloat>(&format!("{:?}", value.abs()));
-    digits.expect("emit: Debug of a finite f64 is a literal")
-}
-
 /// A number as a value of R.
 pub(super) fn number(value: f64) -> Expr {
-    let digits = digits(value);
-    if value < 0.0 {
-        parse_quote!(R::from_f64(-#digits))
-    } else {
-        parse_quote!(R::from_f64(#digits))
-    }
+    syntax::call(syntax::of_scalar("from_f64"), [syntax::number(value)])
 }
 
 /// Where an input is read from.
-pub(super) fn input(input: Input, parameters: &[String]) -> TokenStream {
-    let literal = Literal::usize_unsuffixed;
+pub(super) fn input(input: Input, parameters: &[String]) -> Expr {
+    let name = |text: &str| syntax::name(&ident(text));
+    let field = |base: Expr, field: &str| syntax::field(base, &ident(field));
+    let index = syntax::index;
     match input {
-        Input::Q(id) => index("q", &literal(id.index())),
-        Input::Sine(place) => given_sine("sines", place),
-        Input::Cosine(place) => given_sine("cosines", place),
-        Input::U(id) => index("u", &literal(id.index())),
-        Input::UDot(id) => index("u_dot", &literal(id.index())),
-        Input::Tau(id) => index("tau", &literal(id.index())),
-        Input::Force(body, axis) => {
-            let (body, axis) = (literal(body.index()), literal(axis));
-            quote!(loads[#body].force[#axis])
-        }
+        Input::Q(id) => index(name("q"), id.index()),
+        Input::Sine(place) => index(field(name("sin_cos"), "sines"), place),
+        Input::Cosine(place) => index(field(name("sin_cos"), "cosines"), place),
+        Input::U(id) => index(name("u"), id.index()),
+        Input::UDot(id) => index(name("u_dot"), id.index()),
+        Input::Tau(id) => index(name("tau"), id.index()),
+        Input::Force(body, axis) => index(field(index(name("loads"), body.index()), "force"), axis),
         Input::Moment(body, axis) => {
-            let (body, axis) = (literal(body.index()), literal(axis));
-            quote!(loads[#body].moment[#axis])
+            index(field(index(name("loads"), body.index()), "moment"), axis)
         }
         Input::RelativeAngularVelocity(body, axis) => {
-            let (body, axis) = (literal(body.index()), literal(axis));
-            quote!(w_rel[#body][#axis])
+            index(index(name("w_rel"), body.index()), axis)
         }
-        Input::Parameter(id) => {
-            let field = ident(&parameters[id.index()]);
-            quote!(parameters.#field)
-        }
+        Input::Parameter(id) => field(name("parameters"), &parameters[id.index()]),
         Input::Prepared(_) => unreachable!("emit: prepared values are fields, not locals"),
     }
-}
-
-fn given_sine(array: &str, place: usize) -> TokenStream {
-    let (array, place) = (ident(array), Literal::usize_unsuffixed(place));
-    quote!(sin_cos.#array[#place])
-}
-
-fn index(array: &str, place: &Literal) -> TokenStream {
-    let array = ident(array);
-    quote!(#array[#place])
-}
-
-fn binary(left: Expr, op: BinOp, right: Expr) -> Expr {
-    Expr::Binary(ExprBinary {
-        attrs: Vec::new(),
-        left: Box::new(left),
-        op,
-        right: Box::new(right),
-    })
-}
-
-fn parenthesised(expr: Expr) -> Expr {
-    Expr::Paren(ExprParen {
-        attrs: Vec::new(),
-        paren_token: Paren::default(),
-        expr: Box::new(expr),
-    })
 }

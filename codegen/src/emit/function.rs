@@ -1,13 +1,15 @@
 //! One function: documentation, signature, statements, stores, and the trait that holds it.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use syn::{Expr, Item, ItemFn, parse_quote};
 
 use super::{
     Emittable, Module, allow_generated, allow_unused, doc,
     expression::Writer,
     ident,
     statements::{self, Stores},
+    syntax,
 };
 use crate::{
     expr::Input,
@@ -17,7 +19,7 @@ use crate::{
 };
 
 /// The items of one function, in order: its pattern, itself, its trait.
-pub(super) fn items(module: &Module<'_>, emittable: &Emittable) -> Vec<TokenStream> {
+pub(super) fn items(module: &Module<'_>, emittable: &Emittable) -> Vec<Item> {
     let (tree, fields) = (module.tree, &module.fields);
     let alone = emittable.function.alone();
     // Two functions of one compact output have its pattern in common.
@@ -37,7 +39,7 @@ pub(super) fn items(module: &Module<'_>, emittable: &Emittable) -> Vec<TokenStre
     items
 }
 
-fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> TokenStream {
+fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Item {
     let Emittable {
         function,
         program,
@@ -60,7 +62,7 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
     let mut stores = Stores::default();
     for (target, &store) in targets(tree, emittable).into_iter().zip(&program.stores) {
         let value = writer.operand(store);
-        let statement = quote!(#target = #value;);
+        let statement = syntax::assign(target, value);
         match store.value().filter(|&id| !is_field(program, id)) {
             Some(id) => stores.of_values.entry(id).or_default().push(statement),
             None => stores.of_constants.push(statement),
@@ -84,18 +86,18 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Token
     let (doc, allow) = (doc(lines), allow_generated());
     let name = ident(&function.name());
     let (arguments, outputs) = (arguments(function), declared_outputs(function));
-    quote! {
+    let mut item: ItemFn = parse_quote! {
         #doc
         #allow
         #[inline(never)]
-        pub fn #name<R: kane::Real>(p: &Prepared<R>, #(#arguments,)* #(#outputs),*) {
-            #(#statements)*
-        }
-    }
+        pub fn #name<R: kane::Real>(p: &Prepared<R>, #(#arguments,)* #(#outputs),*) {}
+    };
+    item.block.stmts = statements;
+    Item::Fn(item)
 }
 
 /// The place of every store: the entries of one output after the other.
-fn targets(tree: &Tree, emittable: &Emittable) -> Vec<TokenStream> {
+fn targets(tree: &Tree, emittable: &Emittable) -> Vec<Expr> {
     let n_columns = emittable.program.stores.len() / 3;
     let mut targets = Vec::with_capacity(emittable.program.stores.len());
     for output in emittable.function.outputs() {
@@ -113,23 +115,20 @@ fn is_field(program: &Program, id: ValueId) -> bool {
 }
 
 /// The place of an output's entry: `m[0][3]`.
-fn target(output: &proc_macro2::Ident, lengths: &[usize], place: usize) -> TokenStream {
+fn target(output: &Ident, lengths: &[usize], place: usize) -> Expr {
+    let output = syntax::name(output);
     if lengths.is_empty() {
-        return quote!(*#output);
+        return syntax::dereferenced(output);
     }
-    let mut rest = place;
-    let mut indexes: Vec<usize> = lengths
+    let mut strides = vec![1; lengths.len()];
+    for axis in (1..lengths.len()).rev() {
+        strides[axis - 1] = strides[axis] * lengths[axis];
+    }
+    let indexes = strides
         .iter()
-        .rev()
-        .map(|length| {
-            let index = rest % length;
-            rest /= length;
-            index
-        })
-        .collect();
-    indexes.reverse();
-    let indexes = indexes.into_iter().map(Literal::usize_unsuffixed);
-    quote!(#output #([#indexes])*)
+        .zip(lengths)
+        .map(|(stride, length)| place / stride % length);
+    indexes.fold(output, syntax::index)
 }
 
 fn arguments(function: &Request) -> Vec<TokenStream> {
@@ -178,7 +177,7 @@ fn output_type(function: &Request, shape: Shape) -> TokenStream {
 }
 
 /// The pattern of a compact output, as constants.
-fn pattern(emittable: &Emittable, function: &Function) -> Vec<TokenStream> {
+fn pattern(emittable: &Emittable, function: &Function) -> Vec<Item> {
     let name = function.name;
     let (columns, blocks) = (
         ident(&function.columns_constant()),
@@ -197,13 +196,13 @@ fn pattern(emittable: &Emittable, function: &Function) -> Vec<TokenStream> {
         "The non-zero partitions that `{name}` writes, body after body."
     )]);
     vec![
-        quote!(#columns_doc #allow pub const #columns: usize = #n_columns;),
-        quote!(#blocks_doc #allow pub const #blocks: [kane::Block; #n_blocks] = [#(#entries),*];),
+        parse_quote!(#columns_doc #allow pub const #columns: usize = #n_columns;),
+        parse_quote!(#blocks_doc #allow pub const #blocks: [kane::Block; #n_blocks] = [#(#entries),*];),
     ]
 }
 
 /// The runtime crate's trait for the function.
-fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> TokenStream {
+fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> Item {
     let (trait_name, method, output) = (
         ident(trait_name),
         ident(function.name),
@@ -230,7 +229,7 @@ fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> T
         }
         _ => quote!(),
     };
-    quote! {
+    parse_quote! {
         impl<R: kane::Real> kane::functions::#trait_name<R> for Prepared<R> {
             #associated
             #[inline]

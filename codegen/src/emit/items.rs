@@ -2,6 +2,7 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
+use syn::{Item, parse_quote};
 
 use super::{
     Module, allow_generated, allow_unused, doc, expression, ident,
@@ -14,7 +15,7 @@ use crate::{
 };
 
 /// Sizes and name tables.
-pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
+pub(super) fn constants(tree: &Tree) -> Vec<Item> {
     let literal = Literal::usize_unsuffixed;
     let sizes = [
         ("NB", "Number of bodies.", tree.bodies.len()),
@@ -30,11 +31,11 @@ pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
         ),
     ];
     let allow = allow_unused();
-    let mut items: Vec<TokenStream> = sizes
+    let mut items: Vec<Item> = sizes
         .into_iter()
         .map(|(name, text, size)| {
             let (name, doc, size) = (ident(name), doc([text]), literal(size));
-            quote!(#doc #allow pub const #name: usize = #size;)
+            parse_quote!(#doc #allow pub const #name: usize = #size;)
         })
         .collect();
     let coordinates = tree.coordinate_names();
@@ -50,7 +51,7 @@ pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
     let name = &tree.name;
     let mut table = |text: &str, item: TokenStream| {
         let doc = doc([text]);
-        items.push(quote!(#doc #allow #item));
+        items.push(parse_quote!(#doc #allow #item));
     };
     table("The system's name.", quote!(pub const NAME: &str = #name;));
     table(
@@ -78,11 +79,11 @@ pub(super) fn constants(tree: &Tree) -> Vec<TokenStream> {
 }
 
 /// `Parameters` and its nominal values.
-pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
+pub(super) fn parameters(tree: &Tree) -> Vec<Item> {
     let allow = allow_unused();
     if tree.parameters.is_empty() {
         return vec![
-            quote! {
+            parse_quote! {
                 /// Values set at run time: this model has none.
                 #allow
                 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,7 +91,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
                     scalar: core::marker::PhantomData<R>,
                 }
             },
-            quote! {
+            parse_quote! {
                 impl<R: kane::Real> Default for Parameters<R> {
                     fn default() -> Self {
                         Self { scalar: core::marker::PhantomData }
@@ -116,7 +117,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
         .map(|parameter| expression::number(parameter.nominal));
     let allow_numbers = allow_generated();
     vec![
-        quote! {
+        parse_quote! {
             /// Values set at run time; the default is the model's nominal values.
             #allow
             #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +125,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
                 #(#docs pub #names: R,)*
             }
         },
-        quote! {
+        parse_quote! {
             #allow_numbers
             impl<R: kane::Real> Default for Parameters<R> {
                 fn default() -> Self {
@@ -136,7 +137,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<TokenStream> {
 }
 
 /// `Prepared` and what computes it.
-pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStream> {
+pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<Item> {
     let program = &module.preparation;
     let (allow, allow_generated) = (allow_unused(), allow_generated());
     let groups = Groups::of(program);
@@ -172,7 +173,7 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStrea
     };
     let cost = doc([format!("Operations: {}.", program.operations())]);
     vec![
-        quote! {
+        parse_quote! {
             /// Whatever depends on parameters alone, computed once, outside the control loop.
             #allow
             #[derive(Clone, Copy, Debug, PartialEq)]
@@ -180,7 +181,7 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStrea
                 #declared
             }
         },
-        quote! {
+        parse_quote! {
             impl<R: kane::Real> Prepared<R> {
                 /// Prepares a set of parameters.
                 ///
@@ -203,7 +204,7 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<TokenStrea
 }
 
 /// The trait that every system has.
-pub(super) fn system(tree: &Tree) -> TokenStream {
+pub(super) fn system(tree: &Tree) -> Item {
     debug_assert!(!tree.bodies.is_empty(), "tree: a system has bodies");
     let normalize = tree.has_quaternions().then(|| {
         quote! {
@@ -214,7 +215,7 @@ pub(super) fn system(tree: &Tree) -> TokenStream {
             }
         }
     });
-    quote! {
+    parse_quote! {
         impl<R: kane::Real> kane::System<R> for Prepared<R> {
             type Q = [R; NQ];
             type U = [R; NU];

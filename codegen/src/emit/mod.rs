@@ -10,10 +10,12 @@ mod function;
 mod items;
 mod sin_cos;
 mod statements;
+mod syntax;
 mod tables;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use syn::{File, Item};
 
 use crate::{
     functions::{Block, Formulation, Request},
@@ -75,25 +77,19 @@ pub fn source(module: &Module<'_>) -> String {
     text + &functions.concat()
 }
 
-/// Items, each after an empty line.
-fn printed(items: Vec<TokenStream>) -> String {
+/// Items as prettyplease prints them, each after an empty line.
+fn printed(items: Vec<Item>) -> String {
     let mut text = String::new();
     for item in items {
         text.push('\n');
-        text.push_str(&print(item));
+        text.push_str(&prettyplease::unparse(&File {
+            shebang: None,
+            frontmatter: None,
+            attrs: Vec::new(),
+            items: vec![item],
+        }));
     }
     text
-}
-
-/// An item as prettyplease prints it.
-fn print(item: TokenStream) -> String {
-    let item = syn::parse2(item).expect("emit: what is built is an item");
-    prettyplease::unparse(&syn::File {
-        shebang: None,
-        frontmatter: None,
-        attrs: Vec::new(),
-        items: vec![item],
-    })
 }
 
 /// An identifier. Names come from the tree's identifiers, which are valid, and from our own words.

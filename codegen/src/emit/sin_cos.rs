@@ -1,13 +1,13 @@
 //! Sines and cosines as a value of their own, for the functions that are given them.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::Literal;
+use syn::{Item, parse_quote};
 
 use super::{allow_generated, allow_unused, doc};
 use crate::{passes::sines, program::Operations, tree::Tree};
 
 /// The number and names of the angles, the type that holds their sines and cosines, and the function that computes them.
-pub(super) fn items(tree: &Tree) -> Vec<TokenStream> {
+pub(super) fn items(tree: &Tree) -> Vec<Item> {
     let angles = sines::angles(tree);
     let n_angles = Literal::usize_unsuffixed(angles.len());
     let coordinates = tree.coordinate_names();
@@ -24,17 +24,17 @@ pub(super) fn items(tree: &Tree) -> Vec<TokenStream> {
     let cost = doc([format!("Operations: {operations}.")]);
     let (allow, allow_generated) = (allow_unused(), allow_generated());
     vec![
-        quote! {
+        parse_quote! {
             /// Number of angles among the coordinates.
             #allow
             pub const NA: usize = #n_angles;
         },
-        quote! {
+        parse_quote! {
             /// The names of the angles among the coordinates, in the order of `q`.
             #allow
             pub const ANGLE_NAMES: [&str; NA] = [#(#names),*];
         },
-        quote! {
+        parse_quote! {
             /// The sine and cosine of every angle among the coordinates.
             #allow
             #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ pub(super) fn items(tree: &Tree) -> Vec<TokenStream> {
                 pub cosines: [R; NA],
             }
         },
-        quote! {
+        parse_quote! {
             /// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
             ///
             #cost

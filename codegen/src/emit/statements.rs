@@ -1,13 +1,12 @@
 //! The statements of a program: sines and cosines, inputs read into locals, one assignment a group of operations.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, mem};
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use syn::{Expr, Ident, Stmt};
 
 use super::{
     expression::{self, Writer},
-    ident,
+    ident, syntax,
 };
 use crate::{
     expr::Input,
@@ -24,8 +23,8 @@ const TOGETHER: [(usize, usize); 4] = [(1, 8), (1, 64), (16, 64), (256, 256)];
 /// Where values go: the stores of each value, and those of numbers and of fields of `Prepared`.
 #[derive(Default)]
 pub(super) struct Stores {
-    pub(super) of_values: BTreeMap<ValueId, Vec<TokenStream>>,
-    pub(super) of_constants: Vec<TokenStream>,
+    pub(super) of_values: BTreeMap<ValueId, Vec<Stmt>>,
+    pub(super) of_constants: Vec<Stmt>,
 }
 
 /// The statements of a program: inputs, sines and cosines are read where they are first needed, values stored as soon as
@@ -37,7 +36,7 @@ pub(super) fn of(
     names: &[String],
     parameters: &[String],
     stores: Stores,
-) -> Vec<TokenStream> {
+) -> Vec<Stmt> {
     let writer = Writer {
         program,
         groups,
@@ -65,7 +64,7 @@ pub(super) fn of(
 }
 
 /// Where every input is read from; fields of `Prepared` are read where they stand.
-fn inputs(program: &Program, parameters: &[String]) -> BTreeMap<ValueId, TokenStream> {
+fn inputs(program: &Program, parameters: &[String]) -> BTreeMap<ValueId, Expr> {
     let place = |id: ValueId| match program.value(id).origin {
         Origin::Instruction | Origin::Input(Input::Prepared(_)) => None,
         Origin::Input(input) => Some((id, expression::input(input, parameters))),
@@ -75,21 +74,20 @@ fn inputs(program: &Program, parameters: &[String]) -> BTreeMap<ValueId, TokenSt
 
 /// A statement of a body.
 enum Statement {
-    /// One that declares and assigns values.
+    /// One that declares and assigns a value, or several at once, of which not all need be wanted.
     Assign {
-        values: Vec<ValueId>,
-        pattern: TokenStream,
-        value: TokenStream,
+        values: Vec<Option<ValueId>>,
+        value: Expr,
     },
     /// Another.
-    Other(TokenStream),
+    Other(Stmt),
 }
 
 struct Body<'a> {
     writer: Writer<'a>,
     /// What is not read yet of inputs, and of sines and cosines that were computed together.
-    reads: BTreeMap<ValueId, TokenStream>,
-    stores: BTreeMap<ValueId, Vec<TokenStream>>,
+    reads: BTreeMap<ValueId, Expr>,
+    stores: BTreeMap<ValueId, Vec<Stmt>>,
     statements: Vec<Statement>,
 }
 
@@ -103,9 +101,8 @@ impl Body<'_> {
                 let mut read = Vec::new();
                 self.writer.read_by(*operation, &mut read);
                 self.read(read);
-                let value = self.writer.operation(*operation).into_token_stream();
-                let pattern = self.name(*result).into_token_stream();
-                self.assign(vec![*result], pattern, value);
+                let value = self.writer.operation(*operation);
+                self.assign(vec![Some(*result)], value);
             }
             Instruction::SinCos {
                 angles,
@@ -124,36 +121,36 @@ impl Body<'_> {
         sines: &[Option<ValueId>],
         cosines: &[Option<ValueId>],
     ) {
-        let operands = angles.iter().map(|&angle| self.writer.operand(angle));
-        if let ([angle], [sine], [cosine]) = (angles, sines, cosines) {
-            let angle = self.writer.operand(*angle);
-            let (s, c) = (self.pattern(*sine), self.pattern(*cosine));
-            let values = [*sine, *cosine].into_iter().flatten().collect();
-            return self.assign(values, quote!((#s, #c)), quote!(R::sin_cos(#angle)));
+        if let ([_], [sine], [cosine]) = (angles, sines, cosines) {
+            let value = self.writer.call("sin_cos", angles);
+            return self.assign(vec![*sine, *cosine], value);
         }
         // Each body takes its own from the arrays, so that a new body adds a line here and none to the others.
-        let statement = quote!(let (sines, cosines) = R::sin_cos_array([#(#operands),*]););
+        let arrays = ["sines", "cosines"].map(ident);
+        let operands = angles.iter().map(|&angle| self.writer.operand(angle));
+        let value = syntax::call(
+            syntax::of_scalar("sin_cos_array"),
+            [syntax::array(operands)],
+        );
+        let pattern = syntax::pattern(&arrays.clone().map(Some));
+        let statement = syntax::declare(pattern, Some(value));
         self.statements.push(Statement::Other(statement));
-        for (array, values) in [("sines", sines), ("cosines", cosines)] {
-            let array = ident(array);
+        for (array, values) in arrays.iter().zip([sines, cosines]) {
             for (place, id) in values.iter().enumerate() {
-                let place = Literal::usize_unsuffixed(place);
-                self.reads.extend(id.map(|id| (id, quote!(#array[#place]))));
+                let value = || syntax::index(syntax::name(array), place);
+                self.reads.extend(id.map(|id| (id, value())));
             }
         }
     }
 
-    fn assign(&mut self, values: Vec<ValueId>, pattern: TokenStream, value: TokenStream) {
-        let stores: Vec<TokenStream> = values
+    fn assign(&mut self, values: Vec<Option<ValueId>>, value: Expr) {
+        let stores: Vec<Stmt> = values
             .iter()
+            .flatten()
             .filter_map(|id| self.stores.remove(id))
             .flatten()
             .collect();
-        self.statements.push(Statement::Assign {
-            values,
-            pattern,
-            value,
-        });
+        self.statements.push(Statement::Assign { values, value });
         self.statements
             .extend(stores.into_iter().map(Statement::Other));
     }
@@ -162,48 +159,42 @@ impl Body<'_> {
     fn read(&mut self, ids: Vec<ValueId>) {
         for id in ids {
             if let Some(value) = self.reads.remove(&id) {
-                let name = self.name(id).into_token_stream();
-                self.assign(vec![id], name, value);
+                self.assign(vec![Some(id)], value);
             }
         }
     }
 
-    fn name(&self, id: ValueId) -> proc_macro2::Ident {
+    fn name(&self, id: ValueId) -> Ident {
         ident(&self.writer.names[id.index()])
     }
 
-    fn pattern(&self, id: Option<ValueId>) -> TokenStream {
-        id.map_or(quote!(_), |id| self.name(id).into_token_stream())
-    }
-
     /// The statements, with a declaration of every value.
-    fn declared(&self) -> Vec<TokenStream> {
+    fn declared(mut self) -> Vec<Stmt> {
         let declarations = self.declarations();
-        let mut statements = Vec::with_capacity(self.statements.len());
-        for statement in &self.statements {
-            match (statement, &declarations) {
-                (Statement::Other(statement), _) => statements.push(statement.clone()),
-                (Statement::Assign { pattern, value, .. }, None) => {
-                    statements.push(quote!(let #pattern = #value;));
+        let given = mem::take(&mut self.statements);
+        let mut statements = Vec::with_capacity(given.len());
+        for statement in given {
+            let (values, value) = match statement {
+                Statement::Other(statement) => {
+                    statements.push(statement);
+                    continue;
                 }
-                (
-                    Statement::Assign {
-                        values,
-                        pattern,
-                        value,
-                    },
-                    Some(declarations),
-                ) => {
-                    for together in values.iter().filter_map(|id| declarations.get(id)) {
-                        let names: Vec<_> = together.iter().map(|&id| self.name(id)).collect();
-                        statements.push(match &names[..] {
-                            [name] => quote!(let #name;),
-                            names => quote!(let (#(#names),*);),
-                        });
-                    }
-                    statements.push(quote!(#pattern = #value;));
-                }
-            }
+                Statement::Assign { values, value } => (values, value),
+            };
+            let names: Vec<_> = values.iter().map(|id| id.map(|id| self.name(id))).collect();
+            let Some(declarations) = &declarations else {
+                statements.push(syntax::declare(syntax::pattern(&names), Some(value)));
+                continue;
+            };
+            let together = values
+                .iter()
+                .flatten()
+                .filter_map(|id| declarations.get(id));
+            statements.extend(together.map(|together| {
+                let names: Vec<_> = together.iter().map(|&id| Some(self.name(id))).collect();
+                syntax::declare(syntax::pattern(&names), None)
+            }));
+            statements.push(syntax::assign(syntax::places(&names), value));
         }
         statements
     }
@@ -211,14 +202,12 @@ impl Body<'_> {
     /// Where a function has so many statements that each `let` cannot have a scope of its own: values that are declared
     /// together, by the first of them.
     fn declarations(&self) -> Option<BTreeMap<ValueId, Vec<ValueId>>> {
-        let assigned = self
-            .statements
-            .iter()
-            .flat_map(|statement| match statement {
-                Statement::Assign { values, .. } => &values[..],
-                Statement::Other(_) => &[],
-            });
-        let assigned: Vec<ValueId> = assigned.copied().collect();
+        let values = |statement: &'_ Statement| match statement {
+            Statement::Assign { values, .. } => values.clone(),
+            Statement::Other(_) => Vec::new(),
+        };
+        let assigned = self.statements.iter().flat_map(values).flatten();
+        let assigned: Vec<ValueId> = assigned.collect();
         if assigned.len() <= MOST_LETS {
             return None;
         }

@@ -1,17 +1,18 @@
 //! Tables of joints, of frames fixed in bodies, and of limits.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
+use syn::{Item, parse_quote};
 
-use super::{allow_generated, doc, expression};
+use super::{allow_generated, doc, syntax};
 use crate::tree::{Chart, Coordinate, Frame, Joint, Mechanics, Orientation, Tree};
 
 /// `JOINTS`, `FRAMES`, and the limits.
-pub(super) fn of(tree: &Tree) -> Vec<TokenStream> {
+pub(super) fn of(tree: &Tree) -> Vec<Item> {
     let mut items = Vec::new();
     let mut table = |text: &str, item: TokenStream| {
         let (doc, allow) = (doc([text]), allow_generated());
-        items.push(quote!(#doc #allow #item));
+        items.push(parse_quote!(#doc #allow #item));
     };
     let joints = tree.bodies.iter().map(|body| joint(&body.joint));
     table(
@@ -175,11 +176,6 @@ fn number(value: f64) -> TokenStream {
     } else if value == f64::NEG_INFINITY {
         quote!(f64::NEG_INFINITY)
     } else {
-        let magnitude = expression::digits(value);
-        if value < 0.0 {
-            quote!(-#magnitude)
-        } else {
-            quote!(#magnitude)
-        }
+        syntax::number(value).into_token_stream()
     }
 }
