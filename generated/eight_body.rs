@@ -354,6 +354,543 @@ impl<R: kane::Real> kane::System<R> for Prepared<R> {
     }
 }
 
+/// Number of entries that `mass_matrix_packed` writes.
+#[allow(dead_code, reason = "a program calls what it needs")]
+pub const MASS_MATRIX_PACKED_LEN: usize = 528;
+
+/// The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.
+#[allow(dead_code, reason = "a program calls what it needs")]
+pub const MASS_MATRIX_PACKED_PLACES: [[usize; 2]; MASS_MATRIX_PACKED_LEN] = [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [2, 0],
+    [2, 1],
+    [2, 2],
+    [3, 0],
+    [3, 1],
+    [3, 2],
+    [3, 3],
+    [4, 0],
+    [4, 1],
+    [4, 2],
+    [4, 3],
+    [4, 4],
+    [5, 0],
+    [5, 1],
+    [5, 2],
+    [5, 3],
+    [5, 4],
+    [5, 5],
+    [6, 0],
+    [6, 1],
+    [6, 2],
+    [6, 3],
+    [6, 4],
+    [6, 5],
+    [6, 6],
+    [7, 0],
+    [7, 1],
+    [7, 2],
+    [7, 3],
+    [7, 4],
+    [7, 5],
+    [7, 6],
+    [7, 7],
+    [8, 0],
+    [8, 1],
+    [8, 2],
+    [8, 3],
+    [8, 4],
+    [8, 5],
+    [8, 6],
+    [8, 7],
+    [8, 8],
+    [9, 0],
+    [9, 1],
+    [9, 2],
+    [9, 9],
+    [10, 0],
+    [10, 1],
+    [10, 2],
+    [10, 9],
+    [10, 10],
+    [11, 0],
+    [11, 1],
+    [11, 2],
+    [11, 9],
+    [11, 10],
+    [11, 11],
+    [12, 0],
+    [12, 1],
+    [12, 2],
+    [12, 3],
+    [12, 4],
+    [12, 5],
+    [12, 12],
+    [13, 0],
+    [13, 1],
+    [13, 2],
+    [13, 3],
+    [13, 4],
+    [13, 5],
+    [13, 12],
+    [13, 13],
+    [14, 0],
+    [14, 1],
+    [14, 2],
+    [14, 3],
+    [14, 4],
+    [14, 5],
+    [14, 12],
+    [14, 13],
+    [14, 14],
+    [15, 0],
+    [15, 1],
+    [15, 2],
+    [15, 15],
+    [16, 0],
+    [16, 1],
+    [16, 2],
+    [16, 15],
+    [16, 16],
+    [17, 0],
+    [17, 1],
+    [17, 2],
+    [17, 15],
+    [17, 16],
+    [17, 17],
+    [18, 0],
+    [18, 1],
+    [18, 2],
+    [18, 18],
+    [19, 0],
+    [19, 1],
+    [19, 2],
+    [19, 18],
+    [19, 19],
+    [20, 0],
+    [20, 1],
+    [20, 2],
+    [20, 18],
+    [20, 19],
+    [20, 20],
+    [21, 0],
+    [21, 1],
+    [21, 2],
+    [21, 18],
+    [21, 19],
+    [21, 20],
+    [21, 21],
+    [22, 0],
+    [22, 1],
+    [22, 2],
+    [22, 18],
+    [22, 19],
+    [22, 20],
+    [22, 21],
+    [22, 22],
+    [23, 0],
+    [23, 1],
+    [23, 2],
+    [23, 18],
+    [23, 19],
+    [23, 20],
+    [23, 21],
+    [23, 22],
+    [23, 23],
+    [24, 0],
+    [24, 1],
+    [24, 2],
+    [24, 3],
+    [24, 4],
+    [24, 5],
+    [24, 6],
+    [24, 7],
+    [24, 8],
+    [24, 9],
+    [24, 10],
+    [24, 11],
+    [24, 12],
+    [24, 13],
+    [24, 14],
+    [24, 15],
+    [24, 16],
+    [24, 17],
+    [24, 18],
+    [24, 19],
+    [24, 20],
+    [24, 21],
+    [24, 22],
+    [24, 23],
+    [24, 24],
+    [25, 0],
+    [25, 1],
+    [25, 2],
+    [25, 3],
+    [25, 4],
+    [25, 5],
+    [25, 6],
+    [25, 7],
+    [25, 8],
+    [25, 9],
+    [25, 10],
+    [25, 11],
+    [25, 12],
+    [25, 13],
+    [25, 14],
+    [25, 15],
+    [25, 16],
+    [25, 17],
+    [25, 18],
+    [25, 19],
+    [25, 20],
+    [25, 21],
+    [25, 22],
+    [25, 23],
+    [25, 24],
+    [25, 25],
+    [26, 0],
+    [26, 1],
+    [26, 2],
+    [26, 3],
+    [26, 4],
+    [26, 5],
+    [26, 6],
+    [26, 7],
+    [26, 8],
+    [26, 9],
+    [26, 10],
+    [26, 11],
+    [26, 12],
+    [26, 13],
+    [26, 14],
+    [26, 15],
+    [26, 16],
+    [26, 17],
+    [26, 18],
+    [26, 19],
+    [26, 20],
+    [26, 21],
+    [26, 22],
+    [26, 23],
+    [26, 24],
+    [26, 25],
+    [26, 26],
+    [27, 0],
+    [27, 1],
+    [27, 2],
+    [27, 3],
+    [27, 4],
+    [27, 5],
+    [27, 6],
+    [27, 7],
+    [27, 8],
+    [27, 12],
+    [27, 13],
+    [27, 14],
+    [27, 24],
+    [27, 25],
+    [27, 26],
+    [27, 27],
+    [28, 0],
+    [28, 1],
+    [28, 2],
+    [28, 3],
+    [28, 4],
+    [28, 5],
+    [28, 6],
+    [28, 7],
+    [28, 8],
+    [28, 12],
+    [28, 13],
+    [28, 14],
+    [28, 24],
+    [28, 25],
+    [28, 26],
+    [28, 27],
+    [28, 28],
+    [29, 0],
+    [29, 1],
+    [29, 2],
+    [29, 3],
+    [29, 4],
+    [29, 5],
+    [29, 6],
+    [29, 7],
+    [29, 8],
+    [29, 12],
+    [29, 13],
+    [29, 14],
+    [29, 24],
+    [29, 25],
+    [29, 26],
+    [29, 27],
+    [29, 28],
+    [29, 29],
+    [30, 0],
+    [30, 1],
+    [30, 2],
+    [30, 3],
+    [30, 4],
+    [30, 5],
+    [30, 6],
+    [30, 7],
+    [30, 8],
+    [30, 24],
+    [30, 25],
+    [30, 26],
+    [30, 27],
+    [30, 28],
+    [30, 29],
+    [30, 30],
+    [31, 0],
+    [31, 1],
+    [31, 2],
+    [31, 3],
+    [31, 4],
+    [31, 5],
+    [31, 6],
+    [31, 7],
+    [31, 8],
+    [31, 24],
+    [31, 25],
+    [31, 26],
+    [31, 27],
+    [31, 28],
+    [31, 29],
+    [31, 30],
+    [31, 31],
+    [32, 0],
+    [32, 1],
+    [32, 2],
+    [32, 3],
+    [32, 4],
+    [32, 5],
+    [32, 6],
+    [32, 7],
+    [32, 8],
+    [32, 24],
+    [32, 25],
+    [32, 26],
+    [32, 27],
+    [32, 28],
+    [32, 29],
+    [32, 30],
+    [32, 31],
+    [32, 32],
+    [33, 0],
+    [33, 1],
+    [33, 2],
+    [33, 9],
+    [33, 10],
+    [33, 11],
+    [33, 24],
+    [33, 25],
+    [33, 26],
+    [33, 33],
+    [34, 0],
+    [34, 1],
+    [34, 2],
+    [34, 9],
+    [34, 10],
+    [34, 11],
+    [34, 24],
+    [34, 25],
+    [34, 26],
+    [34, 33],
+    [34, 34],
+    [35, 0],
+    [35, 1],
+    [35, 2],
+    [35, 9],
+    [35, 10],
+    [35, 11],
+    [35, 24],
+    [35, 25],
+    [35, 26],
+    [35, 33],
+    [35, 34],
+    [35, 35],
+    [36, 0],
+    [36, 1],
+    [36, 2],
+    [36, 3],
+    [36, 4],
+    [36, 5],
+    [36, 12],
+    [36, 13],
+    [36, 14],
+    [36, 24],
+    [36, 25],
+    [36, 26],
+    [36, 27],
+    [36, 28],
+    [36, 29],
+    [36, 36],
+    [37, 0],
+    [37, 1],
+    [37, 2],
+    [37, 3],
+    [37, 4],
+    [37, 5],
+    [37, 12],
+    [37, 13],
+    [37, 14],
+    [37, 24],
+    [37, 25],
+    [37, 26],
+    [37, 27],
+    [37, 28],
+    [37, 29],
+    [37, 36],
+    [37, 37],
+    [38, 0],
+    [38, 1],
+    [38, 2],
+    [38, 3],
+    [38, 4],
+    [38, 5],
+    [38, 12],
+    [38, 13],
+    [38, 14],
+    [38, 24],
+    [38, 25],
+    [38, 26],
+    [38, 27],
+    [38, 28],
+    [38, 29],
+    [38, 36],
+    [38, 37],
+    [38, 38],
+    [39, 0],
+    [39, 1],
+    [39, 2],
+    [39, 15],
+    [39, 16],
+    [39, 17],
+    [39, 24],
+    [39, 25],
+    [39, 26],
+    [39, 39],
+    [40, 0],
+    [40, 1],
+    [40, 2],
+    [40, 15],
+    [40, 16],
+    [40, 17],
+    [40, 24],
+    [40, 25],
+    [40, 26],
+    [40, 39],
+    [40, 40],
+    [41, 0],
+    [41, 1],
+    [41, 2],
+    [41, 15],
+    [41, 16],
+    [41, 17],
+    [41, 24],
+    [41, 25],
+    [41, 26],
+    [41, 39],
+    [41, 40],
+    [41, 41],
+    [42, 0],
+    [42, 1],
+    [42, 2],
+    [42, 18],
+    [42, 19],
+    [42, 20],
+    [42, 21],
+    [42, 22],
+    [42, 23],
+    [42, 24],
+    [42, 25],
+    [42, 26],
+    [42, 42],
+    [43, 0],
+    [43, 1],
+    [43, 2],
+    [43, 18],
+    [43, 19],
+    [43, 20],
+    [43, 21],
+    [43, 22],
+    [43, 23],
+    [43, 24],
+    [43, 25],
+    [43, 26],
+    [43, 42],
+    [43, 43],
+    [44, 0],
+    [44, 1],
+    [44, 2],
+    [44, 18],
+    [44, 19],
+    [44, 20],
+    [44, 21],
+    [44, 22],
+    [44, 23],
+    [44, 24],
+    [44, 25],
+    [44, 26],
+    [44, 42],
+    [44, 43],
+    [44, 44],
+    [45, 0],
+    [45, 1],
+    [45, 2],
+    [45, 18],
+    [45, 19],
+    [45, 20],
+    [45, 21],
+    [45, 22],
+    [45, 23],
+    [45, 24],
+    [45, 25],
+    [45, 26],
+    [45, 42],
+    [45, 43],
+    [45, 44],
+    [45, 45],
+    [46, 0],
+    [46, 1],
+    [46, 2],
+    [46, 18],
+    [46, 19],
+    [46, 20],
+    [46, 21],
+    [46, 22],
+    [46, 23],
+    [46, 24],
+    [46, 25],
+    [46, 26],
+    [46, 42],
+    [46, 43],
+    [46, 44],
+    [46, 45],
+    [46, 46],
+    [47, 0],
+    [47, 1],
+    [47, 2],
+    [47, 18],
+    [47, 19],
+    [47, 20],
+    [47, 21],
+    [47, 22],
+    [47, 23],
+    [47, 24],
+    [47, 25],
+    [47, 26],
+    [47, 42],
+    [47, 43],
+    [47, 44],
+    [47, 45],
+    [47, 46],
+    [47, 47],
+];
+
 /// Relative transformation matrices `JR_K`, Eq. (4): components in the lower body's axes to components in the body's, by rows.
 ///
 /// Operations: 192 = 112 mul + 32 add + 0 div + 48 trig.
@@ -21694,6 +22231,2388 @@ impl<R: kane::Real> kane::functions::MassMatrix<R> for Prepared<R> {
     #[inline]
     fn mass_matrix(&self, q: &[R; NQ], m: &mut [[R; NU]; NU]) {
         self::mass_matrix(self, q, m);
+    }
+}
+
+/// The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.
+/// `MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.
+///
+/// Operations: 2920 = 1738 mul + 1134 add + 0 div + 48 trig; formulation: recursive.
+#[allow(
+    dead_code,
+    unused_variables,
+    clippy::approx_constant,
+    clippy::many_single_char_names,
+    clippy::needless_late_init,
+    clippy::too_many_arguments,
+    reason = "generated: arguments follow one pattern, numbers are the model's"
+)]
+#[inline(never)]
+pub fn mass_matrix_packed<R: kane::Real>(
+    p: &Prepared<R>,
+    q: &[R; NQ],
+    entries: &mut [R; MASS_MATRIX_PACKED_LEN],
+) {
+    let hub_theta1 = q[0];
+    let hub_theta2 = q[1];
+    let hub_theta3 = q[2];
+    let shoulder_theta1 = q[3];
+    let shoulder_theta2 = q[4];
+    let shoulder_theta3 = q[5];
+    let forearm_theta1 = q[6];
+    let forearm_theta2 = q[7];
+    let forearm_theta3 = q[8];
+    let left_panel_theta1 = q[9];
+    let left_panel_theta2 = q[10];
+    let left_panel_theta3 = q[11];
+    let left_tip_theta1 = q[12];
+    let left_tip_theta2 = q[13];
+    let left_tip_theta3 = q[14];
+    let antenna_theta1 = q[15];
+    let antenna_theta2 = q[16];
+    let antenna_theta3 = q[17];
+    let boom_theta1 = q[18];
+    let boom_theta2 = q[19];
+    let boom_theta3 = q[20];
+    let camera_theta1 = q[21];
+    let camera_theta2 = q[22];
+    let camera_theta3 = q[23];
+    let (sines, cosines) = R::sin_cos_array([
+        hub_theta1,
+        hub_theta2,
+        hub_theta3,
+        shoulder_theta1,
+        shoulder_theta2,
+        shoulder_theta3,
+        forearm_theta1,
+        forearm_theta2,
+        forearm_theta3,
+        left_panel_theta1,
+        left_panel_theta2,
+        left_panel_theta3,
+        left_tip_theta1,
+        left_tip_theta2,
+        left_tip_theta3,
+        antenna_theta1,
+        antenna_theta2,
+        antenna_theta3,
+        boom_theta1,
+        boom_theta2,
+        boom_theta3,
+        camera_theta1,
+        camera_theta2,
+        camera_theta3,
+    ]);
+    let shoulder_s1 = q[27];
+    let shoulder_offset_x = shoulder_s1 + R::from_f64(-0.561);
+    let shoulder_s2 = q[28];
+    let shoulder_offset_y = shoulder_s2 + R::from_f64(-0.092);
+    let shoulder_s3 = q[29];
+    let shoulder_offset_z = shoulder_s3 + R::from_f64(-0.672);
+    let forearm_s1 = q[30];
+    let forearm_offset_x = forearm_s1 + R::from_f64(-0.171);
+    let forearm_s2 = q[31];
+    let forearm_offset_y = forearm_s2 + R::from_f64(0.136);
+    let forearm_s3 = q[32];
+    let forearm_offset_z = forearm_s3 + R::from_f64(0.519);
+    let left_panel_s1 = q[33];
+    let left_panel_offset_x = left_panel_s1 + R::from_f64(-0.944);
+    let left_panel_s2 = q[34];
+    let left_panel_offset_y = left_panel_s2 + R::from_f64(0.254);
+    let left_panel_s3 = q[35];
+    let left_panel_offset_z = left_panel_s3 + R::from_f64(0.22);
+    let left_tip_s1 = q[36];
+    let left_tip_offset_x = left_tip_s1 + R::from_f64(-0.519);
+    let left_tip_s2 = q[37];
+    let left_tip_offset_y = left_tip_s2 + R::from_f64(-0.949);
+    let left_tip_s3 = q[38];
+    let left_tip_offset_z = left_tip_s3 + R::from_f64(0.4);
+    let antenna_s1 = q[39];
+    let antenna_offset_x = antenna_s1 + R::from_f64(0.974);
+    let antenna_s2 = q[40];
+    let antenna_offset_y = antenna_s2 + R::from_f64(0.421);
+    let antenna_s3 = q[41];
+    let antenna_offset_z = antenna_s3 + R::from_f64(-0.143);
+    let boom_s1 = q[42];
+    let boom_offset_x = boom_s1 + R::from_f64(-0.589);
+    let boom_s2 = q[43];
+    let boom_offset_y = boom_s2 + R::from_f64(-0.284);
+    let boom_s3 = q[44];
+    let boom_offset_z = boom_s3 + R::from_f64(0.166);
+    let camera_s1 = q[45];
+    let camera_offset_x = camera_s1 + R::from_f64(-0.379);
+    let camera_s2 = q[46];
+    let camera_offset_y = camera_s2 + R::from_f64(0.745);
+    let camera_s3 = q[47];
+    let camera_offset_z = camera_s3 + R::from_f64(0.063);
+    let camera_cos3 = cosines[23];
+    let camera_sin3 = sines[23];
+    let camera_t1 = R::from_f64(-0.643875) * camera_cos3
+        + R::from_f64(0.714272) * camera_sin3;
+    let camera_t2 = R::from_f64(-0.714272) * camera_cos3
+        - R::from_f64(0.643875) * camera_sin3;
+    let camera_t3 = R::from_f64(0.022924026999999958) * camera_sin3
+        + R::from_f64(-0.403524) * camera_cos3;
+    let camera_t4 = camera_sin3 * camera_t3;
+    let camera_t5 = camera_cos3 * camera_t3;
+    let camera_t6 = R::from_f64(0.8480335000000001) - camera_t4;
+    let camera_t7 = camera_t4 + R::from_f64(0.8251094730000001);
+    entries[128] = camera_t7;
+    let camera_t8 = R::from_f64(0.33351225) * camera_cos3
+        + R::from_f64(-0.270170664) * camera_sin3;
+    let camera_t9 = R::from_f64(0.270170664) * camera_cos3
+        - R::from_f64(-0.33351225) * camera_sin3;
+    entries[136] = camera_t9;
+    let camera_t10 = camera_t5 + R::from_f64(0.201762);
+    let camera_cos2 = cosines[22];
+    let camera_sin2 = sines[22];
+    let camera_theta2_f_boom_x = R::from_f64(0.7932540000000001) * camera_cos2
+        - camera_sin2 * camera_t1;
+    entries[484] = camera_theta2_f_boom_x;
+    let camera_t11 = camera_cos2 * camera_t1
+        - R::from_f64(-0.7932540000000001) * camera_sin2;
+    let camera_t12 = camera_sin2 * (R::from_f64(0.7879912769999999) - camera_t6)
+        + camera_cos2 * (R::from_f64(2.0) * camera_t8);
+    let camera_t13 = camera_sin2 * camera_t12;
+    let camera_t14 = camera_cos2 * camera_t12;
+    let camera_t15 = R::from_f64(0.7879912769999999) - camera_t13;
+    let camera_t16 = camera_t6 + camera_t13;
+    entries[120] = camera_t16;
+    let camera_t17 = camera_cos2 * camera_t9 - camera_sin2 * camera_t10;
+    let camera_t18 = camera_cos2 * camera_t10 + camera_sin2 * camera_t9;
+    entries[127] = camera_t18;
+    let camera_t19 = camera_t14 - camera_t8;
+    let camera_t20 = camera_sin2 * camera_t2;
+    let camera_theta3_f_boom_x = -(camera_cos2 * camera_t2);
+    entries[485] = camera_theta3_f_boom_x;
+    let camera_t21 = R::from_f64(0.7879912769999999) * camera_cos2
+        - camera_sin2 * camera_t8;
+    let camera_t22 = camera_cos2 * camera_t8
+        - R::from_f64(-0.7879912769999999) * camera_sin2;
+    entries[135] = camera_t22;
+    let camera_cos1 = cosines[21];
+    let camera_sin1 = sines[21];
+    let camera_theta1_f_boom_z = camera_cos1 * camera_t2
+        - camera_sin1 * camera_theta2_f_boom_x;
+    entries[516] = camera_theta1_f_boom_z;
+    let camera_theta1_f_boom_y = -(camera_cos1 * camera_theta2_f_boom_x
+        + camera_sin1 * camera_t2);
+    entries[499] = camera_theta1_f_boom_y;
+    let camera_t23 = camera_sin1 * (camera_t7 - camera_t15)
+        + camera_cos1 * (R::from_f64(2.0) * camera_t17);
+    let camera_t24 = camera_sin1 * camera_t23;
+    let camera_t25 = camera_cos1 * camera_t23;
+    let camera_t26 = camera_t7 - camera_t24;
+    let camera_t27 = camera_t15 + camera_t24;
+    let camera_t28 = camera_cos1 * camera_t18 - camera_sin1 * camera_t19;
+    let camera_t29 = camera_cos1 * camera_t19 + camera_sin1 * camera_t18;
+    let camera_t30 = camera_t25 - camera_t17;
+    let camera_theta3_f_boom_y = camera_cos1 * camera_t1 - camera_sin1 * camera_t20;
+    entries[501] = camera_theta3_f_boom_y;
+    let camera_theta3_f_boom_z = camera_cos1 * camera_t20 + camera_sin1 * camera_t1;
+    entries[518] = camera_theta3_f_boom_z;
+    let camera_t31 = camera_cos1 * camera_t9 - camera_sin1 * camera_t21;
+    let camera_t32 = camera_cos1 * camera_t21 + camera_sin1 * camera_t9;
+    let camera_theta2_f_boom_y = camera_sin1 * camera_t11;
+    entries[500] = camera_theta2_f_boom_y;
+    let camera_theta2_f_boom_z = -(camera_cos1 * camera_t11);
+    entries[517] = camera_theta2_f_boom_z;
+    let camera_t33 = camera_cos1 * camera_t7 - camera_sin1 * camera_t17;
+    let camera_t34 = camera_cos1 * camera_t17 + camera_sin1 * camera_t7;
+    let camera_t35 = camera_offset_y * camera_theta3_f_boom_z
+        - camera_offset_z * camera_theta3_f_boom_y;
+    let camera_t36 = camera_offset_z * camera_theta3_f_boom_x
+        - camera_offset_x * camera_theta3_f_boom_z;
+    let camera_t37 = camera_offset_x * camera_theta3_f_boom_y
+        - camera_offset_y * camera_theta3_f_boom_x;
+    let camera_theta3_n_boom_x = camera_t22 + camera_t35;
+    let camera_theta3_n_boom_y = camera_t31 + camera_t36;
+    let camera_theta3_n_boom_z = camera_t32 + camera_t37;
+    entries[134] = camera_theta3_n_boom_z;
+    let camera_t38 = camera_offset_y * camera_theta2_f_boom_z
+        - camera_offset_z * camera_theta2_f_boom_y;
+    let camera_t39 = camera_offset_z * camera_theta2_f_boom_x
+        - camera_offset_x * camera_theta2_f_boom_z;
+    let camera_t40 = camera_offset_x * camera_theta2_f_boom_y
+        - camera_offset_y * camera_theta2_f_boom_x;
+    let camera_theta2_n_boom_x = camera_t18 + camera_t38;
+    let camera_theta2_n_boom_y = camera_t33 + camera_t39;
+    let camera_theta2_n_boom_z = camera_t34 + camera_t40;
+    entries[126] = camera_theta2_n_boom_z;
+    let camera_t41 = camera_offset_y * camera_theta1_f_boom_z
+        - camera_offset_z * camera_theta1_f_boom_y;
+    let camera_t42 = camera_offset_x * camera_theta1_f_boom_z;
+    let camera_t43 = camera_offset_x * camera_theta1_f_boom_y;
+    let camera_theta1_n_boom_x = camera_t16 + camera_t41;
+    let camera_theta1_n_boom_y = camera_t28 - camera_t42;
+    let camera_theta1_n_boom_z = camera_t29 + camera_t43;
+    entries[119] = camera_theta1_n_boom_z;
+    let camera_t44 = R::from_f64(1.717) * camera_offset_z;
+    let camera_t45 = R::from_f64(1.717) * camera_offset_y;
+    let camera_s1_n_boom_y = camera_t44 - camera_theta1_f_boom_y;
+    let camera_s1_n_boom_z = -(camera_theta1_f_boom_z + camera_t45);
+    entries[482] = camera_s1_n_boom_z;
+    let camera_s2_n_boom_z = camera_t11 + R::from_f64(1.717) * camera_offset_x;
+    entries[498] = camera_s2_n_boom_z;
+    let camera_t46 = camera_t11 + camera_s2_n_boom_z;
+    let camera_t47 = camera_theta1_f_boom_z - camera_s1_n_boom_z;
+    let camera_t48 = camera_s1_n_boom_y - camera_theta1_f_boom_y;
+    let camera_t49 = camera_offset_x * camera_t46;
+    let camera_t50 = camera_offset_y * camera_t47;
+    let camera_t51 = camera_offset_z * camera_t48;
+    let camera_t52 = camera_t16 + (camera_t50 + camera_t51);
+    let camera_t53 = camera_t30
+        - (camera_offset_z * camera_theta1_f_boom_z
+            + camera_offset_y * camera_s1_n_boom_y);
+    let camera_t54 = camera_t26 + (camera_t49 + camera_t51);
+    let camera_t55 = camera_t29 - (camera_offset_z * camera_s2_n_boom_z - camera_t43);
+    let camera_t56 = camera_t27 + (camera_t49 + camera_t50);
+    let camera_t57 = camera_t28
+        - (camera_offset_y * camera_t11 - camera_offset_x * camera_s1_n_boom_z);
+    let boom_composite_x = camera_s2_n_boom_z + R::from_f64(0.263312);
+    let boom_composite_y = R::from_f64(-0.575995) - camera_s1_n_boom_z;
+    let boom_composite_z = camera_s1_n_boom_y + R::from_f64(-0.48665699999999995);
+    let boom_composite_xx = camera_t52 + R::from_f64(0.498871774);
+    let boom_composite_yy = camera_t54 + R::from_f64(0.42511494299999997);
+    let boom_composite_zz = camera_t56 + R::from_f64(0.407394719);
+    entries[113] = boom_composite_zz;
+    let boom_composite_yz = camera_t53 + R::from_f64(-0.10231996499999998);
+    let boom_composite_xz = camera_t55 + R::from_f64(0.078501584);
+    let boom_composite_xy = camera_t57 + R::from_f64(0.0024844400000000044);
+    let boom_cos3 = cosines[20];
+    let boom_sin3 = sines[20];
+    let boom_t1 = boom_cos3 * boom_composite_x - boom_sin3 * boom_composite_y;
+    let boom_t2 = boom_cos3 * boom_composite_y + boom_sin3 * boom_composite_x;
+    let boom_t3 = boom_sin3 * (boom_composite_xx - boom_composite_yy)
+        + boom_cos3 * (R::from_f64(2.0) * boom_composite_xy);
+    let boom_t4 = boom_sin3 * boom_t3;
+    let boom_t5 = boom_cos3 * boom_t3;
+    let boom_t6 = boom_composite_xx - boom_t4;
+    let boom_t7 = boom_composite_yy + boom_t4;
+    entries[107] = boom_t7;
+    let boom_t8 = boom_cos3 * boom_composite_xz - boom_sin3 * boom_composite_yz;
+    let boom_t9 = boom_cos3 * boom_composite_yz + boom_sin3 * boom_composite_xz;
+    entries[112] = boom_t9;
+    let boom_t10 = boom_t5 - boom_composite_xy;
+    let camera_t58 = boom_cos3 * camera_theta3_f_boom_x
+        - boom_sin3 * camera_theta3_f_boom_y;
+    let camera_t59 = boom_cos3 * camera_theta3_f_boom_y
+        + boom_sin3 * camera_theta3_f_boom_x;
+    let camera_t60 = boom_cos3 * camera_theta3_n_boom_x
+        - boom_sin3 * camera_theta3_n_boom_y;
+    let camera_t61 = boom_cos3 * camera_theta3_n_boom_y
+        + boom_sin3 * camera_theta3_n_boom_x;
+    entries[133] = camera_t61;
+    let camera_t62 = boom_cos3 * camera_theta2_f_boom_x
+        - boom_sin3 * camera_theta2_f_boom_y;
+    let camera_t63 = boom_cos3 * camera_theta2_f_boom_y
+        + boom_sin3 * camera_theta2_f_boom_x;
+    let camera_t64 = boom_cos3 * camera_theta2_n_boom_x
+        - boom_sin3 * camera_theta2_n_boom_y;
+    let camera_t65 = boom_cos3 * camera_theta2_n_boom_y
+        + boom_sin3 * camera_theta2_n_boom_x;
+    entries[125] = camera_t65;
+    let camera_t66 = boom_sin3 * camera_theta1_f_boom_y;
+    let camera_t67 = boom_cos3 * camera_theta1_f_boom_y;
+    let camera_t68 = boom_cos3 * camera_theta1_n_boom_x
+        - boom_sin3 * camera_theta1_n_boom_y;
+    let camera_t69 = boom_cos3 * camera_theta1_n_boom_y
+        + boom_sin3 * camera_theta1_n_boom_x;
+    entries[118] = camera_t69;
+    let camera_t70 = R::from_f64(1.717) * boom_cos3;
+    let camera_t71 = R::from_f64(-1.717) * boom_sin3;
+    let camera_t72 = -(boom_sin3 * camera_s1_n_boom_y);
+    entries[497] = camera_t72;
+    let camera_t73 = boom_cos3 * camera_s1_n_boom_y;
+    entries[481] = camera_t73;
+    let camera_t74 = boom_sin3 * camera_s2_n_boom_z - boom_cos3 * camera_s1_n_boom_z;
+    let camera_t75 = -(boom_cos3 * camera_s2_n_boom_z + boom_sin3 * camera_s1_n_boom_z);
+    entries[514] = camera_t75;
+    let boom_cos2 = cosines[19];
+    let boom_sin2 = sines[19];
+    let boom_theta2_f_hub_x = boom_cos2 * boom_composite_z - boom_sin2 * boom_t1;
+    entries[439] = boom_theta2_f_hub_x;
+    let boom_t11 = boom_cos2 * boom_t1 + boom_sin2 * boom_composite_z;
+    let boom_t12 = boom_sin2 * (boom_composite_zz - boom_t6)
+        + boom_cos2 * (R::from_f64(2.0) * boom_t8);
+    let boom_t13 = boom_sin2 * boom_t12;
+    let boom_t14 = boom_cos2 * boom_t12;
+    let boom_t15 = boom_composite_zz - boom_t13;
+    let boom_t16 = boom_t6 + boom_t13;
+    entries[102] = boom_t16;
+    let boom_t17 = boom_cos2 * boom_t9 - boom_sin2 * boom_t10;
+    let boom_t18 = boom_cos2 * boom_t10 + boom_sin2 * boom_t9;
+    entries[106] = boom_t18;
+    let boom_t19 = boom_t14 - boom_t8;
+    let camera_t76 = boom_cos2 * camera_theta3_f_boom_z - boom_sin2 * camera_t58;
+    let camera_theta3_f_hub_x = boom_cos2 * camera_t58
+        + boom_sin2 * camera_theta3_f_boom_z;
+    entries[443] = camera_theta3_f_hub_x;
+    let camera_t77 = boom_cos2 * camera_theta3_n_boom_z - boom_sin2 * camera_t60;
+    let camera_t78 = boom_cos2 * camera_t60 + boom_sin2 * camera_theta3_n_boom_z;
+    entries[132] = camera_t78;
+    let camera_t79 = boom_cos2 * camera_theta2_f_boom_z - boom_sin2 * camera_t62;
+    let camera_theta2_f_hub_x = boom_cos2 * camera_t62
+        + boom_sin2 * camera_theta2_f_boom_z;
+    entries[442] = camera_theta2_f_hub_x;
+    let camera_t80 = boom_cos2 * camera_theta2_n_boom_z - boom_sin2 * camera_t64;
+    let camera_t81 = boom_cos2 * camera_t64 + boom_sin2 * camera_theta2_n_boom_z;
+    entries[124] = camera_t81;
+    let camera_t82 = boom_cos2 * camera_theta1_f_boom_z + boom_sin2 * camera_t66;
+    let camera_theta1_f_hub_x = boom_sin2 * camera_theta1_f_boom_z
+        - boom_cos2 * camera_t66;
+    entries[441] = camera_theta1_f_hub_x;
+    let camera_t83 = boom_cos2 * camera_theta1_n_boom_z - boom_sin2 * camera_t68;
+    let camera_t84 = boom_cos2 * camera_t68 + boom_sin2 * camera_theta1_n_boom_z;
+    entries[117] = camera_t84;
+    let camera_t85 = boom_sin2 * camera_t70;
+    let camera_s1_f_hub_x = boom_cos2 * camera_t70;
+    entries[489] = camera_s1_f_hub_x;
+    let camera_t86 = boom_cos2 * camera_s1_n_boom_z - boom_sin2 * camera_t72;
+    let camera_t87 = boom_cos2 * camera_t72 + boom_sin2 * camera_s1_n_boom_z;
+    entries[480] = camera_t87;
+    let camera_t88 = boom_sin2 * camera_t71;
+    let camera_s2_f_hub_x = boom_cos2 * camera_t71;
+    entries[505] = camera_s2_f_hub_x;
+    let camera_t89 = boom_cos2 * camera_s2_n_boom_z + boom_sin2 * camera_t73;
+    let camera_t90 = boom_sin2 * camera_s2_n_boom_z - boom_cos2 * camera_t73;
+    entries[496] = camera_t90;
+    let camera_t91 = R::from_f64(1.717) * boom_cos2;
+    let camera_s3_f_hub_x = R::from_f64(1.717) * boom_sin2;
+    entries[522] = camera_s3_f_hub_x;
+    let camera_t92 = boom_sin2 * camera_t74;
+    let camera_t93 = boom_cos2 * camera_t74;
+    entries[513] = camera_t93;
+    let boom_t20 = boom_sin2 * boom_t2;
+    let boom_theta3_f_hub_x = -(boom_cos2 * boom_t2);
+    entries[440] = boom_theta3_f_hub_x;
+    let boom_t21 = boom_cos2 * boom_composite_zz - boom_sin2 * boom_t8;
+    let boom_t22 = boom_cos2 * boom_t8 + boom_sin2 * boom_composite_zz;
+    entries[111] = boom_t22;
+    let boom_cos1 = cosines[18];
+    let boom_sin1 = sines[18];
+    let boom_theta1_f_hub_z = boom_cos1 * boom_t2 - boom_sin1 * boom_theta2_f_hub_x;
+    entries[465] = boom_theta1_f_hub_z;
+    let boom_theta1_f_hub_y = -(boom_cos1 * boom_theta2_f_hub_x + boom_sin1 * boom_t2);
+    entries[451] = boom_theta1_f_hub_y;
+    let boom_t23 = boom_sin1 * (boom_t7 - boom_t15)
+        + boom_cos1 * (R::from_f64(2.0) * boom_t17);
+    let boom_t24 = boom_sin1 * boom_t23;
+    let boom_t25 = boom_cos1 * boom_t23;
+    let boom_t26 = boom_t7 - boom_t24;
+    let boom_t27 = boom_t15 + boom_t24;
+    let boom_t28 = boom_cos1 * boom_t18 - boom_sin1 * boom_t19;
+    let boom_t29 = boom_cos1 * boom_t19 + boom_sin1 * boom_t18;
+    let boom_t30 = boom_t25 - boom_t17;
+    let camera_theta3_f_hub_y = boom_cos1 * camera_t59 - boom_sin1 * camera_t76;
+    entries[456] = camera_theta3_f_hub_y;
+    let camera_theta3_f_hub_z = boom_cos1 * camera_t76 + boom_sin1 * camera_t59;
+    entries[470] = camera_theta3_f_hub_z;
+    let camera_t94 = boom_cos1 * camera_t61 - boom_sin1 * camera_t77;
+    let camera_t95 = boom_cos1 * camera_t77 + boom_sin1 * camera_t61;
+    let camera_theta2_f_hub_y = boom_cos1 * camera_t63 - boom_sin1 * camera_t79;
+    entries[455] = camera_theta2_f_hub_y;
+    let camera_theta2_f_hub_z = boom_cos1 * camera_t79 + boom_sin1 * camera_t63;
+    entries[469] = camera_theta2_f_hub_z;
+    let camera_t96 = boom_cos1 * camera_t65 - boom_sin1 * camera_t80;
+    let camera_t97 = boom_cos1 * camera_t80 + boom_sin1 * camera_t65;
+    let camera_theta1_f_hub_y = boom_cos1 * camera_t67 - boom_sin1 * camera_t82;
+    entries[454] = camera_theta1_f_hub_y;
+    let camera_theta1_f_hub_z = boom_cos1 * camera_t82 + boom_sin1 * camera_t67;
+    entries[468] = camera_theta1_f_hub_z;
+    let camera_t98 = boom_cos1 * camera_t69 - boom_sin1 * camera_t83;
+    let camera_t99 = boom_cos1 * camera_t83 + boom_sin1 * camera_t69;
+    let camera_s1_f_hub_y = boom_sin1 * camera_t85 - boom_cos1 * camera_t71;
+    entries[490] = camera_s1_f_hub_y;
+    let camera_s1_f_hub_z = -(boom_cos1 * camera_t85 + boom_sin1 * camera_t71);
+    entries[491] = camera_s1_f_hub_z;
+    let camera_t100 = boom_cos1 * camera_t73 - boom_sin1 * camera_t86;
+    let camera_t101 = boom_cos1 * camera_t86 + boom_sin1 * camera_t73;
+    let camera_s2_f_hub_y = boom_cos1 * camera_t70 + boom_sin1 * camera_t88;
+    entries[506] = camera_s2_f_hub_y;
+    let camera_s2_f_hub_z = boom_sin1 * camera_t70 - boom_cos1 * camera_t88;
+    entries[507] = camera_s2_f_hub_z;
+    let camera_t102 = boom_cos1 * camera_t72 - boom_sin1 * camera_t89;
+    let camera_t103 = boom_cos1 * camera_t89 + boom_sin1 * camera_t72;
+    let camera_s3_f_hub_y = -(boom_sin1 * camera_t91);
+    entries[523] = camera_s3_f_hub_y;
+    let camera_s3_f_hub_z = boom_cos1 * camera_t91;
+    entries[524] = camera_s3_f_hub_z;
+    let camera_t104 = boom_cos1 * camera_t75 + boom_sin1 * camera_t92;
+    let camera_t105 = boom_sin1 * camera_t75 - boom_cos1 * camera_t92;
+    let boom_theta3_f_hub_y = boom_cos1 * boom_t1 - boom_sin1 * boom_t20;
+    entries[453] = boom_theta3_f_hub_y;
+    let boom_theta3_f_hub_z = boom_cos1 * boom_t20 + boom_sin1 * boom_t1;
+    entries[467] = boom_theta3_f_hub_z;
+    let boom_t31 = boom_cos1 * boom_t9 - boom_sin1 * boom_t21;
+    let boom_t32 = boom_cos1 * boom_t21 + boom_sin1 * boom_t9;
+    let boom_theta2_f_hub_y = boom_sin1 * boom_t11;
+    entries[452] = boom_theta2_f_hub_y;
+    let boom_theta2_f_hub_z = -(boom_cos1 * boom_t11);
+    entries[466] = boom_theta2_f_hub_z;
+    let boom_t33 = boom_cos1 * boom_t7 - boom_sin1 * boom_t17;
+    let boom_t34 = boom_cos1 * boom_t17 + boom_sin1 * boom_t7;
+    let camera_t106 = boom_offset_y * camera_theta3_f_hub_z
+        - boom_offset_z * camera_theta3_f_hub_y;
+    let camera_t107 = boom_offset_z * camera_theta3_f_hub_x
+        - boom_offset_x * camera_theta3_f_hub_z;
+    let camera_t108 = boom_offset_x * camera_theta3_f_hub_y
+        - boom_offset_y * camera_theta3_f_hub_x;
+    let camera_theta3_n_hub_x = camera_t78 + camera_t106;
+    let camera_theta3_n_hub_y = camera_t94 + camera_t107;
+    let camera_theta3_n_hub_z = camera_t95 + camera_t108;
+    entries[131] = camera_theta3_n_hub_z;
+    let camera_t109 = boom_offset_y * camera_theta2_f_hub_z
+        - boom_offset_z * camera_theta2_f_hub_y;
+    let camera_t110 = boom_offset_z * camera_theta2_f_hub_x
+        - boom_offset_x * camera_theta2_f_hub_z;
+    let camera_t111 = boom_offset_x * camera_theta2_f_hub_y
+        - boom_offset_y * camera_theta2_f_hub_x;
+    let camera_theta2_n_hub_x = camera_t81 + camera_t109;
+    let camera_theta2_n_hub_y = camera_t96 + camera_t110;
+    let camera_theta2_n_hub_z = camera_t97 + camera_t111;
+    entries[123] = camera_theta2_n_hub_z;
+    let camera_t112 = boom_offset_y * camera_theta1_f_hub_z
+        - boom_offset_z * camera_theta1_f_hub_y;
+    let camera_t113 = boom_offset_z * camera_theta1_f_hub_x
+        - boom_offset_x * camera_theta1_f_hub_z;
+    let camera_t114 = boom_offset_x * camera_theta1_f_hub_y
+        - boom_offset_y * camera_theta1_f_hub_x;
+    let camera_theta1_n_hub_x = camera_t84 + camera_t112;
+    let camera_theta1_n_hub_y = camera_t98 + camera_t113;
+    let camera_theta1_n_hub_z = camera_t99 + camera_t114;
+    entries[116] = camera_theta1_n_hub_z;
+    let camera_t115 = boom_offset_y * camera_s1_f_hub_z
+        - boom_offset_z * camera_s1_f_hub_y;
+    let camera_t116 = boom_offset_z * camera_s1_f_hub_x
+        - boom_offset_x * camera_s1_f_hub_z;
+    let camera_t117 = boom_offset_x * camera_s1_f_hub_y
+        - boom_offset_y * camera_s1_f_hub_x;
+    let camera_s1_n_hub_x = camera_t87 + camera_t115;
+    let camera_s1_n_hub_y = camera_t100 + camera_t116;
+    let camera_s1_n_hub_z = camera_t101 + camera_t117;
+    entries[479] = camera_s1_n_hub_z;
+    let camera_t118 = boom_offset_y * camera_s2_f_hub_z
+        - boom_offset_z * camera_s2_f_hub_y;
+    let camera_t119 = boom_offset_z * camera_s2_f_hub_x
+        - boom_offset_x * camera_s2_f_hub_z;
+    let camera_t120 = boom_offset_x * camera_s2_f_hub_y
+        - boom_offset_y * camera_s2_f_hub_x;
+    let camera_s2_n_hub_x = camera_t90 + camera_t118;
+    let camera_s2_n_hub_y = camera_t102 + camera_t119;
+    let camera_s2_n_hub_z = camera_t103 + camera_t120;
+    entries[495] = camera_s2_n_hub_z;
+    let camera_t121 = boom_offset_y * camera_s3_f_hub_z
+        - boom_offset_z * camera_s3_f_hub_y;
+    let camera_t122 = boom_offset_z * camera_s3_f_hub_x
+        - boom_offset_x * camera_s3_f_hub_z;
+    let camera_t123 = boom_offset_x * camera_s3_f_hub_y
+        - boom_offset_y * camera_s3_f_hub_x;
+    let camera_s3_n_hub_x = camera_t93 + camera_t121;
+    let camera_s3_n_hub_y = camera_t104 + camera_t122;
+    let camera_s3_n_hub_z = camera_t105 + camera_t123;
+    entries[512] = camera_s3_n_hub_z;
+    let boom_t35 = boom_offset_y * boom_theta3_f_hub_z
+        - boom_offset_z * boom_theta3_f_hub_y;
+    let boom_t36 = boom_offset_z * boom_theta3_f_hub_x
+        - boom_offset_x * boom_theta3_f_hub_z;
+    let boom_t37 = boom_offset_x * boom_theta3_f_hub_y
+        - boom_offset_y * boom_theta3_f_hub_x;
+    let boom_theta3_n_hub_x = boom_t22 + boom_t35;
+    let boom_theta3_n_hub_y = boom_t31 + boom_t36;
+    let boom_theta3_n_hub_z = boom_t32 + boom_t37;
+    entries[110] = boom_theta3_n_hub_z;
+    let boom_t38 = boom_offset_y * boom_theta2_f_hub_z
+        - boom_offset_z * boom_theta2_f_hub_y;
+    let boom_t39 = boom_offset_z * boom_theta2_f_hub_x
+        - boom_offset_x * boom_theta2_f_hub_z;
+    let boom_t40 = boom_offset_x * boom_theta2_f_hub_y
+        - boom_offset_y * boom_theta2_f_hub_x;
+    let boom_theta2_n_hub_x = boom_t18 + boom_t38;
+    let boom_theta2_n_hub_y = boom_t33 + boom_t39;
+    let boom_theta2_n_hub_z = boom_t34 + boom_t40;
+    entries[105] = boom_theta2_n_hub_z;
+    let boom_t41 = boom_offset_y * boom_theta1_f_hub_z
+        - boom_offset_z * boom_theta1_f_hub_y;
+    let boom_t42 = boom_offset_x * boom_theta1_f_hub_z;
+    let boom_t43 = boom_offset_x * boom_theta1_f_hub_y;
+    let boom_theta1_n_hub_x = boom_t16 + boom_t41;
+    let boom_theta1_n_hub_y = boom_t28 - boom_t42;
+    let boom_theta1_n_hub_z = boom_t29 + boom_t43;
+    entries[101] = boom_theta1_n_hub_z;
+    let boom_t44 = R::from_f64(4.068) * boom_offset_z;
+    let boom_t45 = R::from_f64(4.068) * boom_offset_y;
+    let boom_s1_n_hub_y = boom_t44 - boom_theta1_f_hub_y;
+    let boom_s1_n_hub_z = -(boom_theta1_f_hub_z + boom_t45);
+    entries[437] = boom_s1_n_hub_z;
+    let boom_s2_n_hub_z = boom_t11 + R::from_f64(4.068) * boom_offset_x;
+    entries[450] = boom_s2_n_hub_z;
+    let boom_t46 = boom_t11 + boom_s2_n_hub_z;
+    let boom_t47 = boom_theta1_f_hub_z - boom_s1_n_hub_z;
+    let boom_t48 = boom_s1_n_hub_y - boom_theta1_f_hub_y;
+    let boom_t49 = boom_offset_x * boom_t46;
+    let boom_t50 = boom_offset_y * boom_t47;
+    let boom_t51 = boom_offset_z * boom_t48;
+    let boom_t52 = boom_t16 + (boom_t50 + boom_t51);
+    let boom_t53 = boom_t30
+        - (boom_offset_z * boom_theta1_f_hub_z + boom_offset_y * boom_s1_n_hub_y);
+    let boom_t54 = boom_t26 + (boom_t49 + boom_t51);
+    let boom_t55 = boom_t29 - (boom_offset_z * boom_s2_n_hub_z - boom_t43);
+    let boom_t56 = boom_t27 + (boom_t49 + boom_t50);
+    let boom_t57 = boom_t28
+        - (boom_offset_y * boom_t11 - boom_offset_x * boom_s1_n_hub_z);
+    let hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
+    let hub_t2 = R::from_f64(-0.41750099999999996) - boom_s1_n_hub_z;
+    let hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
+    let hub_t4 = boom_t52 + R::from_f64(0.31711512299999994);
+    let hub_t5 = boom_t54 + R::from_f64(0.174420603);
+    let hub_t6 = boom_t56 + R::from_f64(0.34770232599999995);
+    let hub_t7 = boom_t53 + R::from_f64(0.039307159999999994);
+    let hub_t8 = boom_t55 + R::from_f64(-0.030472040000000002);
+    let hub_t9 = boom_t57 + R::from_f64(0.10514168699999998);
+    let antenna_cos3 = cosines[17];
+    let antenna_sin3 = sines[17];
+    let antenna_t1 = R::from_f64(0.530142) * antenna_cos3
+        + R::from_f64(0.305988) * antenna_sin3;
+    let antenna_t2 = R::from_f64(-0.305988) * antenna_cos3
+        - R::from_f64(-0.530142) * antenna_sin3;
+    let antenna_t3 = R::from_f64(-0.15714757000000001) * antenna_sin3
+        + R::from_f64(0.297419272) * antenna_cos3;
+    let antenna_t4 = antenna_sin3 * antenna_t3;
+    let antenna_t5 = antenna_cos3 * antenna_t3;
+    let antenna_t6 = R::from_f64(0.21000744) - antenna_t4;
+    let antenna_t7 = antenna_t4 + R::from_f64(0.36715501);
+    entries[92] = antenna_t7;
+    let antenna_t8 = R::from_f64(-0.0014535079999999992) * antenna_cos3
+        + R::from_f64(-0.016832112) * antenna_sin3;
+    let antenna_t9 = R::from_f64(0.016832112) * antenna_cos3
+        - R::from_f64(0.0014535079999999992) * antenna_sin3;
+    entries[97] = antenna_t9;
+    let antenna_t10 = antenna_t5 + R::from_f64(-0.148709636);
+    let antenna_cos2 = cosines[16];
+    let antenna_sin2 = sines[16];
+    let antenna_theta2_f_hub_x = R::from_f64(0.087764) * antenna_cos2
+        - antenna_sin2 * antenna_t1;
+    entries[406] = antenna_theta2_f_hub_x;
+    let antenna_t11 = antenna_cos2 * antenna_t1 - R::from_f64(-0.087764) * antenna_sin2;
+    let antenna_t12 = antenna_sin2 * (R::from_f64(0.408079378) - antenna_t6)
+        + antenna_cos2 * (R::from_f64(2.0) * antenna_t8);
+    let antenna_t13 = antenna_sin2 * antenna_t12;
+    let antenna_t14 = antenna_cos2 * antenna_t12;
+    let antenna_t15 = R::from_f64(0.408079378) - antenna_t13;
+    let antenna_t16 = antenna_t6 + antenna_t13;
+    entries[87] = antenna_t16;
+    let antenna_t17 = antenna_cos2 * antenna_t9 - antenna_sin2 * antenna_t10;
+    let antenna_t18 = antenna_cos2 * antenna_t10 + antenna_sin2 * antenna_t9;
+    entries[91] = antenna_t18;
+    let antenna_t19 = antenna_t14 - antenna_t8;
+    let antenna_t20 = antenna_sin2 * antenna_t2;
+    let antenna_theta3_f_hub_x = -(antenna_cos2 * antenna_t2);
+    entries[407] = antenna_theta3_f_hub_x;
+    let antenna_t21 = R::from_f64(0.408079378) * antenna_cos2
+        - antenna_sin2 * antenna_t8;
+    let antenna_t22 = antenna_cos2 * antenna_t8
+        - R::from_f64(-0.408079378) * antenna_sin2;
+    entries[96] = antenna_t22;
+    let antenna_cos1 = cosines[15];
+    let antenna_sin1 = sines[15];
+    let antenna_theta1_f_hub_z = antenna_cos1 * antenna_t2
+        - antenna_sin1 * antenna_theta2_f_hub_x;
+    entries[426] = antenna_theta1_f_hub_z;
+    let antenna_theta1_f_hub_y = -(antenna_cos1 * antenna_theta2_f_hub_x
+        + antenna_sin1 * antenna_t2);
+    entries[415] = antenna_theta1_f_hub_y;
+    let antenna_t23 = antenna_sin1 * (antenna_t7 - antenna_t15)
+        + antenna_cos1 * (R::from_f64(2.0) * antenna_t17);
+    let antenna_t24 = antenna_sin1 * antenna_t23;
+    let antenna_t25 = antenna_cos1 * antenna_t23;
+    let antenna_t26 = antenna_t7 - antenna_t24;
+    let antenna_t27 = antenna_t15 + antenna_t24;
+    let antenna_t28 = antenna_cos1 * antenna_t18 - antenna_sin1 * antenna_t19;
+    let antenna_t29 = antenna_cos1 * antenna_t19 + antenna_sin1 * antenna_t18;
+    let antenna_t30 = antenna_t25 - antenna_t17;
+    let antenna_theta3_f_hub_y = antenna_cos1 * antenna_t1 - antenna_sin1 * antenna_t20;
+    entries[417] = antenna_theta3_f_hub_y;
+    let antenna_theta3_f_hub_z = antenna_cos1 * antenna_t20 + antenna_sin1 * antenna_t1;
+    entries[428] = antenna_theta3_f_hub_z;
+    let antenna_t31 = antenna_cos1 * antenna_t9 - antenna_sin1 * antenna_t21;
+    let antenna_t32 = antenna_cos1 * antenna_t21 + antenna_sin1 * antenna_t9;
+    let antenna_theta2_f_hub_y = antenna_sin1 * antenna_t11;
+    entries[416] = antenna_theta2_f_hub_y;
+    let antenna_theta2_f_hub_z = -(antenna_cos1 * antenna_t11);
+    entries[427] = antenna_theta2_f_hub_z;
+    let antenna_t33 = antenna_cos1 * antenna_t7 - antenna_sin1 * antenna_t17;
+    let antenna_t34 = antenna_cos1 * antenna_t17 + antenna_sin1 * antenna_t7;
+    let antenna_t35 = antenna_offset_y * antenna_theta3_f_hub_z
+        - antenna_offset_z * antenna_theta3_f_hub_y;
+    let antenna_t36 = antenna_offset_z * antenna_theta3_f_hub_x
+        - antenna_offset_x * antenna_theta3_f_hub_z;
+    let antenna_t37 = antenna_offset_x * antenna_theta3_f_hub_y
+        - antenna_offset_y * antenna_theta3_f_hub_x;
+    let antenna_theta3_n_hub_x = antenna_t22 + antenna_t35;
+    let antenna_theta3_n_hub_y = antenna_t31 + antenna_t36;
+    let antenna_theta3_n_hub_z = antenna_t32 + antenna_t37;
+    entries[95] = antenna_theta3_n_hub_z;
+    let antenna_t38 = antenna_offset_y * antenna_theta2_f_hub_z
+        - antenna_offset_z * antenna_theta2_f_hub_y;
+    let antenna_t39 = antenna_offset_z * antenna_theta2_f_hub_x
+        - antenna_offset_x * antenna_theta2_f_hub_z;
+    let antenna_t40 = antenna_offset_x * antenna_theta2_f_hub_y
+        - antenna_offset_y * antenna_theta2_f_hub_x;
+    let antenna_theta2_n_hub_x = antenna_t18 + antenna_t38;
+    let antenna_theta2_n_hub_y = antenna_t33 + antenna_t39;
+    let antenna_theta2_n_hub_z = antenna_t34 + antenna_t40;
+    entries[90] = antenna_theta2_n_hub_z;
+    let antenna_t41 = antenna_offset_y * antenna_theta1_f_hub_z
+        - antenna_offset_z * antenna_theta1_f_hub_y;
+    let antenna_t42 = antenna_offset_x * antenna_theta1_f_hub_z;
+    let antenna_t43 = antenna_offset_x * antenna_theta1_f_hub_y;
+    let antenna_theta1_n_hub_x = antenna_t16 + antenna_t41;
+    let antenna_theta1_n_hub_y = antenna_t28 - antenna_t42;
+    let antenna_theta1_n_hub_z = antenna_t29 + antenna_t43;
+    entries[86] = antenna_theta1_n_hub_z;
+    let antenna_t44 = R::from_f64(1.186) * antenna_offset_z;
+    let antenna_t45 = R::from_f64(1.186) * antenna_offset_y;
+    let antenna_s1_n_hub_y = antenna_t44 - antenna_theta1_f_hub_y;
+    let antenna_s1_n_hub_z = -(antenna_theta1_f_hub_z + antenna_t45);
+    entries[404] = antenna_s1_n_hub_z;
+    let antenna_s2_n_hub_z = antenna_t11 + R::from_f64(1.186) * antenna_offset_x;
+    entries[414] = antenna_s2_n_hub_z;
+    let antenna_t46 = antenna_t11 + antenna_s2_n_hub_z;
+    let antenna_t47 = antenna_theta1_f_hub_z - antenna_s1_n_hub_z;
+    let antenna_t48 = antenna_s1_n_hub_y - antenna_theta1_f_hub_y;
+    let antenna_t49 = antenna_offset_x * antenna_t46;
+    let antenna_t50 = antenna_offset_y * antenna_t47;
+    let antenna_t51 = antenna_offset_z * antenna_t48;
+    let antenna_t52 = antenna_t16 + (antenna_t50 + antenna_t51);
+    let antenna_t53 = antenna_t30
+        - (antenna_offset_z * antenna_theta1_f_hub_z
+            + antenna_offset_y * antenna_s1_n_hub_y);
+    let antenna_t54 = antenna_t26 + (antenna_t49 + antenna_t51);
+    let antenna_t55 = antenna_t29
+        - (antenna_offset_z * antenna_s2_n_hub_z - antenna_t43);
+    let antenna_t56 = antenna_t27 + (antenna_t49 + antenna_t50);
+    let antenna_t57 = antenna_t28
+        - (antenna_offset_y * antenna_t11 - antenna_offset_x * antenna_s1_n_hub_z);
+    let hub_t10 = hub_t1 + antenna_s2_n_hub_z;
+    let hub_t11 = hub_t2 - antenna_s1_n_hub_z;
+    let hub_t12 = hub_t3 + antenna_s1_n_hub_y;
+    let hub_t13 = hub_t4 + antenna_t52;
+    let hub_t14 = hub_t5 + antenna_t54;
+    let hub_t15 = hub_t6 + antenna_t56;
+    let hub_t16 = hub_t7 + antenna_t53;
+    let hub_t17 = hub_t8 + antenna_t55;
+    let hub_t18 = hub_t9 + antenna_t57;
+    let left_tip_cos3 = cosines[14];
+    let left_tip_sin3 = sines[14];
+    let left_tip_t1 = R::from_f64(-0.79848) * left_tip_cos3
+        + R::from_f64(-0.46245300000000006) * left_tip_sin3;
+    let left_tip_t2 = R::from_f64(0.46245300000000006) * left_tip_cos3
+        - R::from_f64(0.79848) * left_tip_sin3;
+    let left_tip_t3 = R::from_f64(3.076700000004262e-5) * left_tip_sin3
+        + R::from_f64(0.16433144000000002) * left_tip_cos3;
+    let left_tip_t4 = left_tip_sin3 * left_tip_t3;
+    let left_tip_t5 = left_tip_cos3 * left_tip_t3;
+    let left_tip_t6 = R::from_f64(0.405067255) - left_tip_t4;
+    let left_tip_t7 = left_tip_t4 + R::from_f64(0.405036488);
+    entries[74] = left_tip_t7;
+    let left_tip_t8 = R::from_f64(0.08375824) * left_tip_cos3
+        + R::from_f64(0.018086863999999998) * left_tip_sin3;
+    let left_tip_t9 = R::from_f64(-0.018086863999999998) * left_tip_cos3
+        - R::from_f64(-0.08375824) * left_tip_sin3;
+    entries[82] = left_tip_t9;
+    let left_tip_t10 = left_tip_t5 + R::from_f64(-0.08216572000000001);
+    let left_tip_cos2 = cosines[13];
+    let left_tip_sin2 = sines[13];
+    let left_tip_theta2_f_shoulder_x = R::from_f64(0.292776) * left_tip_cos2
+        - left_tip_sin2 * left_tip_t1;
+    entries[358] = left_tip_theta2_f_shoulder_x;
+    let left_tip_t11 = left_tip_cos2 * left_tip_t1
+        - R::from_f64(-0.292776) * left_tip_sin2;
+    let left_tip_t12 = left_tip_sin2 * (R::from_f64(0.507482167) - left_tip_t6)
+        + left_tip_cos2 * (R::from_f64(2.0) * left_tip_t8);
+    let left_tip_t13 = left_tip_sin2 * left_tip_t12;
+    let left_tip_t14 = left_tip_cos2 * left_tip_t12;
+    let left_tip_t15 = R::from_f64(0.507482167) - left_tip_t13;
+    let left_tip_t16 = left_tip_t6 + left_tip_t13;
+    entries[66] = left_tip_t16;
+    let left_tip_t17 = left_tip_cos2 * left_tip_t9 - left_tip_sin2 * left_tip_t10;
+    let left_tip_t18 = left_tip_cos2 * left_tip_t10 + left_tip_sin2 * left_tip_t9;
+    entries[73] = left_tip_t18;
+    let left_tip_t19 = left_tip_t14 - left_tip_t8;
+    let left_tip_t20 = left_tip_sin2 * left_tip_t2;
+    let left_tip_theta3_f_shoulder_x = -(left_tip_cos2 * left_tip_t2);
+    entries[359] = left_tip_theta3_f_shoulder_x;
+    let left_tip_t21 = R::from_f64(0.507482167) * left_tip_cos2
+        - left_tip_sin2 * left_tip_t8;
+    let left_tip_t22 = left_tip_cos2 * left_tip_t8
+        - R::from_f64(-0.507482167) * left_tip_sin2;
+    entries[81] = left_tip_t22;
+    let left_tip_cos1 = cosines[12];
+    let left_tip_sin1 = sines[12];
+    let left_tip_theta1_f_shoulder_z = left_tip_cos1 * left_tip_t2
+        - left_tip_sin1 * left_tip_theta2_f_shoulder_x;
+    entries[390] = left_tip_theta1_f_shoulder_z;
+    let left_tip_theta1_f_shoulder_y = -(left_tip_cos1 * left_tip_theta2_f_shoulder_x
+        + left_tip_sin1 * left_tip_t2);
+    entries[373] = left_tip_theta1_f_shoulder_y;
+    let left_tip_t23 = left_tip_sin1 * (left_tip_t7 - left_tip_t15)
+        + left_tip_cos1 * (R::from_f64(2.0) * left_tip_t17);
+    let left_tip_t24 = left_tip_sin1 * left_tip_t23;
+    let left_tip_t25 = left_tip_cos1 * left_tip_t23;
+    let left_tip_t26 = left_tip_t7 - left_tip_t24;
+    let left_tip_t27 = left_tip_t15 + left_tip_t24;
+    let left_tip_t28 = left_tip_cos1 * left_tip_t18 - left_tip_sin1 * left_tip_t19;
+    let left_tip_t29 = left_tip_cos1 * left_tip_t19 + left_tip_sin1 * left_tip_t18;
+    let left_tip_t30 = left_tip_t25 - left_tip_t17;
+    let left_tip_theta3_f_shoulder_y = left_tip_cos1 * left_tip_t1
+        - left_tip_sin1 * left_tip_t20;
+    entries[375] = left_tip_theta3_f_shoulder_y;
+    let left_tip_theta3_f_shoulder_z = left_tip_cos1 * left_tip_t20
+        + left_tip_sin1 * left_tip_t1;
+    entries[392] = left_tip_theta3_f_shoulder_z;
+    let left_tip_t31 = left_tip_cos1 * left_tip_t9 - left_tip_sin1 * left_tip_t21;
+    let left_tip_t32 = left_tip_cos1 * left_tip_t21 + left_tip_sin1 * left_tip_t9;
+    let left_tip_theta2_f_shoulder_y = left_tip_sin1 * left_tip_t11;
+    entries[374] = left_tip_theta2_f_shoulder_y;
+    let left_tip_theta2_f_shoulder_z = -(left_tip_cos1 * left_tip_t11);
+    entries[391] = left_tip_theta2_f_shoulder_z;
+    let left_tip_t33 = left_tip_cos1 * left_tip_t7 - left_tip_sin1 * left_tip_t17;
+    let left_tip_t34 = left_tip_cos1 * left_tip_t17 + left_tip_sin1 * left_tip_t7;
+    let left_tip_t35 = left_tip_offset_y * left_tip_theta3_f_shoulder_z
+        - left_tip_offset_z * left_tip_theta3_f_shoulder_y;
+    let left_tip_t36 = left_tip_offset_z * left_tip_theta3_f_shoulder_x
+        - left_tip_offset_x * left_tip_theta3_f_shoulder_z;
+    let left_tip_t37 = left_tip_offset_x * left_tip_theta3_f_shoulder_y
+        - left_tip_offset_y * left_tip_theta3_f_shoulder_x;
+    let left_tip_theta3_n_shoulder_x = left_tip_t22 + left_tip_t35;
+    let left_tip_theta3_n_shoulder_y = left_tip_t31 + left_tip_t36;
+    let left_tip_theta3_n_shoulder_z = left_tip_t32 + left_tip_t37;
+    entries[80] = left_tip_theta3_n_shoulder_z;
+    let left_tip_t38 = left_tip_offset_y * left_tip_theta2_f_shoulder_z
+        - left_tip_offset_z * left_tip_theta2_f_shoulder_y;
+    let left_tip_t39 = left_tip_offset_z * left_tip_theta2_f_shoulder_x
+        - left_tip_offset_x * left_tip_theta2_f_shoulder_z;
+    let left_tip_t40 = left_tip_offset_x * left_tip_theta2_f_shoulder_y
+        - left_tip_offset_y * left_tip_theta2_f_shoulder_x;
+    let left_tip_theta2_n_shoulder_x = left_tip_t18 + left_tip_t38;
+    let left_tip_theta2_n_shoulder_y = left_tip_t33 + left_tip_t39;
+    let left_tip_theta2_n_shoulder_z = left_tip_t34 + left_tip_t40;
+    entries[72] = left_tip_theta2_n_shoulder_z;
+    let left_tip_t41 = left_tip_offset_y * left_tip_theta1_f_shoulder_z
+        - left_tip_offset_z * left_tip_theta1_f_shoulder_y;
+    let left_tip_t42 = left_tip_offset_x * left_tip_theta1_f_shoulder_z;
+    let left_tip_t43 = left_tip_offset_x * left_tip_theta1_f_shoulder_y;
+    let left_tip_theta1_n_shoulder_x = left_tip_t16 + left_tip_t41;
+    let left_tip_theta1_n_shoulder_y = left_tip_t28 - left_tip_t42;
+    let left_tip_theta1_n_shoulder_z = left_tip_t29 + left_tip_t43;
+    entries[65] = left_tip_theta1_n_shoulder_z;
+    let left_tip_t44 = R::from_f64(3.327) * left_tip_offset_z;
+    let left_tip_t45 = R::from_f64(3.327) * left_tip_offset_y;
+    let left_tip_s1_n_shoulder_y = left_tip_t44 - left_tip_theta1_f_shoulder_y;
+    let left_tip_s1_n_shoulder_z = -(left_tip_theta1_f_shoulder_z + left_tip_t45);
+    entries[356] = left_tip_s1_n_shoulder_z;
+    let left_tip_s2_n_shoulder_z = left_tip_t11 + R::from_f64(3.327) * left_tip_offset_x;
+    entries[372] = left_tip_s2_n_shoulder_z;
+    let left_tip_t46 = left_tip_t11 + left_tip_s2_n_shoulder_z;
+    let left_tip_t47 = left_tip_theta1_f_shoulder_z - left_tip_s1_n_shoulder_z;
+    let left_tip_t48 = left_tip_s1_n_shoulder_y - left_tip_theta1_f_shoulder_y;
+    let left_tip_t49 = left_tip_offset_x * left_tip_t46;
+    let left_tip_t50 = left_tip_offset_y * left_tip_t47;
+    let left_tip_t51 = left_tip_offset_z * left_tip_t48;
+    let left_tip_t52 = left_tip_t16 + (left_tip_t50 + left_tip_t51);
+    let left_tip_t53 = left_tip_t30
+        - (left_tip_offset_z * left_tip_theta1_f_shoulder_z
+            + left_tip_offset_y * left_tip_s1_n_shoulder_y);
+    let left_tip_t54 = left_tip_t26 + (left_tip_t49 + left_tip_t51);
+    let left_tip_t55 = left_tip_t29
+        - (left_tip_offset_z * left_tip_s2_n_shoulder_z - left_tip_t43);
+    let left_tip_t56 = left_tip_t27 + (left_tip_t49 + left_tip_t50);
+    let left_tip_t57 = left_tip_t28
+        - (left_tip_offset_y * left_tip_t11
+            - left_tip_offset_x * left_tip_s1_n_shoulder_z);
+    let shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
+    let shoulder_t2 = R::from_f64(-0.23436) - left_tip_s1_n_shoulder_z;
+    let shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
+    let shoulder_t4 = left_tip_t52 + R::from_f64(0.3058297);
+    let shoulder_t5 = left_tip_t54 + R::from_f64(0.473424);
+    let shoulder_t6 = left_tip_t56 + R::from_f64(0.43650301999999996);
+    let shoulder_t7 = left_tip_t53 + R::from_f64(0.004365319999999999);
+    let shoulder_t8 = left_tip_t55 + R::from_f64(-0.06677161999999998);
+    let shoulder_t9 = left_tip_t57 + R::from_f64(0.15185076);
+    let left_panel_cos3 = cosines[11];
+    let left_panel_sin3 = sines[11];
+    let left_panel_t1 = R::from_f64(-0.530565) * left_panel_cos3
+        + R::from_f64(1.5819299999999998) * left_panel_sin3;
+    let left_panel_t2 = R::from_f64(-1.5819299999999998) * left_panel_cos3
+        - R::from_f64(0.530565) * left_panel_sin3;
+    let left_panel_t3 = R::from_f64(0.7344768849999999) * left_panel_sin3
+        + R::from_f64(-0.53773518) * left_panel_cos3;
+    let left_panel_t4 = left_panel_sin3 * left_panel_t3;
+    let left_panel_t5 = left_panel_cos3 * left_panel_t3;
+    let left_panel_t6 = R::from_f64(1.9254578999999998) - left_panel_t4;
+    let left_panel_t7 = left_panel_t4 + R::from_f64(1.190981015);
+    entries[53] = left_panel_t7;
+    let left_panel_t8 = R::from_f64(-0.38663467999999995) * left_panel_cos3
+        + R::from_f64(0.77423096) * left_panel_sin3;
+    let left_panel_t9 = R::from_f64(-0.77423096) * left_panel_cos3
+        - R::from_f64(0.38663467999999995) * left_panel_sin3;
+    entries[58] = left_panel_t9;
+    let left_panel_t10 = left_panel_t5 + R::from_f64(0.26886759);
+    let left_panel_cos2 = cosines[10];
+    let left_panel_sin2 = sines[10];
+    let left_panel_theta2_f_hub_x = R::from_f64(-1.53636) * left_panel_cos2
+        - left_panel_sin2 * left_panel_t1;
+    entries[322] = left_panel_theta2_f_hub_x;
+    let left_panel_t11 = left_panel_cos2 * left_panel_t1
+        - R::from_f64(1.53636) * left_panel_sin2;
+    let left_panel_t12 = left_panel_sin2
+        * (R::from_f64(1.3275490749999999) - left_panel_t6)
+        + left_panel_cos2 * (R::from_f64(2.0) * left_panel_t8);
+    let left_panel_t13 = left_panel_sin2 * left_panel_t12;
+    let left_panel_t14 = left_panel_cos2 * left_panel_t12;
+    let left_panel_t15 = R::from_f64(1.3275490749999999) - left_panel_t13;
+    let left_panel_t16 = left_panel_t6 + left_panel_t13;
+    entries[48] = left_panel_t16;
+    let left_panel_t17 = left_panel_cos2 * left_panel_t9
+        - left_panel_sin2 * left_panel_t10;
+    let left_panel_t18 = left_panel_cos2 * left_panel_t10
+        + left_panel_sin2 * left_panel_t9;
+    entries[52] = left_panel_t18;
+    let left_panel_t19 = left_panel_t14 - left_panel_t8;
+    let left_panel_t20 = left_panel_sin2 * left_panel_t2;
+    let left_panel_theta3_f_hub_x = -(left_panel_cos2 * left_panel_t2);
+    entries[323] = left_panel_theta3_f_hub_x;
+    let left_panel_t21 = R::from_f64(1.3275490749999999) * left_panel_cos2
+        - left_panel_sin2 * left_panel_t8;
+    let left_panel_t22 = left_panel_cos2 * left_panel_t8
+        - R::from_f64(-1.3275490749999999) * left_panel_sin2;
+    entries[57] = left_panel_t22;
+    let left_panel_cos1 = cosines[9];
+    let left_panel_sin1 = sines[9];
+    let left_panel_theta1_f_hub_z = left_panel_cos1 * left_panel_t2
+        - left_panel_sin1 * left_panel_theta2_f_hub_x;
+    entries[342] = left_panel_theta1_f_hub_z;
+    let left_panel_theta1_f_hub_y = -(left_panel_cos1 * left_panel_theta2_f_hub_x
+        + left_panel_sin1 * left_panel_t2);
+    entries[331] = left_panel_theta1_f_hub_y;
+    let left_panel_t23 = left_panel_sin1 * (left_panel_t7 - left_panel_t15)
+        + left_panel_cos1 * (R::from_f64(2.0) * left_panel_t17);
+    let left_panel_t24 = left_panel_sin1 * left_panel_t23;
+    let left_panel_t25 = left_panel_cos1 * left_panel_t23;
+    let left_panel_t26 = left_panel_t7 - left_panel_t24;
+    let left_panel_t27 = left_panel_t15 + left_panel_t24;
+    let left_panel_t28 = left_panel_cos1 * left_panel_t18
+        - left_panel_sin1 * left_panel_t19;
+    let left_panel_t29 = left_panel_cos1 * left_panel_t19
+        + left_panel_sin1 * left_panel_t18;
+    let left_panel_t30 = left_panel_t25 - left_panel_t17;
+    let left_panel_theta3_f_hub_y = left_panel_cos1 * left_panel_t1
+        - left_panel_sin1 * left_panel_t20;
+    entries[333] = left_panel_theta3_f_hub_y;
+    let left_panel_theta3_f_hub_z = left_panel_cos1 * left_panel_t20
+        + left_panel_sin1 * left_panel_t1;
+    entries[344] = left_panel_theta3_f_hub_z;
+    let left_panel_t31 = left_panel_cos1 * left_panel_t9
+        - left_panel_sin1 * left_panel_t21;
+    let left_panel_t32 = left_panel_cos1 * left_panel_t21
+        + left_panel_sin1 * left_panel_t9;
+    let left_panel_theta2_f_hub_y = left_panel_sin1 * left_panel_t11;
+    entries[332] = left_panel_theta2_f_hub_y;
+    let left_panel_theta2_f_hub_z = -(left_panel_cos1 * left_panel_t11);
+    entries[343] = left_panel_theta2_f_hub_z;
+    let left_panel_t33 = left_panel_cos1 * left_panel_t7
+        - left_panel_sin1 * left_panel_t17;
+    let left_panel_t34 = left_panel_cos1 * left_panel_t17
+        + left_panel_sin1 * left_panel_t7;
+    let left_panel_t35 = left_panel_offset_y * left_panel_theta3_f_hub_z
+        - left_panel_offset_z * left_panel_theta3_f_hub_y;
+    let left_panel_t36 = left_panel_offset_z * left_panel_theta3_f_hub_x
+        - left_panel_offset_x * left_panel_theta3_f_hub_z;
+    let left_panel_t37 = left_panel_offset_x * left_panel_theta3_f_hub_y
+        - left_panel_offset_y * left_panel_theta3_f_hub_x;
+    let left_panel_theta3_n_hub_x = left_panel_t22 + left_panel_t35;
+    let left_panel_theta3_n_hub_y = left_panel_t31 + left_panel_t36;
+    let left_panel_theta3_n_hub_z = left_panel_t32 + left_panel_t37;
+    entries[56] = left_panel_theta3_n_hub_z;
+    let left_panel_t38 = left_panel_offset_y * left_panel_theta2_f_hub_z
+        - left_panel_offset_z * left_panel_theta2_f_hub_y;
+    let left_panel_t39 = left_panel_offset_z * left_panel_theta2_f_hub_x
+        - left_panel_offset_x * left_panel_theta2_f_hub_z;
+    let left_panel_t40 = left_panel_offset_x * left_panel_theta2_f_hub_y
+        - left_panel_offset_y * left_panel_theta2_f_hub_x;
+    let left_panel_theta2_n_hub_x = left_panel_t18 + left_panel_t38;
+    let left_panel_theta2_n_hub_y = left_panel_t33 + left_panel_t39;
+    let left_panel_theta2_n_hub_z = left_panel_t34 + left_panel_t40;
+    entries[51] = left_panel_theta2_n_hub_z;
+    let left_panel_t41 = left_panel_offset_y * left_panel_theta1_f_hub_z
+        - left_panel_offset_z * left_panel_theta1_f_hub_y;
+    let left_panel_t42 = left_panel_offset_x * left_panel_theta1_f_hub_z;
+    let left_panel_t43 = left_panel_offset_x * left_panel_theta1_f_hub_y;
+    let left_panel_theta1_n_hub_x = left_panel_t16 + left_panel_t41;
+    let left_panel_theta1_n_hub_y = left_panel_t28 - left_panel_t42;
+    let left_panel_theta1_n_hub_z = left_panel_t29 + left_panel_t43;
+    entries[47] = left_panel_theta1_n_hub_z;
+    let left_panel_t44 = R::from_f64(3.255) * left_panel_offset_z;
+    let left_panel_t45 = R::from_f64(3.255) * left_panel_offset_y;
+    let left_panel_s1_n_hub_y = left_panel_t44 - left_panel_theta1_f_hub_y;
+    let left_panel_s1_n_hub_z = -(left_panel_theta1_f_hub_z + left_panel_t45);
+    entries[320] = left_panel_s1_n_hub_z;
+    let left_panel_s2_n_hub_z = left_panel_t11
+        + R::from_f64(3.255) * left_panel_offset_x;
+    entries[330] = left_panel_s2_n_hub_z;
+    let left_panel_t46 = left_panel_t11 + left_panel_s2_n_hub_z;
+    let left_panel_t47 = left_panel_theta1_f_hub_z - left_panel_s1_n_hub_z;
+    let left_panel_t48 = left_panel_s1_n_hub_y - left_panel_theta1_f_hub_y;
+    let left_panel_t49 = left_panel_offset_x * left_panel_t46;
+    let left_panel_t50 = left_panel_offset_y * left_panel_t47;
+    let left_panel_t51 = left_panel_offset_z * left_panel_t48;
+    let left_panel_t52 = left_panel_t16 + (left_panel_t50 + left_panel_t51);
+    let left_panel_t53 = left_panel_t30
+        - (left_panel_offset_z * left_panel_theta1_f_hub_z
+            + left_panel_offset_y * left_panel_s1_n_hub_y);
+    let left_panel_t54 = left_panel_t26 + (left_panel_t49 + left_panel_t51);
+    let left_panel_t55 = left_panel_t29
+        - (left_panel_offset_z * left_panel_s2_n_hub_z - left_panel_t43);
+    let left_panel_t56 = left_panel_t27 + (left_panel_t49 + left_panel_t50);
+    let left_panel_t57 = left_panel_t28
+        - (left_panel_offset_y * left_panel_t11
+            - left_panel_offset_x * left_panel_s1_n_hub_z);
+    let hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
+    let hub_t20 = hub_t11 - left_panel_s1_n_hub_z;
+    let hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
+    let hub_t22 = hub_t13 + left_panel_t52;
+    let hub_t23 = hub_t14 + left_panel_t54;
+    let hub_t24 = hub_t15 + left_panel_t56;
+    let hub_t25 = hub_t16 + left_panel_t53;
+    let hub_t26 = hub_t17 + left_panel_t55;
+    let hub_t27 = hub_t18 + left_panel_t57;
+    let forearm_cos3 = cosines[8];
+    let forearm_sin3 = sines[8];
+    let forearm_t1 = R::from_f64(-0.435386) * forearm_cos3
+        + R::from_f64(0.820904) * forearm_sin3;
+    let forearm_t2 = R::from_f64(-0.820904) * forearm_cos3
+        - R::from_f64(0.435386) * forearm_sin3;
+    let forearm_t3 = R::from_f64(0.24734229000000008) * forearm_sin3
+        + R::from_f64(-0.369696416) * forearm_cos3;
+    let forearm_t4 = forearm_sin3 * forearm_t3;
+    let forearm_t5 = forearm_cos3 * forearm_t3;
+    let forearm_t6 = R::from_f64(0.823517574) - forearm_t4;
+    let forearm_t7 = forearm_t4 + R::from_f64(0.576175284);
+    entries[35] = forearm_t7;
+    let forearm_t8 = R::from_f64(0.079154958) * forearm_cos3
+        + R::from_f64(-0.21179691199999998) * forearm_sin3;
+    let forearm_t9 = R::from_f64(0.21179691199999998) * forearm_cos3
+        - R::from_f64(-0.079154958) * forearm_sin3;
+    entries[43] = forearm_t9;
+    let forearm_t10 = forearm_t5 + R::from_f64(0.184848208);
+    let forearm_cos2 = cosines[7];
+    let forearm_sin2 = sines[7];
+    let forearm_theta2_f_shoulder_x = R::from_f64(0.581154) * forearm_cos2
+        - forearm_sin2 * forearm_t1;
+    entries[274] = forearm_theta2_f_shoulder_x;
+    let forearm_t11 = forearm_cos2 * forearm_t1 - R::from_f64(-0.581154) * forearm_sin2;
+    let forearm_t12 = forearm_sin2 * (R::from_f64(0.760264534) - forearm_t6)
+        + forearm_cos2 * (R::from_f64(2.0) * forearm_t8);
+    let forearm_t13 = forearm_sin2 * forearm_t12;
+    let forearm_t14 = forearm_cos2 * forearm_t12;
+    let forearm_t15 = R::from_f64(0.760264534) - forearm_t13;
+    let forearm_t16 = forearm_t6 + forearm_t13;
+    entries[27] = forearm_t16;
+    let forearm_t17 = forearm_cos2 * forearm_t9 - forearm_sin2 * forearm_t10;
+    let forearm_t18 = forearm_cos2 * forearm_t10 + forearm_sin2 * forearm_t9;
+    entries[34] = forearm_t18;
+    let forearm_t19 = forearm_t14 - forearm_t8;
+    let forearm_t20 = forearm_sin2 * forearm_t2;
+    let forearm_theta3_f_shoulder_x = -(forearm_cos2 * forearm_t2);
+    entries[275] = forearm_theta3_f_shoulder_x;
+    let forearm_t21 = R::from_f64(0.760264534) * forearm_cos2
+        - forearm_sin2 * forearm_t8;
+    let forearm_t22 = forearm_cos2 * forearm_t8
+        - R::from_f64(-0.760264534) * forearm_sin2;
+    entries[42] = forearm_t22;
+    let forearm_cos1 = cosines[6];
+    let forearm_sin1 = sines[6];
+    let forearm_theta1_f_shoulder_z = forearm_cos1 * forearm_t2
+        - forearm_sin1 * forearm_theta2_f_shoulder_x;
+    entries[306] = forearm_theta1_f_shoulder_z;
+    let forearm_theta1_f_shoulder_y = -(forearm_cos1 * forearm_theta2_f_shoulder_x
+        + forearm_sin1 * forearm_t2);
+    entries[289] = forearm_theta1_f_shoulder_y;
+    let forearm_t23 = forearm_sin1 * (forearm_t7 - forearm_t15)
+        + forearm_cos1 * (R::from_f64(2.0) * forearm_t17);
+    let forearm_t24 = forearm_sin1 * forearm_t23;
+    let forearm_t25 = forearm_cos1 * forearm_t23;
+    let forearm_t26 = forearm_t7 - forearm_t24;
+    let forearm_t27 = forearm_t15 + forearm_t24;
+    let forearm_t28 = forearm_cos1 * forearm_t18 - forearm_sin1 * forearm_t19;
+    let forearm_t29 = forearm_cos1 * forearm_t19 + forearm_sin1 * forearm_t18;
+    let forearm_t30 = forearm_t25 - forearm_t17;
+    let forearm_theta3_f_shoulder_y = forearm_cos1 * forearm_t1
+        - forearm_sin1 * forearm_t20;
+    entries[291] = forearm_theta3_f_shoulder_y;
+    let forearm_theta3_f_shoulder_z = forearm_cos1 * forearm_t20
+        + forearm_sin1 * forearm_t1;
+    entries[308] = forearm_theta3_f_shoulder_z;
+    let forearm_t31 = forearm_cos1 * forearm_t9 - forearm_sin1 * forearm_t21;
+    let forearm_t32 = forearm_cos1 * forearm_t21 + forearm_sin1 * forearm_t9;
+    let forearm_theta2_f_shoulder_y = forearm_sin1 * forearm_t11;
+    entries[290] = forearm_theta2_f_shoulder_y;
+    let forearm_theta2_f_shoulder_z = -(forearm_cos1 * forearm_t11);
+    entries[307] = forearm_theta2_f_shoulder_z;
+    let forearm_t33 = forearm_cos1 * forearm_t7 - forearm_sin1 * forearm_t17;
+    let forearm_t34 = forearm_cos1 * forearm_t17 + forearm_sin1 * forearm_t7;
+    let forearm_t35 = forearm_offset_y * forearm_theta3_f_shoulder_z
+        - forearm_offset_z * forearm_theta3_f_shoulder_y;
+    let forearm_t36 = forearm_offset_z * forearm_theta3_f_shoulder_x
+        - forearm_offset_x * forearm_theta3_f_shoulder_z;
+    let forearm_t37 = forearm_offset_x * forearm_theta3_f_shoulder_y
+        - forearm_offset_y * forearm_theta3_f_shoulder_x;
+    let forearm_theta3_n_shoulder_x = forearm_t22 + forearm_t35;
+    let forearm_theta3_n_shoulder_y = forearm_t31 + forearm_t36;
+    let forearm_theta3_n_shoulder_z = forearm_t32 + forearm_t37;
+    entries[41] = forearm_theta3_n_shoulder_z;
+    let forearm_t38 = forearm_offset_y * forearm_theta2_f_shoulder_z
+        - forearm_offset_z * forearm_theta2_f_shoulder_y;
+    let forearm_t39 = forearm_offset_z * forearm_theta2_f_shoulder_x
+        - forearm_offset_x * forearm_theta2_f_shoulder_z;
+    let forearm_t40 = forearm_offset_x * forearm_theta2_f_shoulder_y
+        - forearm_offset_y * forearm_theta2_f_shoulder_x;
+    let forearm_theta2_n_shoulder_x = forearm_t18 + forearm_t38;
+    let forearm_theta2_n_shoulder_y = forearm_t33 + forearm_t39;
+    let forearm_theta2_n_shoulder_z = forearm_t34 + forearm_t40;
+    entries[33] = forearm_theta2_n_shoulder_z;
+    let forearm_t41 = forearm_offset_y * forearm_theta1_f_shoulder_z
+        - forearm_offset_z * forearm_theta1_f_shoulder_y;
+    let forearm_t42 = forearm_offset_x * forearm_theta1_f_shoulder_z;
+    let forearm_t43 = forearm_offset_x * forearm_theta1_f_shoulder_y;
+    let forearm_theta1_n_shoulder_x = forearm_t16 + forearm_t41;
+    let forearm_theta1_n_shoulder_y = forearm_t28 - forearm_t42;
+    let forearm_theta1_n_shoulder_z = forearm_t29 + forearm_t43;
+    entries[26] = forearm_theta1_n_shoulder_z;
+    let forearm_t44 = R::from_f64(1.918) * forearm_offset_z;
+    let forearm_t45 = R::from_f64(1.918) * forearm_offset_y;
+    let forearm_s1_n_shoulder_y = forearm_t44 - forearm_theta1_f_shoulder_y;
+    let forearm_s1_n_shoulder_z = -(forearm_theta1_f_shoulder_z + forearm_t45);
+    entries[272] = forearm_s1_n_shoulder_z;
+    let forearm_s2_n_shoulder_z = forearm_t11 + R::from_f64(1.918) * forearm_offset_x;
+    entries[288] = forearm_s2_n_shoulder_z;
+    let forearm_t46 = forearm_t11 + forearm_s2_n_shoulder_z;
+    let forearm_t47 = forearm_theta1_f_shoulder_z - forearm_s1_n_shoulder_z;
+    let forearm_t48 = forearm_s1_n_shoulder_y - forearm_theta1_f_shoulder_y;
+    let forearm_t49 = forearm_offset_x * forearm_t46;
+    let forearm_t50 = forearm_offset_y * forearm_t47;
+    let forearm_t51 = forearm_offset_z * forearm_t48;
+    let forearm_t52 = forearm_t16 + (forearm_t50 + forearm_t51);
+    let forearm_t53 = forearm_t30
+        - (forearm_offset_z * forearm_theta1_f_shoulder_z
+            + forearm_offset_y * forearm_s1_n_shoulder_y);
+    let forearm_t54 = forearm_t26 + (forearm_t49 + forearm_t51);
+    let forearm_t55 = forearm_t29
+        - (forearm_offset_z * forearm_s2_n_shoulder_z - forearm_t43);
+    let forearm_t56 = forearm_t27 + (forearm_t49 + forearm_t50);
+    let forearm_t57 = forearm_t28
+        - (forearm_offset_y * forearm_t11 - forearm_offset_x * forearm_s1_n_shoulder_z);
+    let shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
+    let shoulder_composite_y = shoulder_t2 - forearm_s1_n_shoulder_z;
+    let shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
+    let shoulder_composite_xx = shoulder_t4 + forearm_t52;
+    let shoulder_composite_yy = shoulder_t5 + forearm_t54;
+    let shoulder_composite_zz = shoulder_t6 + forearm_t56;
+    entries[20] = shoulder_composite_zz;
+    let shoulder_composite_yz = shoulder_t7 + forearm_t53;
+    let shoulder_composite_xz = shoulder_t8 + forearm_t55;
+    let shoulder_composite_xy = shoulder_t9 + forearm_t57;
+    let shoulder_cos3 = cosines[5];
+    let shoulder_sin3 = sines[5];
+    let shoulder_t10 = shoulder_cos3 * shoulder_composite_x
+        - shoulder_sin3 * shoulder_composite_y;
+    let shoulder_t11 = shoulder_cos3 * shoulder_composite_y
+        + shoulder_sin3 * shoulder_composite_x;
+    let shoulder_t12 = shoulder_sin3 * (shoulder_composite_xx - shoulder_composite_yy)
+        + shoulder_cos3 * (R::from_f64(2.0) * shoulder_composite_xy);
+    let shoulder_t13 = shoulder_sin3 * shoulder_t12;
+    let shoulder_t14 = shoulder_cos3 * shoulder_t12;
+    let shoulder_t15 = shoulder_composite_xx - shoulder_t13;
+    let shoulder_t16 = shoulder_composite_yy + shoulder_t13;
+    entries[14] = shoulder_t16;
+    let shoulder_t17 = shoulder_cos3 * shoulder_composite_xz
+        - shoulder_sin3 * shoulder_composite_yz;
+    let shoulder_t18 = shoulder_cos3 * shoulder_composite_yz
+        + shoulder_sin3 * shoulder_composite_xz;
+    entries[19] = shoulder_t18;
+    let shoulder_t19 = shoulder_t14 - shoulder_composite_xy;
+    let left_tip_t58 = shoulder_cos3 * left_tip_theta3_f_shoulder_x
+        - shoulder_sin3 * left_tip_theta3_f_shoulder_y;
+    let left_tip_t59 = shoulder_cos3 * left_tip_theta3_f_shoulder_y
+        + shoulder_sin3 * left_tip_theta3_f_shoulder_x;
+    let left_tip_t60 = shoulder_cos3 * left_tip_theta3_n_shoulder_x
+        - shoulder_sin3 * left_tip_theta3_n_shoulder_y;
+    let left_tip_t61 = shoulder_cos3 * left_tip_theta3_n_shoulder_y
+        + shoulder_sin3 * left_tip_theta3_n_shoulder_x;
+    entries[79] = left_tip_t61;
+    let left_tip_t62 = shoulder_cos3 * left_tip_theta2_f_shoulder_x
+        - shoulder_sin3 * left_tip_theta2_f_shoulder_y;
+    let left_tip_t63 = shoulder_cos3 * left_tip_theta2_f_shoulder_y
+        + shoulder_sin3 * left_tip_theta2_f_shoulder_x;
+    let left_tip_t64 = shoulder_cos3 * left_tip_theta2_n_shoulder_x
+        - shoulder_sin3 * left_tip_theta2_n_shoulder_y;
+    let left_tip_t65 = shoulder_cos3 * left_tip_theta2_n_shoulder_y
+        + shoulder_sin3 * left_tip_theta2_n_shoulder_x;
+    entries[71] = left_tip_t65;
+    let left_tip_t66 = shoulder_sin3 * left_tip_theta1_f_shoulder_y;
+    let left_tip_t67 = shoulder_cos3 * left_tip_theta1_f_shoulder_y;
+    let left_tip_t68 = shoulder_cos3 * left_tip_theta1_n_shoulder_x
+        - shoulder_sin3 * left_tip_theta1_n_shoulder_y;
+    let left_tip_t69 = shoulder_cos3 * left_tip_theta1_n_shoulder_y
+        + shoulder_sin3 * left_tip_theta1_n_shoulder_x;
+    entries[64] = left_tip_t69;
+    let left_tip_t70 = R::from_f64(3.327) * shoulder_cos3;
+    let left_tip_t71 = R::from_f64(-3.327) * shoulder_sin3;
+    let left_tip_t72 = -(shoulder_sin3 * left_tip_s1_n_shoulder_y);
+    entries[371] = left_tip_t72;
+    let left_tip_t73 = shoulder_cos3 * left_tip_s1_n_shoulder_y;
+    entries[355] = left_tip_t73;
+    let left_tip_t74 = shoulder_sin3 * left_tip_s2_n_shoulder_z
+        - shoulder_cos3 * left_tip_s1_n_shoulder_z;
+    let left_tip_t75 = -(shoulder_cos3 * left_tip_s2_n_shoulder_z
+        + shoulder_sin3 * left_tip_s1_n_shoulder_z);
+    entries[388] = left_tip_t75;
+    let forearm_t58 = shoulder_cos3 * forearm_theta3_f_shoulder_x
+        - shoulder_sin3 * forearm_theta3_f_shoulder_y;
+    let forearm_t59 = shoulder_cos3 * forearm_theta3_f_shoulder_y
+        + shoulder_sin3 * forearm_theta3_f_shoulder_x;
+    let forearm_t60 = shoulder_cos3 * forearm_theta3_n_shoulder_x
+        - shoulder_sin3 * forearm_theta3_n_shoulder_y;
+    let forearm_t61 = shoulder_cos3 * forearm_theta3_n_shoulder_y
+        + shoulder_sin3 * forearm_theta3_n_shoulder_x;
+    entries[40] = forearm_t61;
+    let forearm_t62 = shoulder_cos3 * forearm_theta2_f_shoulder_x
+        - shoulder_sin3 * forearm_theta2_f_shoulder_y;
+    let forearm_t63 = shoulder_cos3 * forearm_theta2_f_shoulder_y
+        + shoulder_sin3 * forearm_theta2_f_shoulder_x;
+    let forearm_t64 = shoulder_cos3 * forearm_theta2_n_shoulder_x
+        - shoulder_sin3 * forearm_theta2_n_shoulder_y;
+    let forearm_t65 = shoulder_cos3 * forearm_theta2_n_shoulder_y
+        + shoulder_sin3 * forearm_theta2_n_shoulder_x;
+    entries[32] = forearm_t65;
+    let forearm_t66 = shoulder_sin3 * forearm_theta1_f_shoulder_y;
+    let forearm_t67 = shoulder_cos3 * forearm_theta1_f_shoulder_y;
+    let forearm_t68 = shoulder_cos3 * forearm_theta1_n_shoulder_x
+        - shoulder_sin3 * forearm_theta1_n_shoulder_y;
+    let forearm_t69 = shoulder_cos3 * forearm_theta1_n_shoulder_y
+        + shoulder_sin3 * forearm_theta1_n_shoulder_x;
+    entries[25] = forearm_t69;
+    let forearm_t70 = R::from_f64(1.918) * shoulder_cos3;
+    let forearm_t71 = R::from_f64(-1.918) * shoulder_sin3;
+    let forearm_t72 = -(shoulder_sin3 * forearm_s1_n_shoulder_y);
+    entries[287] = forearm_t72;
+    let forearm_t73 = shoulder_cos3 * forearm_s1_n_shoulder_y;
+    entries[271] = forearm_t73;
+    let forearm_t74 = shoulder_sin3 * forearm_s2_n_shoulder_z
+        - shoulder_cos3 * forearm_s1_n_shoulder_z;
+    let forearm_t75 = -(shoulder_cos3 * forearm_s2_n_shoulder_z
+        + shoulder_sin3 * forearm_s1_n_shoulder_z);
+    entries[304] = forearm_t75;
+    let shoulder_cos2 = cosines[4];
+    let shoulder_sin2 = sines[4];
+    let shoulder_theta2_f_hub_x = shoulder_cos2 * shoulder_composite_z
+        - shoulder_sin2 * shoulder_t10;
+    entries[220] = shoulder_theta2_f_hub_x;
+    let shoulder_t20 = shoulder_cos2 * shoulder_t10
+        + shoulder_sin2 * shoulder_composite_z;
+    let shoulder_t21 = shoulder_sin2 * (shoulder_composite_zz - shoulder_t15)
+        + shoulder_cos2 * (R::from_f64(2.0) * shoulder_t17);
+    let shoulder_t22 = shoulder_sin2 * shoulder_t21;
+    let shoulder_t23 = shoulder_cos2 * shoulder_t21;
+    let shoulder_t24 = shoulder_composite_zz - shoulder_t22;
+    let shoulder_t25 = shoulder_t15 + shoulder_t22;
+    entries[9] = shoulder_t25;
+    let shoulder_t26 = shoulder_cos2 * shoulder_t18 - shoulder_sin2 * shoulder_t19;
+    let shoulder_t27 = shoulder_cos2 * shoulder_t19 + shoulder_sin2 * shoulder_t18;
+    entries[13] = shoulder_t27;
+    let shoulder_t28 = shoulder_t23 - shoulder_t17;
+    let left_tip_t76 = shoulder_cos2 * left_tip_theta3_f_shoulder_z
+        - shoulder_sin2 * left_tip_t58;
+    let left_tip_theta3_f_hub_x = shoulder_cos2 * left_tip_t58
+        + shoulder_sin2 * left_tip_theta3_f_shoulder_z;
+    entries[227] = left_tip_theta3_f_hub_x;
+    let left_tip_t77 = shoulder_cos2 * left_tip_theta3_n_shoulder_z
+        - shoulder_sin2 * left_tip_t60;
+    let left_tip_t78 = shoulder_cos2 * left_tip_t60
+        + shoulder_sin2 * left_tip_theta3_n_shoulder_z;
+    entries[78] = left_tip_t78;
+    let left_tip_t79 = shoulder_cos2 * left_tip_theta2_f_shoulder_z
+        - shoulder_sin2 * left_tip_t62;
+    let left_tip_theta2_f_hub_x = shoulder_cos2 * left_tip_t62
+        + shoulder_sin2 * left_tip_theta2_f_shoulder_z;
+    entries[226] = left_tip_theta2_f_hub_x;
+    let left_tip_t80 = shoulder_cos2 * left_tip_theta2_n_shoulder_z
+        - shoulder_sin2 * left_tip_t64;
+    let left_tip_t81 = shoulder_cos2 * left_tip_t64
+        + shoulder_sin2 * left_tip_theta2_n_shoulder_z;
+    entries[70] = left_tip_t81;
+    let left_tip_t82 = shoulder_cos2 * left_tip_theta1_f_shoulder_z
+        + shoulder_sin2 * left_tip_t66;
+    let left_tip_theta1_f_hub_x = shoulder_sin2 * left_tip_theta1_f_shoulder_z
+        - shoulder_cos2 * left_tip_t66;
+    entries[225] = left_tip_theta1_f_hub_x;
+    let left_tip_t83 = shoulder_cos2 * left_tip_theta1_n_shoulder_z
+        - shoulder_sin2 * left_tip_t68;
+    let left_tip_t84 = shoulder_cos2 * left_tip_t68
+        + shoulder_sin2 * left_tip_theta1_n_shoulder_z;
+    entries[63] = left_tip_t84;
+    let left_tip_t85 = shoulder_sin2 * left_tip_t70;
+    let left_tip_s1_f_hub_x = shoulder_cos2 * left_tip_t70;
+    entries[363] = left_tip_s1_f_hub_x;
+    let left_tip_t86 = shoulder_cos2 * left_tip_s1_n_shoulder_z
+        - shoulder_sin2 * left_tip_t72;
+    let left_tip_t87 = shoulder_cos2 * left_tip_t72
+        + shoulder_sin2 * left_tip_s1_n_shoulder_z;
+    entries[354] = left_tip_t87;
+    let left_tip_t88 = shoulder_sin2 * left_tip_t71;
+    let left_tip_s2_f_hub_x = shoulder_cos2 * left_tip_t71;
+    entries[379] = left_tip_s2_f_hub_x;
+    let left_tip_t89 = shoulder_cos2 * left_tip_s2_n_shoulder_z
+        + shoulder_sin2 * left_tip_t73;
+    let left_tip_t90 = shoulder_sin2 * left_tip_s2_n_shoulder_z
+        - shoulder_cos2 * left_tip_t73;
+    entries[370] = left_tip_t90;
+    let left_tip_t91 = R::from_f64(3.327) * shoulder_cos2;
+    let left_tip_s3_f_hub_x = R::from_f64(3.327) * shoulder_sin2;
+    entries[396] = left_tip_s3_f_hub_x;
+    let left_tip_t92 = shoulder_sin2 * left_tip_t74;
+    let left_tip_t93 = shoulder_cos2 * left_tip_t74;
+    entries[387] = left_tip_t93;
+    let forearm_t76 = shoulder_cos2 * forearm_theta3_f_shoulder_z
+        - shoulder_sin2 * forearm_t58;
+    let forearm_theta3_f_hub_x = shoulder_cos2 * forearm_t58
+        + shoulder_sin2 * forearm_theta3_f_shoulder_z;
+    entries[224] = forearm_theta3_f_hub_x;
+    let forearm_t77 = shoulder_cos2 * forearm_theta3_n_shoulder_z
+        - shoulder_sin2 * forearm_t60;
+    let forearm_t78 = shoulder_cos2 * forearm_t60
+        + shoulder_sin2 * forearm_theta3_n_shoulder_z;
+    entries[39] = forearm_t78;
+    let forearm_t79 = shoulder_cos2 * forearm_theta2_f_shoulder_z
+        - shoulder_sin2 * forearm_t62;
+    let forearm_theta2_f_hub_x = shoulder_cos2 * forearm_t62
+        + shoulder_sin2 * forearm_theta2_f_shoulder_z;
+    entries[223] = forearm_theta2_f_hub_x;
+    let forearm_t80 = shoulder_cos2 * forearm_theta2_n_shoulder_z
+        - shoulder_sin2 * forearm_t64;
+    let forearm_t81 = shoulder_cos2 * forearm_t64
+        + shoulder_sin2 * forearm_theta2_n_shoulder_z;
+    entries[31] = forearm_t81;
+    let forearm_t82 = shoulder_cos2 * forearm_theta1_f_shoulder_z
+        + shoulder_sin2 * forearm_t66;
+    let forearm_theta1_f_hub_x = shoulder_sin2 * forearm_theta1_f_shoulder_z
+        - shoulder_cos2 * forearm_t66;
+    entries[222] = forearm_theta1_f_hub_x;
+    let forearm_t83 = shoulder_cos2 * forearm_theta1_n_shoulder_z
+        - shoulder_sin2 * forearm_t68;
+    let forearm_t84 = shoulder_cos2 * forearm_t68
+        + shoulder_sin2 * forearm_theta1_n_shoulder_z;
+    entries[24] = forearm_t84;
+    let forearm_t85 = shoulder_sin2 * forearm_t70;
+    let forearm_s1_f_hub_x = shoulder_cos2 * forearm_t70;
+    entries[279] = forearm_s1_f_hub_x;
+    let forearm_t86 = shoulder_cos2 * forearm_s1_n_shoulder_z
+        - shoulder_sin2 * forearm_t72;
+    let forearm_t87 = shoulder_cos2 * forearm_t72
+        + shoulder_sin2 * forearm_s1_n_shoulder_z;
+    entries[270] = forearm_t87;
+    let forearm_t88 = shoulder_sin2 * forearm_t71;
+    let forearm_s2_f_hub_x = shoulder_cos2 * forearm_t71;
+    entries[295] = forearm_s2_f_hub_x;
+    let forearm_t89 = shoulder_cos2 * forearm_s2_n_shoulder_z
+        + shoulder_sin2 * forearm_t73;
+    let forearm_t90 = shoulder_sin2 * forearm_s2_n_shoulder_z
+        - shoulder_cos2 * forearm_t73;
+    entries[286] = forearm_t90;
+    let forearm_t91 = R::from_f64(1.918) * shoulder_cos2;
+    let forearm_s3_f_hub_x = R::from_f64(1.918) * shoulder_sin2;
+    entries[312] = forearm_s3_f_hub_x;
+    let forearm_t92 = shoulder_sin2 * forearm_t74;
+    let forearm_t93 = shoulder_cos2 * forearm_t74;
+    entries[303] = forearm_t93;
+    let shoulder_t29 = shoulder_sin2 * shoulder_t11;
+    let shoulder_theta3_f_hub_x = -(shoulder_cos2 * shoulder_t11);
+    entries[221] = shoulder_theta3_f_hub_x;
+    let shoulder_t30 = shoulder_cos2 * shoulder_composite_zz
+        - shoulder_sin2 * shoulder_t17;
+    let shoulder_t31 = shoulder_cos2 * shoulder_t17
+        + shoulder_sin2 * shoulder_composite_zz;
+    entries[18] = shoulder_t31;
+    let shoulder_cos1 = cosines[3];
+    let shoulder_sin1 = sines[3];
+    let shoulder_theta1_f_hub_z = shoulder_cos1 * shoulder_t11
+        - shoulder_sin1 * shoulder_theta2_f_hub_x;
+    entries[252] = shoulder_theta1_f_hub_z;
+    let shoulder_theta1_f_hub_y = -(shoulder_cos1 * shoulder_theta2_f_hub_x
+        + shoulder_sin1 * shoulder_t11);
+    entries[235] = shoulder_theta1_f_hub_y;
+    let shoulder_t32 = shoulder_sin1 * (shoulder_t16 - shoulder_t24)
+        + shoulder_cos1 * (R::from_f64(2.0) * shoulder_t26);
+    let shoulder_t33 = shoulder_sin1 * shoulder_t32;
+    let shoulder_t34 = shoulder_cos1 * shoulder_t32;
+    let shoulder_t35 = shoulder_t16 - shoulder_t33;
+    let shoulder_t36 = shoulder_t24 + shoulder_t33;
+    let shoulder_t37 = shoulder_cos1 * shoulder_t27 - shoulder_sin1 * shoulder_t28;
+    let shoulder_t38 = shoulder_cos1 * shoulder_t28 + shoulder_sin1 * shoulder_t27;
+    let shoulder_t39 = shoulder_t34 - shoulder_t26;
+    let left_tip_theta3_f_hub_y = shoulder_cos1 * left_tip_t59
+        - shoulder_sin1 * left_tip_t76;
+    entries[243] = left_tip_theta3_f_hub_y;
+    let left_tip_theta3_f_hub_z = shoulder_cos1 * left_tip_t76
+        + shoulder_sin1 * left_tip_t59;
+    entries[260] = left_tip_theta3_f_hub_z;
+    let left_tip_t94 = shoulder_cos1 * left_tip_t61 - shoulder_sin1 * left_tip_t77;
+    let left_tip_t95 = shoulder_cos1 * left_tip_t77 + shoulder_sin1 * left_tip_t61;
+    let left_tip_theta2_f_hub_y = shoulder_cos1 * left_tip_t63
+        - shoulder_sin1 * left_tip_t79;
+    entries[242] = left_tip_theta2_f_hub_y;
+    let left_tip_theta2_f_hub_z = shoulder_cos1 * left_tip_t79
+        + shoulder_sin1 * left_tip_t63;
+    entries[259] = left_tip_theta2_f_hub_z;
+    let left_tip_t96 = shoulder_cos1 * left_tip_t65 - shoulder_sin1 * left_tip_t80;
+    let left_tip_t97 = shoulder_cos1 * left_tip_t80 + shoulder_sin1 * left_tip_t65;
+    let left_tip_theta1_f_hub_y = shoulder_cos1 * left_tip_t67
+        - shoulder_sin1 * left_tip_t82;
+    entries[241] = left_tip_theta1_f_hub_y;
+    let left_tip_theta1_f_hub_z = shoulder_cos1 * left_tip_t82
+        + shoulder_sin1 * left_tip_t67;
+    entries[258] = left_tip_theta1_f_hub_z;
+    let left_tip_t98 = shoulder_cos1 * left_tip_t69 - shoulder_sin1 * left_tip_t83;
+    let left_tip_t99 = shoulder_cos1 * left_tip_t83 + shoulder_sin1 * left_tip_t69;
+    let left_tip_s1_f_hub_y = shoulder_sin1 * left_tip_t85
+        - shoulder_cos1 * left_tip_t71;
+    entries[364] = left_tip_s1_f_hub_y;
+    let left_tip_s1_f_hub_z = -(shoulder_cos1 * left_tip_t85
+        + shoulder_sin1 * left_tip_t71);
+    entries[365] = left_tip_s1_f_hub_z;
+    let left_tip_t100 = shoulder_cos1 * left_tip_t73 - shoulder_sin1 * left_tip_t86;
+    let left_tip_t101 = shoulder_cos1 * left_tip_t86 + shoulder_sin1 * left_tip_t73;
+    let left_tip_s2_f_hub_y = shoulder_cos1 * left_tip_t70
+        + shoulder_sin1 * left_tip_t88;
+    entries[380] = left_tip_s2_f_hub_y;
+    let left_tip_s2_f_hub_z = shoulder_sin1 * left_tip_t70
+        - shoulder_cos1 * left_tip_t88;
+    entries[381] = left_tip_s2_f_hub_z;
+    let left_tip_t102 = shoulder_cos1 * left_tip_t72 - shoulder_sin1 * left_tip_t89;
+    let left_tip_t103 = shoulder_cos1 * left_tip_t89 + shoulder_sin1 * left_tip_t72;
+    let left_tip_s3_f_hub_y = -(shoulder_sin1 * left_tip_t91);
+    entries[397] = left_tip_s3_f_hub_y;
+    let left_tip_s3_f_hub_z = shoulder_cos1 * left_tip_t91;
+    entries[398] = left_tip_s3_f_hub_z;
+    let left_tip_t104 = shoulder_cos1 * left_tip_t75 + shoulder_sin1 * left_tip_t92;
+    let left_tip_t105 = shoulder_sin1 * left_tip_t75 - shoulder_cos1 * left_tip_t92;
+    let forearm_theta3_f_hub_y = shoulder_cos1 * forearm_t59
+        - shoulder_sin1 * forearm_t76;
+    entries[240] = forearm_theta3_f_hub_y;
+    let forearm_theta3_f_hub_z = shoulder_cos1 * forearm_t76
+        + shoulder_sin1 * forearm_t59;
+    entries[257] = forearm_theta3_f_hub_z;
+    let forearm_t94 = shoulder_cos1 * forearm_t61 - shoulder_sin1 * forearm_t77;
+    let forearm_t95 = shoulder_cos1 * forearm_t77 + shoulder_sin1 * forearm_t61;
+    let forearm_theta2_f_hub_y = shoulder_cos1 * forearm_t63
+        - shoulder_sin1 * forearm_t79;
+    entries[239] = forearm_theta2_f_hub_y;
+    let forearm_theta2_f_hub_z = shoulder_cos1 * forearm_t79
+        + shoulder_sin1 * forearm_t63;
+    entries[256] = forearm_theta2_f_hub_z;
+    let forearm_t96 = shoulder_cos1 * forearm_t65 - shoulder_sin1 * forearm_t80;
+    let forearm_t97 = shoulder_cos1 * forearm_t80 + shoulder_sin1 * forearm_t65;
+    let forearm_theta1_f_hub_y = shoulder_cos1 * forearm_t67
+        - shoulder_sin1 * forearm_t82;
+    entries[238] = forearm_theta1_f_hub_y;
+    let forearm_theta1_f_hub_z = shoulder_cos1 * forearm_t82
+        + shoulder_sin1 * forearm_t67;
+    entries[255] = forearm_theta1_f_hub_z;
+    let forearm_t98 = shoulder_cos1 * forearm_t69 - shoulder_sin1 * forearm_t83;
+    let forearm_t99 = shoulder_cos1 * forearm_t83 + shoulder_sin1 * forearm_t69;
+    let forearm_s1_f_hub_y = shoulder_sin1 * forearm_t85 - shoulder_cos1 * forearm_t71;
+    entries[280] = forearm_s1_f_hub_y;
+    let forearm_s1_f_hub_z = -(shoulder_cos1 * forearm_t85
+        + shoulder_sin1 * forearm_t71);
+    entries[281] = forearm_s1_f_hub_z;
+    let forearm_t100 = shoulder_cos1 * forearm_t73 - shoulder_sin1 * forearm_t86;
+    let forearm_t101 = shoulder_cos1 * forearm_t86 + shoulder_sin1 * forearm_t73;
+    let forearm_s2_f_hub_y = shoulder_cos1 * forearm_t70 + shoulder_sin1 * forearm_t88;
+    entries[296] = forearm_s2_f_hub_y;
+    let forearm_s2_f_hub_z = shoulder_sin1 * forearm_t70 - shoulder_cos1 * forearm_t88;
+    entries[297] = forearm_s2_f_hub_z;
+    let forearm_t102 = shoulder_cos1 * forearm_t72 - shoulder_sin1 * forearm_t89;
+    let forearm_t103 = shoulder_cos1 * forearm_t89 + shoulder_sin1 * forearm_t72;
+    let forearm_s3_f_hub_y = -(shoulder_sin1 * forearm_t91);
+    entries[313] = forearm_s3_f_hub_y;
+    let forearm_s3_f_hub_z = shoulder_cos1 * forearm_t91;
+    entries[314] = forearm_s3_f_hub_z;
+    let forearm_t104 = shoulder_cos1 * forearm_t75 + shoulder_sin1 * forearm_t92;
+    let forearm_t105 = shoulder_sin1 * forearm_t75 - shoulder_cos1 * forearm_t92;
+    let shoulder_theta3_f_hub_y = shoulder_cos1 * shoulder_t10
+        - shoulder_sin1 * shoulder_t29;
+    entries[237] = shoulder_theta3_f_hub_y;
+    let shoulder_theta3_f_hub_z = shoulder_cos1 * shoulder_t29
+        + shoulder_sin1 * shoulder_t10;
+    entries[254] = shoulder_theta3_f_hub_z;
+    let shoulder_t40 = shoulder_cos1 * shoulder_t18 - shoulder_sin1 * shoulder_t30;
+    let shoulder_t41 = shoulder_cos1 * shoulder_t30 + shoulder_sin1 * shoulder_t18;
+    let shoulder_theta2_f_hub_y = shoulder_sin1 * shoulder_t20;
+    entries[236] = shoulder_theta2_f_hub_y;
+    let shoulder_theta2_f_hub_z = -(shoulder_cos1 * shoulder_t20);
+    entries[253] = shoulder_theta2_f_hub_z;
+    let shoulder_t42 = shoulder_cos1 * shoulder_t16 - shoulder_sin1 * shoulder_t26;
+    let shoulder_t43 = shoulder_cos1 * shoulder_t26 + shoulder_sin1 * shoulder_t16;
+    let left_tip_t106 = shoulder_offset_y * left_tip_theta3_f_hub_z
+        - shoulder_offset_z * left_tip_theta3_f_hub_y;
+    let left_tip_t107 = shoulder_offset_z * left_tip_theta3_f_hub_x
+        - shoulder_offset_x * left_tip_theta3_f_hub_z;
+    let left_tip_t108 = shoulder_offset_x * left_tip_theta3_f_hub_y
+        - shoulder_offset_y * left_tip_theta3_f_hub_x;
+    let left_tip_theta3_n_hub_x = left_tip_t78 + left_tip_t106;
+    let left_tip_theta3_n_hub_y = left_tip_t94 + left_tip_t107;
+    let left_tip_theta3_n_hub_z = left_tip_t95 + left_tip_t108;
+    entries[77] = left_tip_theta3_n_hub_z;
+    let left_tip_t109 = shoulder_offset_y * left_tip_theta2_f_hub_z
+        - shoulder_offset_z * left_tip_theta2_f_hub_y;
+    let left_tip_t110 = shoulder_offset_z * left_tip_theta2_f_hub_x
+        - shoulder_offset_x * left_tip_theta2_f_hub_z;
+    let left_tip_t111 = shoulder_offset_x * left_tip_theta2_f_hub_y
+        - shoulder_offset_y * left_tip_theta2_f_hub_x;
+    let left_tip_theta2_n_hub_x = left_tip_t81 + left_tip_t109;
+    let left_tip_theta2_n_hub_y = left_tip_t96 + left_tip_t110;
+    let left_tip_theta2_n_hub_z = left_tip_t97 + left_tip_t111;
+    entries[69] = left_tip_theta2_n_hub_z;
+    let left_tip_t112 = shoulder_offset_y * left_tip_theta1_f_hub_z
+        - shoulder_offset_z * left_tip_theta1_f_hub_y;
+    let left_tip_t113 = shoulder_offset_z * left_tip_theta1_f_hub_x
+        - shoulder_offset_x * left_tip_theta1_f_hub_z;
+    let left_tip_t114 = shoulder_offset_x * left_tip_theta1_f_hub_y
+        - shoulder_offset_y * left_tip_theta1_f_hub_x;
+    let left_tip_theta1_n_hub_x = left_tip_t84 + left_tip_t112;
+    let left_tip_theta1_n_hub_y = left_tip_t98 + left_tip_t113;
+    let left_tip_theta1_n_hub_z = left_tip_t99 + left_tip_t114;
+    entries[62] = left_tip_theta1_n_hub_z;
+    let left_tip_t115 = shoulder_offset_y * left_tip_s1_f_hub_z
+        - shoulder_offset_z * left_tip_s1_f_hub_y;
+    let left_tip_t116 = shoulder_offset_z * left_tip_s1_f_hub_x
+        - shoulder_offset_x * left_tip_s1_f_hub_z;
+    let left_tip_t117 = shoulder_offset_x * left_tip_s1_f_hub_y
+        - shoulder_offset_y * left_tip_s1_f_hub_x;
+    let left_tip_s1_n_hub_x = left_tip_t87 + left_tip_t115;
+    let left_tip_s1_n_hub_y = left_tip_t100 + left_tip_t116;
+    let left_tip_s1_n_hub_z = left_tip_t101 + left_tip_t117;
+    entries[353] = left_tip_s1_n_hub_z;
+    let left_tip_t118 = shoulder_offset_y * left_tip_s2_f_hub_z
+        - shoulder_offset_z * left_tip_s2_f_hub_y;
+    let left_tip_t119 = shoulder_offset_z * left_tip_s2_f_hub_x
+        - shoulder_offset_x * left_tip_s2_f_hub_z;
+    let left_tip_t120 = shoulder_offset_x * left_tip_s2_f_hub_y
+        - shoulder_offset_y * left_tip_s2_f_hub_x;
+    let left_tip_s2_n_hub_x = left_tip_t90 + left_tip_t118;
+    let left_tip_s2_n_hub_y = left_tip_t102 + left_tip_t119;
+    let left_tip_s2_n_hub_z = left_tip_t103 + left_tip_t120;
+    entries[369] = left_tip_s2_n_hub_z;
+    let left_tip_t121 = shoulder_offset_y * left_tip_s3_f_hub_z
+        - shoulder_offset_z * left_tip_s3_f_hub_y;
+    let left_tip_t122 = shoulder_offset_z * left_tip_s3_f_hub_x
+        - shoulder_offset_x * left_tip_s3_f_hub_z;
+    let left_tip_t123 = shoulder_offset_x * left_tip_s3_f_hub_y
+        - shoulder_offset_y * left_tip_s3_f_hub_x;
+    let left_tip_s3_n_hub_x = left_tip_t93 + left_tip_t121;
+    let left_tip_s3_n_hub_y = left_tip_t104 + left_tip_t122;
+    let left_tip_s3_n_hub_z = left_tip_t105 + left_tip_t123;
+    entries[386] = left_tip_s3_n_hub_z;
+    let forearm_t106 = shoulder_offset_y * forearm_theta3_f_hub_z
+        - shoulder_offset_z * forearm_theta3_f_hub_y;
+    let forearm_t107 = shoulder_offset_z * forearm_theta3_f_hub_x
+        - shoulder_offset_x * forearm_theta3_f_hub_z;
+    let forearm_t108 = shoulder_offset_x * forearm_theta3_f_hub_y
+        - shoulder_offset_y * forearm_theta3_f_hub_x;
+    let forearm_theta3_n_hub_x = forearm_t78 + forearm_t106;
+    let forearm_theta3_n_hub_y = forearm_t94 + forearm_t107;
+    let forearm_theta3_n_hub_z = forearm_t95 + forearm_t108;
+    entries[38] = forearm_theta3_n_hub_z;
+    let forearm_t109 = shoulder_offset_y * forearm_theta2_f_hub_z
+        - shoulder_offset_z * forearm_theta2_f_hub_y;
+    let forearm_t110 = shoulder_offset_z * forearm_theta2_f_hub_x
+        - shoulder_offset_x * forearm_theta2_f_hub_z;
+    let forearm_t111 = shoulder_offset_x * forearm_theta2_f_hub_y
+        - shoulder_offset_y * forearm_theta2_f_hub_x;
+    let forearm_theta2_n_hub_x = forearm_t81 + forearm_t109;
+    let forearm_theta2_n_hub_y = forearm_t96 + forearm_t110;
+    let forearm_theta2_n_hub_z = forearm_t97 + forearm_t111;
+    entries[30] = forearm_theta2_n_hub_z;
+    let forearm_t112 = shoulder_offset_y * forearm_theta1_f_hub_z
+        - shoulder_offset_z * forearm_theta1_f_hub_y;
+    let forearm_t113 = shoulder_offset_z * forearm_theta1_f_hub_x
+        - shoulder_offset_x * forearm_theta1_f_hub_z;
+    let forearm_t114 = shoulder_offset_x * forearm_theta1_f_hub_y
+        - shoulder_offset_y * forearm_theta1_f_hub_x;
+    let forearm_theta1_n_hub_x = forearm_t84 + forearm_t112;
+    let forearm_theta1_n_hub_y = forearm_t98 + forearm_t113;
+    let forearm_theta1_n_hub_z = forearm_t99 + forearm_t114;
+    entries[23] = forearm_theta1_n_hub_z;
+    let forearm_t115 = shoulder_offset_y * forearm_s1_f_hub_z
+        - shoulder_offset_z * forearm_s1_f_hub_y;
+    let forearm_t116 = shoulder_offset_z * forearm_s1_f_hub_x
+        - shoulder_offset_x * forearm_s1_f_hub_z;
+    let forearm_t117 = shoulder_offset_x * forearm_s1_f_hub_y
+        - shoulder_offset_y * forearm_s1_f_hub_x;
+    let forearm_s1_n_hub_x = forearm_t87 + forearm_t115;
+    let forearm_s1_n_hub_y = forearm_t100 + forearm_t116;
+    let forearm_s1_n_hub_z = forearm_t101 + forearm_t117;
+    entries[269] = forearm_s1_n_hub_z;
+    let forearm_t118 = shoulder_offset_y * forearm_s2_f_hub_z
+        - shoulder_offset_z * forearm_s2_f_hub_y;
+    let forearm_t119 = shoulder_offset_z * forearm_s2_f_hub_x
+        - shoulder_offset_x * forearm_s2_f_hub_z;
+    let forearm_t120 = shoulder_offset_x * forearm_s2_f_hub_y
+        - shoulder_offset_y * forearm_s2_f_hub_x;
+    let forearm_s2_n_hub_x = forearm_t90 + forearm_t118;
+    let forearm_s2_n_hub_y = forearm_t102 + forearm_t119;
+    let forearm_s2_n_hub_z = forearm_t103 + forearm_t120;
+    entries[285] = forearm_s2_n_hub_z;
+    let forearm_t121 = shoulder_offset_y * forearm_s3_f_hub_z
+        - shoulder_offset_z * forearm_s3_f_hub_y;
+    let forearm_t122 = shoulder_offset_z * forearm_s3_f_hub_x
+        - shoulder_offset_x * forearm_s3_f_hub_z;
+    let forearm_t123 = shoulder_offset_x * forearm_s3_f_hub_y
+        - shoulder_offset_y * forearm_s3_f_hub_x;
+    let forearm_s3_n_hub_x = forearm_t93 + forearm_t121;
+    let forearm_s3_n_hub_y = forearm_t104 + forearm_t122;
+    let forearm_s3_n_hub_z = forearm_t105 + forearm_t123;
+    entries[302] = forearm_s3_n_hub_z;
+    let shoulder_t44 = shoulder_offset_y * shoulder_theta3_f_hub_z
+        - shoulder_offset_z * shoulder_theta3_f_hub_y;
+    let shoulder_t45 = shoulder_offset_z * shoulder_theta3_f_hub_x
+        - shoulder_offset_x * shoulder_theta3_f_hub_z;
+    let shoulder_t46 = shoulder_offset_x * shoulder_theta3_f_hub_y
+        - shoulder_offset_y * shoulder_theta3_f_hub_x;
+    let shoulder_theta3_n_hub_x = shoulder_t31 + shoulder_t44;
+    let shoulder_theta3_n_hub_y = shoulder_t40 + shoulder_t45;
+    let shoulder_theta3_n_hub_z = shoulder_t41 + shoulder_t46;
+    entries[17] = shoulder_theta3_n_hub_z;
+    let shoulder_t47 = shoulder_offset_y * shoulder_theta2_f_hub_z
+        - shoulder_offset_z * shoulder_theta2_f_hub_y;
+    let shoulder_t48 = shoulder_offset_z * shoulder_theta2_f_hub_x
+        - shoulder_offset_x * shoulder_theta2_f_hub_z;
+    let shoulder_t49 = shoulder_offset_x * shoulder_theta2_f_hub_y
+        - shoulder_offset_y * shoulder_theta2_f_hub_x;
+    let shoulder_theta2_n_hub_x = shoulder_t27 + shoulder_t47;
+    let shoulder_theta2_n_hub_y = shoulder_t42 + shoulder_t48;
+    let shoulder_theta2_n_hub_z = shoulder_t43 + shoulder_t49;
+    entries[12] = shoulder_theta2_n_hub_z;
+    let shoulder_t50 = shoulder_offset_y * shoulder_theta1_f_hub_z
+        - shoulder_offset_z * shoulder_theta1_f_hub_y;
+    let shoulder_t51 = shoulder_offset_x * shoulder_theta1_f_hub_z;
+    let shoulder_t52 = shoulder_offset_x * shoulder_theta1_f_hub_y;
+    let shoulder_theta1_n_hub_x = shoulder_t25 + shoulder_t50;
+    let shoulder_theta1_n_hub_y = shoulder_t37 - shoulder_t51;
+    let shoulder_theta1_n_hub_z = shoulder_t38 + shoulder_t52;
+    entries[8] = shoulder_theta1_n_hub_z;
+    let shoulder_t53 = R::from_f64(7.105) * shoulder_offset_z;
+    let shoulder_t54 = R::from_f64(7.105) * shoulder_offset_y;
+    let shoulder_s1_n_hub_y = shoulder_t53 - shoulder_theta1_f_hub_y;
+    let shoulder_s1_n_hub_z = -(shoulder_theta1_f_hub_z + shoulder_t54);
+    entries[218] = shoulder_s1_n_hub_z;
+    let shoulder_s2_n_hub_z = shoulder_t20 + R::from_f64(7.105) * shoulder_offset_x;
+    entries[234] = shoulder_s2_n_hub_z;
+    let shoulder_t55 = shoulder_t20 + shoulder_s2_n_hub_z;
+    let shoulder_t56 = shoulder_theta1_f_hub_z - shoulder_s1_n_hub_z;
+    let shoulder_t57 = shoulder_s1_n_hub_y - shoulder_theta1_f_hub_y;
+    let shoulder_t58 = shoulder_offset_x * shoulder_t55;
+    let shoulder_t59 = shoulder_offset_y * shoulder_t56;
+    let shoulder_t60 = shoulder_offset_z * shoulder_t57;
+    let shoulder_t61 = shoulder_t25 + (shoulder_t59 + shoulder_t60);
+    let shoulder_t62 = shoulder_t39
+        - (shoulder_offset_z * shoulder_theta1_f_hub_z
+            + shoulder_offset_y * shoulder_s1_n_hub_y);
+    let shoulder_t63 = shoulder_t35 + (shoulder_t58 + shoulder_t60);
+    let shoulder_t64 = shoulder_t38
+        - (shoulder_offset_z * shoulder_s2_n_hub_z - shoulder_t52);
+    let shoulder_t65 = shoulder_t36 + (shoulder_t58 + shoulder_t59);
+    let shoulder_t66 = shoulder_t37
+        - (shoulder_offset_y * shoulder_t20 - shoulder_offset_x * shoulder_s1_n_hub_z);
+    let hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
+    let hub_composite_y = hub_t20 - shoulder_s1_n_hub_z;
+    let hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
+    let hub_composite_xx = hub_t22 + shoulder_t61;
+    let hub_composite_yy = hub_t23 + shoulder_t63;
+    let hub_composite_zz = hub_t24 + shoulder_t65;
+    entries[5] = hub_composite_zz;
+    let hub_composite_yz = hub_t25 + shoulder_t62;
+    let hub_composite_xz = hub_t26 + shoulder_t64;
+    let hub_composite_xy = hub_t27 + shoulder_t66;
+    let hub_cos3 = cosines[2];
+    let hub_sin3 = sines[2];
+    let hub_t28 = hub_cos3 * hub_composite_x - hub_sin3 * hub_composite_y;
+    let hub_t29 = hub_cos3 * hub_composite_y + hub_sin3 * hub_composite_x;
+    let hub_t30 = hub_sin3 * (hub_composite_xx - hub_composite_yy)
+        + hub_cos3 * (R::from_f64(2.0) * hub_composite_xy);
+    let hub_t31 = hub_sin3 * hub_t30;
+    let hub_t32 = hub_cos3 * hub_t30;
+    let hub_t33 = hub_composite_xx - hub_t31;
+    let hub_t34 = hub_composite_yy + hub_t31;
+    entries[2] = hub_t34;
+    let hub_t35 = hub_cos3 * hub_composite_xz - hub_sin3 * hub_composite_yz;
+    let hub_t36 = hub_cos3 * hub_composite_yz + hub_sin3 * hub_composite_xz;
+    entries[4] = hub_t36;
+    let hub_t37 = hub_t32 - hub_composite_xy;
+    let camera_t124 = hub_cos3 * camera_theta3_f_hub_x
+        - hub_sin3 * camera_theta3_f_hub_y;
+    let camera_t125 = hub_cos3 * camera_theta3_f_hub_y
+        + hub_sin3 * camera_theta3_f_hub_x;
+    let camera_t126 = hub_cos3 * camera_theta3_n_hub_x
+        - hub_sin3 * camera_theta3_n_hub_y;
+    let camera_t127 = hub_cos3 * camera_theta3_n_hub_y
+        + hub_sin3 * camera_theta3_n_hub_x;
+    entries[130] = camera_t127;
+    let camera_t128 = hub_cos3 * camera_theta2_f_hub_x
+        - hub_sin3 * camera_theta2_f_hub_y;
+    let camera_t129 = hub_cos3 * camera_theta2_f_hub_y
+        + hub_sin3 * camera_theta2_f_hub_x;
+    let camera_t130 = hub_cos3 * camera_theta2_n_hub_x
+        - hub_sin3 * camera_theta2_n_hub_y;
+    let camera_t131 = hub_cos3 * camera_theta2_n_hub_y
+        + hub_sin3 * camera_theta2_n_hub_x;
+    entries[122] = camera_t131;
+    let camera_t132 = hub_cos3 * camera_theta1_f_hub_x
+        - hub_sin3 * camera_theta1_f_hub_y;
+    let camera_t133 = hub_cos3 * camera_theta1_f_hub_y
+        + hub_sin3 * camera_theta1_f_hub_x;
+    let camera_t134 = hub_cos3 * camera_theta1_n_hub_x
+        - hub_sin3 * camera_theta1_n_hub_y;
+    let camera_t135 = hub_cos3 * camera_theta1_n_hub_y
+        + hub_sin3 * camera_theta1_n_hub_x;
+    entries[115] = camera_t135;
+    let camera_t136 = hub_cos3 * camera_s1_f_hub_x - hub_sin3 * camera_s1_f_hub_y;
+    let camera_t137 = hub_cos3 * camera_s1_f_hub_y + hub_sin3 * camera_s1_f_hub_x;
+    let camera_t138 = hub_cos3 * camera_s1_n_hub_x - hub_sin3 * camera_s1_n_hub_y;
+    let camera_t139 = hub_cos3 * camera_s1_n_hub_y + hub_sin3 * camera_s1_n_hub_x;
+    entries[478] = camera_t139;
+    let camera_t140 = hub_cos3 * camera_s2_f_hub_x - hub_sin3 * camera_s2_f_hub_y;
+    let camera_t141 = hub_cos3 * camera_s2_f_hub_y + hub_sin3 * camera_s2_f_hub_x;
+    let camera_t142 = hub_cos3 * camera_s2_n_hub_x - hub_sin3 * camera_s2_n_hub_y;
+    let camera_t143 = hub_cos3 * camera_s2_n_hub_y + hub_sin3 * camera_s2_n_hub_x;
+    entries[494] = camera_t143;
+    let camera_t144 = hub_cos3 * camera_s3_f_hub_x - hub_sin3 * camera_s3_f_hub_y;
+    let camera_t145 = hub_cos3 * camera_s3_f_hub_y + hub_sin3 * camera_s3_f_hub_x;
+    let camera_t146 = hub_cos3 * camera_s3_n_hub_x - hub_sin3 * camera_s3_n_hub_y;
+    let camera_t147 = hub_cos3 * camera_s3_n_hub_y + hub_sin3 * camera_s3_n_hub_x;
+    entries[511] = camera_t147;
+    let boom_t58 = hub_cos3 * boom_theta3_f_hub_x - hub_sin3 * boom_theta3_f_hub_y;
+    let boom_t59 = hub_cos3 * boom_theta3_f_hub_y + hub_sin3 * boom_theta3_f_hub_x;
+    let boom_t60 = hub_cos3 * boom_theta3_n_hub_x - hub_sin3 * boom_theta3_n_hub_y;
+    let boom_t61 = hub_cos3 * boom_theta3_n_hub_y + hub_sin3 * boom_theta3_n_hub_x;
+    entries[109] = boom_t61;
+    let boom_t62 = hub_cos3 * boom_theta2_f_hub_x - hub_sin3 * boom_theta2_f_hub_y;
+    let boom_t63 = hub_cos3 * boom_theta2_f_hub_y + hub_sin3 * boom_theta2_f_hub_x;
+    let boom_t64 = hub_cos3 * boom_theta2_n_hub_x - hub_sin3 * boom_theta2_n_hub_y;
+    let boom_t65 = hub_cos3 * boom_theta2_n_hub_y + hub_sin3 * boom_theta2_n_hub_x;
+    entries[104] = boom_t65;
+    let boom_t66 = hub_sin3 * boom_theta1_f_hub_y;
+    let boom_t67 = hub_cos3 * boom_theta1_f_hub_y;
+    let boom_t68 = hub_cos3 * boom_theta1_n_hub_x - hub_sin3 * boom_theta1_n_hub_y;
+    let boom_t69 = hub_cos3 * boom_theta1_n_hub_y + hub_sin3 * boom_theta1_n_hub_x;
+    entries[100] = boom_t69;
+    let boom_t70 = R::from_f64(4.068) * hub_cos3;
+    let boom_t71 = R::from_f64(-4.068) * hub_sin3;
+    let boom_t72 = -(hub_sin3 * boom_s1_n_hub_y);
+    entries[449] = boom_t72;
+    let boom_t73 = hub_cos3 * boom_s1_n_hub_y;
+    entries[436] = boom_t73;
+    let boom_t74 = hub_sin3 * boom_s2_n_hub_z - hub_cos3 * boom_s1_n_hub_z;
+    let boom_t75 = -(hub_cos3 * boom_s2_n_hub_z + hub_sin3 * boom_s1_n_hub_z);
+    entries[463] = boom_t75;
+    let antenna_t58 = hub_cos3 * antenna_theta3_f_hub_x
+        - hub_sin3 * antenna_theta3_f_hub_y;
+    let antenna_t59 = hub_cos3 * antenna_theta3_f_hub_y
+        + hub_sin3 * antenna_theta3_f_hub_x;
+    let antenna_t60 = hub_cos3 * antenna_theta3_n_hub_x
+        - hub_sin3 * antenna_theta3_n_hub_y;
+    let antenna_t61 = hub_cos3 * antenna_theta3_n_hub_y
+        + hub_sin3 * antenna_theta3_n_hub_x;
+    entries[94] = antenna_t61;
+    let antenna_t62 = hub_cos3 * antenna_theta2_f_hub_x
+        - hub_sin3 * antenna_theta2_f_hub_y;
+    let antenna_t63 = hub_cos3 * antenna_theta2_f_hub_y
+        + hub_sin3 * antenna_theta2_f_hub_x;
+    let antenna_t64 = hub_cos3 * antenna_theta2_n_hub_x
+        - hub_sin3 * antenna_theta2_n_hub_y;
+    let antenna_t65 = hub_cos3 * antenna_theta2_n_hub_y
+        + hub_sin3 * antenna_theta2_n_hub_x;
+    entries[89] = antenna_t65;
+    let antenna_t66 = hub_sin3 * antenna_theta1_f_hub_y;
+    let antenna_t67 = hub_cos3 * antenna_theta1_f_hub_y;
+    let antenna_t68 = hub_cos3 * antenna_theta1_n_hub_x
+        - hub_sin3 * antenna_theta1_n_hub_y;
+    let antenna_t69 = hub_cos3 * antenna_theta1_n_hub_y
+        + hub_sin3 * antenna_theta1_n_hub_x;
+    entries[85] = antenna_t69;
+    let antenna_t70 = R::from_f64(1.186) * hub_cos3;
+    let antenna_t71 = R::from_f64(-1.186) * hub_sin3;
+    let antenna_t72 = -(hub_sin3 * antenna_s1_n_hub_y);
+    entries[413] = antenna_t72;
+    let antenna_t73 = hub_cos3 * antenna_s1_n_hub_y;
+    entries[403] = antenna_t73;
+    let antenna_t74 = hub_sin3 * antenna_s2_n_hub_z - hub_cos3 * antenna_s1_n_hub_z;
+    let antenna_t75 = -(hub_cos3 * antenna_s2_n_hub_z + hub_sin3 * antenna_s1_n_hub_z);
+    entries[424] = antenna_t75;
+    let left_panel_t58 = hub_cos3 * left_panel_theta3_f_hub_x
+        - hub_sin3 * left_panel_theta3_f_hub_y;
+    let left_panel_t59 = hub_cos3 * left_panel_theta3_f_hub_y
+        + hub_sin3 * left_panel_theta3_f_hub_x;
+    let left_panel_t60 = hub_cos3 * left_panel_theta3_n_hub_x
+        - hub_sin3 * left_panel_theta3_n_hub_y;
+    let left_panel_t61 = hub_cos3 * left_panel_theta3_n_hub_y
+        + hub_sin3 * left_panel_theta3_n_hub_x;
+    entries[55] = left_panel_t61;
+    let left_panel_t62 = hub_cos3 * left_panel_theta2_f_hub_x
+        - hub_sin3 * left_panel_theta2_f_hub_y;
+    let left_panel_t63 = hub_cos3 * left_panel_theta2_f_hub_y
+        + hub_sin3 * left_panel_theta2_f_hub_x;
+    let left_panel_t64 = hub_cos3 * left_panel_theta2_n_hub_x
+        - hub_sin3 * left_panel_theta2_n_hub_y;
+    let left_panel_t65 = hub_cos3 * left_panel_theta2_n_hub_y
+        + hub_sin3 * left_panel_theta2_n_hub_x;
+    entries[50] = left_panel_t65;
+    let left_panel_t66 = hub_sin3 * left_panel_theta1_f_hub_y;
+    let left_panel_t67 = hub_cos3 * left_panel_theta1_f_hub_y;
+    let left_panel_t68 = hub_cos3 * left_panel_theta1_n_hub_x
+        - hub_sin3 * left_panel_theta1_n_hub_y;
+    let left_panel_t69 = hub_cos3 * left_panel_theta1_n_hub_y
+        + hub_sin3 * left_panel_theta1_n_hub_x;
+    entries[46] = left_panel_t69;
+    let left_panel_t70 = R::from_f64(3.255) * hub_cos3;
+    let left_panel_t71 = R::from_f64(-3.255) * hub_sin3;
+    let left_panel_t72 = -(hub_sin3 * left_panel_s1_n_hub_y);
+    entries[329] = left_panel_t72;
+    let left_panel_t73 = hub_cos3 * left_panel_s1_n_hub_y;
+    entries[319] = left_panel_t73;
+    let left_panel_t74 = hub_sin3 * left_panel_s2_n_hub_z
+        - hub_cos3 * left_panel_s1_n_hub_z;
+    let left_panel_t75 = -(hub_cos3 * left_panel_s2_n_hub_z
+        + hub_sin3 * left_panel_s1_n_hub_z);
+    entries[340] = left_panel_t75;
+    let left_tip_t124 = hub_cos3 * left_tip_theta3_f_hub_x
+        - hub_sin3 * left_tip_theta3_f_hub_y;
+    let left_tip_t125 = hub_cos3 * left_tip_theta3_f_hub_y
+        + hub_sin3 * left_tip_theta3_f_hub_x;
+    let left_tip_t126 = hub_cos3 * left_tip_theta3_n_hub_x
+        - hub_sin3 * left_tip_theta3_n_hub_y;
+    let left_tip_t127 = hub_cos3 * left_tip_theta3_n_hub_y
+        + hub_sin3 * left_tip_theta3_n_hub_x;
+    entries[76] = left_tip_t127;
+    let left_tip_t128 = hub_cos3 * left_tip_theta2_f_hub_x
+        - hub_sin3 * left_tip_theta2_f_hub_y;
+    let left_tip_t129 = hub_cos3 * left_tip_theta2_f_hub_y
+        + hub_sin3 * left_tip_theta2_f_hub_x;
+    let left_tip_t130 = hub_cos3 * left_tip_theta2_n_hub_x
+        - hub_sin3 * left_tip_theta2_n_hub_y;
+    let left_tip_t131 = hub_cos3 * left_tip_theta2_n_hub_y
+        + hub_sin3 * left_tip_theta2_n_hub_x;
+    entries[68] = left_tip_t131;
+    let left_tip_t132 = hub_cos3 * left_tip_theta1_f_hub_x
+        - hub_sin3 * left_tip_theta1_f_hub_y;
+    let left_tip_t133 = hub_cos3 * left_tip_theta1_f_hub_y
+        + hub_sin3 * left_tip_theta1_f_hub_x;
+    let left_tip_t134 = hub_cos3 * left_tip_theta1_n_hub_x
+        - hub_sin3 * left_tip_theta1_n_hub_y;
+    let left_tip_t135 = hub_cos3 * left_tip_theta1_n_hub_y
+        + hub_sin3 * left_tip_theta1_n_hub_x;
+    entries[61] = left_tip_t135;
+    let left_tip_t136 = hub_cos3 * left_tip_s1_f_hub_x - hub_sin3 * left_tip_s1_f_hub_y;
+    let left_tip_t137 = hub_cos3 * left_tip_s1_f_hub_y + hub_sin3 * left_tip_s1_f_hub_x;
+    let left_tip_t138 = hub_cos3 * left_tip_s1_n_hub_x - hub_sin3 * left_tip_s1_n_hub_y;
+    let left_tip_t139 = hub_cos3 * left_tip_s1_n_hub_y + hub_sin3 * left_tip_s1_n_hub_x;
+    entries[352] = left_tip_t139;
+    let left_tip_t140 = hub_cos3 * left_tip_s2_f_hub_x - hub_sin3 * left_tip_s2_f_hub_y;
+    let left_tip_t141 = hub_cos3 * left_tip_s2_f_hub_y + hub_sin3 * left_tip_s2_f_hub_x;
+    let left_tip_t142 = hub_cos3 * left_tip_s2_n_hub_x - hub_sin3 * left_tip_s2_n_hub_y;
+    let left_tip_t143 = hub_cos3 * left_tip_s2_n_hub_y + hub_sin3 * left_tip_s2_n_hub_x;
+    entries[368] = left_tip_t143;
+    let left_tip_t144 = hub_cos3 * left_tip_s3_f_hub_x - hub_sin3 * left_tip_s3_f_hub_y;
+    let left_tip_t145 = hub_cos3 * left_tip_s3_f_hub_y + hub_sin3 * left_tip_s3_f_hub_x;
+    let left_tip_t146 = hub_cos3 * left_tip_s3_n_hub_x - hub_sin3 * left_tip_s3_n_hub_y;
+    let left_tip_t147 = hub_cos3 * left_tip_s3_n_hub_y + hub_sin3 * left_tip_s3_n_hub_x;
+    entries[385] = left_tip_t147;
+    let forearm_t124 = hub_cos3 * forearm_theta3_f_hub_x
+        - hub_sin3 * forearm_theta3_f_hub_y;
+    let forearm_t125 = hub_cos3 * forearm_theta3_f_hub_y
+        + hub_sin3 * forearm_theta3_f_hub_x;
+    let forearm_t126 = hub_cos3 * forearm_theta3_n_hub_x
+        - hub_sin3 * forearm_theta3_n_hub_y;
+    let forearm_t127 = hub_cos3 * forearm_theta3_n_hub_y
+        + hub_sin3 * forearm_theta3_n_hub_x;
+    entries[37] = forearm_t127;
+    let forearm_t128 = hub_cos3 * forearm_theta2_f_hub_x
+        - hub_sin3 * forearm_theta2_f_hub_y;
+    let forearm_t129 = hub_cos3 * forearm_theta2_f_hub_y
+        + hub_sin3 * forearm_theta2_f_hub_x;
+    let forearm_t130 = hub_cos3 * forearm_theta2_n_hub_x
+        - hub_sin3 * forearm_theta2_n_hub_y;
+    let forearm_t131 = hub_cos3 * forearm_theta2_n_hub_y
+        + hub_sin3 * forearm_theta2_n_hub_x;
+    entries[29] = forearm_t131;
+    let forearm_t132 = hub_cos3 * forearm_theta1_f_hub_x
+        - hub_sin3 * forearm_theta1_f_hub_y;
+    let forearm_t133 = hub_cos3 * forearm_theta1_f_hub_y
+        + hub_sin3 * forearm_theta1_f_hub_x;
+    let forearm_t134 = hub_cos3 * forearm_theta1_n_hub_x
+        - hub_sin3 * forearm_theta1_n_hub_y;
+    let forearm_t135 = hub_cos3 * forearm_theta1_n_hub_y
+        + hub_sin3 * forearm_theta1_n_hub_x;
+    entries[22] = forearm_t135;
+    let forearm_t136 = hub_cos3 * forearm_s1_f_hub_x - hub_sin3 * forearm_s1_f_hub_y;
+    let forearm_t137 = hub_cos3 * forearm_s1_f_hub_y + hub_sin3 * forearm_s1_f_hub_x;
+    let forearm_t138 = hub_cos3 * forearm_s1_n_hub_x - hub_sin3 * forearm_s1_n_hub_y;
+    let forearm_t139 = hub_cos3 * forearm_s1_n_hub_y + hub_sin3 * forearm_s1_n_hub_x;
+    entries[268] = forearm_t139;
+    let forearm_t140 = hub_cos3 * forearm_s2_f_hub_x - hub_sin3 * forearm_s2_f_hub_y;
+    let forearm_t141 = hub_cos3 * forearm_s2_f_hub_y + hub_sin3 * forearm_s2_f_hub_x;
+    let forearm_t142 = hub_cos3 * forearm_s2_n_hub_x - hub_sin3 * forearm_s2_n_hub_y;
+    let forearm_t143 = hub_cos3 * forearm_s2_n_hub_y + hub_sin3 * forearm_s2_n_hub_x;
+    entries[284] = forearm_t143;
+    let forearm_t144 = hub_cos3 * forearm_s3_f_hub_x - hub_sin3 * forearm_s3_f_hub_y;
+    let forearm_t145 = hub_cos3 * forearm_s3_f_hub_y + hub_sin3 * forearm_s3_f_hub_x;
+    let forearm_t146 = hub_cos3 * forearm_s3_n_hub_x - hub_sin3 * forearm_s3_n_hub_y;
+    let forearm_t147 = hub_cos3 * forearm_s3_n_hub_y + hub_sin3 * forearm_s3_n_hub_x;
+    entries[301] = forearm_t147;
+    let shoulder_t67 = hub_cos3 * shoulder_theta3_f_hub_x
+        - hub_sin3 * shoulder_theta3_f_hub_y;
+    let shoulder_t68 = hub_cos3 * shoulder_theta3_f_hub_y
+        + hub_sin3 * shoulder_theta3_f_hub_x;
+    let shoulder_t69 = hub_cos3 * shoulder_theta3_n_hub_x
+        - hub_sin3 * shoulder_theta3_n_hub_y;
+    let shoulder_t70 = hub_cos3 * shoulder_theta3_n_hub_y
+        + hub_sin3 * shoulder_theta3_n_hub_x;
+    entries[16] = shoulder_t70;
+    let shoulder_t71 = hub_cos3 * shoulder_theta2_f_hub_x
+        - hub_sin3 * shoulder_theta2_f_hub_y;
+    let shoulder_t72 = hub_cos3 * shoulder_theta2_f_hub_y
+        + hub_sin3 * shoulder_theta2_f_hub_x;
+    let shoulder_t73 = hub_cos3 * shoulder_theta2_n_hub_x
+        - hub_sin3 * shoulder_theta2_n_hub_y;
+    let shoulder_t74 = hub_cos3 * shoulder_theta2_n_hub_y
+        + hub_sin3 * shoulder_theta2_n_hub_x;
+    entries[11] = shoulder_t74;
+    let shoulder_t75 = hub_sin3 * shoulder_theta1_f_hub_y;
+    let shoulder_t76 = hub_cos3 * shoulder_theta1_f_hub_y;
+    let shoulder_t77 = hub_cos3 * shoulder_theta1_n_hub_x
+        - hub_sin3 * shoulder_theta1_n_hub_y;
+    let shoulder_t78 = hub_cos3 * shoulder_theta1_n_hub_y
+        + hub_sin3 * shoulder_theta1_n_hub_x;
+    entries[7] = shoulder_t78;
+    let shoulder_t79 = R::from_f64(7.105) * hub_cos3;
+    let shoulder_t80 = R::from_f64(-7.105) * hub_sin3;
+    let shoulder_t81 = -(hub_sin3 * shoulder_s1_n_hub_y);
+    entries[233] = shoulder_t81;
+    let shoulder_t82 = hub_cos3 * shoulder_s1_n_hub_y;
+    entries[217] = shoulder_t82;
+    let shoulder_t83 = hub_sin3 * shoulder_s2_n_hub_z - hub_cos3 * shoulder_s1_n_hub_z;
+    let shoulder_t84 = -(hub_cos3 * shoulder_s2_n_hub_z
+        + hub_sin3 * shoulder_s1_n_hub_z);
+    entries[250] = shoulder_t84;
+    let hub_cos2 = cosines[1];
+    let hub_sin2 = sines[1];
+    let hub_t38 = hub_cos2 * hub_composite_z - hub_sin2 * hub_t28;
+    entries[139] = hub_t38;
+    let hub_t39 = hub_cos2 * hub_t28 + hub_sin2 * hub_composite_z;
+    let hub_t40 = hub_t33
+        + hub_sin2
+            * (hub_sin2 * (hub_composite_zz - hub_t33)
+                + hub_cos2 * (R::from_f64(2.0) * hub_t35));
+    entries[0] = hub_t40;
+    let hub_t41 = hub_cos2 * hub_t37 + hub_sin2 * hub_t36;
+    entries[1] = hub_t41;
+    let camera_t148 = hub_cos2 * camera_theta3_f_hub_z - hub_sin2 * camera_t124;
+    let camera_t149 = hub_cos2 * camera_t124 + hub_sin2 * camera_theta3_f_hub_z;
+    entries[161] = camera_t149;
+    let camera_t150 = hub_cos2 * camera_t126 + hub_sin2 * camera_theta3_n_hub_z;
+    entries[129] = camera_t150;
+    let camera_t151 = hub_cos2 * camera_theta2_f_hub_z - hub_sin2 * camera_t128;
+    let camera_t152 = hub_cos2 * camera_t128 + hub_sin2 * camera_theta2_f_hub_z;
+    entries[160] = camera_t152;
+    let camera_t153 = hub_cos2 * camera_t130 + hub_sin2 * camera_theta2_n_hub_z;
+    entries[121] = camera_t153;
+    let camera_t154 = hub_cos2 * camera_theta1_f_hub_z - hub_sin2 * camera_t132;
+    let camera_t155 = hub_cos2 * camera_t132 + hub_sin2 * camera_theta1_f_hub_z;
+    entries[159] = camera_t155;
+    let camera_t156 = hub_cos2 * camera_t134 + hub_sin2 * camera_theta1_n_hub_z;
+    entries[114] = camera_t156;
+    let camera_t157 = hub_cos2 * camera_s1_f_hub_z - hub_sin2 * camera_t136;
+    let camera_t158 = hub_cos2 * camera_t136 + hub_sin2 * camera_s1_f_hub_z;
+    entries[486] = camera_t158;
+    let camera_t159 = hub_cos2 * camera_t138 + hub_sin2 * camera_s1_n_hub_z;
+    entries[477] = camera_t159;
+    let camera_t160 = hub_cos2 * camera_s2_f_hub_z - hub_sin2 * camera_t140;
+    let camera_t161 = hub_cos2 * camera_t140 + hub_sin2 * camera_s2_f_hub_z;
+    entries[502] = camera_t161;
+    let camera_t162 = hub_cos2 * camera_t142 + hub_sin2 * camera_s2_n_hub_z;
+    entries[493] = camera_t162;
+    let camera_t163 = hub_cos2 * camera_s3_f_hub_z - hub_sin2 * camera_t144;
+    let camera_t164 = hub_cos2 * camera_t144 + hub_sin2 * camera_s3_f_hub_z;
+    entries[519] = camera_t164;
+    let camera_t165 = hub_cos2 * camera_t146 + hub_sin2 * camera_s3_n_hub_z;
+    entries[510] = camera_t165;
+    let boom_t76 = hub_cos2 * boom_theta3_f_hub_z - hub_sin2 * boom_t58;
+    let boom_t77 = hub_cos2 * boom_t58 + hub_sin2 * boom_theta3_f_hub_z;
+    entries[158] = boom_t77;
+    let boom_t78 = hub_cos2 * boom_t60 + hub_sin2 * boom_theta3_n_hub_z;
+    entries[108] = boom_t78;
+    let boom_t79 = hub_cos2 * boom_theta2_f_hub_z - hub_sin2 * boom_t62;
+    let boom_t80 = hub_cos2 * boom_t62 + hub_sin2 * boom_theta2_f_hub_z;
+    entries[157] = boom_t80;
+    let boom_t81 = hub_cos2 * boom_t64 + hub_sin2 * boom_theta2_n_hub_z;
+    entries[103] = boom_t81;
+    let boom_t82 = hub_cos2 * boom_theta1_f_hub_z + hub_sin2 * boom_t66;
+    let boom_t83 = hub_sin2 * boom_theta1_f_hub_z - hub_cos2 * boom_t66;
+    entries[156] = boom_t83;
+    let boom_t84 = hub_cos2 * boom_t68 + hub_sin2 * boom_theta1_n_hub_z;
+    entries[99] = boom_t84;
+    let boom_t85 = hub_sin2 * boom_t70;
+    let boom_t86 = hub_cos2 * boom_t70;
+    entries[444] = boom_t86;
+    let boom_t87 = hub_cos2 * boom_t72 + hub_sin2 * boom_s1_n_hub_z;
+    entries[435] = boom_t87;
+    let boom_t88 = hub_sin2 * boom_t71;
+    let boom_t89 = hub_cos2 * boom_t71;
+    entries[457] = boom_t89;
+    let boom_t90 = hub_sin2 * boom_s2_n_hub_z - hub_cos2 * boom_t73;
+    entries[448] = boom_t90;
+    let boom_t91 = R::from_f64(4.068) * hub_cos2;
+    let boom_t92 = R::from_f64(4.068) * hub_sin2;
+    entries[471] = boom_t92;
+    let boom_t93 = hub_cos2 * boom_t74;
+    entries[462] = boom_t93;
+    let antenna_t76 = hub_cos2 * antenna_theta3_f_hub_z - hub_sin2 * antenna_t58;
+    let antenna_t77 = hub_cos2 * antenna_t58 + hub_sin2 * antenna_theta3_f_hub_z;
+    entries[155] = antenna_t77;
+    let antenna_t78 = hub_cos2 * antenna_t60 + hub_sin2 * antenna_theta3_n_hub_z;
+    entries[93] = antenna_t78;
+    let antenna_t79 = hub_cos2 * antenna_theta2_f_hub_z - hub_sin2 * antenna_t62;
+    let antenna_t80 = hub_cos2 * antenna_t62 + hub_sin2 * antenna_theta2_f_hub_z;
+    entries[154] = antenna_t80;
+    let antenna_t81 = hub_cos2 * antenna_t64 + hub_sin2 * antenna_theta2_n_hub_z;
+    entries[88] = antenna_t81;
+    let antenna_t82 = hub_cos2 * antenna_theta1_f_hub_z + hub_sin2 * antenna_t66;
+    let antenna_t83 = hub_sin2 * antenna_theta1_f_hub_z - hub_cos2 * antenna_t66;
+    entries[153] = antenna_t83;
+    let antenna_t84 = hub_cos2 * antenna_t68 + hub_sin2 * antenna_theta1_n_hub_z;
+    entries[84] = antenna_t84;
+    let antenna_t85 = hub_sin2 * antenna_t70;
+    let antenna_t86 = hub_cos2 * antenna_t70;
+    entries[408] = antenna_t86;
+    let antenna_t87 = hub_cos2 * antenna_t72 + hub_sin2 * antenna_s1_n_hub_z;
+    entries[402] = antenna_t87;
+    let antenna_t88 = hub_sin2 * antenna_t71;
+    let antenna_t89 = hub_cos2 * antenna_t71;
+    entries[418] = antenna_t89;
+    let antenna_t90 = hub_sin2 * antenna_s2_n_hub_z - hub_cos2 * antenna_t73;
+    entries[412] = antenna_t90;
+    let antenna_t91 = R::from_f64(1.186) * hub_cos2;
+    let antenna_t92 = R::from_f64(1.186) * hub_sin2;
+    entries[429] = antenna_t92;
+    let antenna_t93 = hub_cos2 * antenna_t74;
+    entries[423] = antenna_t93;
+    let left_panel_t76 = hub_cos2 * left_panel_theta3_f_hub_z
+        - hub_sin2 * left_panel_t58;
+    let left_panel_t77 = hub_cos2 * left_panel_t58
+        + hub_sin2 * left_panel_theta3_f_hub_z;
+    entries[149] = left_panel_t77;
+    let left_panel_t78 = hub_cos2 * left_panel_t60
+        + hub_sin2 * left_panel_theta3_n_hub_z;
+    entries[54] = left_panel_t78;
+    let left_panel_t79 = hub_cos2 * left_panel_theta2_f_hub_z
+        - hub_sin2 * left_panel_t62;
+    let left_panel_t80 = hub_cos2 * left_panel_t62
+        + hub_sin2 * left_panel_theta2_f_hub_z;
+    entries[148] = left_panel_t80;
+    let left_panel_t81 = hub_cos2 * left_panel_t64
+        + hub_sin2 * left_panel_theta2_n_hub_z;
+    entries[49] = left_panel_t81;
+    let left_panel_t82 = hub_cos2 * left_panel_theta1_f_hub_z
+        + hub_sin2 * left_panel_t66;
+    let left_panel_t83 = hub_sin2 * left_panel_theta1_f_hub_z
+        - hub_cos2 * left_panel_t66;
+    entries[147] = left_panel_t83;
+    let left_panel_t84 = hub_cos2 * left_panel_t68
+        + hub_sin2 * left_panel_theta1_n_hub_z;
+    entries[45] = left_panel_t84;
+    let left_panel_t85 = hub_sin2 * left_panel_t70;
+    let left_panel_t86 = hub_cos2 * left_panel_t70;
+    entries[324] = left_panel_t86;
+    let left_panel_t87 = hub_cos2 * left_panel_t72 + hub_sin2 * left_panel_s1_n_hub_z;
+    entries[318] = left_panel_t87;
+    let left_panel_t88 = hub_sin2 * left_panel_t71;
+    let left_panel_t89 = hub_cos2 * left_panel_t71;
+    entries[334] = left_panel_t89;
+    let left_panel_t90 = hub_sin2 * left_panel_s2_n_hub_z - hub_cos2 * left_panel_t73;
+    entries[328] = left_panel_t90;
+    let left_panel_t91 = R::from_f64(3.255) * hub_cos2;
+    let left_panel_t92 = R::from_f64(3.255) * hub_sin2;
+    entries[345] = left_panel_t92;
+    let left_panel_t93 = hub_cos2 * left_panel_t74;
+    entries[339] = left_panel_t93;
+    let left_tip_t148 = hub_cos2 * left_tip_theta3_f_hub_z - hub_sin2 * left_tip_t124;
+    let left_tip_t149 = hub_cos2 * left_tip_t124 + hub_sin2 * left_tip_theta3_f_hub_z;
+    entries[152] = left_tip_t149;
+    let left_tip_t150 = hub_cos2 * left_tip_t126 + hub_sin2 * left_tip_theta3_n_hub_z;
+    entries[75] = left_tip_t150;
+    let left_tip_t151 = hub_cos2 * left_tip_theta2_f_hub_z - hub_sin2 * left_tip_t128;
+    let left_tip_t152 = hub_cos2 * left_tip_t128 + hub_sin2 * left_tip_theta2_f_hub_z;
+    entries[151] = left_tip_t152;
+    let left_tip_t153 = hub_cos2 * left_tip_t130 + hub_sin2 * left_tip_theta2_n_hub_z;
+    entries[67] = left_tip_t153;
+    let left_tip_t154 = hub_cos2 * left_tip_theta1_f_hub_z - hub_sin2 * left_tip_t132;
+    let left_tip_t155 = hub_cos2 * left_tip_t132 + hub_sin2 * left_tip_theta1_f_hub_z;
+    entries[150] = left_tip_t155;
+    let left_tip_t156 = hub_cos2 * left_tip_t134 + hub_sin2 * left_tip_theta1_n_hub_z;
+    entries[60] = left_tip_t156;
+    let left_tip_t157 = hub_cos2 * left_tip_s1_f_hub_z - hub_sin2 * left_tip_t136;
+    let left_tip_t158 = hub_cos2 * left_tip_t136 + hub_sin2 * left_tip_s1_f_hub_z;
+    entries[360] = left_tip_t158;
+    let left_tip_t159 = hub_cos2 * left_tip_t138 + hub_sin2 * left_tip_s1_n_hub_z;
+    entries[351] = left_tip_t159;
+    let left_tip_t160 = hub_cos2 * left_tip_s2_f_hub_z - hub_sin2 * left_tip_t140;
+    let left_tip_t161 = hub_cos2 * left_tip_t140 + hub_sin2 * left_tip_s2_f_hub_z;
+    entries[376] = left_tip_t161;
+    let left_tip_t162 = hub_cos2 * left_tip_t142 + hub_sin2 * left_tip_s2_n_hub_z;
+    entries[367] = left_tip_t162;
+    let left_tip_t163 = hub_cos2 * left_tip_s3_f_hub_z - hub_sin2 * left_tip_t144;
+    let left_tip_t164 = hub_cos2 * left_tip_t144 + hub_sin2 * left_tip_s3_f_hub_z;
+    entries[393] = left_tip_t164;
+    let left_tip_t165 = hub_cos2 * left_tip_t146 + hub_sin2 * left_tip_s3_n_hub_z;
+    entries[384] = left_tip_t165;
+    let forearm_t148 = hub_cos2 * forearm_theta3_f_hub_z - hub_sin2 * forearm_t124;
+    let forearm_t149 = hub_cos2 * forearm_t124 + hub_sin2 * forearm_theta3_f_hub_z;
+    entries[146] = forearm_t149;
+    let forearm_t150 = hub_cos2 * forearm_t126 + hub_sin2 * forearm_theta3_n_hub_z;
+    entries[36] = forearm_t150;
+    let forearm_t151 = hub_cos2 * forearm_theta2_f_hub_z - hub_sin2 * forearm_t128;
+    let forearm_t152 = hub_cos2 * forearm_t128 + hub_sin2 * forearm_theta2_f_hub_z;
+    entries[145] = forearm_t152;
+    let forearm_t153 = hub_cos2 * forearm_t130 + hub_sin2 * forearm_theta2_n_hub_z;
+    entries[28] = forearm_t153;
+    let forearm_t154 = hub_cos2 * forearm_theta1_f_hub_z - hub_sin2 * forearm_t132;
+    let forearm_t155 = hub_cos2 * forearm_t132 + hub_sin2 * forearm_theta1_f_hub_z;
+    entries[144] = forearm_t155;
+    let forearm_t156 = hub_cos2 * forearm_t134 + hub_sin2 * forearm_theta1_n_hub_z;
+    entries[21] = forearm_t156;
+    let forearm_t157 = hub_cos2 * forearm_s1_f_hub_z - hub_sin2 * forearm_t136;
+    let forearm_t158 = hub_cos2 * forearm_t136 + hub_sin2 * forearm_s1_f_hub_z;
+    entries[276] = forearm_t158;
+    let forearm_t159 = hub_cos2 * forearm_t138 + hub_sin2 * forearm_s1_n_hub_z;
+    entries[267] = forearm_t159;
+    let forearm_t160 = hub_cos2 * forearm_s2_f_hub_z - hub_sin2 * forearm_t140;
+    let forearm_t161 = hub_cos2 * forearm_t140 + hub_sin2 * forearm_s2_f_hub_z;
+    entries[292] = forearm_t161;
+    let forearm_t162 = hub_cos2 * forearm_t142 + hub_sin2 * forearm_s2_n_hub_z;
+    entries[283] = forearm_t162;
+    let forearm_t163 = hub_cos2 * forearm_s3_f_hub_z - hub_sin2 * forearm_t144;
+    let forearm_t164 = hub_cos2 * forearm_t144 + hub_sin2 * forearm_s3_f_hub_z;
+    entries[309] = forearm_t164;
+    let forearm_t165 = hub_cos2 * forearm_t146 + hub_sin2 * forearm_s3_n_hub_z;
+    entries[300] = forearm_t165;
+    let shoulder_t85 = hub_cos2 * shoulder_theta3_f_hub_z - hub_sin2 * shoulder_t67;
+    let shoulder_t86 = hub_cos2 * shoulder_t67 + hub_sin2 * shoulder_theta3_f_hub_z;
+    entries[143] = shoulder_t86;
+    let shoulder_t87 = hub_cos2 * shoulder_t69 + hub_sin2 * shoulder_theta3_n_hub_z;
+    entries[15] = shoulder_t87;
+    let shoulder_t88 = hub_cos2 * shoulder_theta2_f_hub_z - hub_sin2 * shoulder_t71;
+    let shoulder_t89 = hub_cos2 * shoulder_t71 + hub_sin2 * shoulder_theta2_f_hub_z;
+    entries[142] = shoulder_t89;
+    let shoulder_t90 = hub_cos2 * shoulder_t73 + hub_sin2 * shoulder_theta2_n_hub_z;
+    entries[10] = shoulder_t90;
+    let shoulder_t91 = hub_cos2 * shoulder_theta1_f_hub_z + hub_sin2 * shoulder_t75;
+    let shoulder_t92 = hub_sin2 * shoulder_theta1_f_hub_z - hub_cos2 * shoulder_t75;
+    entries[141] = shoulder_t92;
+    let shoulder_t93 = hub_cos2 * shoulder_t77 + hub_sin2 * shoulder_theta1_n_hub_z;
+    entries[6] = shoulder_t93;
+    let shoulder_t94 = hub_sin2 * shoulder_t79;
+    let shoulder_t95 = hub_cos2 * shoulder_t79;
+    entries[228] = shoulder_t95;
+    let shoulder_t96 = hub_cos2 * shoulder_t81 + hub_sin2 * shoulder_s1_n_hub_z;
+    entries[216] = shoulder_t96;
+    let shoulder_t97 = hub_sin2 * shoulder_t80;
+    let shoulder_t98 = hub_cos2 * shoulder_t80;
+    entries[244] = shoulder_t98;
+    let shoulder_t99 = hub_sin2 * shoulder_s2_n_hub_z - hub_cos2 * shoulder_t82;
+    entries[232] = shoulder_t99;
+    let shoulder_t100 = R::from_f64(7.105) * hub_cos2;
+    let shoulder_t101 = R::from_f64(7.105) * hub_sin2;
+    entries[261] = shoulder_t101;
+    let shoulder_t102 = hub_cos2 * shoulder_t83;
+    entries[249] = shoulder_t102;
+    let hub_t42 = hub_sin2 * hub_t29;
+    let hub_t43 = -(hub_cos2 * hub_t29);
+    entries[140] = hub_t43;
+    let hub_t44 = hub_cos2 * hub_t35 + hub_sin2 * hub_composite_zz;
+    entries[3] = hub_t44;
+    let hub_cos1 = cosines[0];
+    let hub_sin1 = sines[0];
+    let hub_t45 = hub_cos1 * hub_t29 - hub_sin1 * hub_t38;
+    entries[189] = hub_t45;
+    let hub_t46 = -(hub_cos1 * hub_t38 + hub_sin1 * hub_t29);
+    entries[163] = hub_t46;
+    let camera_t166 = hub_cos1 * camera_t125 - hub_sin1 * camera_t148;
+    entries[186] = camera_t166;
+    let camera_t167 = hub_cos1 * camera_t148 + hub_sin1 * camera_t125;
+    entries[212] = camera_t167;
+    let camera_t168 = hub_cos1 * camera_t129 - hub_sin1 * camera_t151;
+    entries[185] = camera_t168;
+    let camera_t169 = hub_cos1 * camera_t151 + hub_sin1 * camera_t129;
+    entries[211] = camera_t169;
+    let camera_t170 = hub_cos1 * camera_t133 - hub_sin1 * camera_t154;
+    entries[184] = camera_t170;
+    let camera_t171 = hub_cos1 * camera_t154 + hub_sin1 * camera_t133;
+    entries[210] = camera_t171;
+    let camera_t172 = hub_cos1 * camera_t137 - hub_sin1 * camera_t157;
+    entries[487] = camera_t172;
+    let camera_t173 = hub_cos1 * camera_t157 + hub_sin1 * camera_t137;
+    entries[488] = camera_t173;
+    let camera_t174 = hub_cos1 * camera_t141 - hub_sin1 * camera_t160;
+    entries[503] = camera_t174;
+    let camera_t175 = hub_cos1 * camera_t160 + hub_sin1 * camera_t141;
+    entries[504] = camera_t175;
+    let camera_t176 = hub_cos1 * camera_t145 - hub_sin1 * camera_t163;
+    entries[520] = camera_t176;
+    let camera_t177 = hub_cos1 * camera_t163 + hub_sin1 * camera_t145;
+    entries[521] = camera_t177;
+    let boom_t94 = hub_cos1 * boom_t59 - hub_sin1 * boom_t76;
+    entries[183] = boom_t94;
+    let boom_t95 = hub_cos1 * boom_t76 + hub_sin1 * boom_t59;
+    entries[209] = boom_t95;
+    let boom_t96 = hub_cos1 * boom_t63 - hub_sin1 * boom_t79;
+    entries[182] = boom_t96;
+    let boom_t97 = hub_cos1 * boom_t79 + hub_sin1 * boom_t63;
+    entries[208] = boom_t97;
+    let boom_t98 = hub_cos1 * boom_t67 - hub_sin1 * boom_t82;
+    entries[181] = boom_t98;
+    let boom_t99 = hub_cos1 * boom_t82 + hub_sin1 * boom_t67;
+    entries[207] = boom_t99;
+    let boom_t100 = hub_sin1 * boom_t85 - hub_cos1 * boom_t71;
+    entries[445] = boom_t100;
+    let boom_t101 = -(hub_cos1 * boom_t85 + hub_sin1 * boom_t71);
+    entries[446] = boom_t101;
+    let boom_t102 = hub_cos1 * boom_t70 + hub_sin1 * boom_t88;
+    entries[458] = boom_t102;
+    let boom_t103 = hub_sin1 * boom_t70 - hub_cos1 * boom_t88;
+    entries[459] = boom_t103;
+    let boom_t104 = -(hub_sin1 * boom_t91);
+    entries[472] = boom_t104;
+    let boom_t105 = hub_cos1 * boom_t91;
+    entries[473] = boom_t105;
+    let antenna_t94 = hub_cos1 * antenna_t59 - hub_sin1 * antenna_t76;
+    entries[180] = antenna_t94;
+    let antenna_t95 = hub_cos1 * antenna_t76 + hub_sin1 * antenna_t59;
+    entries[206] = antenna_t95;
+    let antenna_t96 = hub_cos1 * antenna_t63 - hub_sin1 * antenna_t79;
+    entries[179] = antenna_t96;
+    let antenna_t97 = hub_cos1 * antenna_t79 + hub_sin1 * antenna_t63;
+    entries[205] = antenna_t97;
+    let antenna_t98 = hub_cos1 * antenna_t67 - hub_sin1 * antenna_t82;
+    entries[178] = antenna_t98;
+    let antenna_t99 = hub_cos1 * antenna_t82 + hub_sin1 * antenna_t67;
+    entries[204] = antenna_t99;
+    let antenna_t100 = hub_sin1 * antenna_t85 - hub_cos1 * antenna_t71;
+    entries[409] = antenna_t100;
+    let antenna_t101 = -(hub_cos1 * antenna_t85 + hub_sin1 * antenna_t71);
+    entries[410] = antenna_t101;
+    let antenna_t102 = hub_cos1 * antenna_t70 + hub_sin1 * antenna_t88;
+    entries[419] = antenna_t102;
+    let antenna_t103 = hub_sin1 * antenna_t70 - hub_cos1 * antenna_t88;
+    entries[420] = antenna_t103;
+    let antenna_t104 = -(hub_sin1 * antenna_t91);
+    entries[430] = antenna_t104;
+    let antenna_t105 = hub_cos1 * antenna_t91;
+    entries[431] = antenna_t105;
+    let left_panel_t94 = hub_cos1 * left_panel_t59 - hub_sin1 * left_panel_t76;
+    entries[174] = left_panel_t94;
+    let left_panel_t95 = hub_cos1 * left_panel_t76 + hub_sin1 * left_panel_t59;
+    entries[200] = left_panel_t95;
+    let left_panel_t96 = hub_cos1 * left_panel_t63 - hub_sin1 * left_panel_t79;
+    entries[173] = left_panel_t96;
+    let left_panel_t97 = hub_cos1 * left_panel_t79 + hub_sin1 * left_panel_t63;
+    entries[199] = left_panel_t97;
+    let left_panel_t98 = hub_cos1 * left_panel_t67 - hub_sin1 * left_panel_t82;
+    entries[172] = left_panel_t98;
+    let left_panel_t99 = hub_cos1 * left_panel_t82 + hub_sin1 * left_panel_t67;
+    entries[198] = left_panel_t99;
+    let left_panel_t100 = hub_sin1 * left_panel_t85 - hub_cos1 * left_panel_t71;
+    entries[325] = left_panel_t100;
+    let left_panel_t101 = -(hub_cos1 * left_panel_t85 + hub_sin1 * left_panel_t71);
+    entries[326] = left_panel_t101;
+    let left_panel_t102 = hub_cos1 * left_panel_t70 + hub_sin1 * left_panel_t88;
+    entries[335] = left_panel_t102;
+    let left_panel_t103 = hub_sin1 * left_panel_t70 - hub_cos1 * left_panel_t88;
+    entries[336] = left_panel_t103;
+    let left_panel_t104 = -(hub_sin1 * left_panel_t91);
+    entries[346] = left_panel_t104;
+    let left_panel_t105 = hub_cos1 * left_panel_t91;
+    entries[347] = left_panel_t105;
+    let left_tip_t166 = hub_cos1 * left_tip_t125 - hub_sin1 * left_tip_t148;
+    entries[177] = left_tip_t166;
+    let left_tip_t167 = hub_cos1 * left_tip_t148 + hub_sin1 * left_tip_t125;
+    entries[203] = left_tip_t167;
+    let left_tip_t168 = hub_cos1 * left_tip_t129 - hub_sin1 * left_tip_t151;
+    entries[176] = left_tip_t168;
+    let left_tip_t169 = hub_cos1 * left_tip_t151 + hub_sin1 * left_tip_t129;
+    entries[202] = left_tip_t169;
+    let left_tip_t170 = hub_cos1 * left_tip_t133 - hub_sin1 * left_tip_t154;
+    entries[175] = left_tip_t170;
+    let left_tip_t171 = hub_cos1 * left_tip_t154 + hub_sin1 * left_tip_t133;
+    entries[201] = left_tip_t171;
+    let left_tip_t172 = hub_cos1 * left_tip_t137 - hub_sin1 * left_tip_t157;
+    entries[361] = left_tip_t172;
+    let left_tip_t173 = hub_cos1 * left_tip_t157 + hub_sin1 * left_tip_t137;
+    entries[362] = left_tip_t173;
+    let left_tip_t174 = hub_cos1 * left_tip_t141 - hub_sin1 * left_tip_t160;
+    entries[377] = left_tip_t174;
+    let left_tip_t175 = hub_cos1 * left_tip_t160 + hub_sin1 * left_tip_t141;
+    entries[378] = left_tip_t175;
+    let left_tip_t176 = hub_cos1 * left_tip_t145 - hub_sin1 * left_tip_t163;
+    entries[394] = left_tip_t176;
+    let left_tip_t177 = hub_cos1 * left_tip_t163 + hub_sin1 * left_tip_t145;
+    entries[395] = left_tip_t177;
+    let forearm_t166 = hub_cos1 * forearm_t125 - hub_sin1 * forearm_t148;
+    entries[171] = forearm_t166;
+    let forearm_t167 = hub_cos1 * forearm_t148 + hub_sin1 * forearm_t125;
+    entries[197] = forearm_t167;
+    let forearm_t168 = hub_cos1 * forearm_t129 - hub_sin1 * forearm_t151;
+    entries[170] = forearm_t168;
+    let forearm_t169 = hub_cos1 * forearm_t151 + hub_sin1 * forearm_t129;
+    entries[196] = forearm_t169;
+    let forearm_t170 = hub_cos1 * forearm_t133 - hub_sin1 * forearm_t154;
+    entries[169] = forearm_t170;
+    let forearm_t171 = hub_cos1 * forearm_t154 + hub_sin1 * forearm_t133;
+    entries[195] = forearm_t171;
+    let forearm_t172 = hub_cos1 * forearm_t137 - hub_sin1 * forearm_t157;
+    entries[277] = forearm_t172;
+    let forearm_t173 = hub_cos1 * forearm_t157 + hub_sin1 * forearm_t137;
+    entries[278] = forearm_t173;
+    let forearm_t174 = hub_cos1 * forearm_t141 - hub_sin1 * forearm_t160;
+    entries[293] = forearm_t174;
+    let forearm_t175 = hub_cos1 * forearm_t160 + hub_sin1 * forearm_t141;
+    entries[294] = forearm_t175;
+    let forearm_t176 = hub_cos1 * forearm_t145 - hub_sin1 * forearm_t163;
+    entries[310] = forearm_t176;
+    let forearm_t177 = hub_cos1 * forearm_t163 + hub_sin1 * forearm_t145;
+    entries[311] = forearm_t177;
+    let shoulder_t103 = hub_cos1 * shoulder_t68 - hub_sin1 * shoulder_t85;
+    entries[168] = shoulder_t103;
+    let shoulder_t104 = hub_cos1 * shoulder_t85 + hub_sin1 * shoulder_t68;
+    entries[194] = shoulder_t104;
+    let shoulder_t105 = hub_cos1 * shoulder_t72 - hub_sin1 * shoulder_t88;
+    entries[167] = shoulder_t105;
+    let shoulder_t106 = hub_cos1 * shoulder_t88 + hub_sin1 * shoulder_t72;
+    entries[193] = shoulder_t106;
+    let shoulder_t107 = hub_cos1 * shoulder_t76 - hub_sin1 * shoulder_t91;
+    entries[166] = shoulder_t107;
+    let shoulder_t108 = hub_cos1 * shoulder_t91 + hub_sin1 * shoulder_t76;
+    entries[192] = shoulder_t108;
+    let shoulder_t109 = hub_sin1 * shoulder_t94 - hub_cos1 * shoulder_t80;
+    entries[229] = shoulder_t109;
+    let shoulder_t110 = -(hub_cos1 * shoulder_t94 + hub_sin1 * shoulder_t80);
+    entries[230] = shoulder_t110;
+    let shoulder_t111 = hub_cos1 * shoulder_t79 + hub_sin1 * shoulder_t97;
+    entries[245] = shoulder_t111;
+    let shoulder_t112 = hub_sin1 * shoulder_t79 - hub_cos1 * shoulder_t97;
+    entries[246] = shoulder_t112;
+    let shoulder_t113 = -(hub_sin1 * shoulder_t100);
+    entries[262] = shoulder_t113;
+    let shoulder_t114 = hub_cos1 * shoulder_t100;
+    entries[263] = shoulder_t114;
+    let hub_t47 = hub_cos1 * hub_t28 - hub_sin1 * hub_t42;
+    entries[165] = hub_t47;
+    let hub_t48 = hub_cos1 * hub_t42 + hub_sin1 * hub_t28;
+    entries[191] = hub_t48;
+    let hub_t49 = hub_sin1 * hub_t39;
+    entries[164] = hub_t49;
+    let hub_t50 = -(hub_cos1 * hub_t39);
+    entries[190] = hub_t50;
+    entries[44] = R::from_f64(0.760264534);
+    entries[59] = R::from_f64(1.3275490749999999);
+    entries[83] = R::from_f64(0.507482167);
+    entries[98] = R::from_f64(0.408079378);
+    entries[137] = R::from_f64(0.7879912769999999);
+    entries[138] = R::from_f64(0.0);
+    entries[162] = R::from_f64(16.601);
+    entries[187] = R::from_f64(0.0);
+    entries[188] = R::from_f64(16.601);
+    entries[213] = R::from_f64(0.0);
+    entries[214] = R::from_f64(0.0);
+    entries[215] = R::from_f64(16.601);
+    entries[219] = R::from_f64(0.0);
+    entries[231] = R::from_f64(7.105);
+    entries[247] = R::from_f64(0.0);
+    entries[248] = R::from_f64(7.105);
+    entries[251] = R::from_f64(0.0);
+    entries[264] = R::from_f64(0.0);
+    entries[265] = R::from_f64(0.0);
+    entries[266] = R::from_f64(7.105);
+    entries[273] = R::from_f64(0.0);
+    entries[282] = R::from_f64(1.918);
+    entries[298] = R::from_f64(0.0);
+    entries[299] = R::from_f64(1.918);
+    entries[305] = R::from_f64(0.0);
+    entries[315] = R::from_f64(0.0);
+    entries[316] = R::from_f64(0.0);
+    entries[317] = R::from_f64(1.918);
+    entries[321] = R::from_f64(0.0);
+    entries[327] = R::from_f64(3.255);
+    entries[337] = R::from_f64(0.0);
+    entries[338] = R::from_f64(3.255);
+    entries[341] = R::from_f64(0.0);
+    entries[348] = R::from_f64(0.0);
+    entries[349] = R::from_f64(0.0);
+    entries[350] = R::from_f64(3.255);
+    entries[357] = R::from_f64(0.0);
+    entries[366] = R::from_f64(3.327);
+    entries[382] = R::from_f64(0.0);
+    entries[383] = R::from_f64(3.327);
+    entries[389] = R::from_f64(0.0);
+    entries[399] = R::from_f64(0.0);
+    entries[400] = R::from_f64(0.0);
+    entries[401] = R::from_f64(3.327);
+    entries[405] = R::from_f64(0.0);
+    entries[411] = R::from_f64(1.186);
+    entries[421] = R::from_f64(0.0);
+    entries[422] = R::from_f64(1.186);
+    entries[425] = R::from_f64(0.0);
+    entries[432] = R::from_f64(0.0);
+    entries[433] = R::from_f64(0.0);
+    entries[434] = R::from_f64(1.186);
+    entries[438] = R::from_f64(0.0);
+    entries[447] = R::from_f64(4.068);
+    entries[460] = R::from_f64(0.0);
+    entries[461] = R::from_f64(4.068);
+    entries[464] = R::from_f64(0.0);
+    entries[474] = R::from_f64(0.0);
+    entries[475] = R::from_f64(0.0);
+    entries[476] = R::from_f64(4.068);
+    entries[483] = R::from_f64(0.0);
+    entries[492] = R::from_f64(1.717);
+    entries[508] = R::from_f64(0.0);
+    entries[509] = R::from_f64(1.717);
+    entries[515] = R::from_f64(0.0);
+    entries[525] = R::from_f64(0.0);
+    entries[526] = R::from_f64(0.0);
+    entries[527] = R::from_f64(1.717);
+}
+
+impl<R: kane::Real> kane::functions::MassMatrixPacked<R> for Prepared<R> {
+    type Entries = [R; MASS_MATRIX_PACKED_LEN];
+    const PLACES: &'static [[usize; 2]] = &MASS_MATRIX_PACKED_PLACES;
+    #[inline]
+    fn mass_matrix_packed(
+        &self,
+        q: &[R; NQ],
+        entries: &mut [R; MASS_MATRIX_PACKED_LEN],
+    ) {
+        self::mass_matrix_packed(self, q, entries);
     }
 }
 

@@ -28,6 +28,7 @@
 //! | [`MassCenterAcceleration`] | `mass_center_acceleration(q, u, u_dot, out)` | `Vectors` | before (33) |
 //! | [`GeneralizedForces`] | `generalized_forces(q, loads, tau)` | `U` | (36) |
 //! | [`MassMatrix`] | `mass_matrix(q, m)` | `Matrix` | (42) |
+//! | [`MassMatrixPacked`] | `mass_matrix_packed(q, entries)` | `Entries`, `PLACES` | (42) |
 //! | [`Forcing`] | `forcing(q, u, loads, f)` | `U` | (43) |
 //! | [`Bias`] | `bias(q, u, bias)` | `U` | `M u_dot + bias = tau` |
 //! | [`GravityForces`] | `gravity_forces(q, tau)` | `U` | (36), of weight |
@@ -188,6 +189,43 @@ pub trait MassMatrix<R: Real>: System<R> {
     type Matrix: Array<Self::U>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrix`].
     fn mass_matrix(&self, q: &Self::Q, m: &mut Self::Matrix);
+}
+
+/// The entries of the [`MassMatrix`] on and below the diagonal that the tree does not make zero, row after row. Eq. (42).
+///
+/// Those of two speeds that move no body in common are left out: a quarter of the whole matrix is left of a humanoid's, as
+/// solvers that follow the tree want it. [`unpack`] makes the whole of it.
+pub trait MassMatrixPacked<R: Real>: System<R> {
+    /// `[R; n]`, one entry a place.
+    type Entries: Array<R>;
+    /// The row and the column of each entry, column not above row; ordered by row, within a row by column.
+    const PLACES: &'static [[usize; 2]];
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrix`].
+    fn mass_matrix_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
+}
+
+/// Writes the whole symmetric matrix whose `entries` stand at these `places`; all others become zero.
+///
+/// What stands outside the matrix, or has no place, is dropped.
+pub fn unpack<R: Real, Row: Array<R>>(
+    entries: &[R],
+    places: &[[usize; 2]],
+    m: &mut impl Array<Row>,
+) {
+    let rows = m.as_mut();
+    for row in rows.iter_mut() {
+        *row = Row::filled(R::from_f64(0.0));
+    }
+    for (&entry, &[row, column]) in entries.iter().zip(places) {
+        for [row, column] in [[row, column], [column, row]] {
+            let place = rows
+                .get_mut(row)
+                .and_then(|row| row.as_mut().get_mut(column));
+            if let Some(place) = place {
+                *place = entry;
+            }
+        }
+    }
 }
 
 function_traits! {

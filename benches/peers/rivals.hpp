@@ -217,6 +217,19 @@ struct Rust {
     if (!found.call) throw std::runtime_error("no generated functions of " + robot.name);
     return {"kane", KANE, found.call, found.object, robot.dense(f), robot.whole(f, 0)};
   }
+  // Of the mass matrix what is not zero of a triangle, as all the others but dynibo write it.
+  Candidate kane_packed(const Robot &robot) const {
+    const auto found = symbol<Found (*)(const char *)>(library, "kane_packed_candidate")(robot.name.c_str());
+    if (!found.call) throw std::runtime_error("no generated functions of " + robot.name);
+    const auto unpack = symbol<void (*)(const char *, const double *, double *)>(library, "kane_unpack");
+    auto expand = [=, name = robot.name, n = robot.model.nv](const double *out) -> Matrix {
+      Matrix m(n, n);
+      unpack(name.c_str(), out, m.data());
+      return m;
+    };
+    // Row after row, the last entry of each on the diagonal; the base's rows are whole.
+    return {"kane", KANE, found.call, found.object, expand, robot.floating ? 5 : 0};
+  }
   Candidate dynibo(const Robot &robot, Function f) const {
     const char *urdf = robot.urdf.c_str();
     const auto found = symbol<Found (*)(const char *, bool, unsigned)>(library, "dynibo_candidate")(urdf, robot.floating, f);

@@ -80,6 +80,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn joined(build: Build, name: &str) -> Result<(), Error> {
     let functions = [
         "mass_matrix",
+        "mass_matrix_packed",
         "bias",
         "gravity_forces",
         "inverse_dynamics",

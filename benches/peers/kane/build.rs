@@ -12,7 +12,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     ] {
         let build = Build::new(format!("../../../tests/robots/{name}/{name}.urdf"))
             .base(base)
-            .functions(["inverse_dynamics", "mass_matrix", "forward_dynamics"]);
+            .functions([
+                "inverse_dynamics",
+                "mass_matrix",
+                "mass_matrix_packed",
+                "forward_dynamics",
+            ]);
         let build = if cfg!(feature = "fma") {
             build.fma()
         } else {

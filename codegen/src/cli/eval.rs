@@ -27,7 +27,7 @@ use super::{
 /// shape of the function's output: a number, a list, or nested lists, matrices by rows. A number that is not finite is
 /// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
 /// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
-/// `columns`, all from 0. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
+/// `columns`, all from 0. The packed mass matrix comes as `entries`, and `places`, the row and column of each. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "The state file holds what the function is given, in SI units:\n  \
@@ -121,6 +121,9 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
     }
     if function.compact().is_some() {
         outputs.insert("blocks".to_owned(), blocks(compact));
+    }
+    if function.is_packed() {
+        outputs.insert("places".to_owned(), json!(tree.coupled_speeds()));
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);
     only.cloned().unwrap_or(Value::Object(outputs))

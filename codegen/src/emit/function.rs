@@ -163,6 +163,7 @@ fn output_type(function: &Request, shape: Shape) -> TokenStream {
         Shape::Coordinates => quote!([R; NQ]),
         Shape::Speeds => quote!([R; NU]),
         Shape::SpeedMatrix => quote!([[R; NU]; NU]),
+        Shape::SpeedPairs => quote!([R; MASS_MATRIX_PACKED_LEN]),
         Shape::BodyScalars => quote!([R; NB]),
         Shape::BodyVectors => quote!([[R; 3]; NB]),
         Shape::BodyMatrices => quote!([[[R; 3]; 3]; NB]),
@@ -216,6 +217,10 @@ fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> I
         .map(|argument| ident(argument.name()));
     let associated = match function.shape {
         Shape::SpeedMatrix => quote!(type Matrix = #output_type;),
+        Shape::SpeedPairs => quote! {
+            type Entries = #output_type;
+            const PLACES: &'static [[usize; 2]] = &MASS_MATRIX_PACKED_PLACES;
+        },
         Shape::Columns => {
             let columns = ident(&format!(
                 "{}Columns",

@@ -78,6 +78,29 @@ pub(super) fn constants(tree: &Tree) -> Vec<Item> {
     items
 }
 
+/// How long a packed mass matrix is, and where its entries stand.
+pub(super) fn packed(tree: &Tree) -> Vec<Item> {
+    let places = tree.coupled_speeds();
+    let len = Literal::usize_unsuffixed(places.len());
+    let places = places.iter().map(|place| {
+        let [row, column] = place.map(Literal::usize_unsuffixed);
+        quote!([#row, #column])
+    });
+    let allow = allow_unused();
+    vec![
+        parse_quote! {
+            /// Number of entries that `mass_matrix_packed` writes.
+            #allow
+            pub const MASS_MATRIX_PACKED_LEN: usize = #len;
+        },
+        parse_quote! {
+            /// The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.
+            #allow
+            pub const MASS_MATRIX_PACKED_PLACES: [[usize; 2]; MASS_MATRIX_PACKED_LEN] = [#(#places),*];
+        },
+    ]
+}
+
 /// `Parameters` and its nominal values.
 pub(super) fn parameters(tree: &Tree) -> Vec<Item> {
     let allow = allow_unused();

@@ -66,9 +66,15 @@ pub fn source(module: &Module<'_>) -> String {
     items.extend(items::parameters(module.tree));
     items.extend(items::prepared(module, fields));
     items.push(items::system(module.tree));
-    let mut functions = module.functions.iter();
-    if functions.any(|emittable| emittable.function.is_at_sin_cos()) {
+    let any = |is: fn(&Request) -> bool| {
+        let mut functions = module.functions.iter();
+        functions.any(|emittable| is(&emittable.function))
+    };
+    if any(Request::is_at_sin_cos) {
         items.extend(sin_cos::items(module.tree));
+    }
+    if any(Request::is_packed) {
+        items.extend(items::packed(module.tree));
     }
     text.push_str(&printed(items));
     let functions = threads::map(&module.functions, |emittable| {

@@ -3,7 +3,7 @@
 use super::{Argument, Derivation, Function, Shape, derive, terms};
 
 /// Every function a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 32] = [
+pub static CATALOGUE: [Function; 33] = [
     Function {
         name: "relative_rotation",
         trait_name: Some("RelativeRotation"),
@@ -246,6 +246,23 @@ pub static CATALOGUE: [Function; 32] = [
         derive: Derivation::Either {
             notes: derive::mass_matrix,
             recursive: derive::mass_matrix_recursive,
+            literal_terms: terms::of_matrix,
+        },
+    },
+    Function {
+        name: "mass_matrix_packed",
+        trait_name: Some("MassMatrixPacked"),
+        arguments: &[Argument::Q],
+        output: "entries",
+        shape: Shape::SpeedPairs,
+        is_default: false,
+        doc: &[
+            "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
+            "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
+        ],
+        derive: Derivation::Either {
+            notes: derive::mass_matrix_packed,
+            recursive: derive::mass_matrix_packed_recursive,
             literal_terms: terms::of_matrix,
         },
     },

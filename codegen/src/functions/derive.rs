@@ -178,6 +178,23 @@ pub(super) fn mass_matrix_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &P
     matrix_recursive(graph, tree, plan).concat()
 }
 
+pub(super) fn mass_matrix_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    packed(tree, &matrix(graph, tree))
+}
+
+pub(super) fn mass_matrix_packed_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    packed(tree, &matrix_recursive(graph, tree, plan))
+}
+
+fn packed(tree: &Tree, a: &SpeedMatrix) -> Vec<Expr> {
+    let places = tree.coupled_speeds().into_iter();
+    places.map(|[row, column]| a[row][column]).collect()
+}
+
 pub(super) fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     dynamics::generalized_forces(graph, tree)
 }

@@ -73,6 +73,8 @@ pub enum Shape {
     Speeds,
     /// `[[R; NU]; NU]`.
     SpeedMatrix,
+    /// `[R; MASS_MATRIX_PACKED_LEN]`: one number for every pair of [`Tree::coupled_speeds`].
+    SpeedPairs,
     /// `[R; NB]`.
     BodyScalars,
     /// `[[R; 3]; NB]`.
@@ -264,6 +266,7 @@ impl Shape {
             Self::Coordinates => vec![tree.n_coordinates],
             Self::Speeds => vec![n_speeds],
             Self::SpeedMatrix => vec![n_speeds; 2],
+            Self::SpeedPairs => vec![tree.coupled_speeds().len()],
             Self::BodyScalars => vec![n_bodies],
             Self::BodyVectors => vec![n_bodies, 3],
             Self::BodyMatrices => vec![n_bodies, 3, 3],

@@ -115,6 +115,13 @@ impl Request {
         parts.find(|part| part.shape == Shape::Columns).copied()
     }
 
+    /// True where a packed mass matrix is among the outputs.
+    pub fn is_packed(&self) -> bool {
+        self.parts
+            .iter()
+            .any(|part| part.shape == Shape::SpeedPairs)
+    }
+
     /// True where the sines and cosines of the angles among the coordinates are given, after `q`.
     pub fn is_at_sin_cos(&self) -> bool {
         self.at_sin_cos

@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 30] = [
+pub const RESERVED: [&str; 31] = [
     "accelerations",
     "alpha",
     "bias",
@@ -24,6 +24,7 @@ pub const RESERVED: [&str; 30] = [
     "cosines",
     "distances",
     "energy",
+    "entries",
     "f",
     "loads",
     "m",

@@ -33,6 +33,8 @@ pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation};
 pub use offset::{Offset, Step};
 pub use rotation::snapped_sin_cos;
 
+use std::collections::BTreeSet;
+
 use crate::{
     geometry::Rotation,
     id::{BodyId, ParameterId},
@@ -257,6 +259,29 @@ impl Tree {
             }
         }
         bodies
+    }
+
+    /// The pairs of speeds that move one body or more, `[row, column]` with `column <= row`, row after row: the entries on
+    /// and below the diagonal of a mass matrix that the tree does not make zero.
+    pub fn coupled_speeds(&self) -> BTreeSet<[usize; 2]> {
+        let mut pairs = BTreeSet::new();
+        let mut moving: Vec<BTreeSet<usize>> = Vec::with_capacity(self.bodies.len());
+        for body in &self.bodies {
+            let mut speeds = body
+                .lower
+                .map_or_else(BTreeSet::new, |lower| moving[lower.index()].clone());
+            let own = body.joint.motions().into_iter().flatten();
+            for speed in own.map(|motion| motion.speed.index()) {
+                speeds.insert(speed);
+                pairs.extend(
+                    speeds
+                        .iter()
+                        .map(|&other| [speed.max(other), speed.min(other)]),
+                );
+            }
+            moving.push(speeds);
+        }
+        pairs
     }
 
     /// True where some orientation is described by a quaternion.

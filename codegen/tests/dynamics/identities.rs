@@ -89,6 +89,28 @@ pub(crate) fn mass_matrix_is_symmetric(model: &dyn Model, state: &State) -> f64 
     relative(&mirrored, &m.entries)
 }
 
+/// The packed entries are those of `M`, and what has no place among them is zero.
+pub(crate) fn packed_mass_matrix_is_the_lower_triangle(model: &dyn Model, state: &State) -> f64 {
+    let mut m = mass_matrix(model, state);
+    let packed = model.evaluate("mass_matrix_packed", state);
+    let places = model.tree().coupled_speeds();
+    assert_eq!(packed.len(), places.len());
+    let expected: Vec<f64> = places
+        .iter()
+        .map(|&[row, column]| m.at(row, column))
+        .collect();
+    for [row, column] in places {
+        m.entries[row * m.n + column] = 0.0;
+        m.entries[column * m.n + row] = 0.0;
+    }
+    assert!(
+        m.entries.iter().all(|entry| *entry == 0.0),
+        "{}",
+        model.tree().name
+    );
+    relative(&packed, &expected)
+}
+
 /// `M = L L^T`, and the determinant is the product of the pivots, all positive; relative to the condition number, with
 /// which rounding of `M` moves its determinant.
 pub(crate) fn mass_matrix_is_positive_definite(model: &dyn Model, state: &State) -> f64 {

@@ -8,6 +8,7 @@ macro_rules! test_every_identity {
         test_every_identity! {
             identities,
             mass_matrix_is_symmetric: 0.0;
+            packed_mass_matrix_is_the_lower_triangle: EXACT;
             mass_matrix_is_positive_definite: EXACT;
             inverse_dynamics_is_linear: EXACT;
             forward_dynamics_undoes_inverse_dynamics: EXACT;

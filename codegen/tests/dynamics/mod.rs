@@ -203,12 +203,14 @@ pub(crate) fn renumbered_output(
         speeds,
     } = Maps::new(from, to);
     let axes: Vec<usize> = (0..3).collect();
+    let pairs = speed_pairs(&speeds, from, to);
     let maps: Vec<&Vec<usize>> = match function.shape {
         Shape::Scalar => vec![],
         Shape::Vector => vec![&axes],
         Shape::Coordinates => vec![&coordinates],
         Shape::Speeds => vec![&speeds],
         Shape::SpeedMatrix => vec![&speeds, &speeds],
+        Shape::SpeedPairs => vec![&pairs],
         Shape::BodyScalars => vec![&bodies],
         Shape::BodyVectors => vec![&bodies, &axes],
         Shape::BodyMatrices => vec![&bodies, &axes, &axes],
@@ -222,6 +224,17 @@ pub(crate) fn renumbered_output(
             .collect();
     }
     gathered.into_iter().map(|place| output[place]).collect()
+}
+
+/// For each pair of coupled speeds of one model its place among those of another model of the same system.
+fn speed_pairs(speeds: &[usize], from: &Tree, to: &Tree) -> Vec<usize> {
+    let places: Vec<[usize; 2]> = from.coupled_speeds().into_iter().collect();
+    let place = |pair: [usize; 2]| {
+        let [row, column] = pair.map(|speed| speeds[speed]);
+        let pair = [row.max(column), row.min(column)];
+        places.iter().position(|place| *place == pair).unwrap()
+    };
+    to.coupled_speeds().into_iter().map(place).collect()
 }
 
 /// True for a tree that nothing holds: every body on the inertial frame has six free coordinates, and no rotor.

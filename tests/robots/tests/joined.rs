@@ -27,8 +27,9 @@ macro_rules! robots {
     ($($robot:ident)+) => {$(
         mod $robot {
             use super::{assert_close, numbers};
+            use kane::functions::{MassMatrixPacked, unpack};
             use kane_test_robots::$robot::{
-                ANGLE_NAMES, COORDINATE_NAMES, NA, NQ, NU, Prepared, SinCos, bias, gravity_forces, inverse_dynamics,
+                ANGLE_NAMES, COORDINATE_NAMES, MASS_MATRIX_PACKED_LEN, NA, NQ, NU, Prepared, SinCos, bias, gravity_forces, inverse_dynamics,
                 inverse_dynamics_at_sin_cos, mass_matrix, mass_matrix_and_bias_and_gravity_forces,
                 mass_matrix_and_bias_at_sin_cos, sin_cos,
             };
@@ -57,6 +58,20 @@ macro_rules! robots {
                     mass_matrix_and_bias_at_sin_cos(&system, &q, &given(&system, &q), &u, &mut found.0, &mut found.1);
                     assert_close(found.0.as_flattened(), expected.0.as_flattened());
                     assert_close(&found.1, &expected.1);
+                }
+            }
+
+            #[test]
+            fn a_packed_mass_matrix_unpacks_to_the_whole() {
+                let system = Prepared::<f64>::nominal();
+                for seed in 0..10 {
+                    let q = numbers(1, seed);
+                    let (mut expected, mut found) = ([[f64::NAN; NU]; NU], [[f64::NAN; NU]; NU]);
+                    mass_matrix(&system, &q, &mut expected);
+                    let mut entries = [f64::NAN; MASS_MATRIX_PACKED_LEN];
+                    system.mass_matrix_packed(&q, &mut entries);
+                    unpack(&entries, Prepared::<f64>::PLACES, &mut found);
+                    assert_close(found.as_flattened(), expected.as_flattened());
                 }
             }
 

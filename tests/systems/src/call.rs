@@ -8,10 +8,10 @@ use kane::{
         AngleRates, AngularAcceleration, AngularMomentum, AngularVelocity, Bias, Forcing,
         ForwardDynamics, ForwardDynamicsPivots, GeneralizedForces, GravityForces, InverseDynamics,
         KineticEnergy, LinearMomentum, MassCenterAcceleration, MassCenterPosition,
-        MassCenterVelocity, MassMatrix, OriginPosition, OriginVelocity, PartialAngularVelocity,
-        PartialAngularVelocityDot, PartialVelocity, PartialVelocityDot, PartialVelocityOrigin,
-        PartialVelocityOriginDot, PotentialEnergy, RelativeAngularVelocity, RelativeRotation,
-        Rotation, Singularity,
+        MassCenterVelocity, MassMatrix, MassMatrixPacked, OriginPosition, OriginVelocity,
+        PartialAngularVelocity, PartialAngularVelocityDot, PartialVelocity, PartialVelocityDot,
+        PartialVelocityOrigin, PartialVelocityOriginDot, PotentialEnergy, RelativeAngularVelocity,
+        RelativeRotation, Rotation, Singularity,
     },
 };
 
@@ -36,6 +36,7 @@ pub struct State {
 pub trait Dynamics<R: Real>:
     GeneralizedForces<R>
     + MassMatrix<R>
+    + MassMatrixPacked<R>
     + Forcing<R>
     + Bias<R>
     + GravityForces<R>
@@ -48,6 +49,7 @@ pub trait Dynamics<R: Real>:
 impl<R: Real, S> Dynamics<R> for S where
     S: GeneralizedForces<R>
         + MassMatrix<R>
+        + MassMatrixPacked<R>
         + Forcing<R>
         + Bias<R>
         + GravityForces<R>
@@ -116,6 +118,11 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
                 .iter()
                 .flat_map(|row| numbers(row.as_ref()))
                 .collect();
+        }
+        "mass_matrix_packed" => {
+            let mut entries = S::Entries::filled(R::from_f64(f64::NAN));
+            system.mass_matrix_packed(&q, &mut entries);
+            return numbers(entries.as_ref());
         }
         "generalized_forces" => system.generalized_forces(&q, &loads, &mut out),
         "forcing" => system.forcing(&q, &u, &loads, &mut out),

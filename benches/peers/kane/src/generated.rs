@@ -2,7 +2,7 @@
 
 use std::ffi::c_void;
 
-use kane::functions::{ForwardDynamics, InverseDynamics, MassMatrix};
+use kane::functions::{self, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
 
 use crate::{Call, Candidate, Function};
 
@@ -18,6 +18,27 @@ macro_rules! robots {
                     Candidate::new(call::<$name::Prepared<f64>>(function), $name::Prepared::<f64>::nominal())
                 })*
                 _ => Candidate::NONE,
+            }
+        }
+
+        pub(crate) fn packed_candidate(robot: &str) -> Candidate {
+            match robot {
+                $(stringify!($name) => {
+                    Candidate::new(mass_matrix_packed::<$name::Prepared<f64>>, $name::Prepared::<f64>::nominal())
+                })*
+                _ => Candidate::NONE,
+            }
+        }
+
+        pub(crate) unsafe fn unpack(robot: &str, entries: *const f64, m: *mut f64) {
+            match robot {
+                $(stringify!($name) => {
+                    // SAFETY: the arrays are as long as the robot's.
+                    let (entries, m): (&[f64; $name::MASS_MATRIX_PACKED_LEN], &mut [[f64; $name::NU]; $name::NU]) =
+                        unsafe { (&*entries.cast(), &mut *m.cast()) };
+                    functions::unpack(entries, &$name::MASS_MATRIX_PACKED_PLACES, m);
+                })*
+                _ => {}
             }
         }
     };
@@ -63,6 +84,17 @@ unsafe extern "C" fn mass_matrix<S: MassMatrix<f64>>(
 ) {
     // SAFETY: the object is of this type, the arrays are as long as the robot's.
     unsafe { (*object.cast::<S>()).mass_matrix(&*q.cast(), &mut *m.cast()) }
+}
+
+unsafe extern "C" fn mass_matrix_packed<S: MassMatrixPacked<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    _: *const f64,
+    _: *const f64,
+    entries: *mut f64,
+) {
+    // SAFETY: the object is of this type, the arrays are as long as the robot's.
+    unsafe { (*object.cast::<S>()).mass_matrix_packed(&*q.cast(), &mut *entries.cast()) }
 }
 
 unsafe extern "C" fn forward_dynamics<S: ForwardDynamics<f64>>(

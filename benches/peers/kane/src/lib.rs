@@ -68,6 +68,30 @@ pub unsafe extern "C" fn kane_candidate(robot: *const c_char, function: u32) -> 
     })
 }
 
+/// The packed mass matrix of a generated robot.
+///
+/// # Safety
+/// `robot` is a C string.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kane_packed_candidate(robot: *const c_char) -> Candidate {
+    // SAFETY: as the caller promises.
+    let robot = unsafe { CStr::from_ptr(robot) };
+    generated::packed_candidate(&robot.to_string_lossy())
+}
+
+/// Writes the whole of a generated robot's packed mass matrix, row by row.
+///
+/// # Safety
+/// `robot` is a C string of a robot that is there, the arrays are as long as its matrices.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kane_unpack(robot: *const c_char, entries: *const f64, m: *mut f64) {
+    // SAFETY: as the caller promises.
+    unsafe {
+        let robot = CStr::from_ptr(robot).to_string_lossy();
+        generated::unpack(&robot, entries, m);
+    }
+}
+
 /// A function of the robot that dynibo reads from a URDF; the mass matrix column by column, whole.
 ///
 /// # Safety
