@@ -150,10 +150,11 @@ fn changes(old: &str, new: &str) -> Vec<(ChangeTag, String)> {
     keys.into_iter().filter_map(change).collect()
 }
 
-/// The bodies of a module, and that of each speed.
+/// The bodies of a module, that of each speed, and that of each entry of a packed mass matrix.
 struct Names {
     bodies: Vec<String>,
     of_speeds: Vec<usize>,
+    of_entries: Vec<usize>,
 }
 
 impl Names {
@@ -164,22 +165,27 @@ impl Names {
                 .split_once("= [")
                 .unwrap()
                 .1
-                .split_once(']')
+                .split_once("];")
                 .unwrap()
                 .0;
             let items = list
                 .split(',')
-                .map(|item| item.trim().trim_matches('"').to_owned());
+                .map(|item| item.trim().trim_matches(['"', '[', ']']).to_owned());
             items
                 .filter(|item| !item.is_empty())
                 .collect::<Vec<String>>()
         };
-        let of_speeds = table("SPEED_BODIES")
-            .iter()
-            .map(|body| body.parse().unwrap())
-            .collect();
+        let numbers = |name: &str| -> Vec<usize> {
+            let items = table(name);
+            items.iter().map(|item| item.parse().unwrap()).collect()
+        };
+        let of_speeds = numbers("SPEED_BODIES");
+        // Of row and column the row is the later speed.
+        let places = numbers("MASS_MATRIX_PACKED_PLACES");
+        let of_entries = places.chunks(2).map(|place| of_speeds[place[0]]);
         Self {
             bodies: table("BODY_NAMES"),
+            of_entries: of_entries.collect(),
             of_speeds,
         }
     }
@@ -215,6 +221,7 @@ impl Names {
                     .collect();
                 let body = match target.split('[').next()? {
                     "columns" => return None,
+                    "entries" => *self.of_entries.get(places[0])?,
                     "rotations" | "distances" | "positions" | "velocities" | "alpha" | "rates"
                     | "w_rel" => places[0],
                     _ => *self.of_speeds.get(*places.iter().max()?)?,
