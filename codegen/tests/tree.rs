@@ -73,6 +73,26 @@ fn bodies_are_renumbered_outward_lowest_first() {
 }
 
 #[test]
+fn bodies_on_a_body_are_listed_in_their_order_past_what_is_fixed_to_it() {
+    let hinge = "[\"theta1\"]";
+    let bodies = [
+        ("trunk", hinge),
+        ("plate", "\"fixed\""),
+        ("arm", hinge),
+        ("leg", hinge),
+        ("hand", hinge),
+    ];
+    let tree = build(&system("[0, 1, 2, 1, 3]", &bodies)).unwrap().tree;
+    let uppers = |body: usize| -> Vec<&str> {
+        let uppers = tree.uppers(BodyId::new(body)).iter();
+        uppers.map(|upper| &*tree.body(*upper).name).collect()
+    };
+    assert_eq!(uppers(0), ["arm", "leg"]);
+    assert_eq!(uppers(1), ["hand"]);
+    assert!(uppers(2).is_empty() && uppers(3).is_empty());
+}
+
+#[test]
 fn several_bodies_may_hang_from_the_inertial_frame() {
     let names = ["a", "b", "c"].map(|name| (name, "[\"theta1\"]"));
     assert_eq!(

@@ -3,18 +3,17 @@
 //! A joint about an axis leaves the axis where it is, so any point of it can be the link's origin, and any turn about it is
 //! only a phase of the angle. Chosen well, what leads from link to link is sparse.
 
-use std::f64::consts::FRAC_PI_2;
-
 use super::{
     inertia,
     plan::{Plan, Technique},
+    rounding::{exact, without_crumbs},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Vector},
     geometry::{self, IDENTITY, Rotation},
     id::{BodyId, BodyMap},
     kane::given,
-    tree::{Coordinate, Joint, Orientation, Tree, Value},
+    tree::{Tree, Value},
 };
 
 /// A link's frame.
@@ -72,43 +71,17 @@ fn given_layout(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: Option<
     }
 }
 
-/// The axis of a joint that turns about one alone, and translates along that at most.
-pub(super) fn turning_axis(joint: &Joint) -> Option<Axis> {
-    let Orientation::Rates(angles) = joint.orientation else {
-        return None;
-    };
-    let mut turning = Axis::ALL
-        .into_iter()
-        .filter(|axis| angles[axis.index()].motion().is_some());
-    let axis = turning.next()?;
-    let (b, c) = axis.others();
-    let is_plain = [angles[b], angles[c]] == [Coordinate::Locked(0.0); 2];
-    let is_still = [joint.translations[b], joint.translations[c]] == [Coordinate::Locked(0.0); 2];
-    (is_plain && is_still).then_some(axis)
-}
-
-/// The axis of a joint that turns about one alone, and does nothing else.
-pub(super) fn hinge_axis(joint: &Joint) -> Option<Axis> {
-    let is_still = joint.shifts().iter().all(Option::is_none);
-    turning_axis(joint).filter(|_| is_still)
-}
-
-/// True for a joint that never turns its body.
-pub(super) fn only_translates(joint: &Joint) -> bool {
-    joint.orientation == Orientation::Rates([Coordinate::Locked(0.0); 3])
-}
-
 /// Moves the origin so that the offset from the lower link's has no part along the joint's axis. The offset of a link on the
 /// inertial frame is of no account.
 fn slide(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) {
     let joint = &tree.body(body).joint;
     let constant = given::constant(graph, &layout.constant);
-    if only_translates(joint) {
+    if joint.only_translates() {
         layout.origin = graph.mul_vector(&constant, layout.attachment);
         layout.attachment = graph.zero_vector();
         return;
     }
-    let Some(axis) = turning_axis(joint) else {
+    let Some(axis) = joint.turning_axis() else {
         return;
     };
     layout.origin[axis.index()] = if tree.lower(body).is_none() {
@@ -123,10 +96,10 @@ fn slide(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) 
 /// For a link on the inertial frame, how far its origin is moved down its axis to meet the first body on it that sits off
 /// the internal origin and cannot move there itself.
 fn slid_to_upper(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis) -> Expr {
-    for upper in uppers(tree, body) {
+    for &upper in tree.uppers(body) {
         let joint = &tree.body(upper).joint;
         let mut attachment = given::attachment(graph, joint);
-        if let Some(turning) = turning_axis(joint) {
+        if let Some(turning) = joint.turning_axis() {
             let direction = joint.rotation[turning.index()].map(Value::Baked);
             let direction = given::vector(graph, direction);
             (attachment, _) = across(graph, direction, attachment);
@@ -146,50 +119,17 @@ fn across(graph: &mut ExprGraph, direction: Vector, v: Vector) -> (Vector, Expr)
     (without_crumbs(graph, rest, v), along)
 }
 
-/// The bodies on a body.
-pub(super) fn uppers(tree: &Tree, body: BodyId) -> impl Iterator<Item = BodyId> + '_ {
-    let ids = tree.body_ids();
-    ids.filter(move |upper| tree.lower(*upper) == Some(body))
-}
-
-/// A difference with those numbers made zero that rounding alone has left.
-pub(super) fn without_crumbs(graph: &mut ExprGraph, difference: Vector, of: Vector) -> Vector {
-    let numbers = of.map(|component| graph.as_number(component));
-    let [Some(x), Some(y), Some(z)] = numbers else {
-        return difference;
-    };
-    let scale = x.abs().max(y.abs()).max(z.abs());
-    difference.map(|component| match graph.as_number(component) {
-        Some(rest) if rest.abs() <= CRUMB * scale => graph.zero(),
-        _ => component,
-    })
-}
-
-/// A row of a rotation with those entries made zero that rounding alone has left, and one that then stands alone.
-fn exact(row: [f64; 3]) -> [f64; 3] {
-    let rest = row.map(|entry| if entry.abs() <= CRUMB { 0.0 } else { entry });
-    let n_left = rest.iter().filter(|entry| **entry != 0.0).count();
-    if n_left == 1 {
-        rest.map(|entry| if entry == 0.0 { 0.0 } else { entry.signum() })
-    } else {
-        rest
-    }
-}
-
-/// What a few roundings leave of numbers near one.
-const CRUMB: f64 = 4.0 * f64::EPSILON;
-
 /// Turns the joint's axes before the angle, and the link's after it.
 fn turn(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) {
     let joint = &tree.body(body).joint;
-    let Some(axis) = turning_axis(joint) else {
+    let Some(axis) = joint.turning_axis() else {
         return;
     };
     let before = sparser(&mut layout.constant, axis);
-    let after = if uppers(tree, body).next().is_some() {
-        toward_upper(graph, tree, body, axis)
-    } else {
+    let after = if tree.uppers(body).is_empty() {
         toward_mass(graph, tree, body, axis)
+    } else {
+        toward_upper(graph, tree, body, axis)
     };
     layout.axes = about(axis, after);
     layout.phase = after - before;
@@ -227,9 +167,9 @@ fn sparser(constant: &mut Rotation, axis: Axis) -> f64 {
 /// that axis is parallel, the way to it along a coordinate axis.
 fn toward_upper(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis) -> f64 {
     let (b, c) = axis.others();
-    for upper in uppers(tree, body) {
+    for &upper in tree.uppers(body) {
         let joint = &tree.body(upper).joint;
-        let Some(turning) = turning_axis(joint) else {
+        let Some(turning) = joint.turning_axis() else {
             continue;
         };
         let mut across = joint.rotation[turning.index()];
@@ -275,22 +215,4 @@ fn about(axis: Axis, angle: f64) -> Rotation {
     rotation[c][b] = -sine;
     rotation[c][c] = cosine;
     rotation
-}
-
-/// Sine and cosine of an angle with a phase, of which right angles cost nothing.
-pub(super) fn phased(graph: &mut ExprGraph, angle: Expr, phase: f64) -> (Expr, Expr) {
-    let quarters = libm::round(phase / FRAC_PI_2);
-    if (phase - quarters * FRAC_PI_2).abs() > CRUMB {
-        let phase = graph.number(phase);
-        let angle = graph.add(angle, phase);
-        return (graph.sin(angle), graph.cos(angle));
-    }
-    let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
-    // Phases lie between minus and plus one turn.
-    match quarters.rem_euclid(4.0) {
-        0.0 => (sine, cosine),
-        1.0 => (cosine, -sine),
-        2.0 => (-sine, -cosine),
-        _ => (-cosine, sine),
-    }
 }

@@ -8,6 +8,7 @@ use super::{
     plan::{Plan, Technique},
     regroup,
     rotation::{Constant, Rotation, Turn},
+    rounding,
 };
 use crate::{
     expr::{Axis, ExprGraph, Matrix, Vector},
@@ -97,7 +98,7 @@ fn turning(graph: &mut ExprGraph, tree: &Tree, joint: &Joint, phase: f64) -> Tur
         let (mut sine, mut cosine) = (trigonometry.sines[place], trigonometry.cosines[place]);
         if phase != 0.0 && !matches!(angles[place], Coordinate::Locked(_)) {
             let angle = given::coordinate(graph, angles[place]);
-            (sine, cosine) = layout::phased(graph, angle, phase);
+            (sine, cosine) = rounding::phased(graph, angle, phase);
             graph.name(sine, format!("sin{}", place + 1));
             graph.name(cosine, format!("cos{}", place + 1));
         }
@@ -115,7 +116,7 @@ fn own_inertia(graph: &mut ExprGraph, body: &Body, layout: &Layout) -> Composite
     let axes = Constant::new(graph, &geometry::transposed(&layout.axes));
     let mut turned = axes.backward_composite(graph, &own);
     if layout.axes != geometry::IDENTITY {
-        turned.moment = layout::without_crumbs(graph, turned.moment, turned.moment);
+        turned.moment = rounding::without_crumbs(graph, turned.moment, turned.moment);
     }
     turned.moved(graph, layout.origin)
 }
@@ -125,7 +126,7 @@ pub fn parallel_axes(tree: &Tree, plan: &Plan) -> Vec<BodyId> {
     let mut graph = ExprGraph::default();
     let links = links(&mut graph, tree, &plan.with(Technique::Parallel, false));
     let mut is_parallel = |body: &BodyId| {
-        let axis = layout::turning_axis(&tree.body(*body).joint);
+        let axis = tree.body(*body).joint.turning_axis();
         axis.is_some_and(|axis| {
             parallel::carries_parallel_axes(&mut graph, tree, *body, axis, &links)
         })

@@ -13,6 +13,7 @@ pub mod forward_dynamics;
 pub mod gravity;
 pub mod inertia;
 pub mod inverse_dynamics;
+mod joint;
 pub mod layout;
 pub mod link;
 pub mod motion;
@@ -20,6 +21,7 @@ mod parallel;
 pub mod plan;
 mod regroup;
 pub mod rotation;
+mod rounding;
 mod shortcut;
 
 pub use axes::has_followers;

@@ -4,10 +4,10 @@
 //! rotated there; its own numbers and the offsets on it are, and the links on it turn by the sum of both angles.
 
 use super::{
-    layout,
     link::{Link, Turning},
     plan::Plan,
     rotation::{Rotation, Turn},
+    rounding,
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph},
@@ -20,7 +20,7 @@ use crate::{
 pub(super) fn run(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, links: &mut BodyMap<Link>) {
     let mut angles = BodyMap::outward(tree.bodies.len(), |_, _| None::<Angle>);
     for body in tree.body_ids() {
-        let Some(axis) = layout::turning_axis(&tree.body(body).joint) else {
+        let Some(axis) = tree.body(body).joint.turning_axis() else {
             continue;
         };
         graph.enter(body);
@@ -33,7 +33,7 @@ pub(super) fn run(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, links: &mut B
             link.offset = rotation.backward(graph, link.offset);
             let along = link.constant.matrix[axis.index()][rotation.axis.index()];
             angle = angle.plus(graph, below, along.is_negative());
-            let (sine, cosine) = layout::phased(graph, angle.coordinates, angle.phase);
+            let (sine, cosine) = rounding::phased(graph, angle.coordinates, angle.phase);
             graph.name(sine, format!("sin{}_sum", axis.index() + 1));
             graph.name(cosine, format!("cos{}_sum", axis.index() + 1));
             if let Turning::Angles(rotations) = &mut link.turning {
@@ -67,7 +67,7 @@ impl Angle {
 
 fn own_angle(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis, link: &Link) -> Angle {
     let Orientation::Rates(angles) = tree.body(body).joint.orientation else {
-        unreachable!("layout: an axis alone is that of an angle");
+        unreachable!("joint: an axis alone is that of an angle");
     };
     Angle {
         coordinates: given::coordinate(graph, angles[axis.index()]),
@@ -84,8 +84,8 @@ pub(super) fn carries_parallel_axes(
     links: &BodyMap<Link>,
 ) -> bool {
     let one = graph.one();
-    let is_parallel = |upper: BodyId| {
-        let Some(own) = layout::turning_axis(&tree.body(upper).joint) else {
+    let is_parallel = |&upper: &BodyId| {
+        let Some(own) = tree.body(upper).joint.turning_axis() else {
             return false;
         };
         let direction = links[upper].constant.matrix[own.index()];
@@ -94,9 +94,9 @@ pub(super) fn carries_parallel_axes(
         let leans = !graph.is_zero(direction[b]) || !graph.is_zero(direction[c]);
         direction[axis.index()].abs_sign() == one && !leans
     };
-    let only_turns = layout::hinge_axis(&tree.body(body).joint).is_some();
-    let mut uppers = layout::uppers(tree, body).peekable();
-    uppers.peek().is_some() && only_turns && uppers.all(is_parallel)
+    let only_turns = tree.body(body).joint.hinge_axis().is_some();
+    let uppers = tree.uppers(body);
+    !uppers.is_empty() && only_turns && uppers.iter().all(is_parallel)
 }
 
 /// Leaves a link's axes where its joint's are.

@@ -6,10 +6,10 @@
 
 use super::{
     inertia::Composite,
-    layout,
     link::Link,
     plan::{Plan, Regroup, Technique},
     rotation::Turn,
+    rounding,
 };
 use crate::{
     expr::{Axis, ExprGraph},
@@ -43,11 +43,11 @@ fn regroup(
     let link = &mut links[body];
     let given = if choice == Regroup::None {
         return;
-    } else if let Some(axis) = layout::hinge_axis(joint) {
+    } else if let Some(axis) = joint.hinge_axis() {
         let given = take_from_axis(graph, axis, choice, link);
         let turned = link.constant.backward_composite(graph, &given);
         turned.moved(graph, link.offset)
-    } else if layout::only_translates(joint) {
+    } else if joint.only_translates() {
         take_tensor(graph, link)
     } else {
         return;
@@ -58,7 +58,7 @@ fn regroup(
     graph.enter(lower);
     let below = links[lower].inertia.plus(graph, &given);
     links[lower].set_inertia(graph, below);
-    if plan.uses(Technique::Balance) && layout::hinge_axis(joint).is_some() {
+    if plan.uses(Technique::Balance) && joint.hinge_axis().is_some() {
         balance(graph, tree, body, lower, links);
     }
 }
@@ -122,14 +122,11 @@ fn balance(
     lower: BodyId,
     links: &mut BodyMap<Link>,
 ) {
-    let is_last = tree
-        .body_ids()
-        .find(|upper| tree.lower(*upper) == Some(lower))
-        == Some(body);
-    let own = layout::turning_axis(&tree.body(lower).joint);
+    let is_last = tree.uppers(lower).first() == Some(&body);
+    let own = tree.body(lower).joint.turning_axis();
     let offset = links[body].offset;
     let below = links[lower].inertia;
-    let moments = layout::without_crumbs(graph, below.moment, below.moment);
+    let moments = rounding::without_crumbs(graph, below.moment, below.moment);
     let Some(total) = graph.as_number(below.mass).filter(|_| is_last) else {
         return;
     };

@@ -7,7 +7,6 @@
 use super::{
     axes::Axes,
     composite::Column,
-    layout,
     link::Link,
     plan::{Plan, Technique},
     rotation::Turn,
@@ -39,7 +38,7 @@ impl<'a> Shortcuts<'a> {
             let Some(lower) = tree.lower(body) else {
                 return false;
             };
-            let only_turns = layout::hinge_axis(&tree.body(body).joint).is_some();
+            let only_turns = tree.body(body).joint.hinge_axis().is_some();
             let is_next = match tree.lower(lower) {
                 None => {
                     let shifts = tree.body(lower).joint.shifts();
@@ -87,7 +86,7 @@ impl<'a> Shortcuts<'a> {
     /// joint's has two parts when turned, so that each lever costs 4 more.
     fn is_cheaper(&self, graph: &mut ExprGraph, body: BodyId, n_columns: usize) -> bool {
         let joint = &self.tree.body(body).joint;
-        let Some(axis) = layout::hinge_axis(joint) else {
+        let Some(axis) = joint.hinge_axis() else {
             return false;
         };
         let offset = self.links[body]

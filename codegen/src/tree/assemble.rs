@@ -170,6 +170,9 @@ impl Builder {
         if moving {
             let body = self.body(new, id, below.host, (to_joint, point), (part, pose));
             self.bodies.push(body);
+            if let Some(lower) = below.host {
+                self.bodies[lower.index()].uppers.push(id);
+            }
         } else {
             self.frames.push((new.name, placed.clone()));
             if let Some(host) = host {
@@ -269,6 +272,7 @@ impl Builder {
             identifier: new.identifier,
             user_number: new.user_number,
             lower,
+            uppers: Vec::new(),
             parts: vec![part],
             joint,
             pose,

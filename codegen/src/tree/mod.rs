@@ -99,6 +99,8 @@ pub struct Body {
     pub user_number: usize,
     /// The lower body (parent); `None` is the inertial frame. Smaller than the body's own id.
     pub lower: Option<BodyId>,
+    /// The bodies whose lower body it is, in their order.
+    pub uppers: Vec<BodyId>,
     /// What the body is made of: itself, and what is fixed to it.
     pub parts: Vec<Part>,
     /// The joint with the lower body, whose internal axes are meant where it speaks of the lower body's.
@@ -202,6 +204,11 @@ impl Tree {
     /// The lower body (parent), one step toward the inertial frame, which is `None`.
     pub fn lower(&self, body: BodyId) -> Option<BodyId> {
         self.body(body).lower
+    }
+
+    /// The bodies whose lower body this one is, in their order.
+    pub fn uppers(&self, body: BodyId) -> &[BodyId] {
+        &self.body(body).uppers
     }
 
     /// The body, its lower body, and so on down to its root.
