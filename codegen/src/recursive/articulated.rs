@@ -10,15 +10,15 @@ use super::{
     blocks::Inertia,
     inertia,
     link::{Link, Turning},
+    linkage::Linkage,
     motion::{self, Wrench},
-    plan::Plan,
     rotation::{Rotation, Turn},
 };
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Vector},
-    id::{BodyId, BodyMap},
+    id::BodyMap,
     kane::{Accelerations, given},
-    tree::{Motion, Tree, Value},
+    tree::{Joint, Motion},
 };
 
 /// A motion that was eliminated: about (0 to 2) or along (3 to 5) an axis.
@@ -42,20 +42,16 @@ enum Step {
     Matrix(Matrix),
 }
 
-/// Accelerations with `M u_dot + bias = tau`, of motions along `axes`; `tau` is theirs, less what springs and dampers take.
-pub(super) fn solution(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    (links, axes): (&BodyMap<Link>, &BodyMap<Axes>),
-    falls: &BodyMap<bool>,
-    tau: &[Expr],
-) -> Vec<Expr> {
+/// Accelerations with `M u_dot + bias = tau`, of the linkage's motions; `tau` is theirs, less what springs and dampers take.
+pub(super) fn solution(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &[Expr]) -> Vec<Expr> {
+    let Linkage {
+        tree, links, axes, ..
+    } = linkage;
     assert!(
         !axes::has_followers(tree),
         "a speed that moves several joints cannot be eliminated where it enters"
     );
-    let mut wrenches = motion::wrenches(graph, tree, links, plan, Accelerations::Zero, falls);
+    let mut wrenches = motion::wrenches(graph, linkage, Accelerations::Zero);
     let mut inertias = BodyMap::outward(tree.bodies.len(), |body, _| {
         Inertia::Rigid(links[body].inertia)
     });
@@ -68,8 +64,8 @@ pub(super) fn solution(
             steps: Vec::new(),
         };
         passing.name(graph);
-        passing.through_joint(graph, tree, body, &links[body], axes[body], tau);
-        let link = &links[body];
+        let (joint, link) = (&tree.body(body).joint, &links[body]);
+        passing.through_joint(graph, joint, link, axes[body], tau);
         if let Some(lower) = tree.lower(body) {
             passing.move_inward(graph, link);
             graph.enter(lower);
@@ -78,16 +74,12 @@ pub(super) fn solution(
         }
         steps[body] = passing.steps;
     }
-    outward(graph, tree, links, &steps)
+    outward(graph, linkage, &steps)
 }
 
 /// The accelerations of the motions, from the inertial frame outward.
-fn outward(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    links: &BodyMap<Link>,
-    steps: &BodyMap<Vec<Step>>,
-) -> Vec<Expr> {
+fn outward(graph: &mut ExprGraph, linkage: &Linkage<'_>, steps: &BodyMap<Vec<Step>>) -> Vec<Expr> {
+    let Linkage { tree, links, .. } = linkage;
     let mut accelerations = vec![graph.zero(); tree.n_speeds];
     BodyMap::outward(tree.bodies.len(), |body, added: &BodyMap<[Vector; 2]>| {
         graph.enter(body);
@@ -166,37 +158,24 @@ impl Passing {
     fn through_joint(
         &mut self,
         graph: &mut ExprGraph,
-        tree: &Tree,
-        body: BodyId,
+        joint: &Joint,
         link: &Link,
         axes: Axes,
         tau: &[Expr],
     ) {
-        let joint = &tree.body(body).joint;
         let [turns, shifts] = axes.along_link(joint);
-        let rotor = |place: usize| joint.mechanics[place].armature;
-        let eliminate = |passing: &mut Self, graph: &mut ExprGraph, place: usize, motion| {
-            let Some(motion) = motion else { return };
-            let name = joint.motion_names()[place];
-            let rotor = rotor(place);
-            passing.eliminate(graph, (place, name), motion, rotor, tau);
-        };
         // Translations first: of a body that carries none but free ones their block is a multiple of the identity.
         for (first, motions) in [(3, shifts), (0, turns)] {
             for axis in [2, 1, 0] {
-                eliminate(
-                    self,
-                    graph,
-                    first + axis,
-                    motions.map(|motions| motions[axis]),
-                );
+                let motion = motions.map(|motions| motions[axis]);
+                self.eliminate(graph, joint, first + axis, motion, tau);
             }
         }
         match &link.turning {
             Turning::Angles(rotations) => {
                 for rotation in rotations.iter().rev() {
                     let motion = rotation.motion.filter(|_| turns.is_none());
-                    eliminate(self, graph, rotation.axis.index(), motion);
+                    self.eliminate(graph, joint, rotation.axis.index(), motion, tau);
                     self.turn(graph, rotation);
                     self.steps.push(Step::Rotation(*rotation));
                 }
@@ -208,7 +187,7 @@ impl Passing {
         }
         for (axis, motion) in joint.shifts().into_iter().enumerate().rev() {
             let motion = motion.filter(|_| shifts.is_none());
-            eliminate(self, graph, 3 + axis, motion);
+            self.eliminate(graph, joint, 3 + axis, motion, tau);
         }
     }
 
@@ -226,19 +205,23 @@ impl Passing {
         self.inertia = self.inertia.moved(graph, link.offset);
     }
 
-    /// Eliminates a motion: `D` is what resists it, `l` the column of the inertia over that.
+    /// Eliminates a motion of a joint, if there is one: `D` is what resists it, `l` the column of the inertia over that.
     fn eliminate(
         &mut self,
         graph: &mut ExprGraph,
-        (place, name): (usize, &str),
-        motion: Motion,
-        rotor: Value,
+        joint: &Joint,
+        place: usize,
+        motion: Option<Motion>,
         tau: &[Expr],
     ) {
+        let Some(motion) = motion else {
+            return;
+        };
+        let name = joint.motion_names()[place];
         let mut rows = self.inertia.rows(graph);
         let mut needed = self.wrench.parts();
         let column = rows.map(|row| row[place]);
-        let rotor = given::value(graph, rotor);
+        let rotor = given::value(graph, joint.mechanics[place].armature);
         let has_rotor = !graph.is_zero(rotor);
         let pivot = graph.add(column[place], rotor);
         graph.name(pivot, format!("pivot_{name}"));
@@ -293,13 +276,6 @@ impl Wrench {
         Self {
             force: f(self.force),
             moment: f(self.moment),
-        }
-    }
-
-    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
-        Self {
-            force: graph.add_vectors(self.force, other.force),
-            moment: graph.add_vectors(self.moment, other.moment),
         }
     }
 

@@ -5,7 +5,7 @@
 //! where it is, and what is known of the link alone stays constant. The same holds of three translations.
 
 use super::{
-    link::Link,
+    linkage::Linkage,
     plan::{Plan, Technique},
     rotation::Turn,
 };
@@ -104,13 +104,10 @@ impl Axes {
 }
 
 /// Generalized forces of the speeds, as those of the motions that are solved for.
-pub fn forces(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    axes: &BodyMap<Axes>,
-    links: &BodyMap<Link>,
-    tau: &mut [Expr],
-) {
+pub(super) fn forces(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &mut [Expr]) {
+    let Linkage {
+        tree, links, axes, ..
+    } = linkage;
     for body in tree.body_ids() {
         graph.enter(body);
         let [turns, shifts] = axes[body].along_link(&tree.body(body).joint);
@@ -126,14 +123,10 @@ pub fn forces(
 }
 
 /// Accelerations of the motions that were solved for, as those of the speeds.
-pub fn accelerations(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    axes: &BodyMap<Axes>,
-    links: &BodyMap<Link>,
-    falls: &BodyMap<bool>,
-    solution: &mut [Expr],
-) {
+pub(super) fn accelerations(graph: &mut ExprGraph, linkage: &Linkage<'_>, solution: &mut [Expr]) {
+    let Linkage {
+        tree, links, axes, ..
+    } = linkage;
     let gravity = given::gravity(graph, tree);
     for body in tree.body_ids() {
         graph.enter(body);
@@ -147,7 +140,7 @@ pub fn accelerations(
         if let Some(motions) = shifts {
             exchange(solution, motions, |a| links[body].backward(graph, a));
         }
-        if falls[body] {
+        if linkage.falls[body] {
             let gravity = links[body].constant.forward(graph, gravity);
             for (motion, g) in joint.shifts().into_iter().flatten().zip(gravity) {
                 let entry = &mut solution[motion.speed.index()];

@@ -83,7 +83,7 @@ impl Inertia {
     pub(super) fn of_rows(graph: &mut ExprGraph, rows: &[[Expr; 6]; 6]) -> Self {
         let zero = graph.zero();
         if rows.iter().flatten().all(|entry| *entry == zero) {
-            return Self::Rigid(Composite::point(graph, zero));
+            return Self::Rigid(Composite::zero(graph));
         }
         let symmetric = |first: usize| Symmetric {
             diagonal: [0, 1, 2].map(|i| rows[first + i][first + i]),

@@ -6,9 +6,9 @@ use crate::{
     id::{BodyId, BodyMap},
     kane::dynamics::SpeedMatrix,
     recursive::{
-        axes::{self, Axes},
         inertia::{self, Composite},
-        link::{self, Link, Turning},
+        link::Turning,
+        linkage::Linkage,
         plan::Plan,
         rotation::Turn,
         shortcut::Shortcuts,
@@ -33,18 +33,16 @@ pub(super) struct Column {
 
 /// `A`, Eq. (42), re-associated along the tree.
 pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
-    let links = link::links(graph, tree, plan);
-    matrix(graph, tree, plan, (&links, &axes::of_speeds(tree)))
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    matrix(graph, &linkage)
 }
 
-/// The same with motions along other axes, for links that are there.
-pub(super) fn matrix(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    (links, axes): (&BodyMap<Link>, &BodyMap<Axes>),
-) -> SpeedMatrix {
-    let mut shortcuts = Shortcuts::new(graph, tree, plan, (links, axes));
+/// The same on links that are there.
+pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatrix {
+    let Linkage {
+        tree, links, axes, ..
+    } = linkage;
+    let mut shortcuts = Shortcuts::new(graph, linkage);
     let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
@@ -193,7 +191,7 @@ impl Reading {
                 column.arrived.unwrap_or(column.linear)
             };
             let entry = momentum[self.axis];
-            add(graph, a, (motion, column.motion), entry, place == last);
+            add(graph, a, motion, column.motion, entry, place == last);
         }
     }
 }
@@ -209,7 +207,8 @@ fn name_column(graph: &mut ExprGraph, tree: &Tree, at: BodyId, column: &Column) 
 fn add(
     graph: &mut ExprGraph,
     a: &mut SpeedMatrix,
-    (row, column): (Motion, Motion),
+    row: Motion,
+    column: Motion,
     entry: Expr,
     is_diagonal: bool,
 ) {

@@ -1,7 +1,8 @@
 //! Accelerations for given forces: the plan's solver on the plan's links, along the axes that it takes.
 
 use super::{
-    articulated, axes, composite, inverse_dynamics, link,
+    articulated, axes, composite, inverse_dynamics,
+    linkage::Linkage,
     plan::{Plan, Technique},
 };
 use crate::{
@@ -18,21 +19,18 @@ pub fn forward_dynamics(
     plan: &Plan,
     mut tau: Vec<Expr>,
 ) -> Vec<Expr> {
-    let links = link::links(graph, tree, plan);
-    let axes = axes::of_solution(tree, plan);
-    axes::forces(graph, tree, &axes, &links, &mut tau);
-    let falls = axes::falling(tree, plan);
+    let linkage = Linkage::of_solution(graph, tree, plan);
+    axes::forces(graph, &linkage, &mut tau);
     let mut solution = if plan.uses(Technique::Articulated) {
-        articulated::solution(graph, tree, plan, (&links, &axes), &falls, &tau)
+        articulated::solution(graph, &linkage, &tau)
     } else {
-        let zero = (Accelerations::Zero, &falls);
-        let bias = inverse_dynamics::inertial_forces(graph, tree, plan, (&links, &axes), zero);
-        let mut matrix = composite::matrix(graph, tree, plan, (&links, &axes));
+        let bias = inverse_dynamics::inertial_forces(graph, &linkage, Accelerations::Zero);
+        let mut matrix = composite::matrix(graph, &linkage);
         mechanics::add_rotors(graph, tree, &mut matrix);
         let factors = solve::factorise(graph, tree, matrix);
         solve::subtract(graph, tree, &mut tau, &bias);
         factors.solve(graph, tau)
     };
-    axes::accelerations(graph, tree, &axes, &links, &falls, &mut solution);
+    axes::accelerations(graph, &linkage, &mut solution);
     solution
 }

@@ -6,7 +6,7 @@
 
 use crate::{
     expr::{Expr, ExprGraph, Vector, negated},
-    id::{BodyId, BodyMap},
+    id::BodyMap,
     kane::given,
     recursive::{
         link::{self, Link, Turning},
@@ -14,7 +14,7 @@ use crate::{
         plan::Plan,
         rotation::Turn,
     },
-    tree::{Motion, Tree},
+    tree::{Joint, Motion, Tree},
 };
 
 /// Mass and first moment about a point.
@@ -54,21 +54,12 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Ex
         graph.enter(body);
         let weight = weights[body];
         graph.name_vector(weight.moment, "composite");
-        let weight = inward(
-            graph,
-            tree,
-            body,
-            &links[body],
-            (&upward[body], weight),
-            &mut tau,
-        );
+        let (joint, link) = (&tree.body(body).joint, &links[body]);
+        let weight = weight.through_joint(graph, joint, link, &upward[body], &mut tau);
         if let Some(lower) = tree.lower(body) {
+            let moved = weight.moved(graph, link.offset);
             graph.enter(lower);
-            let below = weights[lower];
-            weights[lower] = Weight {
-                mass: graph.add(below.mass, weight.mass),
-                moment: graph.add_vectors(below.moment, weight.moment),
-            };
+            weights[lower] = weights[lower].plus(graph, &moved);
         }
     }
     tau
@@ -93,67 +84,79 @@ fn outward(graph: &mut ExprGraph, link: &Link, below: Vector) -> Upward {
     Upward { before, after }
 }
 
-/// Reads off what a joint's motions need, and brings the weight to the lower body's origin and axes.
-fn inward(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    body: BodyId,
-    link: &Link,
-    (upward, weight): (&Upward, Weight),
-    tau: &mut [Expr],
-) -> Weight {
-    let joint = &tree.body(body).joint;
-    let Weight { mass, mut moment } = weight;
-    let turns = link::angular_velocity(joint);
-    if let (Some(motions), Some(a)) = (turns, upward.after.last()) {
-        for (axis, motion) in motions.into_iter().enumerate() {
-            add_turn(graph, tau, Some(motion), axis, (moment, *a));
-        }
-    }
-    match &link.turning {
-        Turning::Angles(rotations) => {
-            for (rotation, a) in rotations.iter().zip(&upward.after).rev() {
-                add_turn(
-                    graph,
-                    tau,
-                    rotation.motion,
-                    rotation.axis.index(),
-                    (moment, *a),
-                );
-                moment = rotation.backward(graph, moment);
+impl Weight {
+    /// Reads off what a joint's motions need, and turns the weight to the lower link's axes.
+    fn through_joint(
+        &self,
+        graph: &mut ExprGraph,
+        joint: &Joint,
+        link: &Link,
+        upward: &Upward,
+        tau: &mut [Expr],
+    ) -> Self {
+        let mut weight = *self;
+        let turns = link::angular_velocity(joint);
+        if let (Some(motions), Some(a)) = (turns, upward.after.last()) {
+            for (axis, motion) in motions.into_iter().enumerate() {
+                weight.add_turn(graph, Some(motion), axis, *a, tau);
             }
         }
-        Turning::Matrix(matrix) => {
-            moment = matrix.backward(graph, moment);
+        match &link.turning {
+            Turning::Angles(rotations) => {
+                for (rotation, a) in rotations.iter().zip(&upward.after).rev() {
+                    weight.add_turn(graph, rotation.motion, rotation.axis.index(), *a, tau);
+                    weight.moment = rotation.backward(graph, weight.moment);
+                }
+            }
+            Turning::Matrix(matrix) => {
+                weight.moment = matrix.backward(graph, weight.moment);
+            }
         }
-    }
-    for (axis, shift) in joint.shifts().into_iter().enumerate() {
-        if shift.is_some() {
-            let along = graph.mul(mass, upward.before[axis]);
-            motion::add(graph, tau, shift, along);
+        for (axis, shift) in joint.shifts().into_iter().enumerate() {
+            if shift.is_some() {
+                let along = graph.mul(weight.mass, upward.before[axis]);
+                motion::add(graph, tau, shift, along);
+            }
         }
+        weight.moment = link.constant.backward(graph, weight.moment);
+        weight
     }
-    moment = link.constant.backward(graph, moment);
-    if tree.lower(body).is_some() {
-        let shift = graph.scale(mass, link.offset);
-        moment = graph.add_vectors(moment, shift);
-    }
-    Weight { mass, moment }
-}
 
-/// Adds the component of `moment × a` along an axis to the force of the speed that turns about it.
-fn add_turn(
-    graph: &mut ExprGraph,
-    tau: &mut [Expr],
-    motion: Option<Motion>,
-    axis: usize,
-    (moment, a): (Vector, Vector),
-) {
-    if motion.is_none() {
-        return;
+    /// Adds the component of `moment × a` along an axis to the force of the speed that turns about it.
+    fn add_turn(
+        &self,
+        graph: &mut ExprGraph,
+        motion: Option<Motion>,
+        axis: usize,
+        a: Vector,
+        tau: &mut [Expr],
+    ) {
+        if motion.is_none() {
+            return;
+        }
+        let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
+        let (plus, minus) = (
+            graph.mul(self.moment[b], a[c]),
+            graph.mul(self.moment[c], a[b]),
+        );
+        let along = graph.sub(plus, minus);
+        motion::add(graph, tau, motion, along);
     }
-    let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
-    let (plus, minus) = (graph.mul(moment[b], a[c]), graph.mul(moment[c], a[b]));
-    let along = graph.sub(plus, minus);
-    motion::add(graph, tau, motion, along);
+
+    /// About a point from which this one's point lies at `offset`.
+    fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
+        let shift = graph.scale(self.mass, offset);
+        Self {
+            mass: self.mass,
+            moment: graph.add_vectors(self.moment, shift),
+        }
+    }
+
+    /// Both together, about the same point.
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            mass: graph.add(self.mass, other.mass),
+            moment: graph.add_vectors(self.moment, other.moment),
+        }
+    }
 }

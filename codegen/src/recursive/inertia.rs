@@ -50,6 +50,12 @@ impl Composite {
         }
     }
 
+    /// Nothing at all.
+    pub fn zero(graph: &mut ExprGraph) -> Self {
+        let zero = graph.zero();
+        Self::point(graph, zero)
+    }
+
     /// The same bodies about a point from which this one's point lies at `offset`.
     ///
     /// With `h' = h + m d` and `H = h + h'`, the inertia is `I + (d·H) 1 - h d^T - d h'^T`.

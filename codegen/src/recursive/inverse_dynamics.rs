@@ -1,8 +1,8 @@
 //! Right-hand sides in two passes: motion outward, forces inward (Luh, Walker and Paul 1980).
 
 use super::{
-    axes::{self, Axes},
-    link::{self, Link, Turning},
+    link::{Link, Turning},
+    linkage::Linkage,
     motion::{self, Wrench},
     plan::Plan,
     rotation::Turn,
@@ -21,51 +21,41 @@ pub fn inverse_dynamics(
     plan: &Plan,
     accelerations: Accelerations,
 ) -> Vec<Expr> {
-    let links = link::links(graph, tree, plan);
-    let axes = axes::of_speeds(tree);
-    let falls = none(tree);
-    inertial_forces(graph, tree, plan, (&links, &axes), (accelerations, &falls))
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    inertial_forces(graph, &linkage, accelerations)
 }
 
-/// No body is taken to fall.
-fn none(tree: &Tree) -> BodyMap<bool> {
-    BodyMap::outward(tree.bodies.len(), |_, _| false)
-}
-
-/// The same with motions along other axes, for links that are there.
+/// The same on links that are there.
 pub(super) fn inertial_forces(
     graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    (links, axes): (&BodyMap<Link>, &BodyMap<Axes>),
-    (accelerations, falls): (Accelerations, &BodyMap<bool>),
+    linkage: &Linkage<'_>,
+    accelerations: Accelerations,
 ) -> Vec<Expr> {
-    let wrenches = motion::wrenches(graph, tree, links, plan, accelerations, falls);
-    project(graph, tree, links, axes, wrenches)
+    let wrenches = motion::wrenches(graph, linkage, accelerations);
+    project(graph, linkage, wrenches)
 }
 
 /// `f`, Eq. (43): the loads less the bias.
 pub fn forcing(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
-    let links = link::links(graph, tree, plan);
-    let falls = none(tree);
-    let inertial = motion::wrenches(graph, tree, &links, plan, Accelerations::Zero, &falls);
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    let inertial = motion::wrenches(graph, &linkage, Accelerations::Zero);
     let net = BodyMap::outward(tree.bodies.len(), |body, _| {
-        let load = load(graph, tree, &links[body], body);
+        let load = load(graph, tree, &linkage.links[body], body);
         Wrench {
             force: graph.sub_vectors(load.force, inertial[body].force),
             moment: graph.sub_vectors(load.moment, inertial[body].moment),
         }
     });
-    project(graph, tree, &links, &axes::of_speeds(tree), net)
+    project(graph, &linkage, net)
 }
 
 /// `F_y`, Eq. (36), of the loads.
 pub fn generalized_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
-    let links = link::links(graph, tree, plan);
+    let linkage = Linkage::of_speeds(graph, tree, plan);
     let loads = BodyMap::outward(tree.bodies.len(), |body, _| {
-        load(graph, tree, &links[body], body)
+        load(graph, tree, &linkage.links[body], body)
     });
-    project(graph, tree, &links, &axes::of_speeds(tree), loads)
+    project(graph, &linkage, loads)
 }
 
 /// The load of a body about its link's origin.
@@ -88,11 +78,12 @@ fn load(graph: &mut ExprGraph, tree: &Tree, link: &Link, body: BodyId) -> Wrench
 /// The generalized force of every motion, from the wrench on every link: from the leaves inward.
 fn project(
     graph: &mut ExprGraph,
-    tree: &Tree,
-    links: &BodyMap<Link>,
-    axes: &BodyMap<Axes>,
+    linkage: &Linkage<'_>,
     mut wrenches: BodyMap<Wrench>,
 ) -> Vec<Expr> {
+    let Linkage {
+        tree, links, axes, ..
+    } = linkage;
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
@@ -132,11 +123,7 @@ fn project(
             let lever = graph.cross(link.offset, force);
             let moment = graph.add_vectors(moment, lever);
             graph.enter(lower);
-            let below = wrenches[lower];
-            wrenches[lower] = Wrench {
-                force: graph.add_vectors(below.force, force),
-                moment: graph.add_vectors(below.moment, moment),
-            };
+            wrenches[lower] = wrenches[lower].plus(graph, &Wrench { force, moment });
         }
     }
     tau

@@ -16,6 +16,7 @@ pub mod inverse_dynamics;
 mod joint;
 pub mod layout;
 pub mod link;
+mod linkage;
 pub mod motion;
 mod parallel;
 pub mod plan;

@@ -6,14 +6,15 @@
 
 use super::{
     link::{self, Link, Turning},
-    plan::{Plan, Technique},
+    linkage::Linkage,
+    plan::Technique,
     rotation::{Rotation, Turn},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Matrix, Vector, negated},
     id::BodyMap,
     kane::{Accelerations, given},
-    tree::{Joint, Motion, Tree},
+    tree::{Joint, Motion},
 };
 
 /// A force and its moment about the link's origin, link components.
@@ -23,6 +24,16 @@ pub struct Wrench {
     pub force: Vector,
     /// The moment.
     pub moment: Vector,
+}
+
+impl Wrench {
+    /// Both together, about the same point.
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            force: graph.add_vectors(self.force, other.force),
+            moment: graph.add_vectors(self.moment, other.moment),
+        }
+    }
 }
 
 /// A link's motion, link components.
@@ -42,16 +53,16 @@ struct LinkMotion {
 }
 
 /// What each link needs to move as it does, weight included.
-pub fn wrenches(
+pub(super) fn wrenches(
     graph: &mut ExprGraph,
-    tree: &Tree,
-    links: &BodyMap<Link>,
-    plan: &Plan,
+    linkage: &Linkage<'_>,
     accelerations: Accelerations,
-    falls: &BodyMap<bool>,
 ) -> BodyMap<Wrench> {
+    let Linkage {
+        tree, links, falls, ..
+    } = linkage;
     let gravity = given::gravity(graph, tree);
-    let by_second = plan.uses(Technique::SecondMoments);
+    let by_second = linkage.plan.uses(Technique::SecondMoments);
     let motions = BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<LinkMotion>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| &motions[lower]);

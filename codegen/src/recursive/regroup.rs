@@ -98,12 +98,11 @@ fn take_from_axis(
 /// Takes all inertia but mass and first moment from a link that only translates, along the lower link's axes: it turns as that
 /// does.
 fn take_tensor(graph: &mut ExprGraph, link: &mut Link) -> Composite {
-    let zero = graph.zero();
     let given = Composite {
         inertia: link
             .constant
             .backward_symmetric(graph, &link.inertia.inertia),
-        ..Composite::point(graph, zero)
+        ..Composite::zero(graph)
     };
     let rest = Composite {
         inertia: graph.zero_symmetric(),

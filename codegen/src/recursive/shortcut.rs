@@ -4,35 +4,25 @@
 //! read, in axes that do not turn with the root. Once the last offset is passed it can go there at once: one rotation by a
 //! matrix that all columns of the link share, in place of one at every joint on the way.
 
-use super::{
-    axes::Axes,
-    composite::Column,
-    link::Link,
-    plan::{Plan, Technique},
-    rotation::Turn,
-};
+use super::{composite::Column, linkage::Linkage, plan::Technique, rotation::Turn};
 use crate::{
     expr::{ExprGraph, Matrix},
     id::{BodyId, BodyMap},
-    tree::Tree,
 };
 
 /// The links from which a column's linear part can go to the root's translations.
 pub(super) struct Shortcuts<'a> {
-    tree: &'a Tree,
-    links: &'a BodyMap<Link>,
+    linkage: &'a Linkage<'a>,
     is_open: BodyMap<bool>,
     /// The axes along which the root translates, by rows, in link components: as far as they were asked for.
     directions: BodyMap<Option<Matrix>>,
 }
 
 impl<'a> Shortcuts<'a> {
-    pub(super) fn new(
-        graph: &ExprGraph,
-        tree: &'a Tree,
-        plan: &Plan,
-        (links, axes): (&'a BodyMap<Link>, &BodyMap<Axes>),
-    ) -> Self {
+    pub(super) fn new(graph: &ExprGraph, linkage: &'a Linkage<'a>) -> Self {
+        let Linkage {
+            tree, links, axes, ..
+        } = linkage;
         // Open: the link's joint only turns, and what is below has no offset up to the root.
         let is_open = BodyMap::outward(tree.bodies.len(), |body, is_open: &BodyMap<bool>| {
             let Some(lower) = tree.lower(body) else {
@@ -46,11 +36,10 @@ impl<'a> Shortcuts<'a> {
                 }
                 Some(_) => is_open[lower] && graph.is_zero_vector(links[lower].offset),
             };
-            plan.uses(Technique::Shortcut) && only_turns && is_next
+            linkage.plan.uses(Technique::Shortcut) && only_turns && is_next
         });
         Self {
-            tree,
-            links,
+            linkage,
             is_open,
             directions: BodyMap::outward(tree.bodies.len(), |_, _| None),
         }
@@ -67,7 +56,7 @@ impl<'a> Shortcuts<'a> {
             return;
         }
         graph.enter(body);
-        let link = &self.links[body];
+        let link = &self.linkage.links[body];
         let offset = link.constant.forward(graph, link.offset);
         let offset = link.forward(graph, offset);
         graph.name_vector(offset, "offset_turned");
@@ -85,13 +74,12 @@ impl<'a> Shortcuts<'a> {
     /// A rotation costs a vector 6 operations, three of them, for the directions, 18; an offset along one axis across the
     /// joint's has two parts when turned, so that each lever costs 4 more.
     fn is_cheaper(&self, graph: &mut ExprGraph, body: BodyId, n_columns: usize) -> bool {
-        let joint = &self.tree.body(body).joint;
+        let joint = &self.linkage.tree.body(body).joint;
         let Some(axis) = joint.hinge_axis() else {
             return false;
         };
-        let offset = self.links[body]
-            .constant
-            .forward(graph, self.links[body].offset);
+        let link = &self.linkage.links[body];
+        let offset = link.constant.forward(graph, link.offset);
         let (b, c) = axis.others();
         let n_across = [b, c]
             .into_iter()
@@ -108,8 +96,8 @@ impl<'a> Shortcuts<'a> {
         if let Some(known) = self.directions[body] {
             return known;
         }
-        let link = &self.links[body];
-        let directions = match self.tree.lower(body) {
+        let link = &self.linkage.links[body];
+        let directions = match self.linkage.tree.lower(body) {
             None => {
                 graph.enter(body);
                 let axes = graph.identity();
