@@ -127,11 +127,11 @@ fn groups_serve_any_function_and_write_no_state_that_is_not_theirs() {
     let zero = f64x8::from_f64(0.0);
     let (mut group_q, mut group_u, mut energy) = ([zero; NQ], [zero; NU], zero);
     for group in batch.groups() {
-        group.load(&q, &mut group_q);
-        group.load(&u, &mut group_u);
+        group.load(&q, &mut group_q).unwrap();
+        group.load(&u, &mut group_u).unwrap();
         system.kinetic_energy(&group_q, &group_u, &mut energy);
         // A second row, which there is none of, is dropped.
-        group.store([&energy, &energy], &mut rows);
+        group.store([&energy, &energy], &mut rows).unwrap();
     }
     for (state, &found) in energies.iter().enumerate() {
         let mut expected = 0.0;
@@ -169,13 +169,43 @@ fn slices_of_another_length_are_told_and_nothing_is_written() {
 }
 
 #[test]
+fn rows_of_a_batch_of_another_size_are_refused_and_nothing_is_read_or_written() {
+    let (batch, other) = (Batch::<f64>::new(6), Batch::<f64>::new(4));
+    let given = [1.0; 12];
+    let mut written = [2.0; 12];
+    let rows = other.rows("q", &given, 3).unwrap();
+    let mut rows_mut = other.rows_mut("tau", &mut written, 3).unwrap();
+    let mut kept = [7.0, 8.0];
+    for group in batch.groups() {
+        let error = group.load(&rows, &mut kept).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "`q` has 12 numbers, 3 rows of 6 states are required"
+        );
+        let error = group.store([&9.0], &mut rows_mut).unwrap_err();
+        assert_eq!((error.argument, error.states), ("tau", 6));
+    }
+    assert_eq!(kept, [7.0, 8.0]);
+    assert_eq!(written, [2.0; 12]);
+    // Another batch of the same size has the same rows.
+    let same = Batch::<f64>::new(6).rows("q", &given, 2).unwrap();
+    batch
+        .groups()
+        .last()
+        .unwrap()
+        .load(&same, &mut kept)
+        .unwrap();
+    assert_eq!(kept, [1.0; 2]);
+}
+
+#[test]
 fn sizes_that_no_memory_holds_are_an_error_and_no_panic() {
     let batch = Batch::<f64>::new(usize::MAX);
     assert!(batch.rows("q", &[1.0], 2).is_err());
     let none = batch.rows("nothing", &[], 0).unwrap();
     let mut kept = [7.0, 8.0];
     for group in batch.groups().take(2) {
-        group.load(&none, &mut kept);
+        group.load(&none, &mut kept).unwrap();
     }
     assert_eq!(kept, [7.0, 8.0]);
 }

@@ -1,0 +1,193 @@
+//! Many states at once: structure of arrays in, structure of arrays out, each lane of a vector one state.
+//!
+//! A quantity of a batch of `n` states is a slice of rows: all states' first number, then all states' second, and so on,
+//! row by row (`q[0]` of every state, `q[1]` of every state, ...). So `q` has `NQ n` numbers, `tau` has `NU n`, and a mass
+//! matrix `NU NU n`, entry `m[r][c]` in row `NU r + c`. States need no order and no padding; what is left over after the
+//! last full group of lanes is computed with repeated lanes, of which nothing is stored.
+//!
+//! ```
+//! # #[cfg(all(feature = "eight_body", feature = "wide"))] {
+//! use kane::batch::Batch;
+//! use kane::eight_body::{NQ, NU, Prepared};
+//! use kane::wide::f64x4;
+//!
+//! const N: usize = 10;
+//! let system = Prepared::<f64x4>::nominal();
+//! let (q, u, u_dot) = (vec![0.1; NQ * N], vec![0.2; NU * N], vec![0.3; NU * N]);
+//! let mut tau = vec![0.0; NU * N];
+//! Batch::<f64x4>::new(N).inverse_dynamics(&system, &q, &u, &u_dot, &mut tau)?;
+//! # }
+//! # Ok::<(), kane::batch::LengthError>(())
+//! ```
+//!
+//! Every lane has the bits that the same function gives for that state alone. The usual functions are methods of
+//! [`Batch`]; any other is a loop over its groups:
+//!
+//! ```
+//! # #[cfg(feature = "eight_body")] {
+//! use kane::batch::Batch;
+//! use kane::eight_body::{NQ, NU, Prepared};
+//! use kane::functions::KineticEnergy;
+//!
+//! # const N: usize = 10;
+//! # let system = Prepared::<f64>::nominal();
+//! # let (q, u, mut energies) = (vec![0.1; NQ * N], vec![0.2; NU * N], vec![0.0; N]);
+//! let batch = Batch::<f64>::new(N);
+//! let (q, u) = (batch.rows("q", &q, NQ)?, batch.rows("u", &u, NU)?);
+//! let mut energies = batch.rows_mut("energies", &mut energies, 1)?;
+//! let (mut one_q, mut one_u, mut energy) = ([0.0; NQ], [0.0; NU], 0.0);
+//! for group in batch.groups() {
+//!     group.load(&q, &mut one_q)?;
+//!     group.load(&u, &mut one_u)?;
+//!     system.kinetic_energy(&one_q, &one_u, &mut energy);
+//!     group.store([&energy], &mut energies)?;
+//! }
+//! # }
+//! # Ok::<(), kane::batch::LengthError>(())
+//! ```
+
+mod group;
+mod rows;
+mod tile;
+
+use core::marker::PhantomData;
+
+use rows::Shape;
+use tile::{Input, Output};
+
+use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix};
+use crate::{Array, Lanes, System};
+
+pub use group::Group;
+pub use rows::{LengthError, Rows, RowsMut};
+
+/// A number of states, computed [`Lanes::LANES`] at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct Batch<L> {
+    states: usize,
+    lanes: PhantomData<L>,
+}
+
+impl<L: Lanes> Batch<L> {
+    /// A batch of this many states.
+    #[must_use]
+    pub fn new(states: usize) -> Self {
+        Self {
+            states,
+            lanes: PhantomData,
+        }
+    }
+
+    /// The groups, in the order of the states; the last one may be smaller than the others.
+    pub fn groups(self) -> impl Iterator<Item = Group<L>> {
+        group::groups(0..self.states, self.states)
+    }
+
+    /// A quantity with this many `rows`, to be read; `argument` is its name in the error.
+    ///
+    /// # Errors
+    /// The slice is not `rows` times as long as there are states.
+    pub fn rows<'a>(
+        &self,
+        argument: &'static str,
+        values: &'a [L::Scalar],
+        rows: usize,
+    ) -> Result<Rows<'a, L::Scalar>, LengthError> {
+        let shape = self.shape(argument, rows);
+        shape.check(values.len())?;
+        Ok(Rows { values, shape })
+    }
+
+    /// As [`Self::rows`], to be written.
+    ///
+    /// # Errors
+    /// The slice is not `rows` times as long as there are states.
+    pub fn rows_mut<'a>(
+        &self,
+        argument: &'static str,
+        values: &'a mut [L::Scalar],
+        rows: usize,
+    ) -> Result<RowsMut<'a, L::Scalar>, LengthError> {
+        let shape = self.shape(argument, rows);
+        shape.check(values.len())?;
+        Ok(RowsMut { values, shape })
+    }
+
+    fn shape(&self, argument: &'static str, rows: usize) -> Shape {
+        Shape {
+            argument,
+            rows,
+            states: self.states,
+        }
+    }
+
+    /// [`MassMatrix::mass_matrix`] of every state, entry `m[r][c]` in row `NU r + c`.
+    ///
+    /// # Errors
+    /// A slice of the wrong length; nothing is written then.
+    pub fn mass_matrix<S: MassMatrix<L>>(
+        &self,
+        system: &S,
+        q: &[L::Scalar],
+        m: &mut [L::Scalar],
+    ) -> Result<(), LengthError> {
+        let mut q = Input::<L, S::Q>::new(self.rows("q", q, S::Q::LEN)?);
+        let mut rows = self.rows_mut("m", m, S::U::LEN * S::U::LEN)?;
+        // One at a time: the matrices of a tile would not stay in the cache.
+        let mut m = S::Matrix::filled(S::U::filled(L::from_f64(0.0)));
+        for tile in tile::tiles(self.states) {
+            q.load(&tile);
+            for (group, q) in tile.groups().zip(&q.groups) {
+                system.mass_matrix(q, &mut m);
+                group.write(m.as_ref().iter().flat_map(AsRef::as_ref), &mut rows);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Methods that take a function's arguments tile by tile, and write its output, an array as these.
+macro_rules! methods {
+    ($(
+        $(#[$documentation:meta])*
+        $function:ident: $trait:ident($($argument:ident: $given:ident),+) -> $output:ident: $written:ident;
+    )+) => {
+        impl<L: Lanes> Batch<L> {$(
+            $(#[$documentation])*
+            ///
+            /// # Errors
+            /// A slice of the wrong length; nothing is written then.
+            pub fn $function<S: $trait<L>>(
+                &self,
+                system: &S,
+                $($argument: &[L::Scalar],)+
+                $output: &mut [L::Scalar],
+            ) -> Result<(), LengthError> {
+                $(let rows = self.rows(stringify!($argument), $argument, S::$given::LEN)?;
+                let mut $argument = Input::<L, S::$given>::new(rows);)+
+                let rows = self.rows_mut(stringify!($output), $output, S::$written::LEN)?;
+                let mut $output = Output::<L, S::$written>::new(rows);
+                for tile in tile::tiles(self.states) {
+                    $($argument.load(&tile);)+
+                    for group in tile.places() {
+                        let output = &mut $output.groups[group];
+                        system.$function($(&$argument.groups[group],)+ output);
+                    }
+                    $output.store(&tile);
+                }
+                Ok(())
+            }
+        )+}
+    };
+}
+
+methods! {
+    /// [`System::q_dot`] of every state.
+    q_dot: System(q: Q, u: U) -> q_dot: Q;
+    /// [`Bias::bias`] of every state.
+    bias: Bias(q: Q, u: U) -> bias: U;
+    /// [`InverseDynamics::inverse_dynamics`] of every state.
+    inverse_dynamics: InverseDynamics(q: Q, u: U, u_dot: U) -> tau: U;
+    /// [`ForwardDynamics::forward_dynamics`] of every state.
+    forward_dynamics: ForwardDynamics(q: Q, u: U, tau: U) -> u_dot: U;
+}

@@ -1,0 +1,92 @@
+//! Quantities of a batch in memory: row by row, each row one number of every state.
+
+use core::error::Error;
+use core::fmt;
+
+/// A quantity of every state of a batch, row by row: [`Batch::rows`](super::Batch::rows).
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<'a, T> {
+    pub(super) values: &'a [T],
+    pub(super) shape: Shape,
+}
+
+/// As [`Rows`], to be written: [`Batch::rows_mut`](super::Batch::rows_mut).
+#[derive(Debug)]
+pub struct RowsMut<'a, T> {
+    pub(super) values: &'a mut [T],
+    pub(super) shape: Shape,
+}
+
+/// How many rows a quantity has, and for which batch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    pub(super) argument: &'static str,
+    pub(super) rows: usize,
+    pub(super) states: usize,
+}
+
+/// A slice is not as long as its rows and the batch's states make it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthError {
+    /// The name of the argument.
+    pub argument: &'static str,
+    /// Its length.
+    pub found: usize,
+    /// How many rows it should have.
+    pub rows: usize,
+    /// How many states are in a row.
+    pub states: usize,
+}
+
+impl Shape {
+    /// Refuses a slice of another length.
+    pub(super) fn check(self, found: usize) -> Result<(), LengthError> {
+        if self.rows.checked_mul(self.states) == Some(found) {
+            Ok(())
+        } else {
+            Err(self.error(found))
+        }
+    }
+
+    /// Refuses a slice for another batch.
+    #[inline]
+    pub(super) fn check_states(self, states: usize, found: usize) -> Result<(), LengthError> {
+        if self.states == states {
+            Ok(())
+        } else {
+            Err(Self { states, ..self }.error(found))
+        }
+    }
+
+    #[cold]
+    fn error(self, found: usize) -> LengthError {
+        let Self {
+            argument,
+            rows,
+            states,
+        } = self;
+        LengthError {
+            argument,
+            found,
+            rows,
+            states,
+        }
+    }
+}
+
+impl fmt::Display for LengthError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            argument,
+            found,
+            rows,
+            states,
+        } = self;
+        write!(
+            f,
+            "`{argument}` has {found} numbers, {rows} rows of {states} states are required"
+        )
+    }
+}
+
+impl Error for LengthError {}
