@@ -2,17 +2,21 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
+#[path = "support/compiled.rs"]
+mod support;
+
 use std::{fmt::Write as _, fs};
 
 use kane_codegen::{
     compile::{self, Options},
     config::{Formulation, Functions},
-    description::{self, Base, Chart, Reading, no_includes, toml},
+    description::{Base, Chart, Reading, toml},
     diagnostic::Source,
     functions::CATALOGUE,
     program::Operations,
     tree::{self, Tree},
 };
+use support::read;
 
 const NAMED: [&str; 6] = [
     "generalized_forces",
@@ -25,12 +29,6 @@ const NAMED: [&str; 6] = [
 
 fn model(path: &str) -> Tree {
     read(path, &Reading::default())
-}
-
-fn read(path: &str, reading: &Reading) -> Tree {
-    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let description = description::read(&Source::new(path, text), reading, &no_includes);
-    tree::build(&description).unwrap().tree
 }
 
 fn counts(

@@ -2,20 +2,23 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
+#[path = "support/compiled.rs"]
+mod support;
+
 use std::{fmt::Write as _, fs};
 
 use kane_codegen::{
     compile::{self, Options},
     config::{self, Functions},
-    description::{self, Base, Reading, no_includes},
+    description::{Base, Reading, no_includes},
     diagnostic::Source,
     emit::Emittable,
-    expr::Input,
     functions::{Formulation, Request, RequestError},
     generate::generate,
     program::Operations,
-    tree::{self, Tree},
+    tree::Tree,
 };
+use support::{compiled, input, read};
 
 /// What control loops ask for together.
 const JOINED: [&str; 5] = [
@@ -46,54 +49,18 @@ fn models() -> Vec<(&'static str, Tree)> {
     ]
 }
 
-fn read(path: &str, reading: &Reading) -> Tree {
-    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let description = description::read(&Source::new(path, text), reading, &no_includes);
-    tree::build(&description).unwrap().tree
-}
-
-/// Numbers between -1 and 1 without a pattern; quaternions need not be of length one for what is compared here.
-fn input(tree: &Tree, given: Input) -> f64 {
-    let (kind, place) = match given {
-        Input::Q(id) => (1.0, id.index()),
-        Input::U(id) => (2.0, id.index()),
-        Input::UDot(id) => (3.0, id.index()),
-        Input::Tau(id) => (4.0, id.index()),
-        Input::Parameter(id) => return tree.parameters[id.index()].nominal,
-        other => unreachable!("{other:?} is no argument of these functions"),
-    };
-    libm::sin(12.9 * f64::from(u32::try_from(place).unwrap()) + 7.3 * kind + 0.4)
-}
-
-fn compiled(tree: &Tree, names: &[&str]) -> Vec<(Emittable, Vec<f64>)> {
-    let options = Options {
-        functions: Functions::Named(names.iter().map(ToString::to_string).collect()),
-        ..Options::default()
-    };
-    let compiled = compile::compile(tree, &options).unwrap();
-    let prepared = compiled.preparation.evaluate(|given| input(tree, given));
-    let evaluated = compiled.functions.into_iter().map(|emittable| {
-        let values = emittable.program.evaluate(|given| match given {
-            Input::Prepared(place) => prepared[place],
-            given => input(tree, given),
-        });
-        (emittable, values)
-    });
-    let mut evaluated: Vec<_> = evaluated.collect();
-    let always = |name: &str| ["q_dot", "normalize"].contains(&name);
-    evaluated.retain(|(emittable, _)| !always(&emittable.function.name()));
-    evaluated
+/// One function alone, with its values.
+fn alone(tree: &Tree, name: &str) -> (Emittable, Vec<f64>) {
+    compiled(tree, &[name]).remove(name).unwrap()
 }
 
 #[test]
 fn outputs_are_those_of_the_separate_functions_in_the_order_asked_for() {
     for (model, tree) in models() {
         for joined in JOINED {
-            let (_, found) = compiled(&tree, &[joined]).remove(0);
+            let (_, found) = alone(&tree, joined);
             let parts = joined.split('+');
-            let expected: Vec<f64> = parts
-                .flat_map(|part| compiled(&tree, &[part]).remove(0).1)
-                .collect();
+            let expected: Vec<f64> = parts.flat_map(|part| alone(&tree, part).1).collect();
             assert_eq!(found.len(), expected.len());
             let scale = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
             for (place, (found, expected)) in found.iter().zip(&expected).enumerate() {
@@ -130,10 +97,10 @@ fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
 fn shared_work_is_done_once() {
     for (model, tree) in models() {
         for joined in JOINED {
-            let whole = compiled(&tree, &[joined]).remove(0).0.operations;
+            let whole = alone(&tree, joined).0.operations;
             let (mut sum, mut most) = (Operations::default(), Operations::default());
             for part in joined.split('+') {
-                let part = compiled(&tree, &[part]).remove(0).0.operations;
+                let part = alone(&tree, part).0.operations;
                 sum += part;
                 most.trig = most.trig.max(part.trig);
             }
@@ -155,9 +122,9 @@ fn operations_of_robots() {
     let mut text = String::new();
     for (model, tree) in models().into_iter().skip(2) {
         for joined in JOINED {
-            let whole = compiled(&tree, &[joined]).remove(0).0.operations;
+            let whole = alone(&tree, joined).0.operations;
             let separate = joined.split('+').map(|part| {
-                let (emittable, _) = compiled(&tree, &[part]).remove(0);
+                let (emittable, _) = alone(&tree, part);
                 emittable.operations.total()
             });
             let separate: usize = separate.sum();

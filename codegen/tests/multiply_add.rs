@@ -2,18 +2,21 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
+#[path = "support/compiled.rs"]
+mod support;
+
 use std::fs;
 
 use kane_codegen::{
     compile::{self, Compiled, Options},
     config::Functions,
-    description::{self, Base, Reading, no_includes},
+    description::{Base, Reading, no_includes},
     diagnostic::Source,
     expr::Input,
     generate,
     program::{self, Instruction, Operand, Operation, Program},
-    tree,
 };
+use support::read;
 
 /// Rounding of a function, relative to the largest entry of its output: some hundred operations deep, and a solution
 /// whose mass matrix has a condition number of some thousands.
@@ -26,10 +29,7 @@ const MODELS: [(&str, Option<Base>); 4] = [
 ];
 
 fn compiled(path: &str, base: Option<Base>, fma: bool) -> Compiled {
-    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let reading = Reading { base, chart: None };
-    let description = description::read(&Source::new(path, text), &reading, &no_includes);
-    let tree = tree::build(&description).unwrap().tree;
+    let tree = read(path, &Reading { base, chart: None });
     let options = Options {
         fma,
         ..Options::default()

@@ -2,17 +2,16 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-use std::{
-    collections::{BTreeMap, BTreeSet},
-    fs,
-};
+#[path = "support/compiled.rs"]
+mod support;
+
+use std::{collections::BTreeSet, fs};
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile::Options,
     config::Functions,
-    description::{self, Base, Chart, Reading, no_includes},
+    description::{Base, Chart, Reading, no_includes},
     diagnostic::Source,
-    emit::Emittable,
     expr::{ExprGraph, Input, Node},
     functions::Request,
     generate::{Generated, generate},
@@ -22,8 +21,9 @@ use kane_codegen::{
         sines::{self, Angle},
     },
     report,
-    tree::{self, Tree},
+    tree::Tree,
 };
+use support::{built, compiled, read};
 
 const FUNCTIONS: [&str; 8] = [
     "rotation",
@@ -75,69 +75,31 @@ fn followers(multiplier: f64, offset: f64) -> Tree {
     built("followers.toml", text, &Reading::default())
 }
 
-fn built(name: &str, text: String, reading: &Reading) -> Tree {
-    let description = description::read(&Source::new(name, text), reading, &no_includes);
-    tree::build(&description).unwrap().tree
-}
-
-fn read(path: &str, base: Option<Base>, chart: Option<Chart>) -> Tree {
-    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    built(path, text, &Reading { base, chart })
+fn own(path: &str) -> Tree {
+    read(path, &Reading::default())
 }
 
 /// Models in which no angle is a sum or multiple of others.
 fn plain_models() -> Vec<Tree> {
     let robot = |name: &str, base, chart| {
         let path = format!("tests/robots/{name}/{name}.urdf");
-        read(&path, Some(base), chart)
+        read(
+            &path,
+            &Reading {
+                base: Some(base),
+                chart,
+            },
+        )
     };
     vec![
-        read("codegen/tests/models/cart_pole.toml", None, None),
-        read("codegen/tests/models/pendulum.toml", None, None),
-        read("models/eight_body.toml", None, None),
+        own("codegen/tests/models/cart_pole.toml"),
+        own("codegen/tests/models/pendulum.toml"),
+        own("models/eight_body.toml"),
         robot("panda", Base::Fixed, None),
         robot("ur5", Base::Fixed, None),
         robot("solo12", Base::Free, None),
         robot("solo12", Base::Free, Some(Chart::Angles)),
     ]
-}
-
-fn input(tree: &Tree, given: Input) -> f64 {
-    let (kind, place) = match given {
-        Input::Q(id) => (1.0, id.index()),
-        Input::U(id) => (2.0, id.index()),
-        Input::UDot(id) => (3.0, id.index()),
-        Input::Tau(id) => (4.0, id.index()),
-        Input::Sine(place) => {
-            let angle = sines::angles(tree)[place].coordinate;
-            return libm::sin(input(tree, Input::Q(angle)));
-        }
-        Input::Cosine(place) => {
-            let angle = sines::angles(tree)[place].coordinate;
-            return libm::cos(input(tree, Input::Q(angle)));
-        }
-        Input::Parameter(id) => return tree.parameters[id.index()].nominal,
-        other => unreachable!("{other:?} is no argument of these functions"),
-    };
-    libm::sin(12.9 * f64::from(u32::try_from(place).unwrap()) + 7.3 * kind + 0.4)
-}
-
-/// The functions that are asked for, by name, with their values.
-fn compiled(tree: &Tree, names: &[&str]) -> BTreeMap<String, (Emittable, Vec<f64>)> {
-    let options = Options {
-        functions: Functions::Named(names.iter().map(ToString::to_string).collect()),
-        ..Options::default()
-    };
-    let compiled = compile::compile(tree, &options).unwrap();
-    let prepared = compiled.preparation.evaluate(|given| input(tree, given));
-    let evaluated = compiled.functions.into_iter().map(|emittable| {
-        let values = emittable.program.evaluate(|given| match given {
-            Input::Prepared(place) => prepared[place],
-            given => input(tree, given),
-        });
-        (emittable.function.text(), (emittable, values))
-    });
-    evaluated.collect()
 }
 
 fn both(function: &str) -> [String; 2] {
@@ -311,10 +273,7 @@ fn the_type_of_sines_and_cosines_stands_only_where_a_function_is_given_them() {
 
 #[test]
 fn counts_are_those_of_what_is_generated() {
-    for tree in [
-        followers(-1.0, 0.3),
-        read("models/cart_pole.toml", None, None),
-    ] {
+    for tree in [followers(-1.0, 0.3), own("models/cart_pole.toml")] {
         for function in FUNCTIONS {
             let [_, given] = both(function);
             let counts = report::count(&tree, Request::parse(&given).unwrap(), &BTreeSet::new());

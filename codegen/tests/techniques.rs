@@ -4,13 +4,15 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 mod dynamics;
+#[path = "support/compiled.rs"]
+mod support;
 
 use std::{collections::BTreeSet, fmt::Write as _, fs, thread};
 
 use dynamics::random::{RandomSystem, Sizes, Style};
 use kane_codegen::{
     compile,
-    description::{self, Base, Reading, no_includes, toml},
+    description::{Base, Reading, toml},
     diagnostic::Source,
     expr::Input,
     functions::{Formulation, Request},
@@ -20,6 +22,7 @@ use kane_codegen::{
     search,
     tree::{self, Tree},
 };
+use support::read;
 
 const FUNCTIONS: [&str; 3] = ["inverse_dynamics", "mass_matrix", "forward_dynamics"];
 
@@ -35,12 +38,6 @@ fn robot(name: &str, base: Base) -> Tree {
 
 fn eight_bodies() -> Tree {
     read("models/eight_body.toml", &Reading::default())
-}
-
-fn read(path: &str, reading: &Reading) -> Tree {
-    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let description = description::read(&Source::new(path, text), reading, &no_includes);
-    tree::build(&description).unwrap().tree
 }
 
 /// A row of modified Denavit-Hartenberg parameters: alpha, d, r of `Rx(alpha) Tx(d) Rz(theta) Tz(r)`, rad, m.
