@@ -13,6 +13,7 @@ use kane_codegen::{
     diagnostic::Source,
     error::Error,
     functions::{Block, Request},
+    recursive::Technique,
     tree::Tree,
 };
 use serde_json::{Map, Value, json};
@@ -66,6 +67,10 @@ pub(crate) struct Arguments {
     /// How sums over bodies are associated
     #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = parse::one_of(config::Formulation::ALL))]
     formulation: config::Formulation,
+
+    /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
+    #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = parse::one_of(Technique::ALL))]
+    without: Vec<Technique>,
 }
 
 /// Evaluates and prints.
@@ -87,6 +92,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let inputs = state::read(&state, tree, &function)?;
     let options = Options {
         formulation: arguments.formulation,
+        without: arguments.without.iter().copied().collect(),
         ..Options::default()
     };
     let derived = compile::choose(tree, &function, &options).derived;

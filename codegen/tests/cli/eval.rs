@@ -51,16 +51,12 @@ fn state(case: &Value) -> Value {
 }
 
 fn evaluated(model: &str, function: &str, formulation: &str, state: &Value) -> Value {
-    let arguments = [
-        "eval",
-        model,
-        "--function",
-        function,
-        "--formulation",
-        formulation,
-        "--state",
-        "-",
-    ];
+    evaluated_with(model, function, &["--formulation", formulation], state)
+}
+
+fn evaluated_with(model: &str, function: &str, options: &[&str], state: &Value) -> Value {
+    let arguments = ["eval", model, "--function", function, "--state", "-"];
+    let arguments = [&arguments, options].concat();
     let ran = Project::empty().kane_given(&arguments, &state.to_string());
     assert_eq!(ran.code, 0, "{ran:?}");
     serde_json::from_str(&ran.out).unwrap()
@@ -94,6 +90,26 @@ fn mass_matrix_and_forcing_are_those_of_the_reference() {
             assert_close(&flat(&forcing), &flat(&case["expect"]["f"]));
         }
     }
+}
+
+#[test]
+fn techniques_are_left_out_and_the_values_stay() {
+    let model = repository("tests/robots/ur5/ur5.urdf");
+    let numbers = [0.3, -0.7, 1.1, 0.4, -0.2, 0.9];
+    let state = json!({ "q": numbers, "u": numbers });
+    let bias = |without: &[&str]| {
+        let options = [&["--base", "fixed"], without].concat();
+        flat(&evaluated_with(
+            model.to_str().unwrap(),
+            "bias",
+            &options,
+            &state,
+        ))
+    };
+    let (all, some) = (bias(&[]), bias(&["--without", "turn,slide,regroup"]));
+    assert_close(&some, &all);
+    // Other operations round otherwise.
+    assert_ne!(some, all);
 }
 
 #[test]
