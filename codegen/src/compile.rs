@@ -130,7 +130,6 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
             formulation,
             derived,
         } = choice;
-        let derived = given_sines(tree, &function, derived);
         let name = function.name();
         let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &name, &mut preparation);
         if derived.graph.overflowed() || graph.overflowed() {
@@ -167,12 +166,12 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     })
 }
 
-/// A function in one formulation, its sums factored.
+/// A function in one formulation.
 #[derive(Clone, Debug)]
 pub struct Choice {
     /// The formulation.
     pub formulation: Formulation,
-    /// The expressions.
+    /// The expressions that are emitted.
     pub derived: Derived,
 }
 
@@ -217,19 +216,19 @@ pub fn of_formulation(
     }
 }
 
-/// The function in this formulation by this plan, as it would be emitted.
+/// The function in this formulation by this plan, as it would be emitted: its sums factored, and sines and cosines inputs
+/// where they are to be given.
 pub fn candidate(
     tree: &Tree,
     function: &Request,
     formulation: Formulation,
     plan: &Plan,
 ) -> Derived {
-    let derived = function.derive(tree, formulation, plan);
+    let mut derived = function.derive(tree, formulation, plan);
     if plan.uses(Technique::Factor) {
-        factored(function, derived)
-    } else {
-        derived
+        derived = factored(function, derived);
     }
+    given_sines(tree, function, derived)
 }
 
 /// A function with its sums factored.
@@ -247,9 +246,8 @@ fn factored(function: &Request, derived: Derived) -> Derived {
     }
 }
 
-/// What is chosen, with sines and cosines as inputs where they are to be given: the formulation is that of the function
-/// which computes them, the plan one that needs few operations to take sums of angles apart.
-pub fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> Derived {
+/// A function with sines and cosines as inputs where they are to be given.
+pub(crate) fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> Derived {
     if !function.is_at_sin_cos() {
         return derived;
     }

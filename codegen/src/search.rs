@@ -134,7 +134,6 @@ impl Search<'_> {
                 compile::candidate(self.tree, self.function, Formulation::Recursive, plan);
             self.n_nodes += derived.graph.len();
             self.is_exact = derived.graph.len() <= MOST_EXACT;
-            let derived = compile::given_sines(self.tree, self.function, derived);
             let operations = compile::operations(&derived);
             operations.total() + self.sine * operations.trig
         } else {

@@ -10,6 +10,7 @@ use kane_codegen::{
     expr::Input,
     functions::{Argument, Request},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
+    passes::sines,
     tree::Tree,
 };
 use serde_json::{Map, Value};
@@ -37,6 +38,7 @@ pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<S
         )),
         Err(error) => reader.faults.push(not_json(source, &error)),
     }
+    reader.sines();
     if reader.faults.is_empty() {
         Ok(reader.state)
     } else {
@@ -109,6 +111,17 @@ impl Reader<'_> {
                         Input::RelativeAngularVelocity(BodyId::new(place), axis)
                     });
                 }
+            }
+        }
+    }
+
+    /// The sines and cosines of the angles, which some functions are given.
+    fn sines(&mut self) {
+        for (place, angle) in sines::angles(self.tree).into_iter().enumerate() {
+            if let Some(&angle) = self.state.get(&Input::Q(angle.coordinate)) {
+                let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+                self.state.insert(Input::Sine(place), sine);
+                self.state.insert(Input::Cosine(place), cosine);
             }
         }
     }

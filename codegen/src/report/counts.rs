@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    compile::{self, Choice},
+    compile,
     functions::{Formulation, Request},
     program::Operations,
     recursive::Technique,
@@ -27,23 +27,18 @@ pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> C
         .formulations()
         .iter()
         .map(|&formulation| {
-            let Choice { derived, .. } =
-                compile::of_formulation(tree, &function, formulation, without);
-            let plain = compile::operations(&derived).total();
-            let derived = compile::given_sines(tree, &function, derived);
-            (formulation, compile::operations(&derived), plain)
+            let choice = compile::of_formulation(tree, &function, formulation, without);
+            (formulation, compile::operations(&choice.derived))
         })
         .collect();
     // The first of equals, as `compile::choose` takes it.
-    let (cheapest, ..) = *formulations
+    let (cheapest, _) = *formulations
         .iter()
-        .min_by_key(|(.., plain)| *plain)
+        .min_by_key(|(_, operations)| operations.total())
         .expect("functions: every function has a formulation");
-    let formulations = formulations.into_iter();
-    let formulations = formulations.map(|(formulation, operations, _)| (formulation, operations));
     Counts {
         function,
-        formulations: formulations.collect(),
+        formulations,
         cheapest,
     }
 }

@@ -113,6 +113,19 @@ fn techniques_are_left_out_and_the_values_stay() {
 }
 
 #[test]
+fn functions_that_are_given_sines_have_the_values_of_those_that_compute_them() {
+    let state = r#"{"q": [0.3, -0.7, 1.1], "u": [0.5, 0.2, -0.4]}"#;
+    for function in ["bias", "mass_matrix"] {
+        let [plain, given] = ["", "(sin_cos)"].map(|suffix| {
+            let ran = arm(&format!("{function}{suffix}"), state);
+            assert_eq!(ran.code, 0, "{ran:?}");
+            flat(&serde_json::from_str(&ran.out).unwrap())
+        });
+        assert_close(&given, &plain);
+    }
+}
+
+#[test]
 fn partial_velocity_is_that_of_the_reference() {
     for name in SYSTEMS {
         let (model, case) = reference(name);
