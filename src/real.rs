@@ -96,70 +96,47 @@ pub(crate) const FUSED: bool = cfg!(all(
     )
 ));
 
-impl Real for f64 {
-    #[inline]
-    fn from_f64(number: f64) -> Self {
-        number
-    }
+macro_rules! scalars {
+    ($($scalar:ident: $sin_cos:ident;)+) => {$(
+        impl Real for $scalar {
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "rounding to the nearest f32 is what is asked for"
+            )]
+            fn from_f64(number: f64) -> Self {
+                number as Self
+            }
 
-    #[inline]
-    fn abs(self) -> Self {
-        self.abs()
-    }
+            #[inline]
+            fn abs(self) -> Self {
+                self.abs()
+            }
 
-    #[cfg(feature = "std")]
-    #[inline]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        if FUSED {
-            Self::mul_add(self, a, b)
-        } else {
-            self * a + b
+            #[cfg(feature = "std")]
+            #[inline]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                if FUSED {
+                    Self::mul_add(self, a, b)
+                } else {
+                    self * a + b
+                }
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                sin_cos::$sin_cos(self)
+            }
+
+            #[inline]
+            fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+                sin_cos::scalars(angles, sin_cos::$sin_cos)
+            }
         }
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        sin_cos::sin_cos_f64(self)
-    }
-
-    #[inline]
-    fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        sin_cos::scalars(angles, sin_cos::sin_cos_f64)
-    }
+    )+};
 }
 
-impl Real for f32 {
-    #[inline]
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "rounding to the nearest f32 is what is asked for"
-    )]
-    fn from_f64(number: f64) -> Self {
-        number as Self
-    }
-
-    #[inline]
-    fn abs(self) -> Self {
-        self.abs()
-    }
-
-    #[cfg(feature = "std")]
-    #[inline]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        if FUSED {
-            Self::mul_add(self, a, b)
-        } else {
-            self * a + b
-        }
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        sin_cos::sin_cos_f32(self)
-    }
-
-    #[inline]
-    fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        sin_cos::scalars(angles, sin_cos::sin_cos_f32)
-    }
+scalars! {
+    f64: sin_cos_f64;
+    f32: sin_cos_f32;
 }

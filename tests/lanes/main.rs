@@ -87,34 +87,22 @@ where
     }
 }
 
-#[test]
-fn two_f64_have_the_bits_of_each() {
-    check::<f64x2>();
+macro_rules! bits_of_each {
+    ($($name:ident: $lanes:ident;)+) => {$(
+        #[test]
+        fn $name() {
+            check::<$lanes>();
+        }
+    )+};
 }
 
-#[test]
-fn four_f64_have_the_bits_of_each() {
-    check::<f64x4>();
-}
-
-#[test]
-fn eight_f64_have_the_bits_of_each() {
-    check::<f64x8>();
-}
-
-#[test]
-fn four_f32_have_the_bits_of_each() {
-    check::<f32x4>();
-}
-
-#[test]
-fn eight_f32_have_the_bits_of_each() {
-    check::<f32x8>();
-}
-
-#[test]
-fn sixteen_f32_have_the_bits_of_each() {
-    check::<f32x16>();
+bits_of_each! {
+    two_f64_have_the_bits_of_each: f64x2;
+    four_f64_have_the_bits_of_each: f64x4;
+    eight_f64_have_the_bits_of_each: f64x8;
+    four_f32_have_the_bits_of_each: f32x4;
+    eight_f32_have_the_bits_of_each: f32x8;
+    sixteen_f32_have_the_bits_of_each: f32x16;
 }
 
 fn loaded<L: Lanes<Scalar = f64>>() {
