@@ -7,8 +7,10 @@ mod common;
 
 use common::Random;
 use kane::batch::{Batch, LengthError};
-use kane::eight_body::{NQ, NU, Prepared};
-use kane::functions::{Bias, ForwardDynamics, InverseDynamics, KineticEnergy, MassMatrix};
+use kane::eight_body::{MASS_MATRIX_PACKED_LEN, NQ, NU, Prepared};
+use kane::functions::{
+    Bias, ForwardDynamics, InverseDynamics, KineticEnergy, MassMatrix, MassMatrixPacked,
+};
 use kane::{Lanes, Real, System};
 
 /// Every argument of a batch of states, row by row.
@@ -62,6 +64,8 @@ where
             .forward_dynamics(&system, q, u, u_dot, solved)
             .unwrap();
         batch.mass_matrix(&system, q, &mut m).unwrap();
+        let mut entries = vec![zero; MASS_MATRIX_PACKED_LEN * n];
+        batch.mass_matrix_packed(&system, q, &mut entries).unwrap();
         for state in 0..n {
             let [q, u, u_dot] = [q, u, u_dot].map(|rows| states.one::<NU>(rows, state));
             let mut expected = [[zero; NU]; 4];
@@ -71,6 +75,13 @@ where
             single.inverse_dynamics(&q, &u, &u_dot, &mut expected[2]);
             single.forward_dynamics(&q, &u, &u_dot, &mut expected[3]);
             single.mass_matrix(&q, &mut expected_m);
+            let mut expected_entries = [zero; MASS_MATRIX_PACKED_LEN];
+            single.mass_matrix_packed(&q, &mut expected_entries);
+            assert_eq!(
+                states.one::<MASS_MATRIX_PACKED_LEN>(&entries, state),
+                expected_entries,
+                "state {state} of {n}"
+            );
             for (found, expected) in outputs.iter().zip(&expected) {
                 assert_eq!(
                     &states.one::<NU>(found, state),

@@ -55,7 +55,7 @@ use core::marker::PhantomData;
 use rows::Shape;
 use tile::{Input, Output};
 
-use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix};
+use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
 use crate::{Array, Lanes, System};
 
 pub use group::Group;
@@ -123,6 +123,8 @@ impl<L: Lanes> Batch<L> {
 
     /// [`MassMatrix::mass_matrix`] of every state, entry `m[r][c]` in row `NU r + c`.
     ///
+    /// Of many states these matrices fill the memory: [`Self::mass_matrix_packed`] writes half of them or less.
+    ///
     /// # Errors
     /// A slice of the wrong length; nothing is written then.
     pub fn mass_matrix<S: MassMatrix<L>>(
@@ -131,18 +133,45 @@ impl<L: Lanes> Batch<L> {
         q: &[L::Scalar],
         m: &mut [L::Scalar],
     ) -> Result<(), LengthError> {
-        let mut q = Input::<L, S::Q>::new(self.rows("q", q, S::Q::LEN)?);
+        let q = self.rows("q", q, S::Q::LEN)?;
         let mut rows = self.rows_mut("m", m, S::U::LEN * S::U::LEN)?;
-        // One at a time: the matrices of a tile would not stay in the cache.
         let mut m = S::Matrix::filled(S::U::filled(L::from_f64(0.0)));
+        self.each(q, |group, q| {
+            system.mass_matrix(q, &mut m);
+            group.write(m.as_ref().iter().flat_map(AsRef::as_ref), &mut rows);
+        });
+        Ok(())
+    }
+
+    /// [`MassMatrixPacked::mass_matrix_packed`] of every state, a row each of [`MassMatrixPacked::PLACES`].
+    ///
+    /// # Errors
+    /// A slice of the wrong length; nothing is written then.
+    pub fn mass_matrix_packed<S: MassMatrixPacked<L>>(
+        &self,
+        system: &S,
+        q: &[L::Scalar],
+        entries: &mut [L::Scalar],
+    ) -> Result<(), LengthError> {
+        let q = self.rows("q", q, S::Q::LEN)?;
+        let mut rows = self.rows_mut("entries", entries, S::Entries::LEN)?;
+        let mut entries = S::Entries::filled(L::from_f64(0.0));
+        self.each(q, |group, q| {
+            system.mass_matrix_packed(q, &mut entries);
+            group.write(entries.as_ref(), &mut rows);
+        });
+        Ok(())
+    }
+
+    /// Gives the coordinates of one group after the other: for matrices, of which a tile's would not stay in the cache.
+    fn each<Q: Array<L>>(&self, q: Rows<'_, L::Scalar>, mut each: impl FnMut(&Group<L>, &Q)) {
+        let mut q = Input::<L, Q>::new(q);
         for tile in tile::tiles(self.states) {
             q.load(&tile);
             for (group, q) in tile.groups().zip(&q.groups) {
-                system.mass_matrix(q, &mut m);
-                group.write(m.as_ref().iter().flat_map(AsRef::as_ref), &mut rows);
+                each(&group, q);
             }
         }
-        Ok(())
     }
 }
 
