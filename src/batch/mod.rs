@@ -53,13 +53,16 @@ mod tile;
 use core::marker::PhantomData;
 
 use rows::Shape;
-use tile::{Input, Output};
+use tile::{GROUPS, Input, Output};
 
 use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
 use crate::{Array, Lanes, System};
 
 pub use group::Group;
 pub use rows::{LengthError, Rows, RowsMut};
+
+/// The most bytes of a tile's matrices, which stand on the stack.
+const MOST_ON_STACK: usize = 1 << 18;
 
 /// A number of states, computed [`Lanes::LANES`] at a time.
 #[derive(Clone, Copy, Debug)]
@@ -123,7 +126,7 @@ impl<L: Lanes> Batch<L> {
 
     /// [`MassMatrix::mass_matrix`] of every state, entry `m[r][c]` in row `NU r + c`.
     ///
-    /// Of many states these matrices fill the memory: [`Self::mass_matrix_packed`] writes half of them or less.
+    /// Of many states these matrices are more than a cache holds: [`Self::mass_matrix_packed`] writes half of them or less.
     ///
     /// # Errors
     /// A slice of the wrong length; nothing is written then.
@@ -134,11 +137,11 @@ impl<L: Lanes> Batch<L> {
         m: &mut [L::Scalar],
     ) -> Result<(), LengthError> {
         let q = self.rows("q", q, S::Q::LEN)?;
-        let mut rows = self.rows_mut("m", m, S::U::LEN * S::U::LEN)?;
-        let mut m = S::Matrix::filled(S::U::filled(L::from_f64(0.0)));
-        self.each(q, |group, q| {
-            system.mass_matrix(q, &mut m);
-            group.write(m.as_ref().iter().flat_map(AsRef::as_ref), &mut rows);
+        let m = self.rows_mut("m", m, S::U::LEN * S::U::LEN)?;
+        let zero = S::Matrix::filled(S::U::filled(L::from_f64(0.0)));
+        let function = |q: &S::Q, m: &mut S::Matrix| system.mass_matrix(q, m);
+        self.matrices(q, m, zero, function, |m, row| {
+            &m[row / S::U::LEN][row % S::U::LEN]
         });
         Ok(())
     }
@@ -154,23 +157,46 @@ impl<L: Lanes> Batch<L> {
         entries: &mut [L::Scalar],
     ) -> Result<(), LengthError> {
         let q = self.rows("q", q, S::Q::LEN)?;
-        let mut rows = self.rows_mut("entries", entries, S::Entries::LEN)?;
-        let mut entries = S::Entries::filled(L::from_f64(0.0));
-        self.each(q, |group, q| {
-            system.mass_matrix_packed(q, &mut entries);
-            group.write(entries.as_ref(), &mut rows);
-        });
+        let entries = self.rows_mut("entries", entries, S::Entries::LEN)?;
+        let zero = S::Entries::filled(L::from_f64(0.0));
+        let function = |q: &S::Q, m: &mut S::Entries| system.mass_matrix_packed(q, m);
+        self.matrices(q, entries, zero, function, |entries, row| &entries[row]);
         Ok(())
     }
 
-    /// Gives the coordinates of one group after the other: for matrices, of which a tile's would not stay in the cache.
-    fn each<Q: Array<L>>(&self, q: Rows<'_, L::Scalar>, mut each: impl FnMut(&Group<L>, &Q)) {
-        let mut q = Input::<L, Q>::new(q);
+    /// Takes the coordinates tile by tile; a tile has as many groups as there is room for their matrices.
+    fn matrices<Q: Array<L>, M: Copy>(
+        &self,
+        q: Rows<'_, L::Scalar>,
+        m: RowsMut<'_, L::Scalar>,
+        zero: M,
+        function: impl Fn(&Q, &mut M),
+        entry: impl Fn(&M, usize) -> &L,
+    ) {
+        match MOST_ON_STACK / size_of::<M>().max(1) {
+            0..2 => self.tiled::<Q, M, 1>(q, m, zero, function, entry),
+            2..4 => self.tiled::<Q, M, 2>(q, m, zero, function, entry),
+            4..8 => self.tiled::<Q, M, 4>(q, m, zero, function, entry),
+            _ => self.tiled::<Q, M, GROUPS>(q, m, zero, function, entry),
+        }
+    }
+
+    fn tiled<Q: Array<L>, M: Copy, const GROUPS: usize>(
+        &self,
+        q: Rows<'_, L::Scalar>,
+        m: RowsMut<'_, L::Scalar>,
+        zero: M,
+        function: impl Fn(&Q, &mut M),
+        entry: impl Fn(&M, usize) -> &L,
+    ) {
+        let mut q = Input::<L, Q, GROUPS>::new(q);
+        let mut m = Output::<L, M, GROUPS>::new(m, zero);
         for tile in tile::tiles(self.states) {
             q.load(&tile);
-            for (group, q) in tile.groups().zip(&q.groups) {
-                each(&group, q);
+            for group in tile.places() {
+                function(&q.groups[group], &mut m.groups[group]);
             }
+            m.store(&tile, &entry);
         }
     }
 }
@@ -193,16 +219,17 @@ macro_rules! methods {
                 $output: &mut [L::Scalar],
             ) -> Result<(), LengthError> {
                 $(let rows = self.rows(stringify!($argument), $argument, S::$given::LEN)?;
-                let mut $argument = Input::<L, S::$given>::new(rows);)+
+                let mut $argument = Input::<L, S::$given, GROUPS>::new(rows);)+
                 let rows = self.rows_mut(stringify!($output), $output, S::$written::LEN)?;
-                let mut $output = Output::<L, S::$written>::new(rows);
+                let zero = S::$written::filled(L::from_f64(0.0));
+                let mut $output = Output::<L, S::$written, GROUPS>::new(rows, zero);
                 for tile in tile::tiles(self.states) {
                     $($argument.load(&tile);)+
                     for group in tile.places() {
                         let output = &mut $output.groups[group];
                         system.$function($(&$argument.groups[group],)+ output);
                     }
-                    $output.store(&tile);
+                    $output.store(&tile, |values, row| &values[row]);
                 }
                 Ok(())
             }

@@ -10,11 +10,11 @@ use super::group::{self, Group};
 use super::rows::{Rows, RowsMut};
 use crate::{Array, Lanes};
 
-/// How many groups a [`Tile`] has: their states fill whole cache lines of a row, at least.
+/// How many groups a [`Tile`] has, where nothing is against it: their states fill whole cache lines of a row, at least.
 pub(super) const GROUPS: usize = 8;
 
 /// Neighbouring groups of a batch.
-pub(super) struct Tile<L> {
+pub(super) struct Tile<L, const GROUPS: usize> {
     first: usize,
     states: usize,
     /// The states of the whole batch.
@@ -23,19 +23,21 @@ pub(super) struct Tile<L> {
 }
 
 /// What is read: its rows, and its numbers in the groups of a tile.
-pub(super) struct Input<'a, L: Lanes, A> {
+pub(super) struct Input<'a, L: Lanes, A, const GROUPS: usize> {
     rows: Rows<'a, L::Scalar>,
     pub(super) groups: [A; GROUPS],
 }
 
 /// What is written: its rows, and its numbers in the groups of a tile.
-pub(super) struct Output<'a, L: Lanes, A> {
+pub(super) struct Output<'a, L: Lanes, A, const GROUPS: usize> {
     rows: RowsMut<'a, L::Scalar>,
     pub(super) groups: [A; GROUPS],
 }
 
 /// The tiles of a batch, in the order of the states; the last one may be smaller than the others.
-pub(super) fn tiles<L: Lanes>(batch: usize) -> impl Iterator<Item = Tile<L>> {
+pub(super) fn tiles<L: Lanes, const GROUPS: usize>(
+    batch: usize,
+) -> impl Iterator<Item = Tile<L, GROUPS>> {
     let size = GROUPS * L::LANES.max(1);
     (0..batch).step_by(size).map(move |first| Tile {
         first,
@@ -45,8 +47,8 @@ pub(super) fn tiles<L: Lanes>(batch: usize) -> impl Iterator<Item = Tile<L>> {
     })
 }
 
-impl<L: Lanes> Tile<L> {
-    pub(super) fn groups(&self) -> impl Iterator<Item = Group<L>> + use<L> {
+impl<L: Lanes, const GROUPS: usize> Tile<L, GROUPS> {
+    pub(super) fn groups(&self) -> impl Iterator<Item = Group<L>> + use<L, GROUPS> {
         group::groups(self.first..self.first + self.states, self.batch)
     }
 
@@ -62,14 +64,14 @@ impl<L: Lanes> Tile<L> {
     }
 }
 
-impl<'a, L: Lanes, A: Array<L>> Input<'a, L, A> {
+impl<'a, L: Lanes, A: Array<L>, const GROUPS: usize> Input<'a, L, A, GROUPS> {
     pub(super) fn new(rows: Rows<'a, L::Scalar>) -> Self {
         let groups = [A::filled(L::from_f64(0.0)); GROUPS];
         Self { rows, groups }
     }
 
     /// As [`Group::load`], one array a group.
-    pub(super) fn load(&mut self, tile: &Tile<L>) {
+    pub(super) fn load(&mut self, tile: &Tile<L, GROUPS>) {
         if !tile.is_full() {
             for (group, values) in tile.groups().zip(&mut self.groups) {
                 group.read(&self.rows, values.as_mut());
@@ -86,25 +88,27 @@ impl<'a, L: Lanes, A: Array<L>> Input<'a, L, A> {
     }
 }
 
-impl<'a, L: Lanes, A: Array<L>> Output<'a, L, A> {
-    pub(super) fn new(rows: RowsMut<'a, L::Scalar>) -> Self {
-        let groups = [A::filled(L::from_f64(0.0)); GROUPS];
+impl<'a, L: Lanes, A: Copy, const GROUPS: usize> Output<'a, L, A, GROUPS> {
+    pub(super) fn new(rows: RowsMut<'a, L::Scalar>, zero: A) -> Self {
+        let groups = [zero; GROUPS];
         Self { rows, groups }
     }
 
-    /// As [`Group::store`], one array a group.
-    pub(super) fn store(&mut self, tile: &Tile<L>) {
+    /// As [`Group::store`], one output a group, of which `entry` gives what stands in each row.
+    pub(super) fn store(&mut self, tile: &Tile<L, GROUPS>, entry: impl Fn(&A, usize) -> &L) {
         if !tile.is_full() {
+            let n_rows = self.rows.shape.rows;
             for (group, values) in tile.groups().zip(&self.groups) {
-                group.write(values.as_ref(), &mut self.rows);
+                let entries = (0..n_rows).map(|row| entry(values, row));
+                group.write(entries, &mut self.rows);
             }
             return;
         }
         let rows = self.rows.values.chunks_exact_mut(tile.batch);
-        for (row, states) in rows.enumerate().take(A::LEN) {
+        for (row, states) in rows.enumerate() {
             let states = states.get_mut(tile.first..).unwrap_or_default();
             for (values, states) in self.groups.iter().zip(states.chunks_exact_mut(L::LANES)) {
-                values[row].store(states);
+                entry(values, row).store(states);
             }
         }
     }
