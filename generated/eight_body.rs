@@ -360,7 +360,7 @@ pub const MASS_MATRIX_PACKED_LEN: usize = 528;
 
 /// The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.
 #[allow(dead_code, reason = "a program calls what it needs")]
-pub const MASS_MATRIX_PACKED_PLACES: [[usize; 2]; MASS_MATRIX_PACKED_LEN] = [
+pub const MASS_MATRIX_PACKED_PLACES: &[[usize; 2]; MASS_MATRIX_PACKED_LEN] = &[
     [0, 0],
     [1, 0],
     [1, 1],
@@ -24605,7 +24605,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
 
 impl<R: kane::Real> kane::functions::MassMatrixPacked<R> for Prepared<R> {
     type Entries = [R; MASS_MATRIX_PACKED_LEN];
-    const PLACES: &'static [[usize; 2]] = &MASS_MATRIX_PACKED_PLACES;
+    const PLACES: &'static [[usize; 2]] = MASS_MATRIX_PACKED_PLACES;
     #[inline]
     fn mass_matrix_packed(
         &self,

@@ -162,9 +162,10 @@ impl Names {
         let table = |name: &str| {
             let start = module.find(&format!("pub const {name}: ")).unwrap();
             let list = module[start..]
-                .split_once("= [")
+                .split_once(" = ")
                 .unwrap()
                 .1
+                .trim_start_matches(['&', '['])
                 .split_once("];")
                 .unwrap()
                 .0;

@@ -219,7 +219,7 @@ fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> I
         Shape::SpeedMatrix => quote!(type Matrix = #output_type;),
         Shape::SpeedPairs => quote! {
             type Entries = #output_type;
-            const PLACES: &'static [[usize; 2]] = &MASS_MATRIX_PACKED_PLACES;
+            const PLACES: &'static [[usize; 2]] = MASS_MATRIX_PACKED_PLACES;
         },
         Shape::Columns => {
             let columns = ident(&format!(

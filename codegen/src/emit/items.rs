@@ -96,7 +96,7 @@ pub(super) fn packed(tree: &Tree) -> Vec<Item> {
         parse_quote! {
             /// The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.
             #allow
-            pub const MASS_MATRIX_PACKED_PLACES: [[usize; 2]; MASS_MATRIX_PACKED_LEN] = [#(#places),*];
+            pub const MASS_MATRIX_PACKED_PLACES: &[[usize; 2]; MASS_MATRIX_PACKED_LEN] = &[#(#places),*];
         },
     ]
 }

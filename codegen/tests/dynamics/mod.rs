@@ -232,7 +232,8 @@ fn speed_pairs(speeds: &[usize], from: &Tree, to: &Tree) -> Vec<usize> {
     let place = |pair: [usize; 2]| {
         let [row, column] = pair.map(|speed| speeds[speed]);
         let pair = [row.max(column), row.min(column)];
-        places.iter().position(|place| *place == pair).unwrap()
+        let found = places.iter().position(|place| *place == pair);
+        found.expect("the trees are the same but for their order")
     };
     to.coupled_speeds().into_iter().map(place).collect()
 }

@@ -36,7 +36,7 @@ macro_rules! robots {
                     // SAFETY: the arrays are as long as the robot's.
                     let (entries, m): (&[f64; $name::MASS_MATRIX_PACKED_LEN], &mut [[f64; $name::NU]; $name::NU]) =
                         unsafe { (&*entries.cast(), &mut *m.cast()) };
-                    functions::unpack(entries, &$name::MASS_MATRIX_PACKED_PLACES, m);
+                    functions::unpack(entries, $name::MASS_MATRIX_PACKED_PLACES, m);
                 })*
                 _ => {}
             }
