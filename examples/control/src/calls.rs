@@ -1,0 +1,50 @@
+//! How long the controller's calls take.
+
+use std::{fmt, hint::black_box, time::Instant};
+
+use hdrhistogram::Histogram;
+
+/// The greatest time told apart, ns: a second.
+const GREATEST: u64 = 1_000_000_000;
+
+/// Times of calls in a histogram, which allocates when it is made and never again.
+#[derive(Clone, Debug)]
+pub struct CallTimes(Histogram<u64>);
+
+impl Default for CallTimes {
+    fn default() -> Self {
+        let digits = 3;
+        let histogram = Histogram::new_with_max(GREATEST, digits);
+        Self(histogram.expect("three digits up to a second are what a histogram can hold"))
+    }
+}
+
+impl CallTimes {
+    /// Makes a call and remembers how long it took, the clock's own tens of nanoseconds included.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "the clock reaches the times of calls, and nothing that is computed"
+    )]
+    pub fn time<T>(&mut self, call: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = black_box(call());
+        let nanoseconds = u64::try_from(start.elapsed().as_nanos()).unwrap_or(GREATEST);
+        self.0.saturating_record(nanoseconds);
+        result
+    }
+
+    /// The number of calls.
+    pub fn calls(&self) -> u64 {
+        self.0.len()
+    }
+}
+
+impl fmt::Display for CallTimes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} calls of the controller:", self.calls())?;
+        for (name, quantile) in [("p50", 0.5), ("p99", 0.99), ("p99.9", 0.999)] {
+            write!(f, " {name} {} ns,", self.0.value_at_quantile(quantile))?;
+        }
+        write!(f, " max {} ns", self.0.max())
+    }
+}

@@ -1,0 +1,37 @@
+//! What each loop achieves, and that it allocates nothing while it does.
+
+use allocation_counter::measure;
+use kane_examples::{CallTimes, gravity_compensation};
+
+/// What a run reports, which has not allocated, and has called its controller so often.
+fn without_allocating<T>(calls: u64, run: impl FnOnce(&mut CallTimes) -> T) -> T {
+    let (mut times, mut report) = (CallTimes::default(), None);
+    let allocations = measure(|| report = Some(run(&mut times)));
+    assert_eq!(allocations.count_total, 0);
+    assert_eq!(times.calls(), calls);
+    report.expect("the run has ended")
+}
+
+#[test]
+fn the_counter_sees_what_a_histogram_allocates() {
+    let allocations = measure(|| drop(CallTimes::default()));
+    assert!(allocations.count_total > 0);
+}
+
+#[test]
+fn the_arm_rests_where_its_stiffness_bears_the_payload() {
+    let legs = without_allocating(24_000, gravity_compensation::run).legs;
+    let mut before = 0.0;
+    for leg in legs {
+        // An error fades by Kp / Kd, 10 1/s at the least, so two seconds leave 2e-9 of it; then single precision rounds angles.
+        let rest = (leg.error_at_rest - leg.error_of_weight).abs();
+        assert!(rest < 2e-6, "{leg:?}");
+        // The weight is all that disturbs it in earnest: acceleration adds its share on the way.
+        let disturbed = leg.error_of_weight.max(before);
+        assert!(leg.error < disturbed + 4e-3, "{leg:?}");
+        assert!(leg.effort < 1.0, "{leg:?}");
+        before = leg.error_of_weight;
+    }
+    assert!(legs[1].error_of_weight > 0.01, "{:?}", legs[1]);
+    assert_eq!(legs[5].error_of_weight, 0.0, "{:?}", legs[5]);
+}
