@@ -1,4 +1,4 @@
-//! Generates robots from their URDFs, each with a payload in its hand: a mass that is set at run time.
+//! Generates the robots from their URDFs, each with a payload in its hand: a mass that is set at run time.
 
 use std::{env, error::Error, fs, path::Path};
 
@@ -13,7 +13,12 @@ use kane_codegen::{
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    with_payload("ur5", "tool0", &["gravity_forces", "forward_dynamics"])
+    with_payload("ur5", "tool0", &["gravity_forces", "forward_dynamics"])?;
+    with_payload(
+        "panda",
+        "panda_hand_tcp",
+        &["inverse_dynamics", "forward_dynamics"],
+    )
 }
 
 /// The massless link at the tool's tip becomes the payload, a point mass; by hand, `kane convert` and an editor do that. Where

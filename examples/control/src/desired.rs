@@ -15,6 +15,17 @@ pub struct Desired<R, const N: usize> {
     pub u_dot: [R; N],
 }
 
+impl<R: Real, const N: usize> Desired<R, N> {
+    /// `u̇_d + 2 ω (u_d - u) + ω² (q_d - q)`: the acceleration that leads back to where to be, without overshoot; `omega`, rad/s,
+    /// is how fast.
+    pub(crate) fn acceleration(&self, omega: R, q: &[R; N], u: &[R; N]) -> [R; N] {
+        from_fn(|i| {
+            let (error, rate) = (self.q[i] - q[i], self.u[i] - u[i]);
+            self.u_dot[i] + omega * (rate + rate + omega * error)
+        })
+    }
+}
+
 impl<const N: usize> Desired<f64, N> {
     /// On the straight way from rest to rest, `t` after its beginning, s.
     pub(crate) fn between(from: &[f64; N], to: &[f64; N], t: f64, duration: f64) -> Self {

@@ -6,6 +6,7 @@
 //!
 //! `cargo run --release --package kane-examples --example gravity_compensation`
 
+pub mod computed_torque;
 pub mod gravity_compensation;
 
 mod calls;
@@ -29,6 +30,8 @@ macro_rules! robots {
 robots! {
     /// The UR5, with a payload.
     ur5
+    /// The Panda, with a payload.
+    panda
 }
 
 /// The control period, and the step with which plants are integrated, s.

@@ -1,7 +1,7 @@
 //! What each loop achieves, and that it allocates nothing while it does.
 
 use allocation_counter::measure;
-use kane_examples::{CallTimes, gravity_compensation};
+use kane_examples::{CallTimes, computed_torque, gravity_compensation};
 
 /// What a run reports, which has not allocated, and has called its controller so often.
 fn without_allocating<T>(calls: u64, run: impl FnOnce(&mut CallTimes) -> T) -> T {
@@ -34,4 +34,22 @@ fn the_arm_rests_where_its_stiffness_bears_the_payload() {
     }
     assert!(legs[1].error_of_weight > 0.01, "{:?}", legs[1]);
     assert_eq!(legs[5].error_of_weight, 0.0, "{:?}", legs[5]);
+}
+
+#[test]
+fn the_arm_follows_its_path_as_nearly_as_its_payload_is_known() {
+    let [known, mistaken] = [1.2, 1.0].map(|believed| {
+        without_allocating(10_000, |calls| computed_torque::run(1.2, believed, calls))
+    });
+    // Sampling is all that is left: a torque that is held lags half a period behind what the motion needs.
+    assert!(known.error < 1e-4, "{known:?}");
+    assert!(
+        mistaken.error < mistaken.bound + known.error,
+        "{mistaken:?}"
+    );
+    assert!(mistaken.error < 3e-3, "{mistaken:?}");
+    assert!(mistaken.error > 10.0 * known.error, "{mistaken:?}");
+    for report in [known, mistaken] {
+        assert!(report.effort < 1.0 && report.speed < 1.0, "{report:?}");
+    }
 }
