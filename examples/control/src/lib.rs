@@ -4,10 +4,11 @@
 //! simulated plant and reports what came of it. The plant is in `f64`; the controller computes in `Scalar`, chosen at the
 //! top of its module: in `f32` where the processor has nothing else. Nothing allocates once `run` has begun.
 //!
-//! `cargo run --release --package kane-examples --example gravity_compensation`
+//! `cargo run --release --package kane-examples --example swing_up`
 
 pub mod computed_torque;
 pub mod gravity_compensation;
+pub mod swing_up;
 
 mod calls;
 mod desired;

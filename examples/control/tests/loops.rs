@@ -1,7 +1,7 @@
 //! What each loop achieves, and that it allocates nothing while it does.
 
 use allocation_counter::measure;
-use kane_examples::{CallTimes, computed_torque, gravity_compensation};
+use kane_examples::{CallTimes, computed_torque, gravity_compensation, swing_up};
 
 /// What a run reports, which has not allocated, and has called its controller so often.
 fn without_allocating<T>(calls: u64, run: impl FnOnce(&mut CallTimes) -> T) -> T {
@@ -51,5 +51,17 @@ fn the_arm_follows_its_path_as_nearly_as_its_payload_is_known() {
     assert!(mistaken.error > 10.0 * known.error, "{mistaken:?}");
     for report in [known, mistaken] {
         assert!(report.effort < 1.0 && report.speed < 1.0, "{report:?}");
+    }
+}
+
+#[test]
+fn the_pole_is_swung_up_and_stays_up_though_its_mass_is_mistaken_by_a_fifth() {
+    for mass in [0.5, 0.6, 0.4] {
+        let report = without_allocating(12_000, |calls| swing_up::run(mass, 0.5, calls));
+        assert!(report.upright_from > 1.0, "it hangs at first: {report:?}");
+        assert!(report.upright_from < 5.0, "{report:?}");
+        // The slowest motion fades by about 4 1/s, and has had five seconds: less than 1e-8 is left of it.
+        assert!(report.angle < 1e-5 && report.position < 1e-5, "{report:?}");
+        assert!(report.travel < 2.0 && report.force < 50.0, "{report:?}");
     }
 }
