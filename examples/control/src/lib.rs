@@ -8,6 +8,7 @@
 
 pub mod computed_torque;
 pub mod gravity_compensation;
+pub mod reorientation;
 pub mod swing_up;
 
 mod calls;

@@ -1,7 +1,7 @@
 //! What each loop achieves, and that it allocates nothing while it does.
 
 use allocation_counter::measure;
-use kane_examples::{CallTimes, computed_torque, gravity_compensation, swing_up};
+use kane_examples::{CallTimes, computed_torque, gravity_compensation, reorientation, swing_up};
 
 /// What a run reports, which has not allocated, and has called its controller so often.
 fn without_allocating<T>(calls: u64, run: impl FnOnce(&mut CallTimes) -> T) -> T {
@@ -64,4 +64,16 @@ fn the_pole_is_swung_up_and_stays_up_though_its_mass_is_mistaken_by_a_fifth() {
         assert!(report.angle < 1e-5 && report.position < 1e-5, "{report:?}");
         assert!(report.travel < 2.0 && report.force < 50.0, "{report:?}");
     }
+}
+
+#[test]
+fn the_hub_is_turned_without_angular_momentum() {
+    let turn = [0.5_f64, -0.3, 0.6];
+    let angle = turn.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let report = without_allocating(48_000, |calls| reorientation::run(turn, 1e-3, 20, calls));
+    assert!(report.error < 1e-3, "{report:?}");
+    assert!((report.turn - angle).abs() < 1e-3, "{report:?}");
+    assert!(report.joint_error < 2e-3, "{report:?}");
+    // Nothing acts from outside: what there is comes from integration, where joints alone have up to 12 kg m²/s.
+    assert!(report.momentum < 1e-7, "{report:?}");
 }
