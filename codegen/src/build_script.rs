@@ -20,6 +20,7 @@ use std::{
 };
 
 use crate::{
+    companions,
     compile::Options,
     config::{Formulation, Functions},
     description::{Base, Chart},
@@ -124,7 +125,14 @@ impl Build {
         self
     }
 
-    /// Writes the module, tells cargo when to run the script again, and passes warnings on. Returns the file's path.
+    /// Writes the manifest beside the module too: what it holds, as JSON, `arm.json` for `arm.rs`.
+    #[must_use]
+    pub fn manifest(mut self) -> Self {
+        self.options.companions.insert(companions::Kind::Manifest);
+        self
+    }
+
+    /// Writes the module, tells cargo when to run the script again, and passes warnings on. Returns the module's path.
     ///
     /// # Errors
     /// Everything that is wrong with the description; an option that cannot be; a file that cannot be read or written.
@@ -165,7 +173,7 @@ impl Build {
         let mut file = name.to_owned();
         file.push(".rs");
         let path = folder.join(file);
-        output::write(&path, &generated.source, Overwrite::Generated)?;
+        output::write(&generated.files(&path), Overwrite::Generated)?;
         Ok(path)
     }
 }
@@ -194,5 +202,24 @@ fn report(warnings: &Diagnostics) {
         for line in diagnostic.render(warnings.source()).lines() {
             println!("{prefix}{line}");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Build;
+
+    #[test]
+    fn manifest_is_written_beside_the_module() {
+        let folder = tempfile::tempdir().unwrap();
+        let build = Build::new("tests/models/pendulum.toml").name("swing");
+        let files = |build: &Build| {
+            let module = build.run_in(folder.path()).unwrap();
+            assert_eq!(module, folder.path().join("swing.rs"));
+            folder.path().read_dir().unwrap().count()
+        };
+        assert_eq!(files(&build), 1);
+        assert_eq!(files(&build.manifest()), 2);
+        assert!(folder.path().join("swing.json").is_file());
     }
 }

@@ -6,6 +6,7 @@
 use std::{collections::BTreeSet, ops::Range};
 
 use crate::{
+    companions,
     config::{self, Functions},
     description::Reading,
     emit::Emittable,
@@ -38,6 +39,8 @@ pub struct Options {
     pub fma: bool,
     /// The techniques to leave out.
     pub without: BTreeSet<Technique>,
+    /// What else is written, beside the module.
+    pub companions: BTreeSet<companions::Kind>,
 }
 
 /// A module's programs.

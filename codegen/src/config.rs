@@ -6,8 +6,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
+use crate::companions;
 use crate::compile::SNAP_TOLERANCES;
 use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::{Base, Chart, Reading};
@@ -42,6 +43,8 @@ pub struct System {
     pub fma: bool,
     /// The techniques to leave out.
     pub without: BTreeSet<Technique>,
+    /// What is written beside the module.
+    pub companions: BTreeSet<companions::Kind>,
 }
 
 /// The functions to generate.
@@ -101,9 +104,10 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 11] = [
+const SYSTEM_KEYS: [&str; 12] = [
     "model",
     "output",
+    "manifest",
     "functions",
     "formulation",
     "fma",
@@ -162,6 +166,7 @@ struct Written {
     formulation: Option<Formulation>,
     fma: bool,
     without: BTreeSet<Technique>,
+    companions: BTreeSet<companions::Kind>,
 }
 
 impl Written {
@@ -175,6 +180,7 @@ impl Written {
             formulation: self.formulation?,
             fma: self.fma,
             without: self.without,
+            companions: self.companions,
         })
     }
 }
@@ -205,12 +211,27 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
         changes: changes(reader, &table),
         functions: functions(reader, &table, known),
         formulation: formulation(reader, &table),
-        fma: table
-            .get("fma")
-            .and_then(|item| reader.truth(item, &table.what("fma")))
-            .unwrap_or_default(),
+        fma: truth(reader, &table, "fma"),
         without: without(reader, &table),
+        companions: companions(reader, &table),
     })
+}
+
+/// False where the key is absent.
+fn truth(reader: &mut Reader, system: &Table<'_, '_>, key: &str) -> bool {
+    let item = system.get(key);
+    let value = item.and_then(|item| reader.truth(item, &system.what(key)));
+    value.unwrap_or_default()
+}
+
+fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<companions::Kind> {
+    let mut kinds = BTreeSet::new();
+    for (name, kind) in companions::Kind::ALL {
+        if truth(reader, system, name) {
+            kinds.insert(kind);
+        }
+    }
+    kinds
 }
 
 /// A path that means the same on every machine: relative, and written with `/`.
@@ -425,33 +446,48 @@ fn names(reader: &mut Reader, item: &Item<'_>, what: &str) -> Vec<String> {
 
 /// Two systems that write one file would each undo the other.
 fn check_outputs(reader: &mut Reader, systems: &[Written]) {
-    let mut first: BTreeMap<Vec<&str>, &Spanned<String>> = BTreeMap::new();
-    for output in systems.iter().filter_map(|system| system.output.as_ref()) {
-        let place = places(&output.value);
-        if let Some(first) = first.get(&place) {
-            let fault = Diagnostic::error(format!("two systems write `{}`", output.value));
+    let mut first: BTreeMap<PathBuf, &Spanned<String>> = BTreeMap::new();
+    for system in systems {
+        let Some(output) = &system.output else {
+            continue;
+        };
+        let files = files(&output.value, &system.companions);
+        let known = |file: &PathBuf| Some((file.clone(), *first.get(&places(file))?));
+        if let Some((file, first)) = files.iter().find_map(known) {
+            let fault = Diagnostic::error(format!("two systems write `{}`", file.display()));
             reader.faults.push(
                 fault
                     .at(output.span, "the second one")
                     .at(first.span, "the first one"),
             );
-        } else {
-            first.insert(place, output);
         }
+        first.extend(files.iter().map(|file| (places(file), output)));
     }
 }
 
-/// The folders and the file, where `./` and `folder/../` make no difference.
-fn places(path: &str) -> Vec<&str> {
-    let mut places: Vec<&str> = Vec::new();
-    for part in path
-        .split('/')
-        .filter(|part| !part.is_empty() && *part != ".")
-    {
-        if part == ".." && places.last().is_some_and(|last| *last != "..") {
-            places.pop();
-        } else {
-            places.push(part);
+/// The module and what is beside it.
+fn files(output: &str, companions: &BTreeSet<companions::Kind>) -> Vec<PathBuf> {
+    let module = Path::new(output);
+    let beside = companions.iter().flat_map(|kind| kind.beside(module));
+    std::iter::once(module.to_owned()).chain(beside).collect()
+}
+
+/// The path, where `./` and `folder/../` make no difference.
+fn places(path: &Path) -> PathBuf {
+    let mut places = PathBuf::new();
+    for part in path.components() {
+        let is_below = || {
+            places
+                .components()
+                .next_back()
+                .is_some_and(|last| last != Component::ParentDir)
+        };
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if is_below() => {
+                places.pop();
+            }
+            part => places.push(part),
         }
     }
     places

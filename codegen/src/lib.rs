@@ -42,8 +42,10 @@ pub mod search;
 mod threads;
 // From here on there is text.
 pub mod build_script;
+pub mod companions;
 pub mod emit;
 pub mod generate;
+pub mod origin;
 pub mod output;
 // What is known of a system, and what changed in a module, for people to read.
 pub mod report;

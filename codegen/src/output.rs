@@ -6,14 +6,14 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::{error::Error, generate::BANNER_START};
+use crate::{error::Error, origin};
 
 /// Which files may be overwritten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overwrite {
     /// None.
     Nothing,
-    /// Only files that begin with our banner.
+    /// Only files that begin with our sign.
     Generated,
     /// Any file.
     Anything,
@@ -47,14 +47,16 @@ impl Staged {
     }
 }
 
-/// Replaces the file at `path` by `text`, atomically; folders that are missing are made. A file that holds `text` already
-/// is left alone.
+/// Replaces files by their texts, all or none as far as it can be known before; folders that are missing are made. A file
+/// that holds its text already is left alone.
 ///
 /// # Errors
-/// [`Error::NotGenerated`] or [`Error::Exists`] where the file may not be overwritten; [`Error::Io`]. The old file is
-/// then as it was.
-pub fn write(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Error> {
-    stage(path, text, overwrite)?.commit()
+/// [`Error::NotGenerated`] or [`Error::Exists`] where a file may not be overwritten; [`Error::Io`].
+pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Error> {
+    let staged = files.iter();
+    let staged = staged.map(|(path, text)| stage(path, text, overwrite));
+    let staged: Vec<Staged> = staged.collect::<Result<_, Error>>()?;
+    staged.into_iter().try_for_each(Staged::commit)
 }
 
 /// Writes `text` beside the file at `path`, which stays as it is; folders that are missing are made.
@@ -77,9 +79,7 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
                 path: path.to_owned(),
             });
         }
-        Some(old)
-            if overwrite == Overwrite::Generated && !old.starts_with(BANNER_START.as_bytes()) =>
-        {
+        Some(old) if overwrite == Overwrite::Generated && !origin::is_ours(&old) => {
             return Err(Error::NotGenerated {
                 path: path.to_owned(),
             });

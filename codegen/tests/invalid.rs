@@ -69,6 +69,7 @@ mod config_file {
         functions_is_string
         lock_is_list
         locked_at_text
+        manifest_is_string
         missing_model
         missing_output
         no_functions

@@ -2,13 +2,13 @@
 
 use std::{
     io::{self, Write},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use clap::Args;
 use kane_codegen::{
-    generate::BANNER_START,
-    output,
+    generate::Generated,
+    origin, output,
     report::{self, Comparison, Counted},
 };
 use similar::TextDiff;
@@ -26,7 +26,7 @@ use super::{
 /// Generates in memory and compares. For each file that differs, standard output gets a unified diff and the functions
 /// whose operations changed, were added or were removed; then the command that brings the files up to date. When all of
 /// kane.toml is checked, files that nothing in it produces are reported too: in a folder named `generated` every file but
-/// `mod.rs` and hidden ones, in other folders that hold outputs those with our banner.
+/// `mod.rs` and hidden ones, in other folders that hold outputs those that begin as ours do.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every file is up to date\n  \
@@ -45,9 +45,10 @@ pub(crate) struct Arguments {
     force: bool,
 }
 
-/// How the file at a path compares with its module.
+/// How the file at a path compares with its text.
 struct Compared<'a> {
-    path: &'a Path,
+    path: PathBuf,
+    is_module: bool,
     new: &'a str,
     found: Found,
 }
@@ -65,7 +66,8 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let mut failures = Failures::default();
     let files = plan.jobs.iter().zip(&modules);
     let files: Vec<Compared<'_>> = files
-        .filter_map(|(job, module)| failures.keep(compare(&job.target, &module.source)))
+        .filter_map(|(job, module)| failures.keep(compare(&job.target, module)))
+        .flatten()
         .collect();
     let strays = plan.whole.as_ref().map(|whole| {
         let strays = failures.keep(stray::find(&plan.jobs, &whole.root));
@@ -79,7 +81,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         write_file(out, file)?;
         match &file.found {
             Found::Same => continue,
-            Found::Differs(old) if !old.starts_with(BANNER_START) => force = " --force",
+            Found::Differs(old) if !origin::is_ours(old.as_bytes()) => force = " --force",
             Found::Missing | Found::Differs(_) => {}
         }
         outcome = Outcome::Differs;
@@ -102,17 +104,25 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     Ok(outcome)
 }
 
-fn compare<'a>(target: &'a Target, new: &'a str) -> Result<Compared<'a>, Failures> {
-    match target {
-        Target::StandardOutput => Err(Failures::message(
+fn compare<'a>(target: &Target, generated: &'a Generated) -> Result<Vec<Compared<'a>>, Failures> {
+    let Target::File(module) = target else {
+        return Err(Failures::message(
             "standard output holds nothing to compare with; expected the name of a file after --output",
-        )),
-        Target::File(path) => Ok(Compared {
+        ));
+    };
+    let mut failures = Failures::default();
+    let mut compared = Vec::new();
+    for (path, new) in generated.files(module) {
+        let found = failures.keep(find(&path, new));
+        compared.extend(found.map(|found| Compared {
+            is_module: path == *module,
             path,
             new,
-            found: find(path, new)?,
-        }),
+            found,
+        }));
     }
+    failures.none()?;
+    Ok(compared)
 }
 
 fn write_file(out: &mut dyn Write, file: &Compared<'_>) -> io::Result<()> {
@@ -121,20 +131,20 @@ fn write_file(out: &mut dyn Write, file: &Compared<'_>) -> io::Result<()> {
         Found::Same => say(format_args!("{path} is up to date")),
         Found::Missing => {
             writeln!(out, "{path} is missing")?;
-            write_comparison(out, file.path, "", file.new)?;
+            write_comparison(out, file, "")?;
         }
         Found::Differs(old) => {
-            write_diff(out, file.path, old, file.new)?;
+            write_diff(out, &file.path, old, file.new)?;
             if report::differs_in_layout_only(old, file.new) {
                 writeln!(
                     out,
                     "{path} differs in layout only: `#[rustfmt::skip]` at its `mod` keeps `cargo fmt` from it"
                 )?;
             }
-            if !old.starts_with(BANNER_START) {
+            if !origin::is_ours(old.as_bytes()) {
                 writeln!(out, "{path} was not written by `kane generate`")?;
             }
-            write_comparison(out, file.path, old, file.new)?;
+            write_comparison(out, file, old)?;
         }
     }
     Ok(())
@@ -154,7 +164,7 @@ fn write_diff(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Res
     if old.replace("\r\n", "\n") == new {
         return writeln!(
             out,
-            "{path} has line ends CR LF; expected LF: write `*.rs text eol=lf` into .gitattributes"
+            "{path} has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes"
         );
     }
     let diff = TextDiff::from_lines(old, new);
@@ -167,9 +177,12 @@ fn write_diff(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Res
     write!(out, "{diff}")
 }
 
-fn write_comparison(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Result<()> {
-    let path = path.display();
-    let comparison = match report::compare(old, new) {
+fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::Result<()> {
+    if !file.is_module {
+        return Ok(());
+    }
+    let path = file.path.display();
+    let comparison = match report::compare(old, file.new) {
         Ok(comparison) => comparison,
         Err(error) => {
             return writeln!(

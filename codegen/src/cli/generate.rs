@@ -13,8 +13,8 @@ use super::{
 
 /// Write the Rust modules of one model, or of everything in kane.toml
 ///
-/// Either every module is written or none: if any model is faulty, all faults of all models are reported and no file is
-/// touched. A file that holds its module already is left alone, and one that does not begin with our banner is refused.
+/// Either every file is written or none: if any model is faulty, all faults of all models are reported and no file is
+/// touched. A file that holds its text already is left alone, and one that does not begin as ours do is refused.
 /// The text depends on the model and the options alone: it is the same in every folder and on every machine.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
@@ -46,14 +46,16 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         match &job.target {
             Target::StandardOutput => out.write_all(module.source.as_bytes())?,
             Target::File(path) => {
-                let staged = failures.keep(output::stage(path, &module.source, overwrite));
-                files.extend(staged.map(|staged| (path, staged)));
+                for (path, text) in module.files(path) {
+                    let staged = failures.keep(output::stage(&path, text, overwrite));
+                    files.extend(staged.map(|staged| (path, staged)));
+                }
             }
         }
     }
     failures.none()?;
     for (path, staged) in files {
-        job::commit(staged, path)?;
+        job::commit(staged, &path)?;
     }
     Ok(Outcome::Done)
 }

@@ -39,6 +39,39 @@ pub(crate) enum Target {
     File(PathBuf),
 }
 
+impl Job {
+    /// The files that are written: the module, and what is beside it. Standard output takes the module alone.
+    pub(crate) fn files(&self) -> Vec<PathBuf> {
+        let Target::File(module) = &self.target else {
+            return Vec::new();
+        };
+        let companions = self.options.companions.iter();
+        let beside = companions.flat_map(|kind| kind.beside(module));
+        std::iter::once(module.clone()).chain(beside).collect()
+    }
+
+    /// Refuses files that would replace one another, or the model.
+    fn check_files(&self) -> Result<(), Failures> {
+        let files = self.files();
+        let is_model = |file: &PathBuf| Target::File(file.clone()).is_same_file(&self.model);
+        if files.iter().any(is_model) {
+            let model = self.model.display();
+            return Err(Failures::message(format!(
+                "`{model}` is the model; the module needs a file of its own"
+            )));
+        }
+        match files.split_first() {
+            Some((module, beside)) if beside.contains(module) => {
+                let module = module.display();
+                Err(Failures::message(format!(
+                    "`{module}` would be the module and a file beside it; expected a module that ends in `.rs`"
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 impl Target {
     /// What `--output` means.
     pub(crate) fn new(output: &Path) -> Self {
@@ -127,12 +160,7 @@ pub(crate) fn check(
 }
 
 fn generate_one(job: &Job) -> Result<Generated, Failures> {
-    if job.target.is_same_file(&job.model) {
-        let model = job.model.display();
-        return Err(Failures::message(format!(
-            "`{model}` is the model; the module needs a file of its own"
-        )));
-    }
+    job.check_files()?;
     let source = read(&job.model)?;
     let include = include(&job.model);
     generate::generate(&source, &job.shown, &job.options, &include).map_err(|error| match error {

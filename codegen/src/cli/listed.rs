@@ -65,6 +65,7 @@ impl Listed {
                 formulation: system.formulation,
                 fma: system.fma,
                 without: system.without.clone(),
+                companions: system.companions.clone(),
                 reading: system.reading,
                 changes: system.changes.clone(),
             },

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use kane_codegen::{
+    companions::Kind,
     compile::Options,
     config::{Formulation, Functions},
     diagnostic::nearest,
@@ -71,6 +72,19 @@ pub(crate) struct Selection {
     /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
     #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
     without: Vec<Technique>,
+
+    /// Write the manifest beside the module too: what it holds, as JSON, `panda.json` for `panda.rs`
+    ///
+    /// `--manifest=false` stands above `manifest = true` in `kane.toml`.
+    #[arg(
+        long,
+        value_name = "BOOL",
+        requires = "model",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "true"
+    )]
+    manifest: Option<bool>,
 
     #[command(flatten)]
     changes: ChangesArguments,
@@ -165,6 +179,13 @@ impl Selection {
         if let Some(fma) = self.fma {
             push(if fma { "--fma" } else { "--fma=false" });
         }
+        if let Some(manifest) = self.manifest {
+            push(if manifest {
+                "--manifest"
+            } else {
+                "--manifest=false"
+            });
+        }
         for word in self.changes.words() {
             push(&word);
         }
@@ -242,6 +263,11 @@ impl Selection {
             if !self.without.is_empty() {
                 options.without = self.without.iter().copied().collect();
             }
+            match self.manifest {
+                Some(true) => options.companions.insert(Kind::Manifest),
+                Some(false) => options.companions.remove(&Kind::Manifest),
+                None => false,
+            };
             options.reading = self.changes.reading_above(options.reading);
             options.changes = self.changes.above(options.changes.clone());
         }

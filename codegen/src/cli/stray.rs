@@ -1,7 +1,8 @@
 //! Files that nothing in `kane.toml` produces.
 //!
-//! A folder named `generated` holds nothing but modules, so every file below it counts, but for `mod.rs`, which may declare
-//! them, and hidden files. Other folders may hold what people wrote beside what we wrote: there our banner tells.
+//! A folder named `generated` holds nothing but what is generated, so every file below it counts, but for `mod.rs`, which may
+//! declare modules, and hidden files. Other folders may hold what people wrote beside what we wrote: there the file's
+//! beginning tells.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -11,20 +12,16 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::{error::Error, generate::BANNER_START};
+use kane_codegen::{error::Error, origin};
 
-use super::{
-    Failures,
-    job::{Job, Target},
-    paths,
-};
+use super::{Failures, job::Job, paths};
 
 /// Which files of a folder nothing may have produced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// Nothing but modules, folders within included.
+    /// Nothing but what is generated, folders within included.
     Generated,
-    /// Modules and other files.
+    /// What is generated, and other files.
     Mixed,
 }
 
@@ -33,9 +30,9 @@ pub(crate) fn find(jobs: &[Job], root: &Path) -> Result<Vec<PathBuf>, Failures> 
     let mut produced = BTreeSet::new();
     let mut folders = BTreeMap::new();
     for job in jobs {
-        if let Target::File(path) = &job.target {
-            produced.insert(paths::normal(path).iter().collect::<PathBuf>());
-            let (folder, kind) = folder(path, root);
+        for path in job.files() {
+            produced.insert(paths::normal(&path).iter().collect::<PathBuf>());
+            let (folder, kind) = folder(&path, root);
             folders.insert(folder, kind);
         }
     }
@@ -93,9 +90,9 @@ fn visit(
                 false
             }
             Kind::Generated => {
-                entry.file_name() != "mod.rs" || has_banner(&path).map_err(io(&path))?
+                entry.file_name() != "mod.rs" || is_ours(&path).map_err(io(&path))?
             }
-            Kind::Mixed => file_type.is_file() && has_banner(&path).map_err(io(&path))?,
+            Kind::Mixed => file_type.is_file() && is_ours(&path).map_err(io(&path))?,
         };
         if is_stray {
             strays.insert(path);
@@ -104,11 +101,10 @@ fn visit(
     Ok(())
 }
 
-fn has_banner(path: &Path) -> io::Result<bool> {
+fn is_ours(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
-    let banner = BANNER_START.as_bytes();
     File::open(path)?
-        .take(banner.len() as u64)
+        .take(origin::SIGN_BYTES)
         .read_to_end(&mut start)?;
-    Ok(start == banner)
+    Ok(origin::is_ours(&start))
 }

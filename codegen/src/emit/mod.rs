@@ -1,6 +1,6 @@
 //! From programs to source: the only place that builds syntax, prints numbers and makes identifiers.
 //!
-//! In: a tree, its programs, a banner. Out: the text of one Rust module. Afterwards: the text holds no inner
+//! In: a tree, its programs, where they come from. Out: the text of one Rust module. Afterwards: the text holds no inner
 //! attribute and names only `kane`, `core` and itself, so it compiles as a file, in a module and through `include!`,
 //! in editions 2021 and 2024; no `unsafe`, no indexing by a variable, no loop, no branch.
 //! Does not: decide what is computed, or in what order.
@@ -19,6 +19,7 @@ use syn::{File, Item};
 
 use crate::{
     functions::{Block, Formulation, Request},
+    origin::Origin,
     program::{Operations, Program},
     threads,
     tree::Tree,
@@ -44,8 +45,8 @@ pub struct Emittable {
 pub struct Module<'a> {
     /// The checked tree.
     pub tree: &'a Tree,
-    /// The lines above the code, without comment marks.
-    pub banner: Vec<String>,
+    /// Where it comes from.
+    pub origin: Origin,
     /// What depends on parameters alone: one store for each of `fields`.
     pub preparation: Program,
     /// The fields of `Prepared`.
@@ -57,7 +58,7 @@ pub struct Module<'a> {
 /// The text of a module.
 pub fn source(module: &Module<'_>) -> String {
     let mut text = String::new();
-    for line in &module.banner {
+    for line in module.origin.banner() {
         text.push_str(format!("// {line}").trim_end());
         text.push('\n');
     }

@@ -211,7 +211,7 @@ fn line_ends_of_another_system_are_named_instead_of_every_line() {
     let ran = project.kane(&["check"]);
     assert_eq!(ran.code, 1);
     insta::assert_snapshot!(ran.out, @"
-    generated/arm.rs has line ends CR LF; expected LF: write `*.rs text eol=lf` into .gitattributes
+    generated/arm.rs has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes
     generated/arm.rs: every function has as many operations as before
     to bring this up to date, run: kane generate
     ");

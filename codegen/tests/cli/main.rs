@@ -6,6 +6,7 @@
 
 mod changes;
 mod check;
+mod companions;
 mod convert;
 mod eval;
 mod generate;

@@ -1,0 +1,39 @@
+//! JSON by hand: keys in the order in which they are written, and lines that a diff shows well.
+
+use std::fmt::Display;
+
+/// A string, quoted.
+pub(super) fn string(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => quoted.extend(['\\', character]),
+            control if control.is_control() => {
+                quoted.push_str(&format!("\\u{:04x}", u32::from(control)));
+            }
+            plain => quoted.push(plain),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// A list on one line.
+pub(super) fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    format!("[{}]", items.join(", "))
+}
+
+/// A list of strings on one line.
+pub(super) fn strings<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
+    list(items.into_iter().map(|item| string(item.as_ref())))
+}
+
+/// An object on one line; values are JSON already.
+pub(super) fn object(members: &[(&str, String)]) -> String {
+    let members = members.iter();
+    let members: Vec<String> = members
+        .map(|(key, value)| format!("{}: {value}", string(key)))
+        .collect();
+    format!("{{ {} }}", members.join(", "))
+}
