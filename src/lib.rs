@@ -14,6 +14,7 @@ extern crate self as kane;
 // The scalar, and what the generated functions take and give.
 mod array;
 pub mod block;
+mod cost;
 mod joint;
 mod lanes;
 mod load;
@@ -55,6 +56,7 @@ pub mod eight_body;
 
 pub use array::Array;
 pub use block::Block;
+pub use cost::Cost;
 pub use joint::{Chart, Frame, Joint};
 pub use lanes::Lanes;
 pub use load::Load;

@@ -4,7 +4,7 @@
 //! alone. Every other function has a trait of its own in [`functions`](crate::functions), implemented for
 //! what the module holds.
 
-use crate::{Array, Frame, Joint, Load, Real};
+use crate::{Array, Cost, Frame, Joint, Load, Real};
 
 /// A tree of `NB` rigid bodies with `NQ` generalized coordinates `q` and `NU` generalized speeds `u`.
 ///
@@ -53,6 +53,10 @@ pub trait System<R: Real> {
     const EFFORT_LIMITS: &'static [f64] = &[];
     /// Coulomb friction along the `NU` speeds, N m, N.
     const FRICTION: &'static [f64] = &[];
+    /// Hash of the model: of every name, number, joint and place in it, whatever is generated from it; 0 where none is known.
+    const FINGERPRINT: u64 = 0;
+    /// What one call of each function of the module costs.
+    const OPERATIONS: &'static [Cost] = &[];
 
     /// Writes the derivatives of the coordinates, Eqs. (44), (9), or those of Euler parameters.
     fn q_dot(&self, q: &Self::Q, u: &Self::U, q_dot: &mut Self::Q);

@@ -46,6 +46,19 @@ fn generic_code_needs_no_turbofish() {
 }
 
 #[test]
+#[cfg(feature = "cart_pole")]
+fn model_and_costs_of_a_generated_system_are_known_to_generic_code() {
+    fn total<S: System<f64>>(_: &S, function: &str) -> usize {
+        assert_ne!(S::FINGERPRINT, 0);
+        let cost = S::OPERATIONS.iter().find(|cost| cost.function == function);
+        cost.unwrap().total()
+    }
+    let system = kane::cart_pole::Prepared::<f64>::nominal();
+    assert_eq!(total(&system, "mass_matrix"), 3);
+    assert_eq!(total(&system, "Prepared::new"), 7);
+}
+
+#[test]
 fn names_and_sizes_belong_to_the_system() {
     fn lengths<R: Real, S: System<R>>(_: &S) -> [usize; 3] {
         assert_eq!(S::Q::LEN, S::COORDINATE_NAMES.len());

@@ -261,6 +261,7 @@ fn is_size_or_table(statement: &str) -> bool {
         "speed: ",
         "columns: ",
         "first: ",
+        "kane::Cost::new(",
         "}",
     ];
     let mut words = table.into_iter().chain(["pub const ", "///", "//", "#["]);
@@ -315,9 +316,10 @@ fn without_numbers(statement: &str) -> String {
 fn assert_only_numbers_change(old: &str, new: &str) {
     assert_ne!(old, new, "nothing changed: the test proves nothing");
     let code = |text: &str| -> Vec<String> {
+        let is_hash = |statement: &str| statement.starts_with("pub const FINGERPRINT");
         let statements = statements(text)
             .into_iter()
-            .filter(|statement| !statement.starts_with("//"));
+            .filter(|statement| !statement.starts_with("//") && !is_hash(statement));
         statements
             .map(|statement| without_numbers(&statement))
             .collect()

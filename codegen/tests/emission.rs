@@ -12,7 +12,8 @@ use kane_codegen::{
     error::Error,
     functions::CATALOGUE,
     generate::{self, Generated},
-    program::RESERVED,
+    program::{Operations, RESERVED},
+    report,
     tree::Changes,
 };
 
@@ -165,6 +166,36 @@ fn masses_that_add_up_to_more_than_f64_holds_are_an_error() {
             "{function}: {error}"
         );
     }
+}
+
+#[test]
+fn costs_as_data_are_those_of_the_documentation() {
+    let text = module(
+        "cart_pole",
+        named(&["mass_matrix+bias(sin_cos)", "mass_matrix_packed"]),
+    );
+    let (_, table) = text.split_once("pub const OPERATIONS: ").unwrap();
+    let (_, table) = table.split_once("] = [\n").unwrap();
+    let (table, _) = table.split_once("];").unwrap();
+    let stated = report::counted(&text).unwrap().into_iter();
+    let stated: Vec<String> = stated
+        .map(|(name, counted)| {
+            let Operations {
+                mul,
+                add,
+                div,
+                trig,
+            } = counted.operations;
+            format!("kane::Cost::new(\"{name}\", [{mul}, {add}, {div}, {trig}]),")
+        })
+        .collect();
+    let table: Vec<&str> = table.lines().map(str::trim).collect();
+    assert_eq!(table, stated);
+    assert_eq!(table.len(), 5);
+    assert!(text.contains(&format!(
+        "pub const OPERATIONS: [kane::Cost; {}]",
+        table.len()
+    )));
 }
 
 #[test]

@@ -7,10 +7,10 @@ use syn::{Item, parse_quote};
 use super::{
     Module, allow_generated, allow_unused, doc, expression, ident,
     statements::{self, Stores},
-    tables,
+    syntax, tables,
 };
 use crate::{
-    program::{self, Groups, Place},
+    program::{self, Groups, Operations, Place},
     tree::Tree,
 };
 
@@ -76,6 +76,37 @@ pub(super) fn constants(tree: &Tree) -> Vec<Item> {
     );
     items.extend(tables::of(tree));
     items
+}
+
+/// Which model it is, and what its functions cost.
+pub(super) fn identity(module: &Module<'_>) -> Vec<Item> {
+    let literal = Literal::usize_unsuffixed;
+    let costs = module.costs();
+    let n_costs = literal(costs.len());
+    let costs = costs.into_iter().map(|(function, operations)| {
+        let Operations {
+            mul,
+            add,
+            div,
+            trig,
+        } = operations;
+        let counts = [mul, add, div, trig].map(literal);
+        quote!(kane::Cost::new(#function, [#(#counts),*]))
+    });
+    let fingerprint = syntax::hexadecimal(module.origin.fingerprint);
+    let allow = allow_unused();
+    vec![
+        parse_quote! {
+            /// Hash of the model: of every name, number, joint and place in it after all changes, whatever is generated from it.
+            #allow
+            pub const FINGERPRINT: u64 = #fingerprint;
+        },
+        parse_quote! {
+            /// Of each function the multiplications, additions, divisions, sines and cosines of one call.
+            #allow
+            pub const OPERATIONS: [kane::Cost; #n_costs] = [#(#costs),*];
+        },
+    ]
 }
 
 /// How long a packed mass matrix is, and where its entries stand.
@@ -259,6 +290,8 @@ pub(super) fn system(tree: &Tree) -> Item {
             const VELOCITY_LIMITS: &'static [f64] = &VELOCITY_LIMITS;
             const EFFORT_LIMITS: &'static [f64] = &EFFORT_LIMITS;
             const FRICTION: &'static [f64] = &FRICTION;
+            const FINGERPRINT: u64 = FINGERPRINT;
+            const OPERATIONS: &'static [kane::Cost] = &OPERATIONS;
             #[inline]
             fn q_dot(&self, q: &[R; NQ], u: &[R; NU], q_dot: &mut [R; NQ]) {
                 self::q_dot(self, q, u, q_dot);

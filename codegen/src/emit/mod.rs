@@ -55,6 +55,24 @@ pub struct Module<'a> {
     pub functions: Vec<Emittable>,
 }
 
+impl Module<'_> {
+    /// The operations of everything that states them, in the order of the module.
+    pub fn costs(&self) -> Vec<(String, Operations)> {
+        let mut costs = vec![("Prepared::new".to_owned(), self.preparation.operations())];
+        if self.any(Request::is_at_sin_cos) {
+            costs.push(("sin_cos".to_owned(), sin_cos::operations(self.tree)));
+        }
+        let functions = self.functions.iter();
+        costs.extend(functions.map(|one| (one.function.name(), one.operations)));
+        costs
+    }
+
+    fn any(&self, is: fn(&Request) -> bool) -> bool {
+        let mut functions = self.functions.iter();
+        functions.any(|emittable| is(&emittable.function))
+    }
+}
+
 /// The text of a module.
 pub fn source(module: &Module<'_>) -> String {
     let mut text = String::new();
@@ -64,17 +82,14 @@ pub fn source(module: &Module<'_>) -> String {
     }
     let fields = &module.fields;
     let mut items = items::constants(module.tree);
+    items.extend(items::identity(module));
     items.extend(items::parameters(module.tree));
     items.extend(items::prepared(module, fields));
     items.push(items::system(module.tree));
-    let any = |is: fn(&Request) -> bool| {
-        let mut functions = module.functions.iter();
-        functions.any(|emittable| is(&emittable.function))
-    };
-    if any(Request::is_at_sin_cos) {
+    if module.any(Request::is_at_sin_cos) {
         items.extend(sin_cos::items(module.tree));
     }
-    if any(Request::is_packed) {
+    if module.any(Request::is_packed) {
         items.extend(items::packed(module.tree));
     }
     text.push_str(&printed(items));

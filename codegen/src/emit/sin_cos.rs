@@ -17,11 +17,7 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
     let places = angles
         .iter()
         .map(|angle| Literal::usize_unsuffixed(angle.coordinate.index()));
-    let operations = Operations {
-        trig: 2 * angles.len(),
-        ..Operations::default()
-    };
-    let cost = doc([format!("Operations: {operations}.")]);
+    let cost = doc([format!("Operations: {}.", operations(tree))]);
     let (allow, allow_generated) = (allow_unused(), allow_generated());
     vec![
         parse_quote! {
@@ -58,4 +54,12 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
             }
         },
     ]
+}
+
+/// What the function costs.
+pub(super) fn operations(tree: &Tree) -> Operations {
+    Operations {
+        trig: 2 * sines::angles(tree).len(),
+        ..Operations::default()
+    }
 }

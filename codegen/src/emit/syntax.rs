@@ -64,6 +64,12 @@ pub(super) fn index(base: Expr, place: usize) -> Expr {
     })
 }
 
+/// A number of 16 hexadecimal digits, in groups.
+pub(super) fn hexadecimal(value: u64) -> LitInt {
+    let groups = [48, 32, 16, 0].map(|shift| format!("{:04x}", value >> shift & 0xffff));
+    LitInt::new(&format!("0x{}", groups.join("_")), Span::call_site())
+}
+
 /// A finite number: the shortest text that reads back bit for bit.
 pub(super) fn number(value: f64) -> Expr {
     let digits = LitFloat::new(&format!("{:?}", value.abs()), Span::call_site());
