@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
+use crate::budget::{self, Budget};
 use crate::companions;
 use crate::compile::SNAP_TOLERANCES;
 use crate::description::read::{Item, Reader, Table, list, span};
@@ -45,6 +46,8 @@ pub struct System {
     pub without: BTreeSet<Technique>,
     /// What is written beside the module.
     pub companions: BTreeSet<companions::Kind>,
+    /// How many operations its functions may need.
+    pub budget: Vec<Budget>,
 }
 
 /// The functions to generate.
@@ -104,7 +107,7 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 12] = [
+const SYSTEM_KEYS: [&str; 13] = [
     "model",
     "output",
     "manifest",
@@ -112,6 +115,7 @@ const SYSTEM_KEYS: [&str; 12] = [
     "formulation",
     "fma",
     "without",
+    "budget",
     "base",
     "chart",
     "snap",
@@ -167,6 +171,7 @@ struct Written {
     fma: bool,
     without: BTreeSet<Technique>,
     companions: BTreeSet<companions::Kind>,
+    budget: Vec<Budget>,
 }
 
 impl Written {
@@ -181,6 +186,7 @@ impl Written {
             fma: self.fma,
             without: self.without,
             companions: self.companions,
+            budget: self.budget,
         })
     }
 }
@@ -204,12 +210,14 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
             .faults
             .push(Diagnostic::error(fault).at(output.span, "no Rust file"));
     }
+    let functions = functions(reader, &table, known);
     Some(Written {
+        budget: budget::read(reader, &table, functions.as_ref(), known),
         model,
         output,
         reading: reading(reader, &table),
         changes: changes(reader, &table),
-        functions: functions(reader, &table, known),
+        functions,
         formulation: formulation(reader, &table),
         fma: truth(reader, &table, "fma"),
         without: without(reader, &table),
@@ -287,7 +295,8 @@ fn functions(reader: &mut Reader, system: &Table<'_, '_>, known: &[&str]) -> Opt
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
         };
-        if let Some(fault) = request_fault(&name, &what, known) {
+        let all = name.value == "all";
+        if let Some(fault) = (!all).then(|| request_fault(&name, &what, known)).flatten() {
             reader.faults.push(fault);
         } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
@@ -316,11 +325,12 @@ fn functions(reader: &mut Reader, system: &Table<'_, '_>, known: &[&str]) -> Opt
     }
 }
 
-/// What is wrong with an entry of `functions`.
-fn request_fault(name: &Spanned<String>, what: &str, known: &[&str]) -> Option<Diagnostic> {
-    if name.value == "all" {
-        return None;
-    }
+/// What is wrong with the name of a function in a list or table.
+pub(crate) fn request_fault(
+    name: &Spanned<String>,
+    what: &str,
+    known: &[&str],
+) -> Option<Diagnostic> {
     let among = |part: &str| known.contains(&part);
     let fault = match Request::parse(&name.value) {
         Ok(request) => {

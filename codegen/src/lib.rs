@@ -21,6 +21,7 @@ pub mod geometry;
 pub mod diagnostic;
 pub mod error;
 // What the user wrote; `kane.toml`.
+pub mod budget;
 pub mod config;
 pub mod description;
 // From here on the system is numbered and right.

@@ -1,5 +1,7 @@
 //! Reading `kane.toml`.
 
+use kane_codegen::budget::{Budget, Kind};
+use kane_codegen::companions;
 use kane_codegen::config::{self, Formulation, Functions};
 use kane_codegen::description::{Base, Chart, Reading};
 use kane_codegen::diagnostic::Source;
@@ -109,5 +111,37 @@ fn reading_and_changes_are_read_in_an_order_of_their_own() {
     assert_eq!(
         (arm.reading, &arm.changes),
         (Reading::default(), &Changes::default())
+    );
+}
+
+#[test]
+fn budgets_limit_all_operations_or_some_kind() {
+    let text = r#"
+        [[system]]
+        model = "arm.toml"
+        output = "arm.rs"
+        functions = ["bias", "mass_matrix+bias"]
+        manifest = true
+        [system.budget]
+        bias = 60
+        "mass_matrix+bias" = { total = 90, mul = 0 }
+    "#;
+    let config = config::parse(&Source::new("kane.toml", text), &KNOWN).unwrap();
+    let limit = |function: &str, kind, limit| Budget {
+        function: function.to_owned(),
+        kind,
+        limit,
+    };
+    assert_eq!(
+        config.systems[0].budget,
+        [
+            limit("bias", Kind::Total, 60),
+            limit("mass_matrix_and_bias", Kind::Total, 90),
+            limit("mass_matrix_and_bias", Kind::Mul, 0),
+        ]
+    );
+    assert_eq!(
+        config.systems[0].companions,
+        [companions::Kind::Manifest].into()
     );
 }

@@ -11,7 +11,7 @@ use kane_codegen::{
     diagnostic::Source,
     error::Error,
     functions::CATALOGUE,
-    generate::{self, Generated},
+    generate::{self, Generated, OUTPUT_FORMAT},
     program::{Operations, RESERVED},
     report,
     tree::Changes,
@@ -211,7 +211,9 @@ fn banner_shows_every_change_and_its_hash_covers_them() {
         let generated = generate(&source, "cart_pole.toml", &options).unwrap();
         let line = generated.source.lines().nth(1).unwrap().to_owned();
         let (hash, options) = line
-            .split_once(", format 3; functions: bias; formulation: cheapest; ")
+            .split_once(&format!(
+                ", format {OUTPUT_FORMAT}; functions: bias; formulation: cheapest; "
+            ))
             .unwrap();
         (hash.to_owned(), options.to_owned())
     };

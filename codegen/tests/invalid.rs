@@ -63,6 +63,13 @@ mod config_file {
         absolute_path
         all_and_more
         backslash
+        budget_is_fraction
+        budget_is_negative
+        budget_is_number
+        budget_of_a_function_that_is_not_generated
+        budget_of_a_function_without_limit
+        budget_of_unknown_function
+        budget_of_unknown_kind
         compact_part_of_a_function
         empty_path
         fma_is_string

@@ -9,14 +9,14 @@ use clap::Args;
 use kane_codegen::{
     generate::Generated,
     origin, output,
-    report::{self, Comparison, Counted},
+    report::{self, Comparison},
 };
 use similar::TextDiff;
 
 use super::{
     Failures, Outcome,
     job::{self, Target},
-    say,
+    operations, say,
     selection::Selection,
     stray,
 };
@@ -24,13 +24,14 @@ use super::{
 /// Tell whether generated files are what their models say; write nothing
 ///
 /// Generates in memory and compares. For each file that differs, standard output gets a unified diff and the functions
-/// whose operations changed, were added or were removed; then the command that brings the files up to date. When all of
+/// whose operations changed, were added or were removed; then the command that brings the files up to date, and the functions
+/// that need more operations than `budget` in kane.toml gives them. When all of
 /// kane.toml is checked, files that nothing in it produces are reported too: in a folder named `generated` every file but
 /// `mod.rs` and hidden ones, in other folders that hold outputs those that begin as ours do.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every file is up to date\n  \
-    1  a file differs, is missing, or is produced by nothing\n  \
+    1  a file differs, is missing, is over budget, or is produced by nothing\n  \
     2  bad input, or a file that cannot be read\n\n\
     Examples:\n  \
     kane check\n  \
@@ -89,6 +90,14 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     if outcome == Outcome::Differs {
         let command = arguments.selection.command();
         writeln!(out, "to bring this up to date, run: {command}{force}")?;
+    }
+    for (job, module) in plan.jobs.iter().zip(&modules) {
+        let excesses = job.excesses(module);
+        if !excesses.is_empty() {
+            let lines = operations::text(&excesses);
+            write!(out, "{} is over budget\n{lines}", job.target)?;
+            outcome = Outcome::Differs;
+        }
     }
     for (whole, stray) in strays
         .iter()
@@ -197,41 +206,6 @@ fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::
             "{path}: every function has as many operations as before"
         );
     }
-    writeln!(out, "{path}: operations")?;
-    let names = comparison.changed.iter().map(|change| &change.name);
-    let names = names.chain(comparison.added.iter().map(|(name, _)| name));
-    let names = names.chain(comparison.removed.iter().map(|(name, _)| name));
-    let width = names.map(String::len).max().unwrap_or(0);
-    for change in &comparison.changed {
-        let (old, new) = (total(&change.old), total(&change.new));
-        let formulations = match (&change.old.formulation, &change.new.formulation) {
-            (Some(old), Some(new)) if old != new => format!(", formulation {old} -> {new}"),
-            _ => String::new(),
-        };
-        let (name, signed) = (&change.name, difference(old, new));
-        writeln!(
-            out,
-            "  changed  {name:width$}  {old} -> {new} ({signed}{formulations})"
-        )?;
-    }
-    for (name, counted) in &comparison.added {
-        writeln!(out, "  added    {name:width$}  {}", total(counted))?;
-    }
-    for (name, counted) in &comparison.removed {
-        writeln!(out, "  removed  {name:width$}  {}", total(counted))?;
-    }
-    Ok(())
-}
-
-fn total(counted: &Counted) -> usize {
-    counted.operations.total()
-}
-
-/// The change with its sign; the kinds of operations may change where their number does not.
-fn difference(old: usize, new: usize) -> String {
-    if new < old {
-        format!("-{}", old - new)
-    } else {
-        format!("+{}", new - old)
-    }
+    let rows = operations::rows(&comparison);
+    write!(out, "{path}: operations\n{}", operations::text(&rows))
 }

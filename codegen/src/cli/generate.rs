@@ -8,6 +8,7 @@ use kane_codegen::output::{self, Overwrite};
 use super::{
     Failures, Outcome,
     job::{self, Target},
+    operations, say,
     selection::Selection,
 };
 
@@ -15,7 +16,8 @@ use super::{
 ///
 /// Either every file is written or none: if any model is faulty, all faults of all models are reported and no file is
 /// touched. A file that holds its text already is left alone, and one that does not begin as ours do is refused.
-/// The text depends on the model and the options alone: it is the same in every folder and on every machine.
+/// The text depends on the model and the options alone: it is the same in every folder and on every machine. Functions that
+/// need more operations than `budget` in kane.toml gives them are warned of.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane generate\n  \
@@ -56,6 +58,17 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     failures.none()?;
     for (path, staged) in files {
         job::commit(staged, &path)?;
+    }
+    for (job, module) in plan.jobs.iter().zip(&modules) {
+        let excesses = job.excesses(module);
+        if !excesses.is_empty() {
+            let lines = operations::text(&excesses);
+            let lines = lines.trim_end();
+            say(format_args!(
+                "warning: {} is over budget\n{lines}",
+                job.target
+            ));
+        }
     }
     Ok(Outcome::Done)
 }

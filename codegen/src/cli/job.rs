@@ -1,11 +1,12 @@
 //! One module to generate, and the generation of all that are asked for.
 
 use std::{
-    fs, io,
+    fmt, fs, io,
     path::{Path, PathBuf},
 };
 
 use kane_codegen::{
+    budget::{self, Budget, Excess},
     compile::Options,
     description::{self, Reading},
     diagnostic::{Diagnostics, Source},
@@ -15,7 +16,7 @@ use kane_codegen::{
     tree::{self, Changes, Checked},
 };
 
-use super::{Failures, paths, say};
+use super::{Failures, operations::Row, paths, say};
 
 /// A model, what to generate from it, and where that goes.
 #[derive(Debug)]
@@ -28,6 +29,8 @@ pub(crate) struct Job {
     pub(crate) target: Target,
     /// What is generated.
     pub(crate) options: Options,
+    /// How many operations its functions may need.
+    pub(crate) budget: Vec<Budget>,
 }
 
 /// Where a module goes.
@@ -48,6 +51,20 @@ impl Job {
         let companions = self.options.companions.iter();
         let beside = companions.flat_map(|kind| kind.beside(module));
         std::iter::once(module.clone()).chain(beside).collect()
+    }
+
+    /// What goes beyond the budget, a line each.
+    pub(crate) fn excesses(&self, generated: &Generated) -> Vec<Row> {
+        let excesses = budget::exceeded(&self.budget, &generated.functions);
+        let row = |excess: &Excess<'_>| {
+            let (count, limit) = (excess.count, excess.budget.limit);
+            [
+                excess.budget.kind.name().to_owned(),
+                excess.budget.function.clone(),
+                format!("{count}, of {limit} (+{})", count - limit),
+            ]
+        };
+        excesses.iter().map(row).collect()
     }
 
     /// Refuses files that would replace one another, or the model.
@@ -93,6 +110,15 @@ impl Target {
             Self::File(file) => {
                 file == path || place(file).is_some_and(|file| Some(file) == place(path))
             }
+        }
+    }
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StandardOutput => f.write_str("standard output"),
+            Self::File(path) => path.display().fmt(f),
         }
     }
 }

@@ -69,6 +69,7 @@ impl Listed {
                 reading: system.reading,
                 changes: system.changes.clone(),
             },
+            budget: system.budget.clone(),
             model,
         })
     }

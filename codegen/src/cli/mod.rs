@@ -16,6 +16,7 @@ mod failure;
 mod job;
 mod json;
 mod listed;
+mod operations;
 mod parse;
 mod paths;
 mod pipe;
@@ -36,7 +37,7 @@ pub(crate) use pipe::Pipe;
 
 /// Exit code: nothing to complain about.
 const DONE: u8 = 0;
-/// Exit code: a generated file differs, is missing, or is produced by nothing.
+/// Exit code: a generated file differs, is missing, is over budget, or is produced by nothing.
 const DIFFERS: u8 = 1;
 /// Exit code: bad input or a file that cannot be accessed.
 pub(crate) const BAD_INPUT: u8 = 2;
@@ -53,11 +54,11 @@ pub(crate) const BAD_INPUT: u8 = 2;
         whether those files are what their models say.",
     after_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, or is produced by nothing\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing\n  \
         2  bad input, or a file that cannot be read or written; nothing was written",
     after_long_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, or is produced by nothing\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing\n  \
         2  bad input, or a file that cannot be read or written; nothing was written\n\n\
         Examples:\n  \
         kane generate                                      everything in kane.toml\n  \
@@ -74,6 +75,8 @@ pub(crate) const BAD_INPUT: u8 = 2;
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
         fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \
         without = [\"regroup\"]        # techniques to leave out that lower the number of operations\n  \
+        manifest = true              # arm.json beside it\n  \
+        budget = { bias = 60, mass_matrix = { mul = 20, total = 35 } } # operations that `kane check` lets pass\n  \
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
         remove = [\"finger_1\"]        # joints to fix at zero\n\n  \

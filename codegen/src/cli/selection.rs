@@ -244,6 +244,7 @@ impl Selection {
                     shown: listed::shown_model(model, listed.as_ref())?,
                     target: Target::new(&output),
                     options: Options::default(),
+                    budget: Vec::new(),
                 });
             }
         }

@@ -4,6 +4,7 @@
     reason = "a test stops where it fails, its helpers too"
 )]
 
+mod budget;
 mod changes;
 mod check;
 mod companions;
