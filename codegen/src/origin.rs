@@ -77,6 +77,11 @@ impl Origin {
     }
 }
 
+/// The fingerprint of a tree, as [`Origin`] holds it.
+pub fn fingerprint(tree: &Tree) -> u64 {
+    hash(&tree::canonical(tree))
+}
+
 fn hash(text: &str) -> u64 {
     let hash = Sha256::digest(text);
     let (hash, _) = hash.split_first_chunk().expect("a SHA-256 has 32 bytes");

@@ -18,9 +18,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{
-    Failures, Outcome, changes::ChangesArguments, job, json, parse, say, selection, state,
-};
+use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, parse, say, state};
 
 /// Evaluate one function at a state, and print the numbers as JSON
 ///
@@ -76,7 +74,7 @@ pub(crate) struct Arguments {
 /// Evaluates and prints.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
-    let function = failures.keep(selection::request(&arguments.function));
+    let function = failures.keep(options::request(&arguments.function));
     let changes = &arguments.changes;
     failures.keep(changes.check());
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes());

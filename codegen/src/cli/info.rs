@@ -17,7 +17,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, changes::ChangesArguments, job, json, parse::one_of, selection};
+use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, parse::one_of};
 
 /// Show a model's tree, coordinates, partitions, parameters and operation counts
 ///
@@ -90,7 +90,7 @@ fn requests(names: Option<&[String]>) -> Result<Vec<Request>, Failures> {
     let mut failures = Failures::default();
     let requests = names.iter();
     let requests = requests
-        .filter_map(|name| failures.keep(selection::request(name)))
+        .filter_map(|name| failures.keep(options::request(name)))
         .collect();
     failures.none()?;
     Ok(requests)

@@ -7,16 +7,19 @@
 // One subcommand each.
 mod check;
 mod convert;
+mod diff;
 mod eval;
 mod generate;
 mod info;
 // What they share: which systems, where they stand, what is wrong with them, how it is written.
 mod changes;
 mod failure;
+mod git;
 mod job;
 mod json;
 mod listed;
 mod operations;
+mod options;
 mod parse;
 mod paths;
 mod pipe;
@@ -54,16 +57,17 @@ pub(crate) const BAD_INPUT: u8 = 2;
         whether those files are what their models say.",
     after_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs\n  \
         2  bad input, or a file that cannot be read or written; nothing was written",
     after_long_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs\n  \
         2  bad input, or a file that cannot be read or written; nothing was written\n\n\
         Examples:\n  \
         kane generate                                      everything in kane.toml\n  \
         kane check                                         is it up to date?\n  \
         kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
+        kane diff HEAD:models/arm.toml models/arm.toml     what changed?\n  \
         kane info models/arm.toml                          tree, coordinates, partitions, operation counts\n  \
         kane eval models/arm.toml --function mass_matrix --state state.json\n  \
         kane convert panda.urdf --output models/panda.toml\n\n\
@@ -95,6 +99,7 @@ pub(crate) struct Arguments {
 enum Command {
     Generate(generate::Arguments),
     Check(check::Arguments),
+    Diff(diff::Arguments),
     Info(info::Arguments),
     Eval(eval::Arguments),
     Convert(convert::Arguments),
@@ -114,6 +119,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let outcome = match &arguments.command {
         Command::Generate(arguments) => generate::run(arguments, out)?,
         Command::Check(arguments) => check::run(arguments, out)?,
+        Command::Diff(arguments) => diff::run(arguments, out)?,
         Command::Info(arguments) => info::run(arguments, out)?,
         Command::Eval(arguments) => eval::run(arguments, out)?,
         Command::Convert(arguments) => convert::run(arguments, out)?,

@@ -5,22 +5,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use kane_codegen::{
-    companions::Kind,
-    compile::Options,
-    config::{Formulation, Functions},
-    diagnostic::nearest,
-    error::Error,
-    functions::{CATALOGUE, Request, RequestError},
-    recursive::Technique,
-};
+use kane_codegen::{companions::Kind, compile::Options, error::Error};
 
 use super::{
     Failures,
-    changes::ChangesArguments,
     job::{self, Job, Target},
     listed::{self, Listed},
-    parse::{name_of, one_of, quoted},
+    options::{Asked, OptionsArguments},
+    parse::quoted,
     paths,
 };
 
@@ -42,37 +34,6 @@ pub(crate) struct Selection {
     #[arg(long, short, value_name = "FILE", requires = "model")]
     output: Option<PathBuf>,
 
-    /// The functions, with commas between them; `all` for every one
-    ///
-    /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
-    /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
-    /// `kane::System` needs them.
-    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
-    functions: Option<Vec<String>>,
-
-    /// How sums over bodies are associated: as in the notes, along the tree, or whichever needs fewer operations
-    #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
-    formulation: Option<Formulation>,
-
-    /// Fuse multiplications and additions: faster where the hardware has that, but the last bits then depend on the machine
-    ///
-    /// Calls `kane::Real::mul_add`, which is one instruction where the program is compiled for one (x86 with
-    /// `-C target-feature=+fma` or a `target-cpu` that has it, 64-bit Arm), and two elsewhere. `--fma=false` stands above
-    /// `fma = true` in `kane.toml`.
-    #[arg(
-        long,
-        value_name = "BOOL",
-        requires = "model",
-        num_args = 0..=1,
-        require_equals = true,
-        default_missing_value = "true"
-    )]
-    fma: Option<bool>,
-
-    /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
-    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
-    without: Vec<Technique>,
-
     /// Write the manifest beside the module too: what it holds, as JSON, `panda.json` for `panda.rs`
     ///
     /// `--manifest=false` stands above `manifest = true` in `kane.toml`.
@@ -87,7 +48,7 @@ pub(crate) struct Selection {
     manifest: Option<bool>,
 
     #[command(flatten)]
-    changes: ChangesArguments,
+    options: OptionsArguments,
 
     /// The file that lists the systems, in place of the `kane.toml` found in the current folder or above it
     /// (with MODEL: in the model's folder or above it)
@@ -113,36 +74,14 @@ pub(crate) struct Whole {
     pub(crate) root: PathBuf,
 }
 
-/// Reads a name of `--functions` or `--function`.
-pub(crate) fn request(text: &str) -> Result<Request, Failures> {
-    Request::parse(text).map_err(|fault| match fault {
-        RequestError::Unknown { name } => unknown_function(&name),
-        fault => Failures::message(fault.to_string()),
-    })
-}
-
-/// Why a function cannot be had, with the name that was probably meant.
-fn unknown_function(name: &str) -> Failures {
-    let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
-    let help = match nearest(name, &known) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the functions are {}", known.join(", ")),
-    };
-    Failures::message(format!("`{}` is no function; {help}", name.escape_debug()))
-}
-
 impl Selection {
     /// The systems that are selected.
     pub(crate) fn plan(&self) -> Result<Plan, Failures> {
-        let mut failures = Failures::default();
-        let functions = self.functions.as_deref().map(functions).transpose();
-        let functions = failures.keep(functions).flatten();
-        failures.keep(self.changes.check());
-        failures.none()?;
+        let asked = self.options.read()?;
         match &self.model {
             None => self.whole(),
             Some(model) => {
-                let jobs = self.single(model, functions.as_ref())?;
+                let jobs = self.single(model, &asked)?;
                 Ok(Plan { jobs, whole: None })
             }
         }
@@ -162,23 +101,6 @@ impl Selection {
             push("--output");
             push(&output.to_string_lossy());
         }
-        if let Some(functions) = &self.functions {
-            push("--functions");
-            push(&functions.join(","));
-        }
-        if let Some(formulation) = self.formulation {
-            push("--formulation");
-            push(name_of(&formulation, &Formulation::ALL));
-        }
-        if !self.without.is_empty() {
-            push("--without");
-            let names = self.without.iter();
-            let names: Vec<&str> = names.map(|one| name_of(one, &Technique::ALL)).collect();
-            push(&names.join(","));
-        }
-        if let Some(fma) = self.fma {
-            push(if fma { "--fma" } else { "--fma=false" });
-        }
         if let Some(manifest) = self.manifest {
             push(if manifest {
                 "--manifest"
@@ -186,7 +108,7 @@ impl Selection {
                 "--manifest=false"
             });
         }
-        for word in self.changes.words() {
+        for word in self.options.words() {
             push(&word);
         }
         if let Some(config) = &self.config {
@@ -224,7 +146,7 @@ impl Selection {
     }
 
     /// One model: a job for each file that `kane.toml` has generated from it, or one for the file that was named.
-    fn single(&self, model: &Path, functions: Option<&Functions>) -> Result<Vec<Job>, Failures> {
+    fn single(&self, model: &Path, asked: &Asked<'_>) -> Result<Vec<Job>, Failures> {
         // A model that cannot be read is told before anything that follows from it.
         job::read(model)?;
         let config = self.config_of(model)?;
@@ -253,24 +175,13 @@ impl Selection {
         }
         for job in &mut jobs {
             model.clone_into(&mut job.model);
-            if let Some(functions) = functions {
-                job.options.functions = functions.clone();
-            }
-            if let Some(formulation) = self.formulation {
-                job.options.formulation = formulation;
-            }
             let options = &mut job.options;
-            options.fma = self.fma.unwrap_or(options.fma);
-            if !self.without.is_empty() {
-                options.without = self.without.iter().copied().collect();
-            }
+            asked.set(options);
             match self.manifest {
                 Some(true) => options.companions.insert(Kind::Manifest),
                 Some(false) => options.companions.remove(&Kind::Manifest),
                 None => false,
             };
-            options.reading = self.changes.reading_above(options.reading);
-            options.changes = self.changes.above(options.changes.clone());
         }
         Ok(jobs)
     }
@@ -297,27 +208,4 @@ fn unlisted(model: &Path, config: &Path) -> Failures {
         config.display(),
         model.display()
     ))
-}
-
-/// Reads `--functions`.
-fn functions(names: &[String]) -> Result<Functions, Failures> {
-    if names == ["all"] {
-        return Ok(Functions::All);
-    }
-    let mut failures = Failures::default();
-    for (index, name) in names.iter().enumerate() {
-        if name == "all" {
-            failures.add(Failures::message(
-                "--functions names functions beside `all`",
-            ));
-        } else if let Err(fault) = request(name) {
-            failures.add(fault);
-        } else if names[..index].contains(name) {
-            failures.add(Failures::message(format!(
-                "--functions names `{name}` twice"
-            )));
-        }
-    }
-    failures.none()?;
-    Ok(Functions::Named(names.to_vec()))
 }

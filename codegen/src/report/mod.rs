@@ -1,14 +1,18 @@
 //! What people ask about a system and about a change of its module, as data.
 //!
-//! In: a [`Tree`](crate::tree::Tree), or the texts of two modules. Out: a picture, patterns, counts. The command
+//! In: a [`Tree`](crate::tree::Tree), or the texts of modules. Out: a picture, patterns, counts, what differs. The command
 //! prints them; so can a build script or a test. Does not: touch files.
 
 mod compare;
 mod counts;
+mod differences;
+mod outline;
 mod partitions;
 mod picture;
 
 pub use compare::{Change, Comparison, Counted, compare, counted, differs_in_layout_only};
 pub use counts::{Counts, count};
+pub use differences::{Differences, LayoutChange, ValueChange, differences};
+pub use outline::{Body, Layout, ModuleError, Outline, Values};
 pub use partitions::{Cell, Partitions, partitions};
 pub use picture::picture;

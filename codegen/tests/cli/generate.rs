@@ -443,7 +443,7 @@ fn help_and_version_are_there() {
         project.kane(&["--version"]).out,
         concat!("kane ", env!("CARGO_PKG_VERSION"), "\n")
     );
-    for command in ["generate", "check", "info", "eval", "convert"] {
+    for command in ["generate", "check", "diff", "info", "eval", "convert"] {
         let ran = project.kane(&[command, "--help"]);
         assert_eq!(ran.code, 0);
         assert!(ran.out.contains("Examples:"), "{command}");

@@ -9,6 +9,7 @@ mod changes;
 mod check;
 mod companions;
 mod convert;
+mod diff;
 mod eval;
 mod generate;
 mod info;

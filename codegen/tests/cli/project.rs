@@ -104,6 +104,43 @@ impl Project {
         output.unwrap().into()
     }
 
+    /// A git repository of all files.
+    pub(crate) fn committed(self) -> Self {
+        self.git(&["init", "--quiet"]);
+        self.commit();
+        self
+    }
+
+    /// Commits all files; what git says and does depends on nobody's settings.
+    pub(crate) fn commit(&self) {
+        self.git(&["add", "--all"]);
+        self.git(&["commit", "--quiet", "--message", "models"]);
+    }
+
+    /// Runs git, which must succeed.
+    pub(crate) fn git(&self, arguments: &[&str]) -> String {
+        let ran: Ran = self.git_command(arguments).output().unwrap().into();
+        assert_eq!(ran.code, 0, "git {arguments:?}: {}", ran.err);
+        ran.out
+    }
+
+    /// Git in the project's folder.
+    pub(crate) fn git_command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new("git");
+        command.current_dir(self.path("")).args(arguments);
+        for (name, value) in [
+            ("GIT_CONFIG_GLOBAL", "/dev/null"),
+            ("GIT_CONFIG_NOSYSTEM", "1"),
+            ("GIT_AUTHOR_NAME", "author"),
+            ("GIT_AUTHOR_EMAIL", "author@example.org"),
+            ("GIT_COMMITTER_NAME", "author"),
+            ("GIT_COMMITTER_EMAIL", "author@example.org"),
+        ] {
+            command.env(name, value);
+        }
+        command
+    }
+
     /// The command with text on its standard input.
     pub(crate) fn kane_given(&self, arguments: &[&str], input: &str) -> Ran {
         let mut command = self.command();

@@ -1,0 +1,125 @@
+//! What differs, for people: in a terminal, and as tables for a pull request.
+
+use kane_codegen::report::{Body, Differences, LayoutChange, ValueChange};
+
+use super::Report;
+use crate::cli::operations::{self, Row};
+
+/// How much of a diff a pull request is shown: hosts refuse texts that are too long.
+const SHOWN_LINES: usize = 400;
+
+/// Lines under a title.
+struct Section {
+    title: String,
+    rows: Vec<Row>,
+}
+
+/// Sections one after the other, then the diff.
+pub(super) fn text(report: &Report) -> String {
+    let mut text: String = note(report).map(|note| note + "\n").into_iter().collect();
+    for Section { title, rows } in sections(report) {
+        text.extend([title, "\n".to_owned(), operations::text(&rows)]);
+    }
+    text + &report.diff
+}
+
+/// A table a section, then the diff, folded.
+pub(super) fn markdown(report: &Report) -> String {
+    let [old, new] = report.names.each_ref().map(|name| code(name));
+    let mut text = format!("### {old} → {new}\n");
+    if report.is_same() {
+        text += "\nNothing differs.\n";
+    }
+    text.extend(note(report).map(|note| format!("\n{note}\n")));
+    for Section { title, rows } in sections(report) {
+        text.extend([format!("\n**{title}**\n\n| | | |\n| --- | --- | --- |\n")]);
+        let row =
+            |[what, name, how]: &Row| format!("| {what} | {} | {} |\n", code(name), code(how));
+        text.extend(rows.iter().map(row));
+    }
+    if !report.diff.is_empty() {
+        let lines: Vec<&str> = report.diff.lines().collect();
+        let shown = lines[..lines.len().min(SHOWN_LINES)].join("\n");
+        let rest = lines.len().saturating_sub(SHOWN_LINES);
+        let rest = (rest > 0).then(|| format!("\n{rest} more lines\n"));
+        text.extend([
+            "\n<details><summary>Generated text</summary>\n\n```diff\n".to_owned(),
+            shown,
+            "\n```\n".to_owned(),
+            rest.unwrap_or_default(),
+            "\n</details>\n".to_owned(),
+        ]);
+    }
+    text
+}
+
+/// A name as code in a table.
+fn code(text: &str) -> String {
+    format!("`{}`", text.replace('`', "'").replace('|', "\\|"))
+}
+
+/// What two modules of one model have in common.
+fn note(report: &Report) -> Option<String> {
+    let [old, new] = report.fingerprints;
+    let is_same_model = old.is_some() && old == new && !report.is_same();
+    is_same_model.then(|| "the model is the same: its options or the generator differ".to_owned())
+}
+
+fn sections(report: &Report) -> Vec<Section> {
+    let differences = &report.differences;
+    let (of_the_tree, values): (Vec<&ValueChange>, Vec<&ValueChange>) = differences
+        .values
+        .iter()
+        .partition(|change| change.is_of_the_tree());
+    let mut sections: Vec<Section> = differences.layouts.iter().map(layout).collect();
+    let mut push = |title: &str, rows: Vec<Row>| {
+        let title = title.to_owned();
+        sections.extend((!rows.is_empty()).then_some(Section { title, rows }));
+    };
+    let mut bodies = bodies(differences);
+    bodies.extend(of_the_tree.into_iter().map(value));
+    push("bodies and joints", bodies);
+    push("values", values.into_iter().map(value).collect());
+    push("operations", operations::rows(&report.functions));
+    sections
+}
+
+fn layout(change: &LayoutChange) -> Section {
+    let row = |what: &str, name: &String, how: String| [what.to_owned(), name.clone(), how];
+    let added = change.added.iter();
+    let added = added.map(|(name, place)| row("added", name, place.to_string()));
+    let removed = change.removed.iter();
+    let removed = removed.map(|(name, place)| row("removed", name, place.to_string()));
+    let moved = change.moved.iter();
+    let moved = moved.map(|(name, [old, new])| row("moved", name, format!("{old} -> {new}")));
+    Section {
+        title: format!("BREAKING: the places in {} changed", change.layout.name()),
+        rows: added.chain(removed).chain(moved).collect(),
+    }
+}
+
+fn bodies(differences: &Differences) -> Vec<Row> {
+    let row = |what: &str, body: &Body| {
+        let said = |key: &str| body.values.get(key).map_or("", String::as_str);
+        let how = format!("on {}, joint {}", said("lower_body"), said("joint"));
+        [what.to_owned(), body.name.clone(), how]
+    };
+    let added = differences.added.iter().map(|body| row("added", body));
+    let removed = differences.removed.iter().map(|body| row("removed", body));
+    added.chain(removed).collect()
+}
+
+fn value(change: &ValueChange) -> Row {
+    let key = &change.key;
+    let name = match &change.body {
+        Some(body) => format!("{body}: {key}"),
+        None => key.clone(),
+    };
+    let (what, how) = match (&change.old, &change.new) {
+        (Some(old), Some(new)) => ("changed", format!("{old} -> {new}")),
+        (None, Some(new)) => ("added", new.clone()),
+        (Some(old), None) => ("removed", old.clone()),
+        (None, None) => ("", String::new()),
+    };
+    [what.to_owned(), name, how]
+}

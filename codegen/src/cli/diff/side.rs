@@ -1,0 +1,114 @@
+//! One of the two things that are compared: a model or a generated module, in a file or in a git revision.
+
+use std::{
+    ffi::OsStr,
+    io,
+    path::{Path, PathBuf},
+};
+
+use kane_codegen::{
+    compile::Options, description, diagnostic::Source, error::Error, generate, report::Outline,
+    tree,
+};
+
+use crate::cli::{Failures, git::Revision, job};
+
+/// What is compared, read.
+pub(super) struct Side {
+    place: Place,
+    source: Source,
+}
+
+/// Where it was read.
+enum Place {
+    File(PathBuf),
+    Revision(Revision),
+}
+
+/// What is known of it.
+pub(super) struct Known {
+    /// Its system.
+    pub(super) outline: Outline,
+    /// The module's text.
+    pub(super) text: String,
+}
+
+impl Side {
+    /// Reads what an argument names: a file where there is one, else a revision.
+    pub(super) fn read(argument: &Path) -> Result<Self, Failures> {
+        let revision = argument.to_str().and_then(Revision::parse);
+        let revision = revision.filter(|_| !argument.exists());
+        let (place, source) = match revision {
+            Some(revision) => {
+                let source = Source::new(argument.to_string_lossy(), revision.read()?);
+                (Place::Revision(revision), source)
+            }
+            None => (Place::File(argument.to_owned()), job::read(argument)?),
+        };
+        Ok(Self { place, source })
+    }
+
+    /// As the user wrote it.
+    pub(super) fn name(&self) -> &str {
+        self.source.name()
+    }
+
+    /// The name of its file.
+    pub(super) fn file_name(&self) -> String {
+        let path = self
+            .name()
+            .rsplit_once(':')
+            .map_or(self.name(), |(_, path)| path);
+        let name = Path::new(path).file_name().unwrap_or_default();
+        name.to_string_lossy().escape_debug().to_string()
+    }
+
+    /// True for a generated module.
+    pub(super) fn is_module(&self) -> bool {
+        Path::new(self.name()).extension() == Some(OsStr::new("rs"))
+    }
+
+    /// Where it stands among the user's files.
+    pub(super) fn own_file(&self) -> Option<PathBuf> {
+        let path = match &self.place {
+            Place::File(path) => Some(path.clone()),
+            Place::Revision(revision) => revision.own_file(),
+        };
+        path.filter(|path| path.is_file())
+    }
+
+    /// What is known of a module.
+    pub(super) fn of_module(&self) -> Result<Known, Failures> {
+        let outline = Outline::of_module(self.source.text())
+            .map_err(|error| Failures::message(format!("`{}`: {error}", self.name())))?;
+        Ok(Known {
+            outline,
+            text: self.source.text().to_owned(),
+        })
+    }
+
+    /// What is known of a model; `shown` is its path in the banner.
+    pub(super) fn of_model(&self, shown: &str, options: &Options) -> Result<Known, Failures> {
+        let include = |path: &str| self.include(path);
+        let generated = generate::generate(&self.source, shown, options, &include);
+        let generated = generated.map_err(|error| match error {
+            Error::Unrepresentable { .. } => {
+                Failures::message(format!("`{}`: {error}", self.name()))
+            }
+            error => error.into(),
+        })?;
+        let description = description::read(&self.source, &options.reading, &include);
+        let checked = tree::build_with(&description, &options.changes)?;
+        Ok(Known {
+            outline: Outline::of_model(&description, &checked.tree)?,
+            text: generated.source,
+        })
+    }
+
+    fn include(&self, path: &str) -> io::Result<String> {
+        match &self.place {
+            Place::File(model) => job::include(model)(path),
+            Place::Revision(revision) => revision.beside(path),
+        }
+    }
+}

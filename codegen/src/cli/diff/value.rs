@@ -1,0 +1,77 @@
+//! What differs, for programs.
+
+use kane_codegen::{
+    program::Operations,
+    report::{Body, Change, Counted, LayoutChange, ValueChange},
+};
+use serde_json::{Value, json};
+
+use super::Report;
+
+pub(super) fn value(report: &Report) -> Value {
+    let differences = &report.differences;
+    let functions = &report.functions;
+    let [old, new] = report.fingerprints;
+    let fingerprint = |hash: Option<u64>| hash.map(|hash| format!("{hash:016x}"));
+    json!({
+        "old": report.names[0],
+        "new": report.names[1],
+        "same": report.is_same(),
+        "breaking": differences.is_breaking(),
+        "fingerprints": { "old": fingerprint(old), "new": fingerprint(new) },
+        "layouts": differences.layouts.iter().map(layout).collect::<Value>(),
+        "bodies": {
+            "added": differences.added.iter().map(body).collect::<Value>(),
+            "removed": differences.removed.iter().map(body).collect::<Value>(),
+        },
+        "values": differences.values.iter().map(value_change).collect::<Value>(),
+        "functions": {
+            "changed": functions.changed.iter().map(change).collect::<Value>(),
+            "added": functions.added.iter().map(function).collect::<Value>(),
+            "removed": functions.removed.iter().map(function).collect::<Value>(),
+        },
+        "diff": report.diff,
+    })
+}
+
+fn layout(change: &LayoutChange) -> Value {
+    let place = |(name, place): &(String, usize)| json!({ "name": name, "place": place });
+    let moved =
+        |(name, [old, new]): &(String, [usize; 2])| json!({ "name": name, "old": old, "new": new });
+    json!({
+        "array": change.layout.name(),
+        "added": change.added.iter().map(place).collect::<Value>(),
+        "removed": change.removed.iter().map(place).collect::<Value>(),
+        "moved": change.moved.iter().map(moved).collect::<Value>(),
+    })
+}
+
+fn body(body: &Body) -> Value {
+    json!({ "name": body.name, "values": body.values })
+}
+
+fn value_change(change: &ValueChange) -> Value {
+    json!({ "body": change.body, "key": change.key, "old": change.old, "new": change.new })
+}
+
+fn change(change: &Change) -> Value {
+    json!({ "name": change.name, "old": counted(&change.old), "new": counted(&change.new) })
+}
+
+fn function((name, operations): &(String, Counted)) -> Value {
+    json!({ "name": name, "operations": counted(operations) })
+}
+
+fn counted(counted: &Counted) -> Value {
+    let operations = counted.operations;
+    let Operations {
+        mul,
+        add,
+        div,
+        trig,
+    } = operations;
+    json!({
+        "total": operations.total(), "mul": mul, "add": add, "div": div, "trig": trig,
+        "formulation": counted.formulation,
+    })
+}

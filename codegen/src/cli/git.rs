@@ -1,0 +1,87 @@
+//! Files as they are in a git revision, read by the command `git`.
+
+use std::{
+    io,
+    path::{Path, PathBuf},
+    process::{Command, Output},
+};
+
+use super::{Failures, paths};
+
+/// A file in a revision.
+#[derive(Clone, Debug)]
+pub(super) struct Revision {
+    /// The revision, as git reads it; empty for what is staged.
+    name: String,
+    /// The file's path from the repository's root, or from the current folder where it begins with `./` or `../`.
+    path: String,
+}
+
+impl Revision {
+    /// Reads `REVISION:PATH`.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let (name, path) = text.split_once(':')?;
+        (!path.is_empty()).then(|| Self {
+            name: name.to_owned(),
+            path: path.to_owned(),
+        })
+    }
+
+    /// The file's text.
+    pub(super) fn read(&self) -> Result<String, Failures> {
+        let Self { name, path } = self;
+        let object = format!("{name}:{path}");
+        let output =
+            git(&["cat-file", "blob", &object]).map_err(|error| is_missing(&object, &error))?;
+        if !output.status.success() {
+            let told = String::from_utf8_lossy(&output.stderr);
+            return Err(Failures::message(format!(
+                "git has no file `{}`: {}",
+                object.escape_debug(),
+                told.trim()
+            )));
+        }
+        String::from_utf8(output.stdout)
+            .map_err(|_| Failures::message(format!("`{object}` is not text in UTF-8")))
+    }
+
+    /// Reads a file that stands beside this one, in the same revision.
+    pub(super) fn beside(&self, path: &str) -> io::Result<String> {
+        let joined = paths::parent(Path::new(&self.path)).join(path);
+        let from_here = self.path.starts_with('.');
+        let joined: PathBuf = paths::normal(&joined).iter().collect();
+        let joined = paths::with_slashes(&joined).ok_or(io::ErrorKind::InvalidInput)?;
+        let beside = Self {
+            name: self.name.clone(),
+            path: if from_here {
+                format!("./{joined}")
+            } else {
+                joined
+            },
+        };
+        let text = beside.read();
+        text.map_err(|failures| io::Error::other(failures.to_string()))
+    }
+
+    /// Where the file stands among the user's own, if it does.
+    pub(super) fn own_file(&self) -> Option<PathBuf> {
+        if self.path.starts_with('.') {
+            return Some(PathBuf::from(&self.path));
+        }
+        let output = git(&["rev-parse", "--show-toplevel"]).ok()?;
+        let root = String::from_utf8(output.stdout).ok()?;
+        let root = Path::new(root.trim_end_matches(['\n', '\r']));
+        output.status.success().then(|| root.join(&self.path))
+    }
+}
+
+fn git(arguments: &[&str]) -> io::Result<Output> {
+    Command::new("git").args(arguments).output()
+}
+
+fn is_missing(object: &str, error: &io::Error) -> Failures {
+    Failures::message(format!(
+        "`{}` is no file here, and git, which would know a revision, cannot be run: {error}",
+        object.escape_debug()
+    ))
+}

@@ -1,0 +1,162 @@
+//! The arguments that say what is generated of a model, and how.
+//!
+//! In: arguments. Out: what they ask for, read, to stand above what `kane.toml` says.
+
+use clap::Args;
+use kane_codegen::{
+    compile::Options,
+    config::{Formulation, Functions},
+    diagnostic::nearest,
+    functions::{CATALOGUE, Request, RequestError},
+    recursive::Technique,
+};
+
+use super::{
+    Failures,
+    changes::ChangesArguments,
+    parse::{name_of, one_of},
+};
+
+/// What is generated of a model, and how.
+#[derive(Args, Debug)]
+pub(crate) struct OptionsArguments {
+    /// The functions, with commas between them; `all` for every one
+    ///
+    /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
+    /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
+    /// `kane::System` needs them.
+    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
+    functions: Option<Vec<String>>,
+
+    /// How sums over bodies are associated: as in the notes, along the tree, or whichever needs fewer operations
+    #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
+    formulation: Option<Formulation>,
+
+    /// Fuse multiplications and additions: faster where the hardware has that, but the last bits then depend on the machine
+    ///
+    /// Calls `kane::Real::mul_add`, which is one instruction where the program is compiled for one (x86 with
+    /// `-C target-feature=+fma` or a `target-cpu` that has it, 64-bit Arm), and two elsewhere. `--fma=false` stands above
+    /// `fma = true` in `kane.toml`.
+    #[arg(
+        long,
+        value_name = "BOOL",
+        requires = "model",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "true"
+    )]
+    fma: Option<bool>,
+
+    /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
+    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
+    without: Vec<Technique>,
+
+    #[command(flatten)]
+    changes: ChangesArguments,
+}
+
+/// What is asked for, read.
+pub(crate) struct Asked<'a> {
+    arguments: &'a OptionsArguments,
+    functions: Option<Functions>,
+}
+
+impl OptionsArguments {
+    /// What is asked for, or everything that is wrong with it.
+    pub(crate) fn read(&self) -> Result<Asked<'_>, Failures> {
+        let mut failures = Failures::default();
+        let functions = self.functions.as_deref().map(functions).transpose();
+        let functions = failures.keep(functions).flatten();
+        failures.keep(self.changes.check());
+        failures.none()?;
+        Ok(Asked {
+            arguments: self,
+            functions,
+        })
+    }
+
+    /// The same arguments, as words of a command.
+    pub(crate) fn words(&self) -> Vec<String> {
+        let mut words = Vec::new();
+        let mut push = |word: &str| words.push(word.to_owned());
+        if let Some(functions) = &self.functions {
+            push("--functions");
+            push(&functions.join(","));
+        }
+        if let Some(formulation) = self.formulation {
+            push("--formulation");
+            push(name_of(&formulation, &Formulation::ALL));
+        }
+        if !self.without.is_empty() {
+            push("--without");
+            let names = self.without.iter();
+            let names: Vec<&str> = names.map(|one| name_of(one, &Technique::ALL)).collect();
+            push(&names.join(","));
+        }
+        if let Some(fma) = self.fma {
+            push(if fma { "--fma" } else { "--fma=false" });
+        }
+        words.extend(self.changes.words());
+        words
+    }
+}
+
+impl Asked<'_> {
+    /// Sets what is asked for, above what was said before.
+    pub(crate) fn set(&self, options: &mut Options) {
+        let arguments = self.arguments;
+        if let Some(functions) = &self.functions {
+            options.functions = functions.clone();
+        }
+        if let Some(formulation) = arguments.formulation {
+            options.formulation = formulation;
+        }
+        options.fma = arguments.fma.unwrap_or(options.fma);
+        if !arguments.without.is_empty() {
+            options.without = arguments.without.iter().copied().collect();
+        }
+        options.reading = arguments.changes.reading_above(options.reading);
+        options.changes = arguments.changes.above(options.changes.clone());
+    }
+}
+
+/// Reads a name of `--functions` or `--function`.
+pub(crate) fn request(text: &str) -> Result<Request, Failures> {
+    Request::parse(text).map_err(|fault| match fault {
+        RequestError::Unknown { name } => unknown_function(&name),
+        fault => Failures::message(fault.to_string()),
+    })
+}
+
+/// Why a function cannot be had, with the name that was probably meant.
+fn unknown_function(name: &str) -> Failures {
+    let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
+    let help = match nearest(name, &known) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("the functions are {}", known.join(", ")),
+    };
+    Failures::message(format!("`{}` is no function; {help}", name.escape_debug()))
+}
+
+/// Reads `--functions`.
+fn functions(names: &[String]) -> Result<Functions, Failures> {
+    if names == ["all"] {
+        return Ok(Functions::All);
+    }
+    let mut failures = Failures::default();
+    for (index, name) in names.iter().enumerate() {
+        if name == "all" {
+            failures.add(Failures::message(
+                "--functions names functions beside `all`",
+            ));
+        } else if let Err(fault) = request(name) {
+            failures.add(fault);
+        } else if names[..index].contains(name) {
+            failures.add(Failures::message(format!(
+                "--functions names `{name}` twice"
+            )));
+        }
+    }
+    failures.none()?;
+    Ok(Functions::Named(names.to_vec()))
+}

@@ -1,0 +1,134 @@
+//! What differs between two systems.
+//!
+//! In: two outlines. Out: [`Differences`]. Bodies are the same where they have the same name: one that was given another is one that
+//! went and one that came.
+
+use std::collections::BTreeMap;
+
+use super::outline::{Body, Layout, Outline, Values};
+
+/// What differs; nothing where all lists are empty.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Differences {
+    /// Arrays whose places changed: code that indexes them by number means something else now.
+    pub layouts: Vec<LayoutChange>,
+    /// Bodies of the new system alone, in its order.
+    pub added: Vec<Body>,
+    /// Bodies of the old system alone, in its order.
+    pub removed: Vec<Body>,
+    /// What is said otherwise: of the system, then body by body.
+    pub values: Vec<ValueChange>,
+}
+
+/// An array whose places changed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LayoutChange {
+    /// The array.
+    pub layout: Layout,
+    /// What has a place now and had none, with its place, from 0.
+    pub added: Vec<(String, usize)>,
+    /// What had a place and has none now, with the one it had.
+    pub removed: Vec<(String, usize)>,
+    /// What has another place now: the old and the new one.
+    pub moved: Vec<(String, [usize; 2])>,
+}
+
+/// A value that changed, came or went.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ValueChange {
+    /// The body of which it is said; `None` for the system.
+    pub body: Option<String>,
+    /// What it is: `mass`, `inertia.xx`.
+    pub key: String,
+    /// What was said; `None` where nothing was.
+    pub old: Option<String>,
+    /// What is said now.
+    pub new: Option<String>,
+}
+
+impl Differences {
+    /// True where an array's places changed.
+    pub fn is_breaking(&self) -> bool {
+        !self.layouts.is_empty()
+    }
+}
+
+impl ValueChange {
+    /// True for what makes the tree, and is no number.
+    pub fn is_of_the_tree(&self) -> bool {
+        let keys = [
+            "lower_body",
+            "joint",
+            "joint_name",
+            "axis",
+            "chart",
+            "speeds",
+        ];
+        self.body.is_some() && keys.contains(&self.key.as_str())
+    }
+}
+
+/// Compares two systems.
+pub fn differences(old: &Outline, new: &Outline) -> Differences {
+    let layouts = old.layouts.iter().zip(&new.layouts);
+    let layouts = layouts.filter_map(|((layout, old), (_, new))| layout_change(*layout, old, new));
+    let without = |bodies: &[Body], others: &[Body]| -> Vec<Body> {
+        let is_there = |body: &&Body| others.iter().any(|other| other.name == body.name);
+        let bodies = bodies.iter().filter(|body| !is_there(body));
+        bodies.cloned().collect()
+    };
+    let mut values = value_changes(None, &old.values, &new.values);
+    for body in &new.bodies {
+        let mut olds = old.bodies.iter();
+        if let Some(old) = olds.find(|old| old.name == body.name) {
+            values.extend(value_changes(Some(&body.name), &old.values, &body.values));
+        }
+    }
+    Differences {
+        layouts: layouts.collect(),
+        added: without(&new.bodies, &old.bodies),
+        removed: without(&old.bodies, &new.bodies),
+        values,
+    }
+}
+
+fn layout_change(layout: Layout, old: &[String], new: &[String]) -> Option<LayoutChange> {
+    if old == new {
+        return None;
+    }
+    let places =
+        |names: &[String]| -> BTreeMap<String, usize> { names.iter().cloned().zip(0..).collect() };
+    let (old_places, new_places) = (places(old), places(new));
+    let alone = |names: &[String], others: &BTreeMap<String, usize>| -> Vec<(String, usize)> {
+        let names = names.iter().cloned().zip(0..);
+        names
+            .filter(|(name, _)| !others.contains_key(name))
+            .collect()
+    };
+    let moved = new.iter().filter_map(|name| {
+        let places = [*old_places.get(name)?, new_places[name]];
+        (places[0] != places[1]).then(|| (name.clone(), places))
+    });
+    Some(LayoutChange {
+        layout,
+        added: alone(new, &old_places),
+        removed: alone(old, &new_places),
+        moved: moved.collect(),
+    })
+}
+
+fn value_changes(body: Option<&str>, old: &Values, new: &Values) -> Vec<ValueChange> {
+    let mut keys: Vec<&String> = old.keys().chain(new.keys()).collect();
+    keys.sort();
+    keys.dedup();
+    let change = |key: &String| {
+        let (old, new) = (old.get(key), new.get(key));
+        (old != new).then(|| ValueChange {
+            body: body.map(str::to_owned),
+            key: key.clone(),
+            old: old.cloned(),
+            new: new.cloned(),
+        })
+    };
+    keys.into_iter().filter_map(change).collect()
+}

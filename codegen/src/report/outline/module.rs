@@ -1,0 +1,180 @@
+//! The outline of a module, read from its constants.
+
+use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta};
+
+use super::{Body, INERTIAL, LOWER, Layout, Outline, Values};
+
+/// Why a text has no outline.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModuleError {
+    /// It is not Rust.
+    #[error("it is not Rust that can be read: {0}")]
+    Syntax(#[from] syn::Error),
+    /// It lacks what every generated module has.
+    #[error("it is no generated module: it has no `{0}`")]
+    Missing(&'static str),
+}
+
+pub(super) fn outline(text: &str) -> Result<Outline, ModuleError> {
+    let file = syn::parse_file(text)?;
+    let body_names = strings(&file, "BODY_NAMES")?;
+    let (lower_bodies, joints) = (list(&file, "LOWER_BODIES"), list(&file, "JOINTS"));
+    let mut bodies = Vec::new();
+    for (place, name) in body_names.iter().enumerate() {
+        let mut values = Values::new();
+        let lower = lower_bodies.get(place).copied().and_then(integer);
+        let lower = lower.map(|number| below(number.checked_sub(1), &body_names));
+        values.extend(lower.map(|lower| (LOWER.to_owned(), lower)));
+        if let Some(joint) = joints.get(place) {
+            let own = field(joint, "name").and_then(string);
+            let own = own.filter(|own| own != name);
+            values.extend(own.map(|own| ("joint_name".to_owned(), own)));
+            values.insert("joint".to_owned(), kinds(joint));
+        }
+        let name = name.clone();
+        bodies.push(Body { name, values });
+    }
+    for frame in list(&file, "FRAMES") {
+        let place = field(frame, "body").and_then(some).and_then(integer);
+        let values = [
+            (LOWER.to_owned(), below(place, &body_names)),
+            ("joint".to_owned(), "fixed".to_owned()),
+        ];
+        bodies.extend(field(frame, "name").and_then(string).map(|name| Body {
+            name,
+            values: values.into(),
+        }));
+    }
+    let mut values = nominal_values(&file);
+    let name = constant(&file, "NAME").and_then(string);
+    values.extend(name.map(|name| ("name".to_owned(), name)));
+    Ok(Outline {
+        fingerprint: constant(&file, "FINGERPRINT").and_then(integer),
+        values,
+        bodies,
+        layouts: vec![
+            (Layout::Bodies, body_names),
+            (Layout::Coordinates, strings(&file, "COORDINATE_NAMES")?),
+            (Layout::Speeds, strings(&file, "SPEED_NAMES")?),
+        ],
+    })
+}
+
+/// The name of the body at a place of an array; none is the inertial frame.
+fn below(place: Option<u64>, names: &[String]) -> String {
+    let place = place.and_then(|place| usize::try_from(place).ok());
+    let name = place.and_then(|place| names.get(place));
+    name.map_or_else(|| INERTIAL.to_owned(), Clone::clone)
+}
+
+/// The value of a constant.
+fn constant<'f>(file: &'f File, name: &str) -> Option<&'f Expr> {
+    file.items.iter().find_map(|item| match item {
+        Item::Const(constant) if constant.ident == name => Some(&*constant.expr),
+        _ => None,
+    })
+}
+
+/// The entries of a constant; none where it is not there.
+fn list<'f>(file: &'f File, name: &str) -> Vec<&'f Expr> {
+    constant(file, name).map_or_else(Vec::new, entries)
+}
+
+fn strings(file: &File, name: &'static str) -> Result<Vec<String>, ModuleError> {
+    let value = constant(file, name).ok_or(ModuleError::Missing(name))?;
+    Ok(entries(value).into_iter().filter_map(string).collect())
+}
+
+fn entries(list: &Expr) -> Vec<&Expr> {
+    match list {
+        Expr::Array(list) => list.elems.iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn string(value: &Expr) -> Option<String> {
+    match value {
+        Expr::Lit(ExprLit {
+            lit: Lit::Str(text),
+            ..
+        }) => Some(text.value()),
+        _ => None,
+    }
+}
+
+fn integer(value: &Expr) -> Option<u64> {
+    match value {
+        Expr::Lit(ExprLit {
+            lit: Lit::Int(digits),
+            ..
+        }) => digits.base10_parse().ok(),
+        _ => None,
+    }
+}
+
+/// The value of a struct's field.
+fn field<'e>(value: &'e Expr, name: &str) -> Option<&'e Expr> {
+    let Expr::Struct(value) = value else {
+        return None;
+    };
+    let mut fields = value.fields.iter();
+    let is_named = |member: &Member| matches!(member, Member::Named(own) if own == name);
+    let field = fields.find(|field| is_named(&field.member))?;
+    Some(&field.expr)
+}
+
+/// What stands in `Some(..)`.
+fn some(value: &Expr) -> Option<&Expr> {
+    match value {
+        Expr::Call(call) => call.args.first(),
+        _ => None,
+    }
+}
+
+/// The kinds of a joint's coordinates, of an entry of `JOINTS`.
+fn kinds(joint: &Expr) -> String {
+    let is_quaternion = |chart: &Expr| {
+        let Expr::Path(path) = chart else {
+            return false;
+        };
+        let last = path.path.segments.last();
+        last.is_some_and(|last| last.ident == "EulerParameters")
+    };
+    let turning = if field(joint, "chart").is_some_and(is_quaternion) {
+        ["e0", "e1", "e2", "e3"]
+    } else {
+        ["theta1", "theta2", "theta3", ""]
+    };
+    let names = turning.into_iter().chain(["s1", "s2", "s3"]);
+    let places = field(joint, "q").map_or_else(Vec::new, entries);
+    let free = names.zip(places).filter(|(_, place)| some(place).is_some());
+    let names: Vec<&str> = free.map(|(name, _)| name).collect();
+    names.join(" ")
+}
+
+/// The fields of `Parameters` with their nominal values, which stand in their documentation.
+fn nominal_values(file: &File) -> Values {
+    let parameters = file.items.iter().find_map(|item| match item {
+        Item::Struct(item) if item.ident == "Parameters" => Some(item),
+        _ => None,
+    });
+    let fields = parameters.into_iter().flat_map(|item| &item.fields);
+    let documented = fields.filter_map(|field| {
+        let mut lines = field.attrs.iter().filter_map(doc);
+        let nominal = lines.find_map(|line| {
+            let value = line.trim().strip_prefix("Nominal value ")?;
+            Some(value.trim_end_matches('.').to_owned())
+        });
+        let name = field.ident.as_ref()?;
+        Some((format!("parameter {name}"), nominal?))
+    });
+    documented.collect()
+}
+
+fn doc(attribute: &Attribute) -> Option<String> {
+    match &attribute.meta {
+        Meta::NameValue(pair) if pair.path.is_ident("doc") => string(&pair.value),
+        _ => None,
+    }
+}

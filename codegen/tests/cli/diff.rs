@@ -1,0 +1,416 @@
+//! `kane diff`.
+
+use serde_json::Value;
+
+use super::project::{Project, Ran, model, repository};
+
+/// Two arms, the second one edited: what is told of them.
+fn edited(edit: impl Fn(&str) -> String) -> (i32, String) {
+    let ran = told(edit, &["--functions", "mass_matrix,bias"]);
+    assert_eq!(ran.code != 0, !ran.out.is_empty(), "{ran:?}");
+    // What is said of the model, without the diff of the text.
+    let (said, diff) = ran
+        .out
+        .split_once("--- old.toml\told\n")
+        .unwrap_or_default();
+    assert_eq!(diff.starts_with("+++ new.toml\tnew\n@@ -"), ran.code != 0);
+    (ran.code, said.to_owned())
+}
+
+fn told(edit: impl Fn(&str) -> String, options: &[&str]) -> Ran {
+    let project = Project::empty();
+    let old = model("arm", "2.0");
+    let new = edit(&old);
+    project.write("old.toml", &old);
+    project.write("new.toml", &new);
+    project.kane(&[&["diff", "old.toml", "new.toml"], options].concat())
+}
+
+/// One more body on the upper one.
+fn with_hand(text: &str) -> String {
+    let (_, fore) = text.split_once("[[body]]\nname = \"fore\"").unwrap();
+    let text = text.replace("[0, 1]", "[0, 1, 1]");
+    format!("{text}\n[[body]]\nname = \"hand\"{fore}")
+}
+
+#[test]
+fn model_that_says_the_same_otherwise_does_not_differ() {
+    let ran = told(
+        |text| text.replace("mass = 1.5", "mass = 1.50 # weighed"),
+        &[],
+    );
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+    assert_eq!(ran.err, "nothing differs between old.toml and new.toml\n");
+}
+
+#[test]
+fn changed_mass_is_a_value_and_breaks_nothing() {
+    let (code, said) = edited(|text| text.replace("mass = 1.5", "mass = 1.7"));
+    assert_eq!(code, 1);
+    insta::assert_snapshot!(said, @"
+    values
+      changed  fore: mass  1.5 -> 1.7
+    ");
+}
+
+#[test]
+fn number_that_becomes_a_parameter_is_told_with_the_operations_that_it_costs() {
+    let (_, said) = edited(|text| text.replace("mass = 1.5", "mass = { runtime = 1.5 }"));
+    assert!(
+        said.contains("values\n  changed  fore: mass  1.5 -> 1.5 at run time\n"),
+        "{said}"
+    );
+    assert!(
+        said.contains("operations\n  changed  Prepared::new  0 -> "),
+        "{said}"
+    );
+}
+
+#[test]
+fn added_body_breaks_every_layout_that_it_is_in() {
+    let (code, said) = edited(with_hand);
+    assert_eq!(code, 1);
+    let said = said.split("operations").next().unwrap();
+    insta::assert_snapshot!(said, @r#"
+    BREAKING: the places in arrays over bodies changed
+      added    hand  2
+    BREAKING: the places in q changed
+      added    hand_theta2  3
+    BREAKING: the places in u changed
+      added    hand_theta2_dot  3
+    bodies and joints
+      added    hand  on upper, joint ["theta2"]
+    "#);
+}
+
+#[test]
+fn removed_body_is_told_with_the_place_that_it_had() {
+    let project = Project::empty();
+    let new = model("arm", "2.0");
+    project.write("old.toml", &with_hand(&new));
+    project.write("new.toml", &new);
+    let ran = project.kane(&["diff", "old.toml", "new.toml"]);
+    assert_eq!(ran.code, 1);
+    for part in [
+        "q changed\n  removed  hand_theta2  3\n",
+        "bodies and joints\n  removed  hand  on upper, joint [\"theta2\"]\n",
+    ] {
+        assert!(ran.out.contains(part), "{part}\n{}", ran.out);
+    }
+}
+
+#[test]
+fn renumbered_bodies_move_what_is_indexed_by_them() {
+    let project = Project::empty();
+    let old = with_hand(&model("arm", "2.0"));
+    let swapped = old.replace("\"hand\"", "\"?\"");
+    let swapped = swapped
+        .replace("\"fore\"", "\"hand\"")
+        .replace("\"?\"", "\"fore\"");
+    project.write("old.toml", &old);
+    project.write("new.toml", &swapped);
+    let ran = project.kane(&["diff", "old.toml", "new.toml"]);
+    assert_eq!(ran.code, 1);
+    let said = ran.out.split("--- ").next().unwrap();
+    insta::assert_snapshot!(said, @"
+    BREAKING: the places in arrays over bodies changed
+      moved    hand  2 -> 1
+      moved    fore  1 -> 2
+    BREAKING: the places in q changed
+      moved    hand_theta2  3 -> 2
+      moved    fore_theta2  2 -> 3
+    BREAKING: the places in u changed
+      moved    hand_theta2_dot  3 -> 2
+      moved    fore_theta2_dot  2 -> 3
+    ");
+}
+
+#[test]
+fn another_joint_is_told_with_the_coordinate_that_went_and_the_one_that_came() {
+    let (_, said) = edited(|text| text.replace("[\"theta2\"]", "[\"s3\"]"));
+    let said = said.split("operations").next().unwrap();
+    insta::assert_snapshot!(said, @r#"
+    BREAKING: the places in q changed
+      added    fore_s3      2
+      removed  fore_theta2  2
+    BREAKING: the places in u changed
+      added    fore_s3_dot      2
+      removed  fore_theta2_dot  2
+    bodies and joints
+      changed  fore: joint  ["theta2"] -> ["s3"]
+    "#);
+}
+
+#[test]
+fn another_order_of_the_coordinates_is_breaking_though_no_operation_changes() {
+    let (_, said) = edited(|text| format!("order = \"notes\"\n{text}"));
+    insta::assert_snapshot!(said, @"
+    BREAKING: the places in q changed
+      moved    fore_theta2  2 -> 1
+      moved    upper_s2     1 -> 2
+    BREAKING: the places in u changed
+      moved    fore_theta2_dot  2 -> 1
+      moved    upper_s2_dot     1 -> 2
+    values
+      added    order  notes
+    ");
+}
+
+#[test]
+fn body_on_another_one_is_told() {
+    let text = with_hand(&model("arm", "2.0"));
+    let project = Project::empty();
+    project.write("old.toml", &text);
+    project.write("new.toml", &text.replace("[0, 1, 1]", "[0, 1, 2]"));
+    let ran = project.kane(&["diff", "old.toml", "new.toml"]);
+    assert!(
+        ran.out
+            .contains("bodies and joints\n  changed  hand: lower_body  upper -> fore\n"),
+        "{}",
+        ran.out
+    );
+    assert!(!ran.out.contains("BREAKING"));
+}
+
+#[test]
+fn json_says_the_same_for_programs() {
+    let ran = told(with_hand, &["--format", "json"]);
+    assert_eq!(ran.code, 1);
+    let value: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(
+        (&value["breaking"], &value["same"]),
+        (&Value::from(true), &Value::from(false))
+    );
+    let coordinates = &value["layouts"][1];
+    assert_eq!(coordinates["array"], "q");
+    assert_eq!(
+        coordinates["added"],
+        serde_json::json!([{ "name": "hand_theta2", "place": 3 }])
+    );
+    let hand = &value["bodies"]["added"][0];
+    assert_eq!(
+        (&hand["name"], &hand["values"]["mass"]),
+        (&Value::from("hand"), &Value::from("1.5"))
+    );
+    let functions = value["functions"]["changed"].as_array().unwrap();
+    assert!(functions.iter().all(|function| {
+        let total = |side: &str| function[side]["total"].as_u64().unwrap();
+        total("new") > total("old")
+    }));
+    assert!(!functions.is_empty());
+    let ran = told(str::to_owned, &["--format", "json"]);
+    let value: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!((ran.code, &value["same"]), (0, &Value::from(true)));
+}
+
+#[test]
+fn markdown_has_a_table_a_section_and_folds_the_diff() {
+    let ran = told(
+        |text| text.replace("\"fore\"", "\"fo|re\""),
+        &["--format", "markdown", "--functions", "mass_matrix"],
+    );
+    assert_eq!(ran.code, 1);
+    let (said, diff) = ran.out.split_once("<details>").unwrap();
+    insta::assert_snapshot!(said);
+    assert!(diff.starts_with("<summary>Generated text</summary>\n\n```diff\n--- old.toml\told\n"));
+    assert!(diff.ends_with("\n```\n\n</details>\n"), "{diff}");
+}
+
+#[test]
+fn long_diff_is_cut_in_markdown_alone() {
+    let arguments = |format| ["--functions", "all", "--format", format];
+    let lines = |format| {
+        let ran = told(with_hand, &arguments(format));
+        ran.out.lines().count()
+    };
+    assert!(lines("text") > 1000);
+    assert!(lines("markdown") < 600);
+    let ran = told(with_hand, &arguments("markdown"));
+    assert!(ran.out.contains(" more lines\n"));
+}
+
+#[test]
+fn modules_are_compared_by_what_they_hold() {
+    let project = Project::generated();
+    let old = project.read("generated/arm.rs");
+    project.write("old.rs", &old);
+    let same = project.kane(&["diff", "old.rs", "generated/arm.rs"]);
+    assert_eq!((same.code, same.out.as_str()), (0, ""));
+
+    project.replace("models/arm.toml", "mass = 2.0", "mass = { runtime = 2.0 }");
+    project.replace("models/arm.toml", "[\"theta2\"]", "[\"s3\"]");
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let ran = project.kane(&["diff", "old.rs", "generated/arm.rs"]);
+    assert_eq!(ran.code, 1);
+    for part in [
+        "BREAKING: the places in q changed\n  added    fore_s3      2\n  removed  fore_theta2  2\n",
+        "bodies and joints\n  changed  fore: joint  theta2 -> s3\n",
+        "values\n  added    parameter upper_mass  2.0 kg\n",
+        "operations\n  changed  Prepared::new",
+        "--- old.rs\told\n+++ generated/arm.rs\tnew\n@@ -",
+    ] {
+        assert!(ran.out.contains(part), "{part}\n{}", ran.out);
+    }
+}
+
+#[test]
+fn modules_of_one_model_are_known_as_such() {
+    let project = Project::generated();
+    let arguments = ["generate", "models/arm.toml", "--output", "fused.rs"];
+    let ran = project.kane(
+        &[
+            &arguments[..],
+            &["--functions", "mass_matrix,bias", "--fma"],
+        ]
+        .concat(),
+    );
+    assert_eq!(ran.code, 0, "{ran:?}");
+    let ran = project.kane(&["diff", "generated/arm.rs", "fused.rs"]);
+    assert_eq!(ran.code, 1);
+    assert!(
+        ran.out
+            .starts_with("the model is the same: its options or the generator differ\n--- "),
+        "{}",
+        ran.out
+    );
+}
+
+#[test]
+fn what_is_no_module_or_is_none_beside_a_model_is_refused() {
+    let project = Project::generated();
+    project.write("by_hand.rs", "pub fn bias() {}\n");
+    project.write("broken.rs", "pub fn\n");
+    let ran = project.kane(&["diff", "by_hand.rs", "broken.rs"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @"
+    error: `by_hand.rs`: it is no generated module: it has no `BODY_NAMES`
+    error: `broken.rs`: it is not Rust that can be read: unexpected end of input, expected identifier
+    ");
+    let ran = project.kane(&["diff", "models/arm.toml", "generated/arm.rs"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @"error: a model and a module cannot be compared; expected two models, or two modules, which end in `.rs`");
+}
+
+#[test]
+fn faults_of_both_models_are_reported() {
+    let project = Project::empty();
+    project.write("old.toml", &model("arm", "-1.0"));
+    project.write("new.toml", &model("arm", "true"));
+    let ran = project.kane(&["diff", "old.toml", "new.toml"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    for part in ["old.toml:7:8", "new.toml:7:8"] {
+        assert!(ran.err.contains(part), "{}", ran.err);
+    }
+    let ran = project.kane(&["diff", "gone.toml", "new.toml"]);
+    assert_eq!((ran.code, ran.err.contains("`gone.toml`")), (2, true));
+}
+
+#[test]
+fn formats_of_models_make_no_difference() {
+    let project = Project::empty();
+    let robot = repository("tests/robots/double_pendulum/double_pendulum.urdf");
+    let robot = robot.to_str().unwrap();
+    let convert = ["convert", robot, "--output", "robot.toml"];
+    assert_eq!(project.kane(&convert).code, 0);
+    let ran = project.kane(&["diff", robot, "robot.toml"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""), "{}", ran.err);
+}
+
+#[test]
+fn revisions_are_read_from_git() {
+    let project = Project::arm().committed();
+    project.replace("models/arm.toml", "mass = 1.5", "mass = 1.25");
+    let told = "values\n  changed  fore: mass  1.5 -> 1.25\n";
+    for (folder, old, new) in [
+        ("", "HEAD:models/arm.toml", "models/arm.toml"),
+        ("models", "HEAD:models/arm.toml", "arm.toml"),
+        ("models", "HEAD:./arm.toml", "arm.toml"),
+        ("models", ":models/arm.toml", "arm.toml"),
+    ] {
+        let ran = project.kane_in(folder, &["diff", old, new]);
+        assert_eq!(ran.code, 1, "{}", ran.err);
+        assert!(ran.out.starts_with(told), "{}", ran.out);
+        assert!(
+            ran.out
+                .contains(&format!("--- {old}\told\n+++ {new}\tnew\n"))
+        );
+    }
+    project.commit();
+    let both = ["diff", "HEAD~1:models/arm.toml", "HEAD:models/arm.toml"];
+    let ran = project.kane(&both);
+    assert!(ran.out.starts_with(told), "{}", ran.out);
+    // The functions that kane.toml lists, and no others.
+    assert!(ran.out.contains("; formulation: recursive."), "{}", ran.out);
+    assert!(!ran.out.contains("forward_dynamics"), "{}", ran.out);
+    let ran = project.kane(&["diff", ":models/arm.toml", "models/arm.toml"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+}
+
+#[test]
+fn generated_modules_of_revisions_are_compared() {
+    let project = Project::generated().committed();
+    project.replace("models/arm.toml", "[\"theta2\"]", "[\"s3\"]");
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let ran = project.kane(&["diff", "HEAD:generated/arm.rs", "generated/arm.rs"]);
+    assert_eq!(ran.code, 1);
+    assert!(
+        ran.out.contains("BREAKING: the places in q changed\n"),
+        "{}",
+        ran.out
+    );
+}
+
+#[test]
+fn files_that_a_model_includes_are_those_of_its_revision() {
+    let project = Project::empty();
+    let robot = |mass: &str| {
+        format!(
+            "<mujoco><worldbody><body name=\"bob\"><joint type=\"hinge\" axis=\"0 1 0\"/>\
+             <inertial pos=\"0 0 1\" mass=\"{mass}\" diaginertia=\"1 1 1\"/></body></worldbody></mujoco>"
+        )
+    };
+    project.write(
+        "models/arm.xml",
+        "<mujoco><include file=\"parts/bob.xml\"/></mujoco>",
+    );
+    project.write("models/parts/bob.xml", &robot("2"));
+    let project = project.committed();
+    project.write("models/parts/bob.xml", &robot("3"));
+    for old in ["HEAD:models/arm.xml", "HEAD:./models/arm.xml"] {
+        let ran = project.kane(&["diff", old, "models/arm.xml"]);
+        assert!(
+            ran.out
+                .starts_with("values\n  changed  bob: mass  2.0 -> 3.0\n"),
+            "{ran:?}"
+        );
+    }
+}
+
+#[test]
+fn revision_that_cannot_be_read_is_said() {
+    let project = Project::arm().committed();
+    for (old, why) in [
+        ("nowhere:models/arm.toml", "invalid object name"),
+        ("HEAD:models/gone.toml", "does not exist in 'HEAD'"),
+        ("HEAD:models", "bad file"),
+    ] {
+        let ran = project.kane(&["diff", old, "models/arm.toml"]);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+        let told = format!("error: git has no file `{old}`: fatal: ");
+        assert!(
+            ran.err.starts_with(&told) && ran.err.contains(why),
+            "{}",
+            ran.err
+        );
+    }
+    let mut command = project.command();
+    command.args(["diff", "HEAD:models/arm.toml", "models/arm.toml"]);
+    let ran: Ran = command.env("PATH", "").output().unwrap().into();
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .starts_with("error: `HEAD:models/arm.toml` is no file here, and git, which would know a revision, cannot be run: "),
+        "{}",
+        ran.err
+    );
+}
