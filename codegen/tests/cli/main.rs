@@ -12,5 +12,7 @@ mod convert;
 mod diff;
 mod eval;
 mod generate;
+#[cfg(unix)]
+mod hosts;
 mod info;
 mod project;
