@@ -31,6 +31,7 @@ pub mod batch;
 pub mod chart;
 pub mod checked;
 pub mod integrate;
+pub mod self_test;
 #[cfg(feature = "simulate")]
 pub mod simulate;
 #[cfg(feature = "nalgebra")]

@@ -132,6 +132,13 @@ impl Build {
         self
     }
 
+    /// Writes tests of the module beside it too, `arm_tests.rs` for `arm.rs`; `kane::self_test` says what they hold.
+    #[must_use]
+    pub fn with_tests(mut self) -> Self {
+        self.options.companions.insert(companions::Kind::Tests);
+        self
+    }
+
     /// Writes the module, tells cargo when to run the script again, and passes warnings on. Returns the module's path.
     ///
     /// # Errors

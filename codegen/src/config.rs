@@ -111,6 +111,7 @@ const SYSTEM_KEYS: [&str; 13] = [
     "model",
     "output",
     "manifest",
+    "tests",
     "functions",
     "formulation",
     "fma",

@@ -47,6 +47,19 @@ pub(crate) struct Selection {
     )]
     manifest: Option<bool>,
 
+    /// Write tests of the module beside it too, `panda_tests.rs` for `panda.rs`
+    ///
+    /// `--with-tests=false` stands above `tests = true` in `kane.toml`.
+    #[arg(
+        long,
+        value_name = "BOOL",
+        requires = "model",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "true"
+    )]
+    with_tests: Option<bool>,
+
     #[command(flatten)]
     options: OptionsArguments,
 
@@ -101,12 +114,15 @@ impl Selection {
             push("--output");
             push(&output.to_string_lossy());
         }
-        if let Some(manifest) = self.manifest {
-            push(if manifest {
-                "--manifest"
-            } else {
-                "--manifest=false"
-            });
+        for (option, given) in [
+            ("--manifest", self.manifest),
+            ("--with-tests", self.with_tests),
+        ] {
+            match given {
+                Some(true) => push(option),
+                Some(false) => push(&format!("{option}=false")),
+                None => {}
+            }
         }
         for word in self.options.words() {
             push(&word);
@@ -177,11 +193,16 @@ impl Selection {
             model.clone_into(&mut job.model);
             let options = &mut job.options;
             asked.set(options);
-            match self.manifest {
-                Some(true) => options.companions.insert(Kind::Manifest),
-                Some(false) => options.companions.remove(&Kind::Manifest),
-                None => false,
-            };
+            for (kind, given) in [
+                (Kind::Manifest, self.manifest),
+                (Kind::Tests, self.with_tests),
+            ] {
+                match given {
+                    Some(true) => options.companions.insert(kind),
+                    Some(false) => options.companions.remove(&kind),
+                    None => false,
+                };
+            }
         }
         Ok(jobs)
     }

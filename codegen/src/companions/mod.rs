@@ -6,6 +6,7 @@
 
 mod json;
 mod manifest;
+mod self_test;
 
 use std::{
     collections::BTreeSet,
@@ -28,6 +29,8 @@ pub struct Companion {
 pub enum Kind {
     /// What the module holds, for programs: sizes, names, functions with their operations.
     Manifest,
+    /// Tests of the module.
+    Tests,
 }
 
 impl Companion {
@@ -39,12 +42,13 @@ impl Companion {
 
 impl Kind {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 1] = [("manifest", Self::Manifest)];
+    pub const ALL: [(&str, Self); 2] = [("manifest", Self::Manifest), ("tests", Self::Tests)];
 
     /// The endings of its files.
     pub fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Manifest => &[".json"],
+            Self::Tests => &["_tests.rs"],
         }
     }
 
@@ -56,6 +60,7 @@ impl Kind {
     fn texts(self, module: &Module<'_>) -> Vec<String> {
         match self {
             Self::Manifest => vec![manifest::text(module)],
+            Self::Tests => vec![self_test::text(module)],
         }
     }
 }

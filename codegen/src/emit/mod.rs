@@ -8,6 +8,7 @@
 mod expression;
 mod function;
 mod items;
+mod self_test;
 mod sin_cos;
 mod statements;
 mod syntax;
@@ -16,6 +17,8 @@ mod tables;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::{File, Item};
+
+pub use self_test::{Sample, Sampled, self_tests};
 
 use crate::{
     functions::{Block, Formulation, Request},
@@ -75,11 +78,7 @@ impl Module<'_> {
 
 /// The text of a module.
 pub fn source(module: &Module<'_>) -> String {
-    let mut text = String::new();
-    for line in module.origin.banner() {
-        text.push_str(format!("// {line}").trim_end());
-        text.push('\n');
-    }
+    let mut text = banner(module);
     let fields = &module.fields;
     let mut items = items::constants(module.tree);
     items.extend(items::identity(module));
@@ -97,6 +96,13 @@ pub fn source(module: &Module<'_>) -> String {
         printed(function::items(module, emittable))
     });
     text + &functions.concat()
+}
+
+/// The lines above the code.
+fn banner(module: &Module<'_>) -> String {
+    let lines = module.origin.banner();
+    let lines = lines.map(|line| format!("// {line}").trim_end().to_owned() + "\n");
+    lines.concat()
 }
 
 /// Items as prettyplease prints them, each after an empty line.

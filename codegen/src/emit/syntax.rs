@@ -55,12 +55,11 @@ pub(super) fn field(base: Expr, field: &Ident) -> Expr {
 
 /// `base[place]`.
 pub(super) fn index(base: Expr, place: usize) -> Expr {
-    let place = LitInt::new(&place.to_string(), Span::call_site());
     Expr::Index(ExprIndex {
         attrs: Vec::new(),
         expr: Box::new(base),
         bracket_token: Bracket::default(),
-        index: Box::new(literal(Lit::Int(place))),
+        index: Box::new(integer(place)),
     })
 }
 
@@ -68,6 +67,12 @@ pub(super) fn index(base: Expr, place: usize) -> Expr {
 pub(super) fn hexadecimal(value: u64) -> LitInt {
     let groups = [48, 32, 16, 0].map(|shift| format!("{:04x}", value >> shift & 0xffff));
     LitInt::new(&format!("0x{}", groups.join("_")), Span::call_site())
+}
+
+/// A whole number.
+pub(super) fn integer(value: usize) -> Expr {
+    let digits = LitInt::new(&value.to_string(), Span::call_site());
+    literal(Lit::Int(digits))
 }
 
 /// A finite number: the shortest text that reads back bit for bit.

@@ -1,0 +1,245 @@
+//! The tests beside a module: calls of `kane::self_test`, with their states and values.
+
+use std::iter;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+use syn::{Expr, Item, parse_quote};
+
+use super::{Emittable, Module, ident, printed, syntax};
+use crate::{
+    functions::{Argument, Request},
+    tree::Parameter,
+};
+
+/// A state, and what else functions are given there.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Speeds.
+    pub u: Vec<f64>,
+    /// Their derivatives, or generalized forces.
+    pub u_dot: Vec<f64>,
+    /// Force and moment of each body.
+    pub loads: Vec<f64>,
+    /// The relative angular velocity of each body.
+    pub w_rel: Vec<f64>,
+}
+
+/// What a function writes.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    /// For every state the numbers of every output.
+    pub values: Vec<Vec<Vec<f64>>>,
+    /// The lengths of every output's nested arrays.
+    pub lengths: Vec<Vec<usize>>,
+    /// How many entries of an output are summed to one number.
+    pub entries: Vec<usize>,
+}
+
+/// The text of the tests.
+pub fn self_tests(module: &Module<'_>, samples: &[Sample], functions: &[Sampled]) -> String {
+    let mut text = super::banner(module);
+    text.push_str(
+        "// Stands where the module's names are known:\n\
+         //     #[cfg(test)] mod tests { use super::module::*; include!(\"module_tests.rs\"); }\n",
+    );
+    let mut items = states(module, samples);
+    let sampled = module.functions.iter().zip(functions);
+    items.extend(sampled.map(|(emittable, sampled)| values(emittable, sampled)));
+    items.extend(identities(module));
+    text + &printed(items)
+}
+
+/// The states, and of what else functions are given as much as they need.
+fn states(module: &Module<'_>, samples: &[Sample]) -> Vec<Item> {
+    let count = syntax::integer(samples.len());
+    let states = samples.iter().map(|sample| {
+        let [q, u, u_dot] = [&sample.q, &sample.u, &sample.u_dot].map(|numbers| array(numbers));
+        quote!(kane::self_test::State { q: #q, u: #u, u_dot: #u_dot })
+    });
+    let mut items = vec![parse_quote! {
+        const STATES: [kane::self_test::State<NQ, NU>; #count] = [#(#states),*];
+    }];
+    let is_given = |argument: Argument| {
+        let mut functions = module.functions.iter();
+        functions.any(|emittable| emittable.function.arguments().contains(&argument))
+    };
+    if is_given(Argument::Loads) {
+        let loads = samples.iter().map(|sample| {
+            let loads = sample.loads.chunks(6).map(|load| {
+                let (force, moment) = (array(&load[..3]), array(&load[3..]));
+                quote!(kane::Load { force: #force, moment: #moment })
+            });
+            quote!([#(#loads),*])
+        });
+        items.push(parse_quote! {
+            const LOADS: [[kane::Load<f64>; NB]; #count] = [#(#loads),*];
+        });
+    }
+    if is_given(Argument::RelativeAngularVelocity) {
+        let rates = samples.iter().map(|sample| {
+            let rates = sample.w_rel.chunks(3).map(array);
+            quote!([#(#rates),*])
+        });
+        items.push(parse_quote! {
+            const RELATIVE_ANGULAR_VELOCITIES: [[[f64; 3]; NB]; #count] = [#(#rates),*];
+        });
+    }
+    items
+}
+
+/// The test that a function has its values.
+fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
+    let function = &emittable.function;
+    let name = function.name();
+    let (test, call) = (format_ident!("{name}_has_its_values"), ident(&name));
+    let places: Vec<Expr> = (0..sampled.lengths.len()).map(syntax::integer).collect();
+    let n_states = syntax::integer(sampled.values.len());
+    let numbers = sampled.values.first().into_iter().flatten();
+    let types = numbers.map(|numbers| {
+        let count = syntax::integer(numbers.len());
+        quote!([f64; #count])
+    });
+    let expected = sampled.values.iter().map(|outputs| {
+        let outputs = outputs.iter().map(|numbers| array(numbers));
+        quote!((#(#outputs,)*))
+    });
+    let empty = sampled.lengths.iter().map(|lengths| {
+        lengths
+            .iter()
+            .rev()
+            .fold(quote!(f64::NAN), |inner, &length| {
+                let length = syntax::integer(length);
+                quote!([#inner; #length])
+            })
+    });
+    let found = sampled.lengths.iter().zip(&places).map(|(lengths, place)| {
+        if lengths.is_empty() {
+            return quote!(&[outputs.#place]);
+        }
+        let flattened = iter::repeat_n(quote!(.as_flattened()), lengths.len() - 1);
+        quote!(&outputs.#place #(#flattened)*)
+    });
+    let entries = sampled
+        .entries
+        .iter()
+        .map(|&entries| syntax::integer(entries));
+    let given = arguments(function);
+    let sines = function.is_at_sin_cos().then(|| {
+        quote! {
+            let mut given = SinCos { sines: [f64::NAN; NA], cosines: [f64::NAN; NA] };
+            sin_cos(&p, &STATES[place].q, &mut given);
+        }
+    });
+    let solves = function.solves();
+    parse_quote! {
+        #[test]
+        fn #test() -> Result<(), kane::self_test::Mismatch> {
+            const EXPECTED: [(#(#types,)*); #n_states] = [#(#expected),*];
+            let p = Prepared::nominal();
+            for (place, expected) in EXPECTED.iter().enumerate() {
+                #sines
+                let mut outputs = (#(#empty,)*);
+                #call(&p, #(#given,)* #(&mut outputs.#places),*);
+                #(kane::self_test::has_values(#name, #found, #entries, &expected.#places, #solves)?;)*
+            }
+            Ok(())
+        }
+    }
+}
+
+fn arguments(function: &Request) -> Vec<TokenStream> {
+    let argument = |argument: Argument| match argument {
+        Argument::Q if function.is_at_sin_cos() => quote!(&STATES[place].q, &given),
+        Argument::Q => quote!(&STATES[place].q),
+        Argument::U => quote!(&STATES[place].u),
+        Argument::UDot | Argument::Tau => quote!(&STATES[place].u_dot),
+        Argument::Loads => quote!(&LOADS[place]),
+        Argument::RelativeAngularVelocity => quote!(&RELATIVE_ANGULAR_VELOCITIES[place]),
+    };
+    function.arguments().into_iter().map(argument).collect()
+}
+
+/// The tests of what holds for every system, as far as the module has the functions.
+fn identities(module: &Module<'_>) -> Vec<Item> {
+    let mut items = Vec::new();
+    for (name, needed, arguments) in [
+        (
+            "mass_matrix_is_positive_definite",
+            &["mass_matrix"][..],
+            &["q"][..],
+        ),
+        (
+            "forward_undoes_inverse",
+            &["inverse_dynamics", "forward_dynamics"],
+            &["q", "u", "u_dot"],
+        ),
+        (
+            "power_is_the_rate_of_energy",
+            &[
+                "inverse_dynamics",
+                "bias",
+                "kinetic_energy",
+                "potential_energy",
+            ],
+            &["q", "u", "u_dot"],
+        ),
+        (
+            "bias_follows_the_mass_matrix",
+            &["mass_matrix", "bias"],
+            &["q", "u"],
+        ),
+    ] {
+        if has(module, needed) {
+            let (name, arguments) = (ident(name), arguments.iter().map(|name| ident(name)));
+            items.push(parse_quote! {
+                #[test]
+                fn #name() -> Result<(), kane::self_test::Mismatch> {
+                    let p = Prepared::nominal();
+                    STATES.iter().try_for_each(|state| kane::self_test::#name(&p, #(&state.#arguments),*))
+                }
+            });
+        }
+    }
+    if has(module, &["inverse_dynamics"]) {
+        items.extend(module.tree.parameters.iter().filter_map(linear));
+    }
+    items
+}
+
+fn has(module: &Module<'_>, names: &[&str]) -> bool {
+    names.iter().all(|name| {
+        let mut functions = module.functions.iter();
+        functions.any(|emittable| emittable.function.name() == *name)
+    })
+}
+
+/// The test that forces are linear in a parameter; they are in all but lengths and angles.
+fn linear(parameter: &Parameter) -> Option<Item> {
+    if ["m", "rad"].contains(&parameter.unit) {
+        return None;
+    }
+    let field: Ident = ident(&parameter.name);
+    let test = format_ident!("inverse_dynamics_is_linear_in_{field}");
+    let step = 0.25 * parameter.nominal.abs();
+    let step = syntax::number(if step == 0.0 { 0.25 } else { step });
+    Some(parse_quote! {
+        #[test]
+        fn #test() -> Result<(), kane::self_test::Mismatch> {
+            let [below, at, above] = [-1.0, 0.0, 1.0].map(|steps| {
+                let mut parameters = Parameters::<f64>::default();
+                parameters.#field += steps * #step;
+                Prepared::new(&parameters)
+            });
+            STATES.iter().try_for_each(|state| {
+                kane::self_test::inverse_dynamics_is_linear([&below, &at, &above], &state.q, &state.u, &state.u_dot)
+            })
+        }
+    })
+}
+
+fn array(numbers: &[f64]) -> Expr {
+    syntax::array(numbers.iter().map(|&number| syntax::number(number)))
+}

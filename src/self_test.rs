@@ -1,0 +1,326 @@
+//! What must hold for a generated module whatever its system: the checks that `kane generate --with-tests` calls.
+//!
+//! In: a system, a state. Out: nothing, or the [`Mismatch`]: what was found, what was expected. All in `f64`; derivatives along
+//! the motion are central differences, extrapolated once. No check shares anything with the generator but the meaning of
+//! the functions.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::functions::{
+    Bias, ForwardDynamics, InverseDynamics, KineticEnergy, MassMatrix, PotentialEnergy,
+};
+use crate::{Array, System};
+
+/// Coordinates, speeds and their derivatives at which a system is checked.
+#[derive(Clone, Copy, Debug)]
+pub struct State<const NQ: usize, const NU: usize> {
+    /// Coordinates; quaternions have length one.
+    pub q: [f64; NQ],
+    /// Speeds.
+    pub u: [f64; NU],
+    /// Their derivatives; generalized forces, where these are given.
+    pub u_dot: [f64; NU],
+}
+
+/// A number is not what it should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mismatch {
+    /// What was compared.
+    pub what: &'static str,
+    /// Its place: of an entry, a row, or a speed.
+    pub place: usize,
+    /// The number that was found.
+    pub found: f64,
+    /// The number that was expected.
+    pub expected: f64,
+    /// How far the two may be from one another.
+    pub tolerance: f64,
+}
+
+impl fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            what,
+            place,
+            found,
+            expected,
+            tolerance,
+        } = self;
+        write!(
+            f,
+            "{what}, {place}: found {found:e}, expected {expected:e} within {tolerance:e}"
+        )
+    }
+}
+
+impl Error for Mismatch {}
+
+/// Rounding of two ways to one number, relative to the largest of its kind: sums of some hundred terms, which may be ten
+/// thousand times as large as the sum.
+const ROUNDING: f64 = 1e-10;
+
+/// As [`ROUNDING`], of a solution with the mass matrix: its condition number multiplies that.
+const SOLUTION: f64 = 1e-7;
+
+/// What differences leave: their step is [`STEP`], the next term of the series is of its fourth power.
+const DIFFERENCE: f64 = 1e-7;
+
+/// Step of differences, s.
+const STEP: f64 = 1e-3;
+
+/// What a number is compared within where all are zero or nearly so.
+const SMALLEST: f64 = 1e-6;
+
+/// The output of a function against numbers of the model's equations, which the generator evaluated: entry for entry, or, of
+/// a large output, sum for sum of so many entries with the weights of [`weight`].
+///
+/// `is_solution` is true for what is solved for with the mass matrix.
+///
+/// # Errors
+/// The first number that differs.
+pub fn has_values(
+    what: &'static str,
+    found: &[f64],
+    entries: usize,
+    expected: &[f64],
+    is_solution: bool,
+) -> Result<(), Mismatch> {
+    let relative = if is_solution { SOLUTION } else { ROUNDING };
+    let tolerance = relative * largest(found).max(largest(expected)).max(SMALLEST);
+    let sums = found.chunks(entries.max(1)).map(sum);
+    for (place, (found, &expected)) in sums.zip(expected).enumerate() {
+        is_near(what, place, found, expected, tolerance)?;
+    }
+    let (n_found, n_expected) = (found.len().div_ceil(entries.max(1)), expected.len());
+    is_near("length", 0, n_found as f64, n_expected as f64, 0.0)
+}
+
+/// The weight of an entry in a sum: none is zero, and neighbours have different ones.
+#[must_use]
+pub fn weight(place: usize) -> f64 {
+    (1 + place % 7) as f64 / 8.0
+}
+
+fn sum(entries: &[f64]) -> f64 {
+    match entries {
+        [entry] => *entry,
+        entries => {
+            let terms = entries.iter().enumerate();
+            terms.map(|(place, entry)| weight(place) * entry).sum()
+        }
+    }
+}
+
+/// `M = M^T`, and all pivots of its elimination are positive.
+///
+/// # Errors
+/// The entry whose mirror image differs, or the pivot.
+pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
+    system: &S,
+    q: &S::Q,
+) -> Result<(), Mismatch> {
+    let mut m = zero_matrix(system);
+    system.mass_matrix(q, &mut m);
+    let n = S::U::LEN;
+    for row in 0..n {
+        for column in 0..row {
+            let (found, mirrored) = (m[row][column], m[column][row]);
+            is_near("mass matrix, symmetry, row", row, found, mirrored, 0.0)?;
+        }
+    }
+    for pivot in 0..n {
+        let d = m[pivot][pivot];
+        if d.is_nan() || d <= 0.0 {
+            return Err(Mismatch {
+                what: "mass matrix, pivot",
+                place: pivot,
+                found: d,
+                expected: f64::INFINITY,
+                tolerance: f64::INFINITY,
+            });
+        }
+        for row in pivot + 1..n {
+            let factor = m[row][pivot] / d;
+            for column in pivot..n {
+                m[row][column] -= factor * m[pivot][column];
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Forward dynamics of what inverse dynamics gives is the acceleration that it was given.
+///
+/// # Errors
+/// The acceleration that differs.
+pub fn forward_undoes_inverse<S: InverseDynamics<f64> + ForwardDynamics<f64>>(
+    system: &S,
+    q: &S::Q,
+    u: &S::U,
+    u_dot: &S::U,
+) -> Result<(), Mismatch> {
+    let (mut tau, mut found) = (S::U::filled(f64::NAN), S::U::filled(f64::NAN));
+    system.inverse_dynamics(q, u, u_dot, &mut tau);
+    system.forward_dynamics(q, u, &tau, &mut found);
+    let tolerance = SOLUTION * largest(u_dot.as_ref()).max(SMALLEST);
+    let pairs = found.as_ref().iter().zip(u_dot.as_ref());
+    for (place, (&found, &expected)) in pairs.enumerate() {
+        is_near("acceleration", place, found, expected, tolerance)?;
+    }
+    Ok(())
+}
+
+/// The power of the forces of a motion, less what dampers take, is the rate of kinetic and potential energy.
+///
+/// What dampers take is odd in the speeds, as nothing else is.
+///
+/// # Errors
+/// The power and the rate.
+pub fn power_is_the_rate_of_energy<S>(
+    system: &S,
+    q: &S::Q,
+    u: &S::U,
+    u_dot: &S::U,
+) -> Result<(), Mismatch>
+where
+    S: InverseDynamics<f64> + Bias<f64> + KineticEnergy<f64> + PotentialEnergy<f64>,
+{
+    let mut tau = S::U::filled(f64::NAN);
+    system.inverse_dynamics(q, u, u_dot, &mut tau);
+    let (forward, backward) = (bias_at(system, q, u, 1.0), bias_at(system, q, u, -1.0));
+    let mut power = 0.0;
+    let mut scale = SMALLEST;
+    for speed in 0..S::U::LEN {
+        let damping = 0.5 * (forward[speed] - backward[speed]);
+        power += u[speed] * (tau[speed] - damping);
+        scale = scale.max((u[speed] * tau[speed]).abs());
+    }
+    let energy = |t: f64| {
+        let (mut moved, mut kinetic, mut potential) = (*u, f64::NAN, f64::NAN);
+        for (speed, rate) in moved.as_mut().iter_mut().zip(u_dot.as_ref()) {
+            *speed += t * rate;
+        }
+        let q = moved_along(system, q, u, t);
+        system.kinetic_energy(&q, &moved, &mut kinetic);
+        system.potential_energy(&q, &mut potential);
+        (kinetic + potential, kinetic.abs() + potential.abs())
+    };
+    // Of large energies differences keep fewer digits.
+    let tolerance = DIFFERENCE * scale + 1e-12 * energy(0.0).1 / STEP;
+    let rate = difference(|t| energy(t).0);
+    is_near("power and rate of energy", 0, power, rate, tolerance)
+}
+
+/// `dM/dt - 2 C` has no part along the motion: half of `u^T (dM/dt) u` is the power of centrifugal, Coriolis and gyroscopic
+/// forces, which are what `bias` has of second order in the speeds.
+///
+/// # Errors
+/// The power and half the rate.
+pub fn bias_follows_the_mass_matrix<S: MassMatrix<f64> + Bias<f64>>(
+    system: &S,
+    q: &S::Q,
+    u: &S::U,
+) -> Result<(), Mismatch> {
+    let [twice, once, none] = [2.0, 1.0, 0.0].map(|factor| bias_at(system, q, u, factor));
+    let (mut power, mut scale) = (0.0, SMALLEST);
+    for speed in 0..S::U::LEN {
+        let quadratic = 0.5 * (twice[speed] - 2.0 * once[speed] + none[speed]);
+        power += u[speed] * quadratic;
+        scale = scale.max((u[speed] * twice[speed]).abs());
+    }
+    let energy = |t: f64| {
+        let mut m = zero_matrix(system);
+        system.mass_matrix(&moved_along(system, q, u, t), &mut m);
+        let rows = m.as_ref().iter().zip(u.as_ref());
+        let products = |row: &S::U| -> f64 {
+            let row = row.as_ref().iter().zip(u.as_ref());
+            row.map(|(entry, u)| entry * u).sum()
+        };
+        rows.map(|(row, u)| 0.5 * u * products(row)).sum::<f64>()
+    };
+    let tolerance = DIFFERENCE * scale + 1e-12 * energy(0.0).abs() / STEP;
+    let rate = difference(energy);
+    is_near("power of bias and rate of M", 0, power, rate, tolerance)
+}
+
+/// Inverse dynamics is linear in a parameter: `twice - 2 once + none` is zero, of what it gives with `below`, `at` and `above`
+/// in equal steps of the parameter.
+///
+/// # Errors
+/// The force that bends.
+pub fn inverse_dynamics_is_linear<S: InverseDynamics<f64>>(
+    [below, at, above]: [&S; 3],
+    q: &S::Q,
+    u: &S::U,
+    u_dot: &S::U,
+) -> Result<(), Mismatch> {
+    let tau = |system: &S| {
+        let mut tau = S::U::filled(f64::NAN);
+        system.inverse_dynamics(q, u, u_dot, &mut tau);
+        tau
+    };
+    let [below, at, above] = [below, at, above].map(tau);
+    let tolerance = ROUNDING * largest(above.as_ref()).max(SMALLEST);
+    for speed in 0..S::U::LEN {
+        let found = 0.5 * (below[speed] + above[speed]);
+        is_near("linear force", speed, found, at[speed], tolerance)?;
+    }
+    Ok(())
+}
+
+fn is_near(
+    what: &'static str,
+    place: usize,
+    found: f64,
+    expected: f64,
+    tolerance: f64,
+) -> Result<(), Mismatch> {
+    // What is not a number is near nothing.
+    if (found - expected).abs() <= tolerance {
+        return Ok(());
+    }
+    Err(Mismatch {
+        what,
+        place,
+        found,
+        expected,
+        tolerance,
+    })
+}
+
+fn largest(numbers: &[f64]) -> f64 {
+    numbers
+        .iter()
+        .fold(0.0, |most, number| most.max(number.abs()))
+}
+
+fn zero_matrix<S: MassMatrix<f64>>(_: &S) -> S::Matrix {
+    S::Matrix::filled(S::U::filled(f64::NAN))
+}
+
+/// The bias at a multiple of the speeds.
+fn bias_at<S: Bias<f64>>(system: &S, q: &S::Q, u: &S::U, factor: f64) -> S::U {
+    let (mut scaled, mut bias) = (*u, S::U::filled(f64::NAN));
+    for speed in scaled.as_mut() {
+        *speed *= factor;
+    }
+    system.bias(q, &scaled, &mut bias);
+    bias
+}
+
+/// The coordinates that this time leads to at their present rates.
+fn moved_along<S: System<f64>>(system: &S, q: &S::Q, u: &S::U, t: f64) -> S::Q {
+    let (mut moved, mut rates) = (*q, S::Q::filled(f64::NAN));
+    system.q_dot(q, u, &mut rates);
+    for (coordinate, rate) in moved.as_mut().iter_mut().zip(rates.as_ref()) {
+        *coordinate += t * rate;
+    }
+    moved
+}
+
+/// The derivative at zero.
+fn difference(function: impl Fn(f64) -> f64) -> f64 {
+    let central = |step: f64| (function(step) - function(-step)) / (2.0 * step);
+    (4.0 * central(0.5 * STEP) - central(STEP)) / 3.0
+}
