@@ -107,7 +107,7 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 13] = [
+const SYSTEM_KEYS: [&str; 14] = [
     "model",
     "output",
     "manifest",

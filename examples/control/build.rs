@@ -48,6 +48,6 @@ fn with_payload(robot: &str, tip: &str, functions: &[&str]) -> Result<(), Box<dy
     let model = Source::new(&*shown, toml::write(&model)?);
     let generated = generate(&model, &shown, &options, &no_includes)?;
     let path = Path::new(&env::var("OUT_DIR")?).join(format!("{robot}.rs"));
-    output::write(&path, &generated.source, Overwrite::Generated)?;
+    output::write(&generated.files(&path), Overwrite::Generated)?;
     Ok(())
 }

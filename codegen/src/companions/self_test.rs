@@ -130,7 +130,7 @@ fn inputs(tree: &Tree, sample: &Sample) -> BTreeMap<Input, f64> {
     inputs
 }
 
-/// SplitMix64: the same numbers everywhere.
+/// `SplitMix64`: the same numbers everywhere.
 struct Random(u64);
 
 impl Random {

@@ -241,3 +241,35 @@ fn files_that_would_replace_one_another_or_the_model_are_refused() {
         assert_eq!((ran.code, ran.err.contains(why)), (2, true), "{}", ran.err);
     }
 }
+
+#[test]
+fn tests_stand_beside_their_module_and_name_its_functions() {
+    let project = Project::generated();
+    let config = project.read("kane.toml");
+    project.write("kane.toml", &format!("{config}tests = true\n"));
+    assert_eq!(project.kane(&["check"]).code, 1);
+    let ran = project.kane(&["generate"]);
+    assert_eq!(
+        ran.err,
+        "generated/arm.rs is up to date\nwrote generated/arm_tests.rs\n"
+    );
+    assert_eq!(project.kane(&["check"]).code, 0);
+    let (module, tests) = (
+        project.read("generated/arm.rs"),
+        project.read("generated/arm_tests.rs"),
+    );
+    let functions = module.split("pub fn ").skip(1);
+    let names: Vec<&str> = functions
+        .filter_map(|rest| rest.split_once("<R: kane::Real>("))
+        .map(|(name, _)| name)
+        .collect();
+    assert!(names.len() > 5, "{names:?}");
+    for name in names {
+        assert!(
+            tests.contains(&format!("fn {name}_has_its_values(")),
+            "{name}"
+        );
+    }
+    project.write("generated/arm_tests.rs", &tests.replace("0.", "1."));
+    assert_eq!(project.kane(&["check"]).code, 1);
+}
