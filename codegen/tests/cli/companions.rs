@@ -263,7 +263,7 @@ fn tests_stand_beside_their_module_and_name_its_functions() {
         .filter_map(|rest| rest.split_once("<R: kane::Real>("))
         .map(|(name, _)| name)
         .collect();
-    assert!(names.len() > 5, "{names:?}");
+    assert_eq!(names, ["mass_matrix", "q_dot", "bias"]);
     for name in names {
         assert!(
             tests.contains(&format!("fn {name}_has_its_values(")),
