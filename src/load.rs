@@ -5,6 +5,7 @@ use crate::Real;
 /// Resultant force and moment on one body, `F'_K` and `M'_K` of Eq. (36).
 ///
 /// Weight does not belong here: where the description gives gravity, the generated functions hold it already.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<R> {
     /// Resultant force, acting at the mass centre of the body with all that is fixed to it, body components, N.

@@ -140,6 +140,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<Item> {
             parse_quote! {
                 /// Values set at run time: this model has none.
                 #allow
+                #[repr(C)]
                 #[derive(Clone, Copy, Debug, PartialEq)]
                 pub struct Parameters<R> {
                     scalar: core::marker::PhantomData<R>,
@@ -174,6 +175,7 @@ pub(super) fn parameters(tree: &Tree) -> Vec<Item> {
         parse_quote! {
             /// Values set at run time; the default is the model's nominal values.
             #allow
+            #[repr(C)]
             #[derive(Clone, Copy, Debug, PartialEq)]
             pub struct Parameters<R> {
                 #(#docs pub #names: R,)*
@@ -230,6 +232,7 @@ pub(super) fn prepared(module: &Module<'_>, fields: &[String]) -> Vec<Item> {
         parse_quote! {
             /// Whatever depends on parameters alone, computed once, outside the control loop.
             #allow
+            #[repr(C)]
             #[derive(Clone, Copy, Debug, PartialEq)]
             pub struct Prepared<R> {
                 #declared

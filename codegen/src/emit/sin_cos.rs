@@ -33,6 +33,7 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
         parse_quote! {
             /// The sine and cosine of every angle among the coordinates.
             #allow
+            #[repr(C)]
             #[derive(Clone, Copy, Debug, PartialEq)]
             pub struct SinCos<R> {
                 /// The sines, in the order of `ANGLE_NAMES`.
