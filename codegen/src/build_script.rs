@@ -20,7 +20,7 @@ use std::{
 };
 
 use crate::{
-    companions,
+    companions::{Abi, Kind},
     compile::Options,
     config::{Formulation, Functions},
     description::{Base, Chart},
@@ -128,14 +128,21 @@ impl Build {
     /// Writes the manifest beside the module too: what it holds, as JSON, `arm.json` for `arm.rs`.
     #[must_use]
     pub fn manifest(mut self) -> Self {
-        self.options.companions.insert(companions::Kind::Manifest);
+        self.options.companions.insert(Kind::Manifest);
+        self
+    }
+
+    /// Writes the module's functions for other languages beside it too: for C `arm_c.rs` and `arm.h`.
+    #[must_use]
+    pub fn abi(mut self, abi: Abi) -> Self {
+        self.options.companions.insert(Kind::Abi(abi));
         self
     }
 
     /// Writes tests of the module beside it too, `arm_tests.rs` for `arm.rs`; `kane::self_test` says what they hold.
     #[must_use]
     pub fn with_tests(mut self) -> Self {
-        self.options.companions.insert(companions::Kind::Tests);
+        self.options.companions.insert(Kind::Tests);
         self
     }
 
@@ -168,16 +175,20 @@ impl Build {
             source,
         })?;
         let model_folder = self.model.parent().unwrap_or(Path::new(""));
+        let own = self.model.file_stem().unwrap_or(self.model.as_os_str());
+        let module = self.name.as_ref().map_or(own, |name| name.as_ref());
+        let options = Options {
+            module: Some(module.to_string_lossy().into_owned()),
+            ..self.options.clone()
+        };
         let generated = generate(
             &Source::new(&*name, text),
             &shown_path(&self.model),
-            &self.options,
+            &options,
             &|path| read(&model_folder.join(path)),
         )?;
         report(&generated.warnings);
-        let own = self.model.file_stem().unwrap_or(self.model.as_os_str());
-        let name = self.name.as_ref().map_or(own, |name| name.as_ref());
-        let mut file = name.to_owned();
+        let mut file = module.to_owned();
         file.push(".rs");
         let path = folder.join(file);
         output::write(&generated.files(&path), Overwrite::Generated)?;
@@ -214,7 +225,7 @@ fn report(warnings: &Diagnostics) {
 
 #[cfg(test)]
 mod tests {
-    use super::Build;
+    use super::{Abi, Build};
 
     #[test]
     fn manifest_is_written_beside_the_module() {
@@ -228,5 +239,18 @@ mod tests {
         assert_eq!(files(&build), 1);
         assert_eq!(files(&build.manifest()), 2);
         assert!(folder.path().join("swing.json").is_file());
+    }
+
+    #[test]
+    fn functions_for_c_have_the_name_of_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let build = Build::new("tests/models/pendulum.toml").abi(Abi::C);
+        for name in ["pendulum", "swing"] {
+            let build = build.clone().name(name);
+            build.run_in(folder.path()).unwrap();
+            let header = folder.path().join(format!("{name}.h"));
+            let header = std::fs::read_to_string(header).unwrap();
+            assert!(header.contains(&format!("void {name}_q_dot_f64(")));
+        }
     }
 }

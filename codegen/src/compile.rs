@@ -41,6 +41,8 @@ pub struct Options {
     pub without: BTreeSet<Technique>,
     /// What else is written, beside the module.
     pub companions: BTreeSet<companions::Kind>,
+    /// The module's name, that of its file without the ending, for what is beside it and speaks of it.
+    pub module: Option<String>,
 }
 
 /// A module's programs.
@@ -73,6 +75,13 @@ impl Options {
         if let Some(place) = twice {
             return Err(Error::LockedTwice {
                 name: names[place].clone(),
+            });
+        }
+        let mut companions = self.companions.iter();
+        let name = self.module.as_deref().unwrap_or_default();
+        if companions.any(|kind| kind.names_module()) && !companions::is_module_name(name) {
+            return Err(Error::ModuleName {
+                name: name.to_owned(),
             });
         }
         let Functions::Named(names) = &self.functions else {

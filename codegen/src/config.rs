@@ -9,7 +9,7 @@ use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
 use crate::budget::{self, Budget};
-use crate::companions;
+use crate::companions::{self, Abi, Kind};
 use crate::compile::SNAP_TOLERANCES;
 use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::{Base, Chart, Reading};
@@ -45,7 +45,7 @@ pub struct System {
     /// The techniques to leave out.
     pub without: BTreeSet<Technique>,
     /// What is written beside the module.
-    pub companions: BTreeSet<companions::Kind>,
+    pub companions: BTreeSet<Kind>,
     /// How many operations its functions may need.
     pub budget: Vec<Budget>,
 }
@@ -107,11 +107,12 @@ impl Formulation {
     ];
 }
 
-const SYSTEM_KEYS: [&str; 14] = [
+const SYSTEM_KEYS: [&str; 15] = [
     "model",
     "output",
     "manifest",
     "tests",
+    "abi",
     "functions",
     "formulation",
     "fma",
@@ -171,7 +172,7 @@ struct Written {
     formulation: Option<Formulation>,
     fma: bool,
     without: BTreeSet<Technique>,
-    companions: BTreeSet<companions::Kind>,
+    companions: BTreeSet<Kind>,
     budget: Vec<Budget>,
 }
 
@@ -211,6 +212,10 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
             .faults
             .push(Diagnostic::error(fault).at(output.span, "no Rust file"));
     }
+    let companions = companions(reader, &table);
+    if let Some(output) = &output {
+        check_name(reader, output, &companions, &table.what("output"));
+    }
     let functions = functions(reader, &table, known);
     Some(Written {
         budget: budget::read(reader, &table, functions.as_ref(), known),
@@ -222,7 +227,7 @@ fn system(reader: &mut Reader, item: &Item<'_>, number: usize, known: &[&str]) -
         formulation: formulation(reader, &table),
         fma: truth(reader, &table, "fma"),
         without: without(reader, &table),
-        companions: companions(reader, &table),
+        companions,
     })
 }
 
@@ -233,14 +238,42 @@ fn truth(reader: &mut Reader, system: &Table<'_, '_>, key: &str) -> bool {
     value.unwrap_or_default()
 }
 
-fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<companions::Kind> {
-    let mut kinds = BTreeSet::new();
-    for (name, kind) in companions::Kind::ALL {
-        if truth(reader, system, name) {
-            kinds.insert(kind);
+fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Kind> {
+    let mut companions = BTreeSet::new();
+    for (key, kind) in [("manifest", Kind::Manifest), ("tests", Kind::Tests)] {
+        if truth(reader, system, key) {
+            companions.insert(kind);
         }
     }
-    kinds
+    let abi = system.get("abi");
+    let abi =
+        abi.and_then(|item| reader.choice(item, &system.what("abi"), &Abi::ALL, "unknown ABI"));
+    let abi = abi.map(|abi| Kind::Abi(abi.value));
+    companions.extend(abi);
+    companions
+}
+
+/// Refuses a module whose name cannot stand where what is beside it needs it.
+fn check_name(
+    reader: &mut Reader,
+    output: &Spanned<String>,
+    companions: &BTreeSet<Kind>,
+    what: &str,
+) {
+    let name = Path::new(&output.value).file_stem().unwrap_or_default();
+    let name = name.to_string_lossy();
+    if companions.iter().any(|kind| kind.names_module()) && !companions::is_module_name(&name) {
+        let fault = Diagnostic::error(format!(
+            "{what} is `{}`; names in C begin with the module's",
+            output.value
+        ));
+        let help = "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust";
+        reader.faults.push(
+            fault
+                .at(output.span, "no name that C and Rust can have")
+                .help(help),
+        );
+    }
 }
 
 /// A path that means the same on every machine: relative, and written with `/`.
@@ -477,7 +510,7 @@ fn check_outputs(reader: &mut Reader, systems: &[Written]) {
 }
 
 /// The module and what is beside it.
-fn files(output: &str, companions: &BTreeSet<companions::Kind>) -> Vec<PathBuf> {
+fn files(output: &str, companions: &BTreeSet<Kind>) -> Vec<PathBuf> {
     let module = Path::new(output);
     let beside = companions.iter().flat_map(|kind| kind.beside(module));
     std::iter::once(module.to_owned()).chain(beside).collect()

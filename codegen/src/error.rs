@@ -42,6 +42,15 @@ pub enum Error {
         /// The coordinate or joint.
         name: String,
     },
+    /// A name of a module with which names in C cannot begin.
+    #[error(
+        "the module is called `{}`; names in C begin with that: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust",
+        name.escape_debug()
+    )]
+    ModuleName {
+        /// The name.
+        name: String,
+    },
     /// A file that would be overwritten does not begin with our banner.
     #[error("`{}` was not written by `kane generate`; move it away, or overwrite it with --force", path.display())]
     NotGenerated {

@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// The version of the output's form: a change to the generator that changes what it writes raises it.
-pub const OUTPUT_FORMAT: u32 = 4;
+pub const OUTPUT_FORMAT: u32 = 5;
 
 /// A generated module, and the files beside it.
 #[derive(Clone, Debug)]
@@ -61,9 +61,10 @@ pub fn generate(
         fields: compiled.fields,
         functions: compiled.functions,
     };
+    let name = options.module.as_deref().unwrap_or_default();
     Ok(Generated {
         source: emit::source(&module),
-        companions: companions::of(&module, &options.companions),
+        companions: companions::of(&module, &options.companions, name),
         functions,
         warnings: checked.warnings,
     })

@@ -60,6 +60,7 @@ mod config_file {
     }
 
     files! { FILES, is_refused:
+        abi_of_a_module_without_a_name
         absolute_path
         all_and_more
         backslash
@@ -92,6 +93,7 @@ mod config_file {
         snap_is_negative
         snap_too_large
         two_systems_one_output
+        unknown_abi
         unknown_base
         unknown_chart
         unknown_formulation

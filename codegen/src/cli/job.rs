@@ -189,7 +189,15 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
     job.check_files()?;
     let source = read(&job.model)?;
     let include = include(&job.model);
-    generate::generate(&source, &job.shown, &job.options, &include).map_err(|error| match error {
+    let mut options = job.options.clone();
+    match &job.target {
+        Target::StandardOutput => options.companions.clear(),
+        Target::File(module) => {
+            let name = module.file_stem();
+            options.module = name.map(|name| name.to_string_lossy().into_owned());
+        }
+    }
+    generate::generate(&source, &job.shown, &options, &include).map_err(|error| match error {
         Error::Unrepresentable { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }

@@ -66,6 +66,7 @@ impl Listed {
                 fma: system.fma,
                 without: system.without.clone(),
                 companions: system.companions.clone(),
+                module: None,
                 reading: system.reading,
                 changes: system.changes.clone(),
             },

@@ -75,6 +75,7 @@ pub(crate) const BAD_INPUT: u8 = 2;
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \
         output = \"generated/arm.rs\"\n  \
+        abi = \"c\"                    # also generated/arm_c.rs and arm.h, for programs in C; absent: neither\n  \
         functions = [\"all\"]          # or names; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
         fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \

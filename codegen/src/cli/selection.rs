@@ -5,7 +5,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use kane_codegen::{companions::Kind, compile::Options, error::Error};
+use kane_codegen::{
+    companions::{Abi, Kind},
+    compile::Options,
+    error::Error,
+};
 
 use super::{
     Failures,
@@ -59,6 +63,12 @@ pub(crate) struct Selection {
         default_missing_value = "true"
     )]
     with_tests: Option<bool>,
+
+    /// Write the module's functions for other languages beside it too: for C `panda_c.rs` and `panda.h`
+    ///
+    /// `panda_c.rs` holds `extern "C"` functions for a static library that has both files as modules, `panda.h` declares them.
+    #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Abi::ALL))]
+    abi: Option<Abi>,
 
     #[command(flatten)]
     options: OptionsArguments,
@@ -123,6 +133,10 @@ impl Selection {
                 Some(false) => push(&format!("{option}=false")),
                 None => {}
             }
+        }
+        if let Some(abi) = self.abi {
+            push("--abi");
+            push(name_of(&abi, &Abi::ALL));
         }
         for word in self.options.words() {
             push(&word);
@@ -203,6 +217,7 @@ impl Selection {
                     None => false,
                 };
             }
+            options.companions.extend(self.abi.map(Kind::Abi));
         }
         Ok(jobs)
     }

@@ -4,6 +4,7 @@
 //! of its format, [`origin::SIGNS`](crate::origin::SIGNS), and follows from what the module follows from. Does not: change
 //! the module's own text.
 
+mod header;
 mod json;
 mod manifest;
 mod self_test;
@@ -13,7 +14,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::emit::Module;
+use crate::{
+    emit::{self, Module},
+    tree::is_keyword,
+};
 
 /// A file beside a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,6 +35,20 @@ pub enum Kind {
     Manifest,
     /// Tests of the module.
     Tests,
+    /// Its functions for programs in other languages.
+    Abi(Abi),
+}
+
+/// How programs in other languages call functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Abi {
+    /// As C does: `extern "C"` functions, and a header that declares them.
+    C,
+}
+
+impl Abi {
+    /// All of them, with the names that they have in `kane.toml`.
+    pub const ALL: [(&str, Self); 1] = [("c", Self::C)];
 }
 
 impl Companion {
@@ -41,14 +59,12 @@ impl Companion {
 }
 
 impl Kind {
-    /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 2] = [("manifest", Self::Manifest), ("tests", Self::Tests)];
-
     /// The endings of its files.
     pub fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Manifest => &[".json"],
             Self::Tests => &["_tests.rs"],
+            Self::Abi(Abi::C) => &["_c.rs", ".h"],
         }
     }
 
@@ -57,18 +73,32 @@ impl Kind {
         self.endings().iter().map(|ending| beside(module, ending))
     }
 
-    fn texts(self, module: &Module<'_>) -> Vec<String> {
+    /// True where its files know the module by its name.
+    pub fn names_module(self) -> bool {
+        matches!(self, Self::Abi(_))
+    }
+
+    fn texts(self, module: &Module<'_>, name: &str) -> Vec<String> {
         match self {
             Self::Manifest => vec![manifest::text(module)],
             Self::Tests => vec![self_test::text(module)],
+            Self::Abi(Abi::C) => vec![emit::interface(module, name), header::text(module, name)],
         }
     }
 }
 
-/// The files of these kinds.
-pub(crate) fn of(module: &Module<'_>, kinds: &BTreeSet<Kind>) -> Vec<Companion> {
+/// True for the name of a module with which names in C can begin.
+pub fn is_module_name(name: &str) -> bool {
+    let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    name.starts_with(|first: char| first.is_ascii_alphabetic())
+        && name.chars().all(is_of_name)
+        && !is_keyword(name)
+}
+
+/// The files of these kinds, beside the module `name`.
+pub(crate) fn of(module: &Module<'_>, kinds: &BTreeSet<Kind>, name: &str) -> Vec<Companion> {
     let companions = kinds.iter().flat_map(|kind| {
-        let texts = kind.texts(module).into_iter();
+        let texts = kind.texts(module, name).into_iter();
         kind.endings().iter().zip(texts)
     });
     companions

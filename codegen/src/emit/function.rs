@@ -1,19 +1,19 @@
 //! One function: documentation, signature, statements, stores, and the trait that holds it.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal};
 use quote::quote;
 use syn::{Expr, Item, ItemFn, parse_quote};
 
 use super::{
     Emittable, Module, allow_generated, allow_unused, doc,
     expression::Writer,
-    ident,
+    ident, signature,
     statements::{self, Stores},
     syntax,
 };
 use crate::{
     expr::Input,
-    functions::{Argument, Function, Output, Request, Shape},
+    functions::{Function, Shape},
     program::{self, Groups, Origin, Place, Program, ValueId},
     tree::Tree,
 };
@@ -85,12 +85,13 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Item 
     }
     let (doc, allow) = (doc(lines), allow_generated());
     let name = ident(&function.name());
-    let (arguments, outputs) = (arguments(function), declared_outputs(function));
+    let arguments = function.signature().arguments;
+    let arguments = arguments.iter().map(signature::declared);
     let mut item: ItemFn = parse_quote! {
         #doc
         #allow
         #[inline(never)]
-        pub fn #name<R: kane::Real>(p: &Prepared<R>, #(#arguments,)* #(#outputs),*) {}
+        pub fn #name<R: kane::Real>(#(#arguments),*) {}
     };
     item.block.stmts = statements;
     Item::Fn(item)
@@ -131,52 +132,6 @@ fn target(output: &Ident, lengths: &[usize], place: usize) -> Expr {
     indexes.fold(output, syntax::index)
 }
 
-fn arguments(function: &Request) -> Vec<TokenStream> {
-    let argument = |argument: Argument| {
-        let name = ident(argument.name());
-        match argument {
-            Argument::Q if function.is_at_sin_cos() => {
-                quote!(#name: &[R; NQ], sin_cos: &SinCos<R>)
-            }
-            Argument::Q => quote!(#name: &[R; NQ]),
-            Argument::U | Argument::UDot | Argument::Tau => quote!(#name: &[R; NU]),
-            Argument::Loads => quote!(#name: &[kane::Load<R>; NB]),
-            Argument::RelativeAngularVelocity => quote!(#name: &[[R; 3]; NB]),
-        }
-    };
-    function.arguments().into_iter().map(argument).collect()
-}
-
-/// The outputs as the last arguments.
-fn declared_outputs(function: &Request) -> Vec<TokenStream> {
-    let declared = |output: Output| {
-        let (name, output_type) = (ident(&output.name), output_type(function, output.shape));
-        quote!(#name: &mut #output_type)
-    };
-    function.outputs().into_iter().map(declared).collect()
-}
-
-fn output_type(function: &Request, shape: Shape) -> TokenStream {
-    match shape {
-        Shape::Scalar => quote!(R),
-        Shape::Vector => quote!([R; 3]),
-        Shape::Coordinates => quote!([R; NQ]),
-        Shape::Speeds => quote!([R; NU]),
-        Shape::SpeedMatrix => quote!([[R; NU]; NU]),
-        Shape::SpeedPairs => quote!([R; MASS_MATRIX_PACKED_LEN]),
-        Shape::BodyScalars => quote!([R; NB]),
-        Shape::BodyVectors => quote!([[R; 3]; NB]),
-        Shape::BodyMatrices => quote!([[[R; 3]; 3]; NB]),
-        Shape::Columns => {
-            let compact = function
-                .compact()
-                .expect("functions: its output is compact");
-            let columns = ident(&compact.columns_constant());
-            quote!([[R; 3]; #columns])
-        }
-    }
-}
-
 /// The pattern of a compact output, as constants.
 fn pattern(emittable: &Emittable, function: &Function) -> Vec<Item> {
     let name = function.name;
@@ -204,17 +159,14 @@ fn pattern(emittable: &Emittable, function: &Function) -> Vec<Item> {
 
 /// The runtime crate's trait for the function.
 fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> Item {
-    let (trait_name, method, output) = (
-        ident(trait_name),
-        ident(function.name),
-        ident(function.output),
-    );
-    let request = &emittable.function;
-    let (arguments, output_type) = (arguments(request), output_type(request, function.shape));
-    let names = function
-        .arguments
-        .iter()
-        .map(|argument| ident(argument.name()));
+    let (trait_name, method) = (ident(trait_name), ident(function.name));
+    let signature = emittable.function.signature();
+    // The first one is `self`.
+    let arguments = signature.arguments.iter().skip(1);
+    let names = arguments.clone().map(|argument| ident(&argument.name));
+    let output_type = arguments.clone().next_back();
+    let output_type = output_type.map(|output| signature::held(output, "R"));
+    let arguments = arguments.map(signature::declared);
     let associated = match function.shape {
         Shape::SpeedMatrix => quote!(type Matrix = #output_type;),
         Shape::SpeedPairs => quote! {
@@ -238,8 +190,8 @@ fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> I
         impl<R: kane::Real> kane::functions::#trait_name<R> for Prepared<R> {
             #associated
             #[inline]
-            fn #method(&self, #(#arguments,)* #output: &mut #output_type) {
-                self::#method(self, #(#names,)* #output);
+            fn #method(&self, #(#arguments),*) {
+                self::#method(self, #(#names),*);
             }
         }
     }

@@ -2,17 +2,22 @@
 //!
 //! In: a tree, its programs, where they come from. Out: the text of one Rust module. Afterwards: the text holds no inner
 //! attribute and names only `kane`, `core` and itself, so it compiles as a file, in a module and through `include!`,
-//! in editions 2021 and 2024; no `unsafe`, no indexing by a variable, no loop, no branch.
+//! in editions 2021 and 2024; no `unsafe`, no indexing by a variable, no loop, no branch. What is `unsafe` for callers in C
+//! stands in a text of its own (`interface`).
 //! Does not: decide what is computed, or in what order.
 
 mod expression;
 mod function;
+mod interface;
 mod items;
 mod self_test;
+mod signature;
 mod sin_cos;
 mod statements;
 mod syntax;
 mod tables;
+
+pub(crate) use interface::{RULES, SCALARS, source as interface};
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -21,7 +26,7 @@ use syn::{File, Item};
 pub use self_test::{Sample, Sampled, self_tests};
 
 use crate::{
-    functions::{Block, Formulation, Request},
+    functions::{Block, Formulation, Request, Signature},
     origin::Origin,
     program::{Operations, Program},
     threads,
@@ -70,15 +75,25 @@ impl Module<'_> {
         costs
     }
 
-    fn any(&self, is: fn(&Request) -> bool) -> bool {
+    /// True where some function is so.
+    pub(crate) fn any(&self, is: fn(&Request) -> bool) -> bool {
         let mut functions = self.functions.iter();
         functions.any(|emittable| is(&emittable.function))
+    }
+
+    /// What callers see who have no types of Rust: the functions, and what they need before.
+    pub(crate) fn signatures(&self) -> Vec<Signature> {
+        let mut signatures = vec![Signature::nominal(), Signature::prepare()];
+        signatures.extend(self.any(Request::is_at_sin_cos).then(Signature::sin_cos));
+        let functions = self.functions.iter();
+        signatures.extend(functions.map(|emittable| emittable.function.signature()));
+        signatures
     }
 }
 
 /// The text of a module.
 pub fn source(module: &Module<'_>) -> String {
-    let mut text = banner(module);
+    let mut text = module.origin.banner();
     let fields = &module.fields;
     let mut items = items::constants(module.tree);
     items.extend(items::identity(module));
@@ -96,13 +111,6 @@ pub fn source(module: &Module<'_>) -> String {
         printed(function::items(module, emittable))
     });
     text + &functions.concat()
-}
-
-/// The lines above the code.
-fn banner(module: &Module<'_>) -> String {
-    let lines = module.origin.banner();
-    let lines = lines.map(|line| format!("// {line}").trim_end().to_owned() + "\n");
-    lines.concat()
 }
 
 /// Items as prettyplease prints them, each after an empty line.

@@ -40,7 +40,7 @@ pub struct Sampled {
 
 /// The text of the tests.
 pub fn self_tests(module: &Module<'_>, samples: &[Sample], functions: &[Sampled]) -> String {
-    let mut text = super::banner(module);
+    let mut text = module.origin.banner();
     text.push_str(
         "// Stands where the module's names are known:\n\
          //     #[cfg(test)] mod tests { use super::module::*; include!(\"module_tests.rs\"); }\n",

@@ -8,12 +8,14 @@ mod catalogue;
 mod derive;
 mod frames;
 mod request;
+mod signature;
 mod terms;
 
 use std::fmt;
 
 pub use catalogue::CATALOGUE;
 pub use request::{Output, Request, RequestError};
+pub use signature::{Access, Declared, Element, Length, PACKED_LEN, PACKED_PLACES, Signature};
 
 use crate::{
     expr::{Expr, ExprGraph},

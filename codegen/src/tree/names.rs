@@ -141,12 +141,17 @@ fn identifier(name: &str) -> String {
     if identifier.is_empty() {
         "body".to_owned()
     } else if identifier.starts_with(|first: char| first.is_ascii_digit())
-        || KEYWORDS.contains(&identifier.as_str())
+        || is_keyword(&identifier)
     {
         format!("body_{identifier}")
     } else {
         identifier
     }
+}
+
+/// True for a keyword of Rust.
+pub(crate) fn is_keyword(word: &str) -> bool {
+    KEYWORDS.contains(&word)
 }
 
 /// Strict and reserved keywords of Rust up to edition 2024.

@@ -15,4 +15,5 @@ mod generate;
 #[cfg(unix)]
 mod hosts;
 mod info;
+mod interface;
 mod project;

@@ -1,0 +1,349 @@
+//! The header: what a module's functions are in C, from the table that the file with their Rust side is written from.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    emit::{Emittable, Module, RULES, SCALARS},
+    functions::{
+        Access, Block, Declared, Element, Function, Length, PACKED_LEN, PACKED_PLACES, Request,
+        Signature,
+    },
+    passes::sines,
+};
+
+/// The text of the header of the module `name`.
+pub(super) fn text(module: &Module<'_>, name: &str) -> String {
+    let empty = compact(module).filter(|(_, emittable)| emittable.blocks.is_empty());
+    let header = Header {
+        module,
+        name,
+        prefix: format!("{}_", name.to_uppercase()),
+        empty: empty
+            .map(|(function, _)| function.columns_constant())
+            .collect(),
+    };
+    let guard = format!("KANE_{}H", header.prefix);
+    let signatures = module.signatures();
+    let mut sections = vec![
+        header.opening(),
+        format!("#ifndef {guard}\n#define {guard}\n"),
+        "#ifdef __cplusplus\nextern \"C\" {\n#endif\n".to_owned(),
+        header.sizes(),
+    ];
+    sections.extend(header.places());
+    sections.extend(header.tables());
+    let mut arguments = signatures.iter().flat_map(|one| &one.arguments);
+    if arguments.any(|one| one.element == Element::Load) {
+        sections.push(once("KANE_LOAD", &loads()));
+    }
+    sections.extend(header.structures());
+    sections.extend(signatures.iter().map(|one| header.prototypes(one)));
+    sections.push("#ifdef __cplusplus\n}\n#endif\n\n#endif\n".to_owned());
+    sections.join("\n")
+}
+
+struct Header<'a> {
+    module: &'a Module<'a>,
+    /// The module's name, with which those of types and functions begin.
+    name: &'a str,
+    /// With what those of constants begin.
+    prefix: String,
+    /// The lengths that are zero.
+    empty: BTreeSet<String>,
+}
+
+impl Header<'_> {
+    fn opening(&self) -> String {
+        let name = self.name;
+        let what = format!(
+            "The functions of the module `{name}` in C99 and C++; `{name}_c.rs` is their Rust side, for a static library."
+        );
+        let lines = ["", &what, ""].into_iter().chain(RULES);
+        self.module.origin.banner() + &comment("//", lines)
+    }
+
+    /// Sizes of arrays.
+    fn sizes(&self) -> String {
+        let (module, tree) = (self.module, self.module.tree);
+        let mut sizes = vec![
+            ("NB".to_owned(), tree.bodies.len(), "Number of bodies."),
+            (
+                "NQ".to_owned(),
+                tree.n_coordinates,
+                "Number of generalized coordinates.",
+            ),
+            (
+                "NU".to_owned(),
+                tree.n_speeds,
+                "Number of generalized speeds.",
+            ),
+        ];
+        if module.any(Request::is_at_sin_cos) {
+            let n_angles = sines::angles(tree).len();
+            let doc = "Number of angles among the coordinates.";
+            sizes.push(("NA".to_owned(), n_angles, doc));
+        }
+        if module.any(Request::is_packed) {
+            let doc = "Number of entries of a packed mass matrix.";
+            sizes.push((PACKED_LEN.to_owned(), tree.coupled_speeds().len(), doc));
+        }
+        for (function, emittable) in compact(module) {
+            let n_columns = emittable.program.stores.len() / 3;
+            sizes.push((function.columns_constant(), n_columns, "Number of columns."));
+        }
+        let define = |(name, size, doc): (String, usize, &str)| {
+            format!("/// {doc}\n#define {}{name} {size}\n", self.prefix)
+        };
+        sizes.into_iter().map(define).collect()
+    }
+
+    /// Where in their arrays coordinates, speeds, angles and bodies stand.
+    fn places(&self) -> Vec<String> {
+        let tree = self.module.tree;
+        let bodies = tree.bodies.iter().map(|body| body.identifier.clone());
+        let mut lists = vec![
+            ("BODY", "The bodies.", bodies.collect()),
+            (
+                "Q",
+                "The coordinates: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.",
+                tree.coordinate_names(),
+            ),
+            (
+                "U",
+                "The speeds, rad/s and m/s; w is a component of the relative angular velocity.",
+                tree.speed_names(),
+            ),
+        ];
+        if self.module.any(Request::is_at_sin_cos) {
+            let angles = sines::angles(tree).into_iter();
+            let names = tree.coordinate_names();
+            let angles = angles.map(|angle| names[angle.coordinate.index()].clone());
+            let doc = "The angles among the coordinates, in the order of their sines and cosines.";
+            lists.push(("ANGLE", doc, angles.collect::<Vec<_>>()));
+        }
+        // An empty enumeration is none in C.
+        lists.retain(|(_, _, names)| !names.is_empty());
+        let lists = lists.into_iter().map(|(kind, doc, names)| {
+            let names = names.iter().enumerate();
+            let names: Vec<String> = names
+                .map(|(place, name)| {
+                    format!(
+                        "    {}{kind}_{} = {place}",
+                        self.prefix,
+                        name.to_uppercase()
+                    )
+                })
+                .collect();
+            format!("/// {doc}\nenum {{\n{}\n}};\n", names.join(",\n"))
+        });
+        lists.collect()
+    }
+
+    /// Which entries of a whole compact outputs are.
+    fn tables(&self) -> Vec<String> {
+        let prefix = &self.prefix;
+        let mut tables = Vec::new();
+        if self.module.any(Request::is_packed) {
+            let places = self.module.tree.coupled_speeds();
+            let places = places.iter().map(|place| list(place));
+            let doc = "The row and column of each entry of a packed mass matrix; those above the diagonal are the same.";
+            let declared = format!("int {prefix}{PACKED_PLACES}[{prefix}{PACKED_LEN}][2]");
+            tables.push(table(doc, &declared, places));
+        }
+        let compact = compact(self.module).filter(|(_, emittable)| !emittable.blocks.is_empty());
+        let blocks = compact.map(|(function, emittable)| {
+            let entries = emittable.blocks.iter().map(block);
+            let (constant, length) = (function.blocks_constant(), entries.len());
+            let declared = format!("kane_block {prefix}{constant}[{length}]");
+            table(
+                "The non-zero partitions, body after body.",
+                &declared,
+                entries,
+            )
+        });
+        let blocks: Vec<String> = blocks.collect();
+        tables.extend((!blocks.is_empty()).then(|| once("KANE_BLOCK", BLOCK)));
+        tables.extend(blocks);
+        tables
+    }
+
+    /// What stands in one piece in memory: parameters, what is prepared from them, sines and cosines.
+    fn structures(&self) -> Vec<String> {
+        let (module, prefix) = (self.module, &self.prefix);
+        let parameters = module.tree.parameters.iter();
+        let parameters = parameters.map(|parameter| {
+            let doc = format!("Nominal value {:?} {}.", parameter.nominal, parameter.unit);
+            (doc, parameter.name.clone())
+        });
+        let prepared = (!module.fields.is_empty()).then(|| {
+            let doc = "For the functions alone: their order may change.".to_owned();
+            (doc, format!("values[{}]", module.fields.len()))
+        });
+        let mut structures = vec![
+            (
+                "parameters",
+                "Values set at run time.",
+                parameters.collect(),
+            ),
+            (
+                "prepared",
+                "Whatever depends on parameters alone.",
+                Vec::from_iter(prepared),
+            ),
+        ];
+        if module.any(Request::is_at_sin_cos) {
+            let fields = ["sines", "cosines"].map(|name| {
+                let doc = format!("The {name}: where, `{prefix}ANGLE_...` says.");
+                (doc, format!("{name}[{prefix}NA]"))
+            });
+            let is_empty = sines::angles(module.tree).is_empty();
+            let fields = if is_empty { vec![] } else { fields.to_vec() };
+            let doc = "The sine and cosine of every angle among the coordinates.";
+            structures.push(("sines_cosines", doc, fields));
+        }
+        let of = |(kind, doc, fields): (&str, &str, Vec<(String, String)>)| {
+            SCALARS.map(|scalar| {
+                let name = format!("{}_{kind}_{scalar}", self.name);
+                structure(&name, doc, &fields, scalar)
+            })
+        };
+        structures.into_iter().flat_map(of).collect()
+    }
+
+    /// A function for each scalar.
+    fn prototypes(&self, signature: &Signature) -> String {
+        let name = format!("{}_{}", self.name, signature.name);
+        let [double, single] = SCALARS.map(|scalar| {
+            let arguments = signature.arguments.iter();
+            let arguments: Vec<String> = arguments
+                .map(|argument| format!("    {}", self.declared(argument, scalar)))
+                .collect();
+            format!("void {name}_{scalar}(\n{});\n", arguments.join(",\n"))
+        });
+        let doc = comment("///", signature.lines(&self.prefix));
+        format!("{doc}{double}/// As `{name}_{}`.\n{single}", SCALARS[0])
+    }
+
+    fn declared(&self, argument: &Declared, scalar: &str) -> String {
+        let element = match argument.element {
+            Element::Scalar => c_name(scalar).to_owned(),
+            Element::Load => format!("kane_load_{scalar}"),
+            Element::Parameters => format!("{}_parameters_{scalar}", self.name),
+            Element::Prepared => format!("{}_prepared_{scalar}", self.name),
+            Element::SinCos => format!("{}_sines_cosines_{scalar}", self.name),
+        };
+        let constness = match argument.access {
+            Access::Read => "const ",
+            Access::Written => "",
+        };
+        let (name, lengths) = (&argument.name, self.lengths(argument));
+        match lengths {
+            Some(lengths) => format!("{constness}{element} {name}[{lengths}]"),
+            None => format!("{constness}{element} *{name}"),
+        }
+    }
+
+    /// The number of elements; none for one, and for an array that is empty, which C does not know.
+    fn lengths(&self, argument: &Declared) -> Option<String> {
+        let lengths = argument.lengths.iter().map(|length| match length {
+            Length::Three => Some("3".to_owned()),
+            Length::Constant(name) => {
+                (!self.empty.contains(name)).then(|| format!("{}{name}", self.prefix))
+            }
+        });
+        let lengths: Vec<String> = lengths.collect::<Option<_>>()?;
+        (!lengths.is_empty()).then(|| lengths.join(" * "))
+    }
+}
+
+const BLOCK: &str = "\
+/// Columns that belong to one body and to speeds in a row, all counted from 0: the body whose velocity it is, the partition
+/// among those of all bodies, the first speed, how many speeds and columns, and the place of the first column.
+typedef struct kane_block {
+    int body;
+    int partition;
+    int speed;
+    int columns;
+    int first;
+} kane_block;
+";
+
+/// The functions with compact outputs, each output once.
+fn compact<'a>(module: &'a Module<'_>) -> impl Iterator<Item = (&'static Function, &'a Emittable)> {
+    let mut known = BTreeSet::new();
+    let functions = module.functions.iter();
+    functions.filter_map(move |emittable| {
+        let function = emittable.function.compact()?;
+        known.insert(function.name).then_some((function, emittable))
+    })
+}
+
+/// The structures of loads.
+fn loads() -> String {
+    let structures = SCALARS.map(|scalar| {
+        let fields = [
+            (
+                "Resultant force at the mass centre of the body with all that is fixed to it, body components, N.",
+                "force[3]",
+            ),
+            (
+                "Resultant moment about the mass centre, body components, N m.",
+                "moment[3]",
+            ),
+        ];
+        let fields = fields.map(|(doc, field)| (doc.to_owned(), field.to_owned()));
+        let name = format!("kane_load_{scalar}");
+        structure(&name, "What acts on a body, without its weight.", &fields, scalar)
+    });
+    structures.join("\n")
+}
+
+/// What several headers declare, and a program that includes them once.
+fn once(guard: &str, text: &str) -> String {
+    format!("#ifndef {guard}\n#define {guard}\n{text}#endif\n")
+}
+
+/// A structure of scalars, each with its documentation. One without fields gets one, for C knows none such.
+fn structure(name: &str, doc: &str, fields: &[(String, String)], scalar: &str) -> String {
+    let scalar = c_name(scalar);
+    let field = |(doc, field): &(String, String)| format!("    /// {doc}\n    {scalar} {field};\n");
+    let fields = match fields {
+        [] => format!("    /// Nothing: C has no empty structures.\n    {scalar} unused;\n"),
+        fields => fields.iter().map(field).collect(),
+    };
+    format!("/// {doc}\ntypedef struct {name} {{\n{fields}}} {name};\n")
+}
+
+/// A constant table, an entry a line.
+fn table(doc: &str, declared: &str, entries: impl Iterator<Item = String>) -> String {
+    let entries: Vec<String> = entries.map(|entry| format!("    {entry}")).collect();
+    let entries = entries.join(",\n");
+    format!("/// {doc}\nstatic const {declared} = {{\n{entries}\n}};\n")
+}
+
+fn block(block: &Block) -> String {
+    list(&[
+        block.body,
+        block.partition,
+        block.speed,
+        block.columns,
+        block.first,
+    ])
+}
+
+fn list(entries: &[usize]) -> String {
+    let entries: Vec<String> = entries.iter().map(ToString::to_string).collect();
+    format!("{{{}}}", entries.join(", "))
+}
+
+fn comment<S: AsRef<str>>(mark: &str, lines: impl IntoIterator<Item = S>) -> String {
+    let lines = lines.into_iter();
+    lines
+        .map(|line| format!("{mark} {}", line.as_ref()).trim_end().to_owned() + "\n")
+        .collect()
+}
+
+/// The scalar in C.
+fn c_name(scalar: &str) -> &'static str {
+    if scalar == "f64" { "double" } else { "float" }
+}

@@ -1,0 +1,109 @@
+//! The functions of a module for C: `extern "C"`, in a file of their own, which stands beside the module.
+
+use std::collections::BTreeSet;
+
+use quote::quote;
+use syn::{Item, parse_quote};
+
+use super::{Module, doc, ident, printed, signature};
+use crate::functions::{Access, Element, Length, Signature};
+
+/// The scalars of C, as Rust names them.
+pub(crate) const SCALARS: [&str; 2] = ["f64", "f32"];
+
+/// What callers have to keep to.
+pub(crate) const RULES: [&str; 8] = [
+    "No function allocates, keeps state, fails, or checks what it is given. Several threads may call them at once, with the same",
+    "prepared parameters too. Matrices are row after row, and what bodies have is body after body. Units are kg, m, s, rad and N.",
+    "",
+    "The behaviour is undefined where",
+    "- a pointer is null, not aligned as its type is, or leads to fewer elements than are declared;",
+    "- something is read that holds no value yet, or prepared parameters that `prepare` did not write for the same scalar;",
+    "- something is written to which another argument leads as well.",
+    "What is only read may overlap, and what is written may hold anything before.",
+];
+
+/// The text of the file beside the module `name`.
+pub(crate) fn source(module: &Module<'_>, name: &str) -> String {
+    let signatures = module.signatures();
+    let mut text = module.origin.banner();
+    let what = format!(
+        "The functions of the module `{name}` for C; `{name}.h` declares them. In the crate: `mod {name}; mod {name}_c;`."
+    );
+    for line in ["", &what, "", "# Safety", ""].into_iter().chain(RULES) {
+        text.push_str(format!("// {line}").trim_end());
+        text.push('\n');
+    }
+    let mut items = vec![imports(&signatures, name)];
+    for signature in &signatures {
+        items.extend(SCALARS.map(|scalar| function(signature, name, scalar)));
+    }
+    text + &printed(items)
+}
+
+/// The constants and types of the module that the functions name.
+fn imports(signatures: &[Signature], name: &str) -> Item {
+    let arguments = signatures.iter().flat_map(|one| &one.arguments);
+    let named = arguments.flat_map(|argument| {
+        let constants = argument.lengths.iter().filter_map(|length| match length {
+            Length::Three => None,
+            Length::Constant(name) => Some(name.as_str()),
+        });
+        let element = match argument.element {
+            Element::Scalar | Element::Load => None,
+            Element::Parameters => Some("Parameters"),
+            Element::Prepared => Some("Prepared"),
+            Element::SinCos => Some("SinCos"),
+        };
+        constants.chain(element)
+    });
+    let named: BTreeSet<&str> = named.collect();
+    let (name, named) = (ident(name), named.into_iter().map(ident));
+    parse_quote!(use super::#name::{self, #(#named),*};)
+}
+
+fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
+    let own = ident(&signature.name);
+    let name = ident(&format!("{module}_{own}_{scalar}"));
+    let safety = "As the beginning of this file says.";
+    let lines = if scalar == SCALARS[0] {
+        signature.lines("")
+    } else {
+        vec![format!("As `{module}_{own}_{}`.", SCALARS[0])]
+    };
+    let lines = lines
+        .into_iter()
+        .chain(["", "# Safety", safety].map(str::to_owned));
+    let doc = doc(lines);
+    let allow = (signature.arguments.len() > 7).then(|| {
+        quote!(#[allow(clippy::too_many_arguments, reason = "generated: arguments follow one pattern")])
+    });
+    let declared = signature.arguments.iter().map(|argument| {
+        let (name, held) = (ident(&argument.name), signature::held(argument, scalar));
+        match argument.access {
+            Access::Read => quote!(#name: *const #held),
+            Access::Written => quote!(#name: *mut #held),
+        }
+    });
+    let passed = signature.arguments.iter().map(|argument| {
+        let name = ident(&argument.name);
+        match argument.access {
+            Access::Read => quote!(&*#name),
+            Access::Written => quote!(&mut *#name),
+        }
+    });
+    let module = ident(module);
+    let body = match signature.name.as_str() {
+        "nominal" => quote!(parameters.write(Parameters::default());),
+        "prepare" => quote!(p.write(Prepared::new(&*parameters));),
+        _ => quote!(#module::#own(#(#passed),*);),
+    };
+    parse_quote! {
+        #doc
+        #allow
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn #name(#(#declared),*) {
+            unsafe { #body }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Arguments as Rust declares them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::ident;
+use crate::functions::{Access, Declared, Element, Length};
+
+/// `m: &mut [[R; NU]; NU]`.
+pub(super) fn declared(argument: &Declared) -> TokenStream {
+    let (name, held) = (ident(&argument.name), held(argument, "R"));
+    match argument.access {
+        Access::Read => quote!(#name: &#held),
+        Access::Written => quote!(#name: &mut #held),
+    }
+}
+
+/// What an argument leads to: `[[R; NU]; NU]`, with the scalar's name for `R`.
+pub(super) fn held(argument: &Declared, scalar: &str) -> TokenStream {
+    let scalar = ident(scalar);
+    let element = match argument.element {
+        Element::Scalar => quote!(#scalar),
+        Element::Load => quote!(kane::Load<#scalar>),
+        Element::Parameters => quote!(Parameters<#scalar>),
+        Element::Prepared => quote!(Prepared<#scalar>),
+        Element::SinCos => quote!(SinCos<#scalar>),
+    };
+    let lengths = argument.lengths.iter().rev();
+    lengths.fold(element, |held, length| match length {
+        Length::Three => quote!([#held; 3]),
+        Length::Constant(name) => {
+            let name = ident(name);
+            quote!([#held; #name])
+        }
+    })
+}

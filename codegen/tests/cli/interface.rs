@@ -1,0 +1,99 @@
+//! Functions for C beside a module.
+
+use super::project::Project;
+
+/// An arm with its functions for C, generated.
+fn arm() -> Project {
+    let project = Project::arm();
+    let config = project.read("kane.toml");
+    project.write("kane.toml", &format!("{config}abi = \"c\"\n"));
+    let ran = project.kane(&["generate"]);
+    assert_eq!(
+        (ran.code, ran.err.as_str()),
+        (
+            0,
+            "wrote generated/arm.rs\nwrote generated/arm_c.rs\nwrote generated/arm.h\n"
+        )
+    );
+    project
+}
+
+#[test]
+fn functions_for_c_leave_the_module_as_it_is() {
+    let (project, plain) = (arm(), Project::generated());
+    assert_eq!(
+        project.read("generated/arm.rs"),
+        plain.read("generated/arm.rs")
+    );
+    assert_eq!(project.kane(&["check"]).out, "");
+}
+
+#[test]
+fn functions_for_c_are_the_same_in_every_folder() {
+    let (one, other) = (arm(), arm());
+    assert_eq!(one.files().len(), other.files().len());
+    for file in ["generated/arm_c.rs", "generated/arm.h"] {
+        assert_eq!(one.read(file), other.read(file));
+    }
+}
+
+#[test]
+fn stale_header_is_told() {
+    let project = arm();
+    project.replace("models/arm.toml", "mass = 2.0", "mass = { runtime = 2.0 }");
+    assert_eq!(project.kane(&["generate", "models/arm.toml"]).code, 0);
+    project.replace(
+        "generated/arm.h",
+        "    /// Nominal value 2.0 kg.\n    double upper_mass;\n",
+        "    double unused;\n",
+    );
+    let ran = project.kane(&["check"]);
+    assert_eq!(ran.code, 1);
+    for part in [
+        "--- generated/arm.h\tas it is\n",
+        "\n-    double unused;\n+    /// Nominal value 2.0 kg.\n+    double upper_mass;\n",
+        "\nto bring this up to date, run: kane generate\n",
+    ] {
+        assert!(ran.out.contains(part), "{}", ran.out);
+    }
+}
+
+#[test]
+fn header_that_nothing_asks_for_any_more_is_stray() {
+    let project = arm();
+    project.replace("kane.toml", "abi = \"c\"\n", "");
+    let stray = ["arm.h", "arm_c.rs"].map(|file| {
+        format!(
+            "generated/{file} is produced by nothing in kane.toml: remove it, or list its system\n"
+        )
+    });
+    let ran = project.kane(&["check"]);
+    assert_eq!((ran.code, ran.out), (1, stray.concat()));
+}
+
+#[test]
+fn option_is_in_the_command_that_is_printed() {
+    let project = Project::generated();
+    let ran = project.kane(&["check", "models/arm.toml", "--abi", "c"]);
+    assert_eq!(
+        (ran.code, ran.out.as_str()),
+        (
+            1,
+            "generated/arm_c.rs is missing\n\
+             generated/arm.h is missing\n\
+             to bring this up to date, run: kane generate models/arm.toml --abi c\n"
+        )
+    );
+}
+
+#[test]
+fn module_whose_name_c_cannot_have_is_refused_and_nothing_written() {
+    let project = Project::arm();
+    let files = project.files();
+    let arguments = ["generate", "models/arm.toml", "--abi", "c", "--output"];
+    let ran = project.kane(&[&arguments[..], &["my-arm.rs"]].concat());
+    assert_eq!((ran.code, project.files()), (2, files));
+    insta::assert_snapshot!(ran.err, @"error: the module is called `my-arm`; names in C begin with that: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust");
+    // Standard output takes the module alone, which needs no name.
+    assert_eq!(project.kane(&[&arguments[..], &["-"]].concat()).code, 0);
+}

@@ -1,0 +1,69 @@
+//! What stands beside a module for C: its text, whole, for a small system.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::{fs, path::Path};
+
+use kane_codegen::{
+    companions::{Abi, Kind, is_module_name},
+    compile::Options,
+    config::Functions,
+    description::no_includes,
+    diagnostic::Source,
+    error::Error,
+    generate::{Generated, generate},
+};
+
+/// The pendulum's mass matrix under this name.
+fn generated(name: &str) -> Result<Generated, Error> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/pendulum.toml");
+    let source = Source::new("pendulum.toml", fs::read_to_string(path).unwrap());
+    let options = Options {
+        functions: Functions::Named(vec!["mass_matrix".to_owned()]),
+        companions: [Kind::Abi(Abi::C)].into(),
+        module: Some(name.to_owned()),
+        ..Options::default()
+    };
+    generate(&source, "models/pendulum.toml", &options, &no_includes)
+}
+
+fn text(ending: &str) -> String {
+    let companions = generated("pendulum").unwrap().companions.into_iter();
+    let mut texts = companions.filter(|companion| companion.ending == ending);
+    texts.next().unwrap().text
+}
+
+#[test]
+fn a_header() {
+    insta::assert_snapshot!(text(".h"));
+}
+
+#[test]
+fn functions_of_a_header() {
+    insta::assert_snapshot!(text("_c.rs"));
+}
+
+#[test]
+fn names_begin_with_the_module_s_so_that_two_of_one_model_can_be_linked() {
+    let [left, right] = ["left", "right"].map(|name| generated(name).unwrap().companions);
+    let renamed = |text: &str| text.replace("left", "right").replace("LEFT", "RIGHT");
+    for (left, right) in left.iter().zip(&right) {
+        assert_eq!(renamed(&left.text), right.text);
+        let declared = |word: &str| left.text.matches(word).count();
+        assert_eq!(declared("mass_matrix_f"), declared("left_mass_matrix_f"));
+    }
+}
+
+#[test]
+fn name_that_cannot_begin_names_of_c_is_refused() {
+    for name in [
+        "", "2dof", "_arm", "my-arm", "träger", "fn", "gen", "arm v2",
+    ] {
+        assert!(!is_module_name(name), "{name}");
+        assert!(matches!(generated(name), Err(Error::ModuleName { .. })));
+    }
+    for name in ["arm", "Arm_2", "int", "double"] {
+        assert!(is_module_name(name), "{name}");
+        assert!(generated(name).is_ok());
+    }
+}
