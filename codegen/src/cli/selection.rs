@@ -16,7 +16,7 @@ use super::{
     job::{self, Job, Target},
     listed::{self, Listed},
     options::{Asked, OptionsArguments},
-    parse::quoted,
+    parse::{name_of, one_of, quoted},
     paths,
 };
 
