@@ -1,7 +1,7 @@
 //! Files as they are in a git revision, read by the command `git`.
 
 use std::{
-    io,
+    fmt, io,
     path::{Path, PathBuf},
     process::{Command, Output},
 };
@@ -27,10 +27,32 @@ impl Revision {
         })
     }
 
+    /// This file, whose path is relative to the current folder.
+    pub(super) fn of(name: &str, file: &Path) -> Result<Self, Failures> {
+        let prefix = git(&["rev-parse", "--show-prefix"]).ok();
+        let prefix = prefix.and_then(|output| String::from_utf8(output.stdout).ok());
+        let prefix = prefix.unwrap_or_default();
+        let path = Path::new(prefix.trim_end_matches(['\n', '\r'])).join(file);
+        let path: PathBuf = paths::normal(&path).iter().collect();
+        let path = paths::with_slashes(&path).ok_or_else(|| {
+            let file = file.to_string_lossy();
+            Failures::message(format!("git knows no file `{}`", file.escape_debug()))
+        })?;
+        Ok(Self {
+            name: name.to_owned(),
+            path,
+        })
+    }
+
+    /// True where the revision has the file.
+    pub(super) fn exists(&self) -> bool {
+        let output = git(&["cat-file", "-e", &self.to_string()]);
+        output.is_ok_and(|output| output.status.success())
+    }
+
     /// The file's text.
     pub(super) fn read(&self) -> Result<String, Failures> {
-        let Self { name, path } = self;
-        let object = format!("{name}:{path}");
+        let object = self.to_string();
         let output =
             git(&["cat-file", "blob", &object]).map_err(|error| is_missing(&object, &error))?;
         if !output.status.success() {
@@ -73,6 +95,26 @@ impl Revision {
         let root = Path::new(root.trim_end_matches(['\n', '\r']));
         output.status.success().then(|| root.join(&self.path))
     }
+}
+
+impl fmt::Display for Revision {
+    /// As git reads it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.name, self.path)
+    }
+}
+
+/// True for the name of a commit.
+pub(super) fn is_commit(name: &str) -> bool {
+    let commit = format!("{name}^{{commit}}");
+    let output = git(&[
+        "rev-parse",
+        "--verify",
+        "--quiet",
+        "--end-of-options",
+        &commit,
+    ]);
+    output.is_ok_and(|output| output.status.success())
 }
 
 fn git(arguments: &[&str]) -> io::Result<Output> {

@@ -34,7 +34,7 @@ pub(crate) struct Job {
 }
 
 /// Where a module goes.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Target {
     /// Standard output.
     StandardOutput,

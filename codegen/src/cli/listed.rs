@@ -38,6 +38,11 @@ impl Listed {
             path: path.to_owned(),
             source,
         })?;
+        Self::parse(path, &text)
+    }
+
+    /// Reads a text that stands, or would stand, at this path.
+    pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
         let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
         let config = config::parse(&Source::new(path.to_string_lossy(), text), &known)?;
         let root = paths::target(paths::parent(path))?;

@@ -346,6 +346,108 @@ fn revisions_are_read_from_git() {
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
 }
 
+/// A repository whose second commit changed the arm, listed a second system and left a third one out.
+fn history() -> Project {
+    let project = Project::arm();
+    let system = |name: &str| {
+        format!(
+            "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"{name}.rs\"\nfunctions = [\"mass_matrix\"]\nabi = \"c\"\n"
+        )
+    };
+    project.write("kane.toml", &(system("arm") + &system("left")));
+    let project = project.committed();
+    project.replace("models/arm.toml", "mass = 1.5", "mass = 1.25");
+    project.write("kane.toml", &(system("arm") + &system("right")));
+    project.commit();
+    project
+}
+
+#[test]
+fn revisions_are_compared_system_by_system() {
+    let project = history();
+    let told = "modules\n  added    right.rs\n  removed  left.rs\n\
+        == HEAD~1:arm.rs -> HEAD:arm.rs\nvalues\n  changed  fore: mass  1.5 -> 1.25\n";
+    let ran = project.kane(&["diff", "HEAD~1", "HEAD"]);
+    assert_eq!(ran.code, 1, "{}", ran.err);
+    assert!(ran.out.starts_with(told), "{}", ran.out);
+    assert!(
+        ran.out
+            .contains("\n--- HEAD~1:arm.rs\told\n+++ HEAD:arm.rs\tnew\n")
+    );
+
+    let ran = project.kane_in("models", &["diff", "HEAD~1", "HEAD", "--format", "json"]);
+    let value: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(value["added"], serde_json::json!(["../right.rs"]));
+    assert_eq!(value["removed"], serde_json::json!(["../left.rs"]));
+    assert_eq!(value["breaking"], true);
+    let arm = &value["systems"][0];
+    assert_eq!(value["systems"].as_array().unwrap().len(), 1);
+    assert_eq!(
+        (&arm["old"], &arm["new"]),
+        (&"HEAD~1:arm.rs".into(), &"HEAD:arm.rs".into())
+    );
+    assert_eq!(arm["values"][0]["new"], "1.25");
+}
+
+#[test]
+fn one_revision_is_compared_with_the_files_as_they_are() {
+    let project = history();
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
+    assert_eq!(
+        ran.err,
+        "nothing differs between HEAD and the files as they are\n"
+    );
+    project.replace("models/arm.toml", "[\"theta2\"]", "[\"s3\"]");
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!(ran.code, 1);
+    let told = "== HEAD:arm.rs -> arm.rs\nBREAKING: the places in q changed\n";
+    assert!(ran.out.starts_with(told), "{}", ran.out);
+    assert!(ran.out.contains("== HEAD:right.rs -> right.rs\n"));
+}
+
+#[test]
+fn systems_of_a_revision_without_a_list_are_all_new() {
+    let project = Project::empty();
+    project.write("README.md", "an arm\n");
+    let project = project.committed();
+    let listed = Project::arm();
+    for file in ["kane.toml", "models/arm.toml"] {
+        project.write(file, &listed.read(file));
+    }
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!(ran.code, 1, "{}", ran.err);
+    assert!(
+        ran.out
+            .starts_with("modules\n  added    generated/arm.rs\n"),
+        "{}",
+        ran.out
+    );
+}
+
+#[test]
+fn what_is_no_revision_and_has_nothing_beside_it_is_said() {
+    let project = Project::arm().committed();
+    for (arguments, told) in [
+        (
+            &["main~9"][..],
+            "`main~9` is no git revision; expected one, or a second file to compare it with",
+        ),
+        (
+            &["HEAD", "models/arm.toml"],
+            "`HEAD` is a git revision, `models/arm.toml` is a file; expected two revisions, or two files, of which one may be `REVISION:PATH`",
+        ),
+        (
+            &["gone", "HEAD"],
+            "`HEAD` is a git revision, `gone` is neither a revision nor a file; expected two revisions, or two files, of which one may be `REVISION:PATH`",
+        ),
+    ] {
+        let ran = project.kane(&[&["diff"], arguments].concat());
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+        assert_eq!(ran.err, format!("error: {told}\n"));
+    }
+}
+
 #[test]
 fn generated_modules_of_revisions_are_compared() {
     let project = Project::generated().committed();

@@ -179,7 +179,9 @@ fn workflow_shows_what_a_pull_request_changes() {
     let (ran, summary) = pull_request(&project, base.trim());
     assert_eq!(ran.code, 0, "{ran:?}");
     let base = base.trim();
-    let title = format!("### `{base}:generated/arm.rs` → `generated/arm.rs`\n");
+    let title = format!(
+        "## `{base}` → `HEAD`\n\n### `{base}:generated/arm.rs` → `HEAD:generated/arm.rs`\n"
+    );
     assert!(summary.starts_with(&title), "{summary}");
     assert!(
         summary.contains("\n**BREAKING: the places in q changed**\n"),

@@ -2,7 +2,7 @@
 
 use kane_codegen::report::{Body, Differences, LayoutChange, ValueChange};
 
-use super::Report;
+use super::{report::Report, systems::Systems};
 use crate::cli::operations::{self, Row};
 
 /// How much of a diff a pull request is shown: hosts refuse texts that are too long.
@@ -12,6 +12,45 @@ const SHOWN_LINES: usize = 400;
 struct Section {
     title: String,
     rows: Vec<Row>,
+}
+
+/// What came and went, then what differs of every other module under its name.
+pub(super) fn text_of_systems(systems: &Systems) -> String {
+    let rows = modules(systems);
+    let mut text = String::new();
+    if !rows.is_empty() {
+        text += "modules\n";
+        text += &operations::text(&rows);
+    }
+    for report in &systems.changed {
+        let [old, new] = &report.names;
+        text.extend([format!("== {old} -> {new}\n"), self::text(report)]);
+    }
+    text
+}
+
+/// A title, a table of what came and went, then what differs of every other module.
+pub(super) fn markdown_of_systems(systems: &Systems) -> String {
+    let [old, new] = systems.names.each_ref().map(|name| code(name));
+    let mut text = format!("## {old} → {new}\n");
+    if systems.is_same() {
+        text += "\nNothing differs.\n";
+    }
+    let rows = modules(systems);
+    if !rows.is_empty() {
+        text += &table("modules", &rows);
+    }
+    for report in &systems.changed {
+        text.extend(["\n".to_owned(), markdown(report)]);
+    }
+    text
+}
+
+fn modules(systems: &Systems) -> Vec<Row> {
+    let row = |what: &str, name: &String| [what.to_owned(), name.clone(), String::new()];
+    let added = systems.added.iter().map(|name| row("added", name));
+    let removed = systems.removed.iter().map(|name| row("removed", name));
+    added.chain(removed).collect()
 }
 
 /// Sections one after the other, then the diff.
@@ -32,10 +71,7 @@ pub(super) fn markdown(report: &Report) -> String {
     }
     text.extend(note(report).map(|note| format!("\n{note}\n")));
     for Section { title, rows } in sections(report) {
-        text.extend([format!("\n**{title}**\n\n| | | |\n| --- | --- | --- |\n")]);
-        let row =
-            |[what, name, how]: &Row| format!("| {what} | {} | {} |\n", code(name), code(how));
-        text.extend(rows.iter().map(row));
+        text += &table(&title, &rows);
     }
     if !report.diff.is_empty() {
         let lines: Vec<&str> = report.diff.lines().collect();
@@ -53,8 +89,19 @@ pub(super) fn markdown(report: &Report) -> String {
     text
 }
 
-/// A name as code in a table.
+/// Rows under a title.
+fn table(title: &str, rows: &[Row]) -> String {
+    let head = format!("\n**{title}**\n\n| | | |\n| --- | --- | --- |\n");
+    let row = |[what, name, how]: &Row| format!("| {what} | {} | {} |\n", code(name), code(how));
+    let rows = rows.iter().map(row);
+    std::iter::once(head).chain(rows).collect()
+}
+
+/// A name as code in a table; nothing is nothing.
 fn code(text: &str) -> String {
+    if text.is_empty() {
+        return String::new();
+    }
     format!("`{}`", text.replace('`', "'").replace('|', "\\|"))
 }
 

@@ -37,15 +37,26 @@ impl Side {
     /// Reads what an argument names: a file where there is one, else a revision.
     pub(super) fn read(argument: &Path) -> Result<Self, Failures> {
         let revision = argument.to_str().and_then(Revision::parse);
-        let revision = revision.filter(|_| !argument.exists());
-        let (place, source) = match revision {
-            Some(revision) => {
-                let source = Source::new(argument.to_string_lossy(), revision.read()?);
-                (Place::Revision(revision), source)
-            }
-            None => (Place::File(argument.to_owned()), job::read(argument)?),
-        };
-        Ok(Self { place, source })
+        match revision.filter(|_| !argument.exists()) {
+            Some(revision) => Self::in_revision(revision),
+            None => Self::file(argument),
+        }
+    }
+
+    /// Reads a file.
+    pub(super) fn file(path: &Path) -> Result<Self, Failures> {
+        Ok(Self {
+            source: job::read(path)?,
+            place: Place::File(path.to_owned()),
+        })
+    }
+
+    /// Reads a file of a revision.
+    pub(super) fn in_revision(revision: Revision) -> Result<Self, Failures> {
+        Ok(Self {
+            source: Source::new(revision.to_string(), revision.read()?),
+            place: Place::Revision(revision),
+        })
     }
 
     /// As the user wrote it.
@@ -90,7 +101,10 @@ impl Side {
     /// What is known of a model; `shown` is its path in the banner.
     pub(super) fn of_model(&self, shown: &str, options: &Options) -> Result<Known, Failures> {
         let include = |path: &str| self.include(path);
-        let generated = generate::generate(&self.source, shown, options, &include);
+        // What is beside a module says nothing that it does not say.
+        let mut options = options.clone();
+        options.companions.clear();
+        let generated = generate::generate(&self.source, shown, &options, &include);
         let generated = generated.map_err(|error| match error {
             Error::Unrepresentable { .. } => {
                 Failures::message(format!("`{}`: {error}", self.name()))

@@ -6,9 +6,22 @@ use kane_codegen::{
 };
 use serde_json::{Value, json};
 
-use super::Report;
+use super::{report::Report, systems::Systems};
 
-pub(super) fn value(report: &Report) -> Value {
+pub(super) fn of_systems(systems: &Systems) -> Value {
+    let mut changed = systems.changed.iter();
+    json!({
+        "old": systems.names[0],
+        "new": systems.names[1],
+        "same": systems.is_same(),
+        "breaking": changed.any(|report| report.differences.is_breaking()) || !systems.removed.is_empty(),
+        "added": systems.added,
+        "removed": systems.removed,
+        "systems": systems.changed.iter().map(of_report).collect::<Value>(),
+    })
+}
+
+pub(super) fn of_report(report: &Report) -> Value {
     let differences = &report.differences;
     let functions = &report.functions;
     let [old, new] = report.fingerprints;

@@ -1,0 +1,45 @@
+//! What differs between two models or modules, and between what.
+
+use kane_codegen::report::{self, Comparison, Differences};
+use similar::TextDiff;
+
+use super::side::Known;
+use crate::cli::Failures;
+
+/// What differs, and between what.
+pub(super) struct Report {
+    /// As the user wrote them, or as git would write them.
+    pub(super) names: [String; 2],
+    pub(super) fingerprints: [Option<u64>; 2],
+    pub(super) differences: Differences,
+    pub(super) functions: Comparison,
+    /// The unified diff of the texts; empty where they are the same.
+    pub(super) diff: String,
+}
+
+impl Report {
+    pub(super) fn new(names: [&str; 2], [old, new]: [&Known; 2]) -> Result<Self, Failures> {
+        let [old_name, new_name] = names;
+        let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
+        let diff = TextDiff::from_lines(&old.text, &new.text);
+        // A tab ends the name, so that `patch` reads it right.
+        let mut diff = diff.unified_diff();
+        diff.header(&format!("{old_name}\told"), &format!("{new_name}\tnew"));
+        let diff = if old.text == new.text {
+            String::new()
+        } else {
+            diff.to_string()
+        };
+        Ok(Self {
+            names: names.map(str::to_owned),
+            fingerprints: [old, new].map(|known| known.outline.fingerprint),
+            differences: report::differences(&old.outline, &new.outline),
+            functions,
+            diff,
+        })
+    }
+
+    pub(super) fn is_same(&self) -> bool {
+        self.differences == Differences::default() && self.diff.is_empty()
+    }
+}

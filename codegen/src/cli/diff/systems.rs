@@ -1,0 +1,151 @@
+//! All systems of a repository, in two revisions or in one and as the files are.
+
+use std::{fs, path::Path};
+
+use kane_codegen::error::Error;
+
+use super::{report::Report, side::Side};
+use crate::cli::{
+    Failures,
+    git::{self, Revision},
+    job::Job,
+    listed::Listed,
+    options::Asked,
+};
+
+/// What differs between two snapshots.
+pub(super) struct Systems {
+    /// What the snapshots are called.
+    pub(super) names: [String; 2],
+    /// Modules of both that differ.
+    pub(super) changed: Vec<Report>,
+    /// Modules of the new one alone.
+    pub(super) added: Vec<String>,
+    /// Modules of the old one alone.
+    pub(super) removed: Vec<String>,
+}
+
+/// A state of the repository's files.
+#[derive(Clone, Debug)]
+pub(super) enum Snapshot {
+    /// A git revision.
+    Revision(String),
+    /// The files as they are.
+    Files,
+}
+
+impl Snapshot {
+    /// The revision that an argument names, where no file has that name.
+    pub(super) fn of(argument: &Path) -> Option<Self> {
+        let name = argument.to_str()?;
+        let is_revision = !argument.exists() && !name.contains(':') && git::is_commit(name);
+        is_revision.then(|| Self::Revision(name.to_owned()))
+    }
+
+    fn name(&self) -> &str {
+        match self {
+            Self::Revision(name) => name,
+            Self::Files => "the files as they are",
+        }
+    }
+
+    /// A file's name in it; the path is relative to the current folder.
+    fn file(&self, path: &Path) -> Result<String, Failures> {
+        match self {
+            Self::Revision(name) => Ok(Revision::of(name, path)?.to_string()),
+            Self::Files => Ok(path.display().to_string()),
+        }
+    }
+
+    /// The systems that it lists; none where it has no such file.
+    fn jobs(&self, config: &Path, asked: &Asked<'_>) -> Result<Vec<Job>, Failures> {
+        let text = match self {
+            Self::Revision(name) => {
+                let revision = Revision::of(name, config)?;
+                if !revision.exists() {
+                    return Ok(Vec::new());
+                }
+                revision.read()?
+            }
+            Self::Files => fs::read_to_string(config).map_err(|source| Error::Io {
+                path: config.to_owned(),
+                source,
+            })?,
+        };
+        let listed = Listed::parse(config, &text)?;
+        let jobs = listed.config.systems.iter().map(|system| {
+            let mut job = listed.job(system)?;
+            asked.set(&mut job.options);
+            Ok(job)
+        });
+        jobs.collect()
+    }
+
+    /// A model in it.
+    fn model(&self, path: &Path) -> Result<Side, Failures> {
+        match self {
+            Self::Revision(name) => Side::in_revision(Revision::of(name, path)?),
+            Self::Files => Side::file(path),
+        }
+    }
+}
+
+impl Systems {
+    /// Compares what the `kane.toml` of each snapshot lists: a system is known by its module.
+    pub(super) fn compare(
+        snapshots: [&Snapshot; 2],
+        config: &Path,
+        asked: &Asked<'_>,
+    ) -> Result<Self, Failures> {
+        let mut failures = Failures::default();
+        let jobs = snapshots.map(|snapshot| failures.keep(snapshot.jobs(config, asked)));
+        let [Some(old), Some(new)] = jobs else {
+            return Err(failures);
+        };
+        let of = |jobs: &[Job], job: &Job| {
+            let mut places = jobs.iter();
+            places.position(|one| one.target == job.target)
+        };
+        let only = |jobs: &[Job], others: &[Job]| -> Vec<String> {
+            let own = jobs.iter().filter(|job| of(others, job).is_none());
+            own.map(|job| job.target.to_string()).collect()
+        };
+        let mut changed = Vec::new();
+        for job in &new {
+            if let Some(place) = of(&old, job) {
+                let report = report(snapshots, [&old[place], job]);
+                changed.extend(failures.keep(report).filter(|report| !report.is_same()));
+            }
+        }
+        failures.none()?;
+        Ok(Self {
+            names: snapshots.map(|snapshot| snapshot.name().to_owned()),
+            changed,
+            added: only(&new, &old),
+            removed: only(&old, &new),
+        })
+    }
+
+    pub(super) fn is_same(&self) -> bool {
+        self.changed.is_empty() && self.added.is_empty() && self.removed.is_empty()
+    }
+}
+
+/// What differs between a system's modules.
+fn report(snapshots: [&Snapshot; 2], jobs: [&Job; 2]) -> Result<Report, Failures> {
+    let mut failures = Failures::default();
+    let mut read = |place: usize| {
+        let (snapshot, job): (&Snapshot, &Job) = (snapshots[place], jobs[place]);
+        let known = snapshot
+            .model(&job.model)
+            .and_then(|model| model.of_model(&job.shown, &job.options));
+        failures.keep(known)
+    };
+    let (Some(old), Some(new)) = (read(0), read(1)) else {
+        return Err(failures);
+    };
+    let module = jobs[1].files();
+    let module = module.first().map_or(Path::new(""), |file| file);
+    let names = [snapshots[0].file(module)?, snapshots[1].file(module)?];
+    Report::new(names.each_ref().map(String::as_str), [&old, &new])
+}
