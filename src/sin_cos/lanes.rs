@@ -2,22 +2,23 @@
 
 /// The two results of `f`, which has no branch, for each of `angles`, all of them scalars.
 ///
-/// With AVX eight at a time, in a function of its own, to which what is left is filled up: where the optimizer sees where the
-/// lanes go to, it packs some of them with one another and with results, and five sines and cosines took as long
-/// as one after the other (LLVM 22). Without AVX, and up to two, they are lanes of [`each`].
+/// With AVX, and of sixteen and more, eight at a time, in a function of its own, to which what is left is filled up: where the
+/// optimizer sees where the lanes go to, it packs some of them with one another and with results, and five sines and
+/// cosines took as long as one after the other (LLVM 22). Otherwise they are lanes of [`each`]. Up to a
+/// hundred angles compile without a loop, and without a call of `memcpy`, which a copy of `angles` would become.
 #[inline]
 pub(crate) fn scalars<T: Copy, const N: usize>(
     angles: [T; N],
     f: impl Fn(T) -> (T, T) + Copy,
 ) -> ([T; N], [T; N]) {
     let left = N % 8;
-    if cfg!(not(target_feature = "avx")) || N <= 2 {
+    if N <= 2 || N < 16 && cfg!(not(target_feature = "avx")) {
         return each(angles, f);
     }
-    let (mut sines, mut cosines) = (angles, angles);
+    let mut both = ([angles[0]; N], [angles[0]; N]);
     let (xs, x) = angles.as_chunks();
-    let (ss, s) = sines.as_chunks_mut();
-    let (cs, c) = cosines.as_chunks_mut();
+    let (ss, s) = both.0.as_chunks_mut();
+    let (cs, c) = both.1.as_chunks_mut();
     for ((x, s), c) in xs.iter().zip(ss).zip(cs) {
         eight(x, s, c, f);
     }
@@ -28,16 +29,18 @@ pub(crate) fn scalars<T: Copy, const N: usize>(
         eight(&filled, &mut sines, &mut cosines, f);
         s.copy_from_slice(&sines[..left]);
         c.copy_from_slice(&cosines[..left]);
-    } else if left == 4 {
-        let (sines, cosines) = each([x[0], x[1], x[2], x[3]], f);
+    } else if let [a, b, d, e] = *x {
+        let (sines, cosines) = each([a, b, d, e], f);
         s.copy_from_slice(&sines);
         c.copy_from_slice(&cosines);
-    } else {
-        for ((x, s), c) in x.iter().zip(s).zip(c) {
-            (*s, *c) = f(*x);
-        }
+    } else if let [a, b] = *x {
+        let (sines, cosines) = each([a, b], f);
+        s.copy_from_slice(&sines);
+        c.copy_from_slice(&cosines);
+    } else if let [a] = *x {
+        (s[0], c[0]) = f(a);
     }
-    (sines, cosines)
+    both
 }
 
 #[inline(never)]

@@ -62,9 +62,11 @@ macro_rules! words {
             const TWO: $bits = 2;
             const SHIFT: u32 = $bits::BITS - 2;
 
+            // Not `clamp`: of its comparisons the optimizer packs some with those of other lanes, and makes jumps of what
+            // is left of them, where SSE2 is all there is.
             #[inline(always)]
             fn cut(self, limit: Self) -> Self {
-                self.clamp(-limit, limit)
+                self.max(-limit).min(limit)
             }
 
             #[inline(always)]
