@@ -14,9 +14,13 @@ use super::{
 use crate::{
     expr::Input,
     functions::{Function, Shape},
-    program::{self, Groups, Origin, Place, Program, ValueId},
+    program::{self, Groups, Operand, Origin, Place, Program, ValueId},
     tree::Tree,
 };
+
+/// The most zeros that are stored side by side before a fence. More the compiler makes a call of `memset`, on the smallest
+/// of processors already where they have 32 bytes.
+const MOST_ZEROS: usize = 4;
 
 /// The items of one function, in order: its pattern, itself, its trait.
 pub(super) fn items(module: &Module<'_>, emittable: &Emittable) -> Vec<Item> {
@@ -59,15 +63,8 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Item 
         groups: &groups,
         names: &names,
     };
-    let mut stores = Stores::default();
-    for (target, &store) in targets(tree, emittable).into_iter().zip(&program.stores) {
-        let value = writer.operand(store);
-        let statement = syntax::assign(target, value);
-        match store.value().filter(|&id| !is_field(program, id)) {
-            Some(id) => stores.of_values.entry(id).or_default().push(statement),
-            None => stores.of_constants.push(statement),
-        }
-    }
+    let stores = stores(&writer, targets(tree, emittable));
+    let has_fences = stores.has_fences;
     let statements = statements::of(program, &groups, &names, &[], stores);
     let mut lines = function.doc();
     lines.push(String::new());
@@ -83,6 +80,9 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Item 
             "Of the multiplications and additions {fused} each are fused."
         ));
     }
+    if has_fences {
+        lines.push("A `compiler_fence` is no instruction: it keeps runs of zeros from becoming calls of `memset`.".to_owned());
+    }
     let (doc, allow) = (doc(lines), allow_generated());
     let name = ident(&function.name());
     let arguments = function.signature().arguments;
@@ -95,6 +95,33 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Item 
     };
     item.block.stmts = statements;
     Item::Fn(item)
+}
+
+/// What is stored where, with a fence wherever too many zeros would stand side by side.
+fn stores(writer: &Writer<'_>, targets: Vec<Expr>) -> Stores {
+    let program = writer.program;
+    let mut stores = Stores::default();
+    let mut n_zeros = 0;
+    for (target, &store) in targets.into_iter().zip(&program.stores) {
+        let statement = syntax::assign(target, writer.operand(store));
+        n_zeros = if store == Operand::Number(0.0) {
+            n_zeros + 1
+        } else {
+            0
+        };
+        if n_zeros > MOST_ZEROS {
+            stores.of_constants.push(parse_quote! {
+                core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+            });
+            stores.has_fences = true;
+            n_zeros = 1;
+        }
+        match store.value().filter(|&id| !is_field(program, id)) {
+            Some(id) => stores.of_values.entry(id).or_default().push(statement),
+            None => stores.of_constants.push(statement),
+        }
+    }
+    stores
 }
 
 /// The place of every store: the entries of one output after the other.

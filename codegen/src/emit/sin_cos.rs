@@ -1,9 +1,10 @@
 //! Sines and cosines as a value of their own, for the functions that are given them.
 
 use proc_macro2::Literal;
+use quote::quote;
 use syn::{Item, parse_quote};
 
-use super::{allow_generated, allow_unused, doc};
+use super::{allow_generated, allow_unused, doc, statements::ANGLES_OF_CALL};
 use crate::{passes::sines, program::Operations, tree::Tree};
 
 /// The number and names of the angles, the type that holds their sines and cosines, and the function that computes them.
@@ -14,9 +15,19 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
     let names = angles
         .iter()
         .map(|angle| &coordinates[angle.coordinate.index()]);
-    let places = angles
-        .iter()
-        .map(|angle| Literal::usize_unsuffixed(angle.coordinate.index()));
+    let places = |first: usize, count: usize| (first..first + count).map(Literal::usize_unsuffixed);
+    let calls = (0..angles.len()).step_by(ANGLES_OF_CALL).map(|first| {
+        let angles = &angles[first..angles.len().min(first + ANGLES_OF_CALL)];
+        let coordinates = angles
+            .iter()
+            .map(|angle| Literal::usize_unsuffixed(angle.coordinate.index()));
+        let [sines, cosines] = [(); 2].map(|()| places(first, angles.len()));
+        quote! {
+            let (sines, cosines) = R::sin_cos_array([#(q[#coordinates]),*]);
+            [#(sin_cos.sines[#sines]),*] = sines;
+            [#(sin_cos.cosines[#cosines]),*] = cosines;
+        }
+    });
     let cost = doc([format!("Operations: {}.", operations(tree))]);
     let (allow, allow_generated) = (allow_unused(), allow_generated());
     vec![
@@ -49,9 +60,7 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
             #allow_generated
             #[inline(never)]
             pub fn sin_cos<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], sin_cos: &mut SinCos<R>) {
-                let (sines, cosines) = R::sin_cos_array([#(q[#places]),*]);
-                sin_cos.sines = sines;
-                sin_cos.cosines = cosines;
+                #(#calls)*
             }
         },
     ]

@@ -17,6 +17,10 @@ use crate::{
 /// compiler's stack ends after two or three thousand. In longer functions the next values of a body are declared together.
 const MOST_LETS: usize = 1_800;
 
+/// The most angles of one call. Of a hundred and more the compiler makes a loop. Fewer a call cost time: of values that stand
+/// in one array it finds more that can be computed side by side.
+pub(super) const ANGLES_OF_CALL: usize = 64;
+
 /// Of how many bodies how many values are declared together, from longer to longer functions.
 const TOGETHER: [(usize, usize); 4] = [(1, 8), (1, 64), (16, 64), (256, 256)];
 
@@ -25,6 +29,8 @@ const TOGETHER: [(usize, usize); 4] = [(1, 8), (1, 64), (16, 64), (256, 256)];
 pub(super) struct Stores {
     pub(super) of_values: BTreeMap<ValueId, Vec<Stmt>>,
     pub(super) of_constants: Vec<Stmt>,
+    /// True where there are fences among the latter.
+    pub(super) has_fences: bool,
 }
 
 /// The statements of a program: inputs, sines and cosines are read where they are first needed, values stored as soon as
@@ -45,6 +51,7 @@ pub(super) fn of(
     let Stores {
         of_values,
         of_constants,
+        ..
     } = stores;
     let mut body = Body {
         writer,
@@ -109,24 +116,34 @@ impl Body<'_> {
                 sines,
                 cosines,
             } => {
-                self.read(angles.iter().filter_map(|angle| angle.value()).collect());
-                self.sin_cos(angles, sines, cosines);
+                if let ([angle], [sine], [cosine]) = (&angles[..], &sines[..], &cosines[..]) {
+                    self.read(angle.value().into_iter().collect());
+                    let value = self.writer.call("sin_cos", angles);
+                    return self.assign(vec![*sine, *cosine], value);
+                }
+                let [sines, cosines] = [sines, cosines].map(|ids| ids.chunks(ANGLES_OF_CALL));
+                let calls = angles.chunks(ANGLES_OF_CALL).zip(sines).zip(cosines);
+                for (number, ((angles, sines), cosines)) in (1..).zip(calls) {
+                    self.sin_cos_array(number, angles, sines, cosines);
+                }
             }
         }
     }
 
-    fn sin_cos(
+    /// The call of a number, from 1, for some of the angles.
+    fn sin_cos_array(
         &mut self,
+        number: usize,
         angles: &[Operand],
         sines: &[Option<ValueId>],
         cosines: &[Option<ValueId>],
     ) {
-        if let ([_], [sine], [cosine]) = (angles, sines, cosines) {
-            let value = self.writer.call("sin_cos", angles);
-            return self.assign(vec![*sine, *cosine], value);
-        }
+        self.read(angles.iter().filter_map(|angle| angle.value()).collect());
         // Each body takes its own from the arrays, so that a new body adds a line here and none to the others.
-        let arrays = ["sines", "cosines"].map(ident);
+        let arrays = ["sines", "cosines"].map(|name| match number {
+            1 => ident(name),
+            _ => ident(&format!("{name}_{number}")),
+        });
         let operands = angles.iter().map(|&angle| self.writer.operand(angle));
         let value = syntax::call(
             syntax::of_scalar("sin_cos_array"),
@@ -208,12 +225,16 @@ impl Body<'_> {
         };
         let assigned = self.statements.iter().flat_map(values).flatten();
         let assigned: Vec<ValueId> = assigned.collect();
-        if assigned.len() <= MOST_LETS {
+        // Sines and cosines come in arrays, by lets of their own.
+        let is_let = |statement: &&Statement| matches!(statement, Statement::Other(Stmt::Local(_)));
+        let n_arrays = self.statements.iter().filter(is_let).count();
+        let most = MOST_LETS.saturating_sub(n_arrays);
+        if assigned.len() <= most {
             return None;
         }
         let together = TOGETHER.map(|(bodies, values)| self.chunks(&assigned, bodies, values));
         let [.., last] = &together;
-        let fewest = together.iter().find(|chunks| chunks.len() <= MOST_LETS);
+        let fewest = together.iter().find(|chunks| chunks.len() <= most);
         let chunks = fewest.unwrap_or(last).iter();
         Some(chunks.map(|chunk| (chunk[0], chunk.clone())).collect())
     }
