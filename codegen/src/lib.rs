@@ -11,7 +11,8 @@
 //!
 //! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
 //! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
-//! same bytes everywhere; files are touched only by the command line, [`output`] and [`build_script`].
+//! same bytes everywhere; files are touched only by the command line, [`output`], [`build_script`] and `object`, which
+//! reads what rustc makes of a module.
 
 // Indexes that cannot be mixed up.
 pub mod id;
@@ -50,3 +51,6 @@ pub mod origin;
 pub mod output;
 // What is known of a system, and what changed in a module, for people to read.
 pub mod report;
+// What is promised of a module's machine code.
+#[cfg(feature = "object")]
+pub mod object;

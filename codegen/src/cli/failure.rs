@@ -1,8 +1,8 @@
 //! Why a command could not do what was asked for: every reason, in the user's words.
 
-use std::{error::Error as _, fmt, io};
+use std::{error, fmt, io};
 
-use kane_codegen::{diagnostic::Diagnostics, error::Error};
+use kane_codegen::{diagnostic::Diagnostics, error::Error, object};
 
 /// Reasons, each as it is shown.
 #[derive(Debug, Default)]
@@ -53,9 +53,13 @@ impl From<Error> for Failures {
         if let Error::Invalid(diagnostics) = error {
             return diagnostics.into();
         }
-        let causes = std::iter::successors(error.source(), |&cause| cause.source());
-        let text = causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"));
-        Self::message(text)
+        Self::message(with_causes(&error))
+    }
+}
+
+impl From<object::Error> for Failures {
+    fn from(error: object::Error) -> Self {
+        Self::message(with_causes(&error))
     }
 }
 
@@ -70,4 +74,9 @@ impl From<io::Error> for Failures {
     fn from(error: io::Error) -> Self {
         Self::message(format!("cannot write to standard output: {error}"))
     }
+}
+
+fn with_causes(error: &dyn error::Error) -> String {
+    let causes = std::iter::successors(error.source(), |&cause| cause.source());
+    causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"))
 }

@@ -11,6 +11,7 @@ mod diff;
 mod eval;
 mod generate;
 mod info;
+mod verify;
 // What they share: which systems, where they stand, what is wrong with them, how it is written.
 mod changes;
 mod failure;
@@ -40,7 +41,7 @@ pub(crate) use pipe::Pipe;
 
 /// Exit code: nothing to complain about.
 const DONE: u8 = 0;
-/// Exit code: a generated file differs, is missing, is over budget, or is produced by nothing.
+/// Exit code: a generated file differs, is missing, is over budget, or is produced by nothing; a promise is broken.
 const DIFFERS: u8 = 1;
 /// Exit code: bad input or a file that cannot be accessed.
 pub(crate) const BAD_INPUT: u8 = 2;
@@ -57,11 +58,11 @@ pub(crate) const BAD_INPUT: u8 = 2;
         whether those files are what their models say.",
     after_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
         2  bad input, or a file that cannot be read or written; nothing was written",
     after_long_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
         2  bad input, or a file that cannot be read or written; nothing was written\n\n\
         Examples:\n  \
         kane generate                                      everything in kane.toml\n  \
@@ -70,7 +71,8 @@ pub(crate) const BAD_INPUT: u8 = 2;
         kane diff HEAD:models/arm.toml models/arm.toml     what changed?\n  \
         kane info models/arm.toml                          tree, coordinates, partitions, operation counts\n  \
         kane eval models/arm.toml --function mass_matrix --state state.json\n  \
-        kane convert panda.urdf --output models/panda.toml\n\n\
+        kane convert panda.urdf --output models/panda.toml\n  \
+        kane verify generated/arm.rs --object              no call, no jump, no panic: the machine code\n\n\
         kane.toml, with paths relative to it:\n  \
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \
@@ -104,6 +106,7 @@ enum Command {
     Info(info::Arguments),
     Eval(eval::Arguments),
     Convert(convert::Arguments),
+    Verify(verify::Arguments),
 }
 
 /// How a command ended that was not given bad input.
@@ -113,6 +116,8 @@ pub(crate) enum Outcome {
     Done,
     /// Something differs.
     Differs,
+    /// A promise is broken.
+    Broken,
 }
 
 /// Does what is asked for; results go to `out`.
@@ -124,6 +129,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         Command::Info(arguments) => info::run(arguments, out)?,
         Command::Eval(arguments) => eval::run(arguments, out)?,
         Command::Convert(arguments) => convert::run(arguments, out)?,
+        Command::Verify(arguments) => verify::run(arguments, out)?,
     };
     out.flush()?;
     Ok(outcome)
@@ -138,7 +144,7 @@ impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
         Self::from(match outcome {
             Outcome::Done => DONE,
-            Outcome::Differs => DIFFERS,
+            Outcome::Differs | Outcome::Broken => DIFFERS,
         })
     }
 }

@@ -17,3 +17,4 @@ mod hosts;
 mod info;
 mod interface;
 mod project;
+mod verify;

@@ -1,0 +1,153 @@
+//! `kane verify`.
+
+use std::{
+    io::{self, Write},
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use clap::Args;
+use kane_codegen::object::{self, OptLevel, Options, Report, Runtime, Scalar};
+use serde_json::Value;
+
+use super::{Failures, Outcome, parse::one_of};
+
+/// Check what is promised of generated functions on their machine code
+///
+/// Compiles each module with rustc and reads every instruction of its functions. None jumps; none calls anything but the
+/// runtime's sines and cosines, which are read too, so none can panic; none uses memory but what its arguments refer to,
+/// its stack and constants, and no address depends on a value. Standard output gets a table: bytes of machine code, the most
+/// bytes of stack, instructions of a call; and every broken promise, with the instruction.
+#[derive(Args, Debug)]
+#[command(after_long_help = "Exit codes:\n  \
+    0  every promise holds\n  \
+    1  a promise is broken\n  \
+    2  a module that cannot be read or compiled, or machine code that cannot be read: that of x86-64 in ELF can\n\n\
+    Examples:\n  \
+    kane verify src/arm.rs --object\n  \
+    kane verify generated/*.rs --object --opt-level 2 --scalar f32")]
+pub(crate) struct Arguments {
+    /// Generated modules
+    #[arg(value_name = "FILE", required = true)]
+    modules: Vec<PathBuf>,
+
+    /// Check machine code
+    #[arg(long, required = true)]
+    object: bool,
+
+    /// The scalar of the functions
+    #[arg(long, value_name = "WHICH", default_value = "f64", value_parser = one_of(Scalar::ALL))]
+    scalar: Scalar,
+
+    /// rustc's optimizations
+    #[arg(long, value_name = "LEVEL", default_value = "3", value_parser = one_of(OptLevel::ALL))]
+    opt_level: OptLevel,
+
+    /// The processor, as rustc knows it; without it, the least of its kind
+    #[arg(long, value_name = "NAME")]
+    target_cpu: Option<String>,
+
+    /// The folder of the crate `kane`; without it, the one on which the package in the current folder depends
+    #[arg(long, value_name = "FOLDER")]
+    kane: Option<PathBuf>,
+}
+
+/// Compiles and reads.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    debug_assert!(arguments.object, "clap: it is required");
+    let options = Options {
+        scalar: arguments.scalar,
+        opt_level: arguments.opt_level,
+        target_cpu: arguments.target_cpu.clone(),
+    };
+    let root = match &arguments.kane {
+        Some(folder) => folder.join("src/lib.rs"),
+        None => depended_on()?,
+    };
+    let runtime = Runtime::new(&root, &options)?;
+    let mut failures = Failures::default();
+    let reports = arguments.modules.iter();
+    let reports: Vec<(&Path, Report)> = reports
+        .filter_map(|path| {
+            let report = failures.keep(object::verify(&runtime, path));
+            report.map(|report| (path.as_path(), report))
+        })
+        .collect();
+    failures.none()?;
+    let mut outcome = Outcome::Done;
+    for (path, report) in &reports {
+        write_report(out, path, report)?;
+        if !report.holds() {
+            outcome = Outcome::Broken;
+        }
+    }
+    Ok(outcome)
+}
+
+/// The root file of the crate `kane` that cargo compiles for the current folder's package.
+fn depended_on() -> Result<PathBuf, Failures> {
+    let failure = |what: &str| {
+        Failures::message(format!(
+            "{what}; the folder of the crate `kane` can be given with --kane"
+        ))
+    };
+    let output = Command::new("cargo")
+        .args(["metadata", "--format-version=1"])
+        .output()
+        .map_err(|error| failure(&format!("cannot run cargo: {error}")))?;
+    if !output.status.success() {
+        let said = String::from_utf8_lossy(&output.stderr);
+        return Err(failure(&format!("cargo says: {}", said.trim_end())));
+    }
+    let metadata: Value = serde_json::from_slice(&output.stdout)
+        .map_err(|error| failure(&format!("cargo's metadata cannot be read: {error}")))?;
+    let list = |value: &Value, key: &str| value[key].as_array().cloned().unwrap_or_default();
+    let packages = list(&metadata, "packages");
+    let packages = packages.iter().filter(|package| package["name"] == "kane");
+    let targets = packages.flat_map(|package| list(package, "targets"));
+    let roots: Vec<PathBuf> = targets
+        .filter(|target| list(target, "kind").contains(&Value::from("lib")))
+        .filter_map(|target| target["src_path"].as_str().map(PathBuf::from))
+        .collect();
+    match &roots[..] {
+        [root] => Ok(root.clone()),
+        [] => Err(failure("the package here does not depend on `kane`")),
+        _ => Err(failure(
+            "the package here depends on several versions of `kane`",
+        )),
+    }
+}
+
+fn write_report(out: &mut dyn Write, path: &Path, report: &Report) -> io::Result<()> {
+    let width = report.all().map(|function| function.name.len()).max();
+    let width = width.unwrap_or(0).max("function".len());
+    writeln!(out, "{}\n", path.display())?;
+    writeln!(
+        out,
+        "{:width$}  text bytes  stack bytes  instructions",
+        "function"
+    )?;
+    for function in report.all() {
+        let (name, text, stack) = (&function.name, function.text, function.stack);
+        let instructions = function.instructions;
+        writeln!(
+            out,
+            "{name:width$}  {text:10}  {stack:11}  {instructions:12}"
+        )?;
+    }
+    writeln!(out)?;
+    if report.holds() {
+        return writeln!(out, "every promise holds\n");
+    }
+    for function in report.all() {
+        for breach in &function.breaches {
+            let (name, instruction, what) = (&function.name, &breach.instruction, &breach.what);
+            writeln!(
+                out,
+                "{name} at {:#x}, `{instruction}`: {what}",
+                breach.offset
+            )?;
+        }
+    }
+    writeln!(out)
+}

@@ -1,0 +1,307 @@
+//! What one instruction does, and what of that is promised not to be.
+
+use iced_x86::{
+    ConstantOffsets, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind, Register, UsedMemory,
+};
+
+use super::{
+    What,
+    file::{Files, Place, Reference, Target},
+    state::{State, Value, WORD},
+};
+
+/// An instruction at its place.
+pub(super) struct At<'a, 'data> {
+    pub(super) files: &'a Files<'data>,
+    /// Its first byte.
+    pub(super) place: Place,
+    pub(super) instruction: &'a Instruction,
+    pub(super) offsets: ConstantOffsets,
+}
+
+impl At<'_, '_> {
+    /// What the function is that is called or jumped to; none for a place within the function.
+    pub(super) fn callee(&self, state: Option<&State>) -> Option<Target> {
+        let instruction = self.instruction;
+        match instruction.op0_kind() {
+            OpKind::NearBranch64 => {
+                if let Some(reference) = self.reference(self.offsets.immediate_offset()) {
+                    return Some(reference.target);
+                }
+                // Within the section everything is where it will be.
+                let (file, section, offset) = self.place;
+                let distance = instruction
+                    .near_branch_target()
+                    .wrapping_sub(instruction.ip());
+                let place = (file, section, offset.wrapping_add(distance));
+                self.files.function(place).map(|_| Target::Function(place))
+            }
+            OpKind::Memory => {
+                let reference = self.reference(self.offsets.displacement_offset());
+                let reference = reference.filter(|reference| reference.is_indirect);
+                Some(reference.map_or_else(unknown, |reference| reference.target))
+            }
+            _ => match state.map(|state| state.register(instruction.op0_register())) {
+                Some(Value::Address(target)) => Some(target),
+                _ => Some(unknown()),
+            },
+        }
+    }
+
+    /// Neither arithmetic nor a move.
+    pub(super) fn is_strange(&self) -> bool {
+        let instruction = self.instruction;
+        instruction.is_invalid()
+            || instruction.is_privileged()
+            || instruction.is_string_instruction()
+            || instruction.has_lock_prefix()
+            || instruction.is_save_restore_instruction()
+            || matches!(
+                instruction.mnemonic(),
+                Mnemonic::Cpuid
+                    | Mnemonic::Fldcw
+                    | Mnemonic::Ldmxcsr
+                    | Mnemonic::Rdrand
+                    | Mnemonic::Rdseed
+                    | Mnemonic::Rdtsc
+                    | Mnemonic::Rdtscp
+                    | Mnemonic::Vldmxcsr
+                    | Mnemonic::Xgetbv
+            )
+    }
+
+    /// Holds the memory that it uses to what is promised.
+    pub(super) fn check_memory(&self, info: &InstructionInfo, state: &mut State) -> Vec<What> {
+        let mut broken = Vec::new();
+        for memory in info.used_memory() {
+            if memory.access() == OpAccess::NoMemAccess {
+                continue;
+            }
+            let writes = !matches!(memory.access(), OpAccess::Read | OpAccess::CondRead);
+            let size = i64::try_from(memory.memory_size().size()).expect("it fits a register");
+            let what = match memory.segment() {
+                Register::FS | Register::GS => Some(What::Segment),
+                // The state of the processor, of which only it knows the size.
+                _ if size == 0 => Some(What::Strange),
+                _ => check_address(self.used_address(memory, state), size, writes, state),
+            };
+            broken.extend(what);
+        }
+        broken
+    }
+
+    /// Does to the registers and the stack what it does to addresses in them.
+    pub(super) fn update(&self, info: &InstructionInfo, state: &mut State) {
+        let instruction = self.instruction;
+        match instruction.mnemonic() {
+            Mnemonic::Push => {
+                let value = self.operand(0, state);
+                move_stack_pointer(state, -WORD);
+                if let Some(pointer) = state.stack_pointer() {
+                    state.store(pointer, value);
+                }
+            }
+            Mnemonic::Pop => {
+                let pointer = state.stack_pointer();
+                let value = pointer.map_or(Value::Unknown, |pointer| state.load(pointer));
+                move_stack_pointer(state, WORD);
+                state.set(instruction.op0_register(), value);
+            }
+            Mnemonic::Leave => {
+                let frame = state.register(Register::RBP);
+                let value = match frame {
+                    Value::Stack(offset) => state.load(offset),
+                    _ => Value::Unknown,
+                };
+                state.set(Register::RSP, frame.plus(WORD));
+                state.set(Register::RBP, value);
+            }
+            Mnemonic::Mov => self.assign(self.operand(1, state), state),
+            Mnemonic::Lea => {
+                let value = self.operand_address(state);
+                state.set(instruction.op0_register(), value);
+            }
+            Mnemonic::Add => {
+                let value = match self.operand(1, state) {
+                    Value::Number(number) => self.operand(0, state).plus(number),
+                    _ => Value::Unknown,
+                };
+                self.assign(value, state);
+            }
+            Mnemonic::Sub | Mnemonic::Xor if self.is_zero() => {
+                state.set(instruction.op0_register().full_register(), Value::Number(0));
+            }
+            Mnemonic::Sub => {
+                let value = match self.operand(1, state) {
+                    Value::Number(number) => self.operand(0, state).plus(number.wrapping_neg()),
+                    _ => Value::Unknown,
+                };
+                self.assign(value, state);
+            }
+            Mnemonic::And if instruction.op0_register() == Register::RSP => {
+                let alignment = match self.operand(1, state) {
+                    Value::Number(mask) => mask.wrapping_neg(),
+                    _ => i64::MAX,
+                };
+                // At most so far: a return address is aligned to a word.
+                move_stack_pointer(state, WORD.wrapping_sub(alignment));
+            }
+            _ => {
+                for register in info.used_registers() {
+                    if !matches!(register.access(), OpAccess::Read | OpAccess::CondRead) {
+                        state.set(register.register().full_register(), Value::Unknown);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Twice the same register, of which the difference is taken.
+    fn is_zero(&self) -> bool {
+        let instruction = self.instruction;
+        instruction.op0_kind() == OpKind::Register
+            && instruction.op1_kind() == OpKind::Register
+            && instruction.op0_register() == instruction.op1_register()
+            && (instruction.op0_register().is_gpr32() || instruction.op0_register().is_gpr64())
+    }
+
+    /// What the first operand becomes.
+    fn assign(&self, value: Value, state: &mut State) {
+        let instruction = self.instruction;
+        match instruction.op0_kind() {
+            OpKind::Register => {
+                let register = instruction.op0_register();
+                // A number that is given to a half fills the whole.
+                let is_number = register.is_gpr32() && matches!(value, Value::Number(_));
+                let register = if is_number {
+                    register.full_register()
+                } else {
+                    register
+                };
+                state.set(register, value);
+            }
+            OpKind::Memory => {
+                if let (8, Value::Stack(offset)) = (self.size(), self.operand_address(state)) {
+                    state.store(offset, value);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// What an operand is.
+    fn operand(&self, number: u32, state: &State) -> Value {
+        let instruction = self.instruction;
+        match instruction.op_kind(number) {
+            OpKind::Register => state.register(instruction.op_register(number)),
+            OpKind::Memory => {
+                let reference = self.reference(self.offsets.displacement_offset());
+                if let Some(reference) = reference.filter(|reference| reference.is_indirect) {
+                    return Value::Address(reference.target);
+                }
+                match (self.size(), self.operand_address(state)) {
+                    (8, Value::Stack(offset)) => state.load(offset),
+                    _ => Value::Unknown,
+                }
+            }
+            // All others of these instructions are numbers in the code, of which none but an address needs all bits.
+            _ => Value::Number(instruction.immediate(number).cast_signed()),
+        }
+    }
+
+    /// The address of memory that is used, be it an operand or the stack.
+    fn used_address(&self, memory: &UsedMemory, state: &State) -> Value {
+        // Iced has counted an address from the instruction's end already.
+        if self.instruction.is_ip_rel_memory_operand() && memory.base() == Register::None {
+            return self.operand_address(state);
+        }
+        self.address(
+            [memory.base(), memory.index()],
+            memory.scale().into(),
+            memory.displacement(),
+            state,
+        )
+    }
+
+    /// Bytes of the operand in memory.
+    fn size(&self) -> usize {
+        self.instruction.memory_size().size()
+    }
+
+    /// The address of the operand in memory.
+    fn operand_address(&self, state: &State) -> Value {
+        let instruction = self.instruction;
+        self.address(
+            [instruction.memory_base(), instruction.memory_index()],
+            instruction.memory_index_scale().into(),
+            instruction.memory_displacement64(),
+            state,
+        )
+    }
+
+    fn address(
+        &self,
+        [base, index]: [Register; 2],
+        scale: i64,
+        displacement: u64,
+        state: &State,
+    ) -> Value {
+        if matches!(base, Register::RIP | Register::EIP) {
+            return Value::Address(match self.reference(self.offsets.displacement_offset()) {
+                Some(reference) if reference.is_indirect => Target::Constant,
+                Some(reference) => reference.target,
+                None => unknown(),
+            });
+        }
+        let [base, index] = [base, index].map(|register| match register {
+            Register::None => Value::Number(0),
+            register => state.register(register),
+        });
+        match index {
+            Value::Number(index) => {
+                let distance = displacement.cast_signed();
+                base.plus(distance.wrapping_add(index.wrapping_mul(scale)))
+            }
+            _ => Value::Unknown,
+        }
+    }
+
+    fn reference(&self, within: usize) -> Option<Reference> {
+        let (file, section, offset) = self.place;
+        let at = (file, section, offset + within as u64);
+        let after = self.instruction.len().checked_sub(within)?;
+        self.files.reference(at, i64::try_from(after).ok()?)
+    }
+}
+
+fn unknown() -> Target {
+    Target::Other("?".to_owned())
+}
+
+fn move_stack_pointer(state: &mut State, distance: i64) {
+    let pointer = state.register(Register::RSP).plus(distance);
+    state.set(Register::RSP, pointer);
+}
+
+/// What is broken where so many bytes at an address are read or written.
+fn check_address(address: Value, size: i64, writes: bool, state: &mut State) -> Option<What> {
+    match address {
+        Value::Argument(number) => {
+            state.arguments.insert(number);
+            None
+        }
+        Value::Stack(offset) if state.is_own(offset, size, writes) => {
+            state.lowest = state.lowest.min(offset);
+            if writes {
+                state.overwrite(offset, size);
+            }
+            None
+        }
+        Value::Stack(_) => Some(What::Stack),
+        Value::Address(Target::Constant) if !writes => None,
+        Value::Address(Target::Other(name)) => Some(What::Static(Some(name))),
+        Value::Address(_) => Some(What::Static(None)),
+        Value::Number(_) => Some(What::Absolute),
+        Value::Unknown => Some(What::Computed),
+    }
+}

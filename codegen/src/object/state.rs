@@ -1,0 +1,164 @@
+//! What the registers and the stack hold, as far as addresses are concerned.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use iced_x86::Register;
+
+use super::file::Target;
+
+/// What a register or a place of the stack holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Value {
+    /// An address in what the argument of this number refers to.
+    Argument(usize),
+    /// An address in the stack: so far from that of the return address.
+    Stack(i64),
+    /// An address in what is compiled, or of it.
+    Address(Target),
+    /// A number in the code.
+    Number(i64),
+    /// Anything else: what was computed or loaded.
+    Unknown,
+}
+
+/// The registers in which arguments are given, in order.
+const ARGUMENTS: [Register; 6] = [
+    Register::RDI,
+    Register::RSI,
+    Register::RDX,
+    Register::RCX,
+    Register::R8,
+    Register::R9,
+];
+
+/// The registers that are of a callee.
+const OF_CALLEE: [Register; 9] = [
+    Register::RAX,
+    Register::RCX,
+    Register::RDX,
+    Register::RSI,
+    Register::RDI,
+    Register::R8,
+    Register::R9,
+    Register::R10,
+    Register::R11,
+];
+
+/// What a function may use of the stack below the stack pointer.
+const RED_ZONE: i64 = 128;
+/// What it may read above its return address, where further arguments are.
+const MOST_ARGUMENTS: i64 = 128;
+/// Bytes of a return address, and of a register.
+pub(super) const WORD: i64 = 8;
+
+/// What is known between two instructions.
+#[derive(Debug)]
+pub(super) struct State {
+    registers: BTreeMap<Register, Value>,
+    /// By their distance from the return address.
+    stack: BTreeMap<i64, Value>,
+    /// The lowest address of the stack that was used.
+    pub(super) lowest: i64,
+    /// The numbers of the arguments through which memory was used.
+    pub(super) arguments: BTreeSet<usize>,
+}
+
+impl State {
+    /// At the first instruction of a function.
+    pub(super) fn new() -> Self {
+        let arguments = ARGUMENTS.into_iter().enumerate();
+        let mut registers: BTreeMap<_, _> = arguments
+            .map(|(number, register)| (register, Value::Argument(number)))
+            .collect();
+        registers.insert(Register::RSP, Value::Stack(0));
+        Self {
+            registers,
+            stack: BTreeMap::new(),
+            lowest: 0,
+            arguments: BTreeSet::new(),
+        }
+    }
+
+    /// What a register of 64 bits holds.
+    pub(super) fn register(&self, register: Register) -> Value {
+        let value = self.registers.get(&register).cloned();
+        value.unwrap_or(Value::Unknown)
+    }
+
+    /// Gives a register, or a part of it, a value.
+    pub(super) fn set(&mut self, register: Register, value: Value) {
+        let full = register.full_register();
+        if full.is_gpr64() {
+            let value = if register == full {
+                value
+            } else {
+                Value::Unknown
+            };
+            self.registers.insert(full, value);
+        }
+    }
+
+    /// What the argument of a number is.
+    pub(super) fn argument(&self, number: usize) -> Value {
+        match ARGUMENTS.get(number) {
+            Some(&register) => self.register(register),
+            None => Value::Unknown,
+        }
+    }
+
+    /// The stack pointer's distance from the return address; none where it is lost.
+    pub(super) fn stack_pointer(&self) -> Option<i64> {
+        match self.register(Register::RSP) {
+            Value::Stack(offset) => Some(offset),
+            _ => None,
+        }
+    }
+
+    /// True for bytes of the stack that the function may read, or write.
+    pub(super) fn is_own(&self, offset: i64, size: i64, writes: bool) -> bool {
+        let lowest = self.stack_pointer().map(|pointer| pointer - RED_ZONE);
+        let is_argument = !writes && offset >= WORD && offset + size <= WORD + MOST_ARGUMENTS;
+        lowest.is_some_and(|lowest| offset >= lowest) && (offset + size <= 0 || is_argument)
+    }
+
+    /// What eight bytes of the stack hold.
+    pub(super) fn load(&self, offset: i64) -> Value {
+        if offset >= WORD {
+            let number = usize::try_from(offset / WORD - 1).expect("it is above");
+            return Value::Argument(ARGUMENTS.len() + number);
+        }
+        self.stack.get(&offset).cloned().unwrap_or(Value::Unknown)
+    }
+
+    /// Forgets what bytes of the stack held.
+    pub(super) fn overwrite(&mut self, offset: i64, size: i64) {
+        self.stack
+            .retain(|&place, _| place + WORD <= offset || offset + size <= place);
+    }
+
+    /// Writes eight bytes of the stack.
+    pub(super) fn store(&mut self, offset: i64, value: Value) {
+        self.overwrite(offset, WORD);
+        self.stack.insert(offset, value);
+    }
+
+    /// After a call.
+    pub(super) fn returned(&mut self) {
+        for register in OF_CALLEE {
+            self.set(register, Value::Unknown);
+        }
+    }
+}
+
+impl Value {
+    /// So many bytes further.
+    pub(super) fn plus(self, number: i64) -> Self {
+        match self {
+            Self::Argument(_) | Self::Address(Target::Constant) => self,
+            Self::Stack(offset) => Self::Stack(offset.wrapping_add(number)),
+            Self::Number(other) => Self::Number(other.wrapping_add(number)),
+            _ if number == 0 => self,
+            _ => Self::Unknown,
+        }
+    }
+}

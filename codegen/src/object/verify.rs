@@ -1,0 +1,303 @@
+//! Function by function, instruction by instruction.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    path::Path,
+};
+
+use iced_x86::{
+    Decoder, DecoderOptions, FlowControl, Formatter as _, Instruction, InstructionInfoFactory,
+    IntelFormatter,
+};
+
+use super::{
+    Breach, Error, Function, Report, Runtime, What,
+    compile::MODULE,
+    file::{Code, Files, Place, Target},
+    instruction::At,
+    roots,
+    state::{State, Value, WORD},
+};
+
+/// The runtime's sines and cosines: the beginnings of their names.
+const SINES: [&str; 3] = [
+    "<f64 as kane::real::Real>::sin_cos",
+    "<f32 as kane::real::Real>::sin_cos",
+    "kane::sin_cos::",
+];
+
+/// Compiles a generated module, and holds its functions to what is promised.
+///
+/// # Errors
+/// Where the module cannot be read or compiled, or rustc's machine code cannot be read. A broken promise is none.
+pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
+    let text = fs::read_to_string(path).map_err(|source| Error::Io {
+        path: path.to_owned(),
+        source,
+    })?;
+    let roots = roots::of(path, &text)?;
+    let objects = runtime.compile(path, &roots)?;
+    let files = Files::new(&objects)?;
+    let mut verifier = Verifier {
+        files: &files,
+        facts: BTreeMap::new(),
+        open: BTreeSet::new(),
+    };
+    let mut functions = Vec::new();
+    let mut generated = BTreeSet::new();
+    for root in roots {
+        let symbol = root.symbol(MODULE, runtime.scalar());
+        let code = files.place(&symbol).and_then(|place| files.function(place));
+        let code = code.ok_or_else(|| Error::Object(format!("`{symbol}` is not in it")))?;
+        generated.insert(code.place);
+        functions.push(verifier.facts(code).function(root.name));
+    }
+    let sines = verifier.facts.iter();
+    let sines = sines.filter(|(place, _)| !generated.contains(place));
+    let mut sines: Vec<Function> = sines
+        .map(|(&place, facts)| facts.function(files.name(place).to_owned()))
+        .collect();
+    sines.sort_by(|one, other| one.name.cmp(&other.name));
+    Ok(Report { functions, sines })
+}
+
+/// What is known of a function.
+#[derive(Clone, Debug)]
+struct Facts {
+    text: u64,
+    stack: u64,
+    instructions: u64,
+    breaches: Vec<Breach>,
+    /// The numbers of the arguments that refer to memory that it uses.
+    arguments: BTreeSet<usize>,
+}
+
+impl Facts {
+    fn function(&self, name: String) -> Function {
+        Function {
+            name,
+            text: self.text,
+            stack: self.stack,
+            instructions: self.instructions,
+            breaches: self.breaches.clone(),
+        }
+    }
+}
+
+struct Verifier<'a, 'data> {
+    files: &'a Files<'data>,
+    facts: BTreeMap<Place, Facts>,
+    /// The functions that are being read: one that calls itself does not end.
+    open: BTreeSet<Place>,
+}
+
+impl Verifier<'_, '_> {
+    fn facts(&mut self, code: Code<'_>) -> Facts {
+        if let Some(facts) = self.facts.get(&code.place) {
+            return facts.clone();
+        }
+        self.open.insert(code.place);
+        let mut walk = Walk {
+            verifier: self,
+            state: Some(State::new()),
+            instructions: 0,
+            breaches: Vec::new(),
+            has_returned: false,
+            stack: 0,
+            arguments: BTreeSet::new(),
+        };
+        walk.run(code);
+        let facts = Facts {
+            text: code.bytes.len() as u64,
+            stack: walk.stack,
+            instructions: walk.instructions,
+            breaches: walk.breaches,
+            arguments: walk.arguments,
+        };
+        self.open.remove(&code.place);
+        self.facts.insert(code.place, facts.clone());
+        facts
+    }
+
+    /// The facts of a callee, where it is one of the runtime's sines and cosines.
+    fn of_sines(&mut self, target: &Target) -> Option<Facts> {
+        let Target::Function(place) = *target else {
+            return None;
+        };
+        let name = self.files.name(place);
+        let is_sine = SINES.iter().any(|start| name.starts_with(start));
+        let code = self.files.function(place);
+        let code = code.filter(|_| is_sine && !self.open.contains(&place))?;
+        Some(self.facts(code))
+    }
+}
+
+/// A function's instructions in order.
+struct Walk<'v, 'a, 'data> {
+    verifier: &'v mut Verifier<'a, 'data>,
+    /// None behind a jump, where nothing is known.
+    state: Option<State>,
+    instructions: u64,
+    breaches: Vec<Breach>,
+    has_returned: bool,
+    stack: u64,
+    arguments: BTreeSet<usize>,
+}
+
+impl Walk<'_, '_, '_> {
+    fn run(&mut self, code: Code<'_>) {
+        let (file, section, start) = code.place;
+        let mut decoder = Decoder::new(64, code.bytes, DecoderOptions::NONE);
+        let mut factory = InstructionInfoFactory::new();
+        let mut instruction = Instruction::default();
+        while decoder.can_decode() {
+            decoder.decode_out(&mut instruction);
+            self.instructions += 1;
+            let at = At {
+                files: self.verifier.files,
+                place: (file, section, start + instruction.ip()),
+                instruction: &instruction,
+                offsets: decoder.get_constant_offsets(&instruction),
+            };
+            for what in self.step(&at, &mut factory) {
+                self.broken(&instruction, what);
+            }
+            self.record();
+        }
+        if !self.has_returned {
+            self.broken(&instruction, What::End);
+        }
+    }
+
+    fn step(&mut self, at: &At<'_, '_>, factory: &mut InstructionInfoFactory) -> Vec<What> {
+        match at.instruction.flow_control() {
+            _ if at.is_strange() => vec![What::Strange],
+            FlowControl::Next => {
+                let info = factory.info(at.instruction);
+                let Some(state) = &mut self.state else {
+                    return Vec::new();
+                };
+                let broken = at.check_memory(info, state);
+                at.update(info, state);
+                broken
+            }
+            FlowControl::Call | FlowControl::IndirectCall => self.call(at, -WORD),
+            FlowControl::UnconditionalBranch
+            | FlowControl::IndirectBranch
+            | FlowControl::ConditionalBranch => self.jump(at),
+            FlowControl::Return => self.end(),
+            _ => vec![What::Strange],
+        }
+    }
+
+    /// A call, which pushes so much onto the stack.
+    fn call(&mut self, at: &At<'_, '_>, pushed: i64) -> Vec<What> {
+        let target = at.callee(self.state.as_ref());
+        let target = target.unwrap_or_else(|| Target::Other("itself".to_owned()));
+        let Some(callee) = self.verifier.of_sines(&target) else {
+            let name = match target {
+                Target::Function(place) => self.verifier.files.name(place).to_owned(),
+                Target::Other(name) => name,
+                Target::Constant => "a constant".to_owned(),
+            };
+            let is_panic = name.contains("panic") || name.starts_with("core::slice::index::");
+            let what = if is_panic { What::Panic } else { What::Call };
+            if let Some(state) = &mut self.state {
+                state.returned();
+            }
+            return vec![what(name)];
+        };
+        self.instructions += callee.instructions;
+        let Some(state) = &mut self.state else {
+            return Vec::new();
+        };
+        let mut broken = Vec::new();
+        for &number in &callee.arguments {
+            match state.argument(number) {
+                Value::Stack(_) | Value::Address(Target::Constant) => {}
+                Value::Argument(own) => {
+                    state.arguments.insert(own);
+                }
+                _ => broken.push(What::Computed),
+            }
+        }
+        match state.stack_pointer() {
+            Some(pointer) => {
+                let depth = i64::try_from(callee.stack).unwrap_or(i64::MAX);
+                state.lowest = state.lowest.min(pointer + pushed - depth);
+            }
+            None => broken.push(What::Stack),
+        }
+        state.returned();
+        broken
+    }
+
+    /// A jump: to the runtime's sines and cosines, as the last that is done, it is a call and a return.
+    fn jump(&mut self, at: &At<'_, '_>) -> Vec<What> {
+        let is_last = at.instruction.flow_control() != FlowControl::ConditionalBranch;
+        match at.callee(self.state.as_ref()) {
+            Some(Target::Function(place))
+                if is_last && self.verifier.of_sines(&Target::Function(place)).is_some() =>
+            {
+                let mut broken = self.call(at, 0);
+                broken.extend(self.end());
+                broken
+            }
+            // Out of the function and not back: a call in all but name.
+            Some(_) if is_last => {
+                let broken = self.call(at, 0);
+                self.leave();
+                broken
+            }
+            _ => {
+                self.leave();
+                vec![What::Jump]
+            }
+        }
+    }
+
+    /// The return.
+    fn end(&mut self) -> Vec<What> {
+        let is_as_it_was = match &self.state {
+            Some(state) => state.stack_pointer() == Some(0),
+            None => true,
+        };
+        self.leave();
+        if is_as_it_was {
+            Vec::new()
+        } else {
+            vec![What::End]
+        }
+    }
+
+    /// What follows is reached from elsewhere, or not at all.
+    fn leave(&mut self) {
+        self.record();
+        self.has_returned = true;
+        self.state = None;
+    }
+
+    /// Keeps what the state has gathered.
+    fn record(&mut self) {
+        if let Some(state) = &self.state {
+            self.stack = self.stack.max(state.lowest.unsigned_abs());
+            self.arguments.extend(&state.arguments);
+        }
+    }
+
+    fn broken(&mut self, instruction: &Instruction, what: What) {
+        let mut formatter = IntelFormatter::new();
+        let options = formatter.options_mut();
+        options.set_branch_leading_zeros(false);
+        options.set_hex_prefix("0x");
+        options.set_hex_suffix("");
+        let mut text = String::new();
+        formatter.format(instruction, &mut text);
+        self.breaches.push(Breach {
+            offset: instruction.ip(),
+            instruction: text,
+            what,
+        });
+    }
+}

@@ -1,0 +1,140 @@
+//! `kane verify`.
+
+#![cfg(all(target_arch = "x86_64", target_os = "linux"))]
+
+use crate::project::{Project, Ran, repository};
+
+/// The command on files of a project, with the repository's crate `kane`.
+fn verify(project: &Project, arguments: &[&str]) -> Ran {
+    let kane = repository("");
+    let common = ["verify", "--object", "--kane", kane.to_str().unwrap()];
+    project.kane(&[&common, arguments].concat())
+}
+
+const MODULE: &str = "generated/arm.rs";
+
+#[test]
+fn promises_that_hold_are_a_table_of_functions() {
+    let ran = verify(&Project::generated(), &[MODULE]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{}", ran.out);
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert_eq!(lines[0], MODULE);
+    let columns = |line: &str| -> Vec<String> {
+        let parts = line.split("  ").map(str::trim);
+        let parts = parts.filter(|part| !part.is_empty());
+        parts.map(str::to_owned).collect()
+    };
+    let head = ["function", "text bytes", "stack bytes", "instructions"];
+    assert_eq!(columns(lines[2]), head);
+    let functions: Vec<Vec<String>> = lines[3..].iter().map(|line| columns(line)).collect();
+    let end = functions.iter().position(Vec::is_empty).unwrap();
+    let names: Vec<&str> = functions[..end].iter().map(|row| row[0].as_str()).collect();
+    assert_eq!(
+        names[..4],
+        ["Prepared::new", "mass_matrix", "q_dot", "bias"]
+    );
+    for row in &functions[..end] {
+        for number in &row[1..] {
+            assert!(number.parse::<u32>().is_ok(), "{row:?}");
+        }
+    }
+    assert_eq!(functions[end + 1], ["every promise holds"]);
+}
+
+#[test]
+fn a_broken_promise_names_function_and_instruction() {
+    let project = Project::generated();
+    let fault = "if core::ptr::from_ref(q).addr() & 64 == 0 { return; }\n    m[0][0] =";
+    project.replace(MODULE, "m[0][0] =", fault);
+    let ran = verify(&project, &[MODULE]);
+    assert_eq!((ran.code, ran.err.as_str()), (1, ""));
+    let broken: Vec<&str> = ran
+        .out
+        .lines()
+        .filter(|line| line.contains(" at 0x"))
+        .collect();
+    assert_eq!(broken.len(), 1, "{}", ran.out);
+    assert!(broken[0].starts_with("mass_matrix at 0x"), "{}", broken[0]);
+    assert!(broken[0].contains(", `j"), "{}", broken[0]);
+    assert!(broken[0].ends_with("`: jumps"), "{}", broken[0]);
+    assert!(!ran.out.contains("every promise holds"));
+}
+
+#[test]
+fn one_broken_module_among_several_is_enough() {
+    let project = Project::generated();
+    project.write("good.rs", &project.read(MODULE));
+    let fault = "m[core::ptr::from_ref(q).addr() >> 3 & 7][0] =";
+    project.replace(MODULE, "m[0][0] =", fault);
+    let ran = verify(
+        &project,
+        &["good.rs", MODULE, "--scalar", "f32", "--opt-level", "2"],
+    );
+    assert_eq!(ran.code, 1);
+    let panic = "can panic, in `core::panicking::panic_bounds_check`";
+    assert!(ran.out.contains(panic), "{}", ran.out);
+    assert_eq!(ran.out.matches("every promise holds").count(), 1);
+}
+
+fn assert_refused(ran: &Ran, expected: &[&str]) {
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{}", ran.err);
+    for expected in expected {
+        assert!(ran.err.contains(expected), "{expected}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_module_that_does_not_compile_is_refused_with_what_rustc_says() {
+    let project = Project::generated();
+    project.replace(MODULE, "m[0][0] =", "m[0][0] = absent;\n    m[0][0] =");
+    let expected = [
+        "rustc does not compile `generated/arm.rs`",
+        "error[E0425]",
+        "`absent`",
+    ];
+    assert_refused(&verify(&project, &[MODULE]), &expected);
+}
+
+#[test]
+fn what_is_no_module_is_refused() {
+    let project = Project::arm();
+    project.write("notes.rs", "no Rust");
+    project.write("mine.rs", "pub fn mine() {}");
+    let ran = verify(&project, &["notes.rs", "mine.rs", "absent.rs"]);
+    let expected = [
+        "`notes.rs` is not Rust that can be read",
+        "`mine.rs` has no `pub fn` with `#[inline(never)]`",
+        "cannot access `absent.rs`",
+    ];
+    assert_refused(&ran, &expected);
+}
+
+#[test]
+fn where_the_runtime_is_not_found_it_can_be_given() {
+    let ran = Project::generated().kane(&["verify", "--object", MODULE]);
+    assert_refused(&ran, &["with --kane"]);
+}
+
+#[test]
+fn the_runtime_is_the_one_on_which_the_package_depends() {
+    let project = Project::generated();
+    let kane = repository("");
+    let manifest = format!(
+        "[package]\nname = \"robot\"\nedition = \"2024\"\n\n[dependencies]\n\
+         kane = {{ path = {:?}, default-features = false }}\n\n[workspace]\n",
+        kane.to_str().unwrap()
+    );
+    project.write("Cargo.toml", &manifest);
+    project.write("src/lib.rs", "");
+    let mut command = project.command();
+    command.args(["verify", "--object", MODULE]);
+    command.env("CARGO_NET_OFFLINE", "true");
+    let ran = Ran::from(command.output().unwrap());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}
+
+#[test]
+fn what_is_to_be_verified_must_be_said() {
+    let ran = Project::generated().kane(&["verify", MODULE]);
+    assert_refused(&ran, &["--object"]);
+}
