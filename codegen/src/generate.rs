@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// The version of the output's form: a change to the generator that changes what it writes raises it.
-pub const OUTPUT_FORMAT: u32 = 5;
+pub const OUTPUT_FORMAT: u32 = 6;
 
 /// A generated module, and the files beside it.
 #[derive(Clone, Debug)]
