@@ -19,7 +19,7 @@ pub struct State<const NQ: usize, const NU: usize> {
     pub q: [f64; NQ],
     /// Speeds.
     pub u: [f64; NU],
-    /// Their derivatives; generalized forces, where these are given.
+    /// Their derivatives.
     pub u_dot: [f64; NU],
 }
 
@@ -56,26 +56,26 @@ impl fmt::Display for Mismatch {
 
 impl Error for Mismatch {}
 
-/// Rounding of two ways to one number, relative to the largest of its kind: sums of some hundred terms, which may be ten
-/// thousand times as large as the sum.
+/// Rounding of two ways to one number, relative to the sum of the terms of both: these may themselves be sums of which a
+/// part in ten thousand is left, of some hundred terms.
 const ROUNDING: f64 = 1e-10;
 
-/// As [`ROUNDING`], of a solution with the mass matrix: its condition number multiplies that.
-const SOLUTION: f64 = 1e-7;
+/// What of the largest force counts as a term of each other one.
+const LARGER: f64 = 1e-5;
 
-/// What differences leave: their step is [`STEP`], the next term of the series is of its fourth power.
+/// What differences leave of the rates of which they are taken: their step is [`STEP`], the next term of the series is of its
+/// fourth power.
 const DIFFERENCE: f64 = 1e-7;
+
+/// Rounding of the numbers that differences are taken of, relative to these, before it is divided by the step.
+const DIFFERENCED: f64 = 1e-12;
 
 /// Step of differences, s.
 const STEP: f64 = 1e-3;
 
-/// What a number is compared within where all are zero or nearly so.
-const SMALLEST: f64 = 1e-6;
-
-/// The output of a function against numbers of the model's equations, which the generator evaluated: entry for entry, or, of
-/// a large output, sum for sum of so many entries with the weights of [`weight`].
-///
-/// `is_solution` is true for what is solved for with the mass matrix.
+/// The output of a function against numbers of the model's equations, which the generator evaluated, each with a bound on how
+/// far rounding leads from it: entry for entry, or, of a large output, sum for sum of so many entries with the weights of
+/// [`weight`].
 ///
 /// # Errors
 /// The first number that differs.
@@ -83,13 +83,10 @@ pub fn has_values(
     what: &'static str,
     found: &[f64],
     entries: usize,
-    expected: &[f64],
-    is_solution: bool,
+    expected: &[(f64, f64)],
 ) -> Result<(), Mismatch> {
-    let relative = if is_solution { SOLUTION } else { ROUNDING };
-    let tolerance = relative * largest(found).max(largest(expected)).max(SMALLEST);
     let sums = found.chunks(entries.max(1)).map(sum);
-    for (place, (found, &expected)) in sums.zip(expected).enumerate() {
+    for (place, (found, &(expected, tolerance))) in sums.zip(expected).enumerate() {
         is_near(what, place, found, expected, tolerance)?;
     }
     let (n_found, n_expected) = (found.len().div_ceil(entries.max(1)), expected.len());
@@ -112,7 +109,9 @@ fn sum(entries: &[f64]) -> f64 {
     }
 }
 
-/// `M = M^T`, and all pivots of its elimination are positive.
+/// `M = M^T`, and all pivots of its elimination are positive, or what rounding may make of such.
+///
+/// Outer bodies go first, as in the generated solution: a light body on a heavy one loses no digits then.
 ///
 /// # Errors
 /// The entry whose mirror image differs, or the pivot.
@@ -129,8 +128,14 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
             is_near("mass matrix, symmetry, row", row, found, mirrored, 0.0)?;
         }
     }
-    for pivot in 0..n {
+    let whole = m;
+    for pivot in (0..n).rev() {
         let d = m[pivot][pivot];
+        // A coordinate that moves no mass to speak of beside what moves with it.
+        let rounding = n as f64 * f64::EPSILON * whole[pivot][pivot];
+        if d.abs() <= rounding && rounding > 0.0 {
+            continue;
+        }
         if d.is_nan() || d <= 0.0 {
             return Err(Mismatch {
                 what: "mass matrix, pivot",
@@ -140,9 +145,9 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
                 tolerance: f64::INFINITY,
             });
         }
-        for row in pivot + 1..n {
+        for row in 0..pivot {
             let factor = m[row][pivot] / d;
-            for column in pivot..n {
+            for column in 0..pivot {
                 m[row][column] -= factor * m[pivot][column];
             }
         }
@@ -150,23 +155,25 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
     Ok(())
 }
 
-/// Forward dynamics of what inverse dynamics gives is the acceleration that it was given.
+/// Forward dynamics of what inverse dynamics gives is an acceleration that takes the same forces.
+///
+/// Forces are compared, for a mass matrix of any condition keeps the digits of these, and not those of accelerations.
 ///
 /// # Errors
-/// The acceleration that differs.
+/// The force that differs.
 pub fn forward_undoes_inverse<S: InverseDynamics<f64> + ForwardDynamics<f64>>(
     system: &S,
     q: &S::Q,
     u: &S::U,
     u_dot: &S::U,
 ) -> Result<(), Mismatch> {
-    let (mut tau, mut found) = (S::U::filled(f64::NAN), S::U::filled(f64::NAN));
-    system.inverse_dynamics(q, u, u_dot, &mut tau);
-    system.forward_dynamics(q, u, &tau, &mut found);
-    let tolerance = SOLUTION * largest(u_dot.as_ref()).max(SMALLEST);
-    let pairs = found.as_ref().iter().zip(u_dot.as_ref());
-    for (place, (&found, &expected)) in pairs.enumerate() {
-        is_near("acceleration", place, found, expected, tolerance)?;
+    let tau = forces(system, q, u, u_dot);
+    let mut solved = S::U::filled(f64::NAN);
+    system.forward_dynamics(q, u, &tau, &mut solved);
+    let (found, scales) = (forces(system, q, u, &solved), scales(system, q, u, u_dot));
+    for speed in 0..S::U::LEN {
+        let tolerance = ROUNDING * scales[speed];
+        is_near("force", speed, found[speed], tau[speed], tolerance)?;
     }
     Ok(())
 }
@@ -186,17 +193,16 @@ pub fn power_is_the_rate_of_energy<S>(
 where
     S: InverseDynamics<f64> + Bias<f64> + KineticEnergy<f64> + PotentialEnergy<f64>,
 {
-    let mut tau = S::U::filled(f64::NAN);
-    system.inverse_dynamics(q, u, u_dot, &mut tau);
+    let tau = forces(system, q, u, u_dot);
     let (forward, backward) = (bias_at(system, q, u, 1.0), bias_at(system, q, u, -1.0));
-    let mut power = 0.0;
-    let mut scale = SMALLEST;
+    let (mut power, mut rates, mut damped) = (0.0, 0.0, 0.0);
     for speed in 0..S::U::LEN {
         let damping = 0.5 * (forward[speed] - backward[speed]);
         power += u[speed] * (tau[speed] - damping);
-        scale = scale.max((u[speed] * tau[speed]).abs());
+        rates += (u[speed] * (tau[speed] - damping)).abs();
+        damped += (u[speed] * damping).abs();
     }
-    let energy = |t: f64| {
+    let energies = |t: f64| {
         let (mut moved, mut kinetic, mut potential) = (*u, f64::NAN, f64::NAN);
         for (speed, rate) in moved.as_mut().iter_mut().zip(u_dot.as_ref()) {
             *speed += t * rate;
@@ -204,11 +210,12 @@ where
         let q = moved_along(system, q, u, t);
         system.kinetic_energy(&q, &moved, &mut kinetic);
         system.potential_energy(&q, &mut potential);
-        (kinetic + potential, kinetic.abs() + potential.abs())
+        [kinetic, potential]
     };
-    // Of large energies differences keep fewer digits.
-    let tolerance = DIFFERENCE * scale + 1e-12 * energy(0.0).1 / STEP;
-    let rate = difference(|t| energy(t).0);
+    let [kinetic, potential] = energies(0.0).map(f64::abs);
+    let differenced = DIFFERENCED * (kinetic + potential) / STEP;
+    let tolerance = DIFFERENCE * rates + ROUNDING * damped + differenced;
+    let rate = difference(|t| energies(t).iter().sum());
     is_near("power and rate of energy", 0, power, rate, tolerance)
 }
 
@@ -223,11 +230,13 @@ pub fn bias_follows_the_mass_matrix<S: MassMatrix<f64> + Bias<f64>>(
     u: &S::U,
 ) -> Result<(), Mismatch> {
     let [twice, once, none] = [2.0, 1.0, 0.0].map(|factor| bias_at(system, q, u, factor));
-    let (mut power, mut scale) = (0.0, SMALLEST);
+    let (mut power, mut rates, mut terms) = (0.0, 0.0, 0.0);
     for speed in 0..S::U::LEN {
         let quadratic = 0.5 * (twice[speed] - 2.0 * once[speed] + none[speed]);
         power += u[speed] * quadratic;
-        scale = scale.max((u[speed] * twice[speed]).abs());
+        rates += (u[speed] * quadratic).abs();
+        let sum = twice[speed].abs() + once[speed].abs() + none[speed].abs();
+        terms += u[speed].abs() * sum;
     }
     let energy = |t: f64| {
         let mut m = zero_matrix(system);
@@ -239,7 +248,8 @@ pub fn bias_follows_the_mass_matrix<S: MassMatrix<f64> + Bias<f64>>(
         };
         rows.map(|(row, u)| 0.5 * u * products(row)).sum::<f64>()
     };
-    let tolerance = DIFFERENCE * scale + 1e-12 * energy(0.0).abs() / STEP;
+    let differenced = DIFFERENCED * energy(0.0).abs() / STEP;
+    let tolerance = DIFFERENCE * rates + ROUNDING * terms + differenced;
     let rate = difference(energy);
     is_near("power of bias and rate of M", 0, power, rate, tolerance)
 }
@@ -255,16 +265,12 @@ pub fn inverse_dynamics_is_linear<S: InverseDynamics<f64>>(
     u: &S::U,
     u_dot: &S::U,
 ) -> Result<(), Mismatch> {
-    let tau = |system: &S| {
-        let mut tau = S::U::filled(f64::NAN);
-        system.inverse_dynamics(q, u, u_dot, &mut tau);
-        tau
-    };
-    let [below, at, above] = [below, at, above].map(tau);
-    let tolerance = ROUNDING * largest(above.as_ref()).max(SMALLEST);
+    let [lower, middle, upper] = [below, at, above].map(|system| forces(system, q, u, u_dot));
+    let [lower_scales, upper_scales] = [below, above].map(|system| scales(system, q, u, u_dot));
     for speed in 0..S::U::LEN {
-        let found = 0.5 * (below[speed] + above[speed]);
-        is_near("linear force", speed, found, at[speed], tolerance)?;
+        let found = 0.5 * (lower[speed] + upper[speed]);
+        let tolerance = ROUNDING * (lower_scales[speed] + upper_scales[speed]);
+        is_near("linear force", speed, found, middle[speed], tolerance)?;
     }
     Ok(())
 }
@@ -289,10 +295,34 @@ fn is_near(
     })
 }
 
-fn largest(numbers: &[f64]) -> f64 {
-    numbers
-        .iter()
-        .fold(0.0, |most, number| most.max(number.abs()))
+fn forces<S: InverseDynamics<f64>>(system: &S, q: &S::Q, u: &S::U, u_dot: &S::U) -> S::U {
+    let mut tau = S::U::filled(f64::NAN);
+    system.inverse_dynamics(q, u, u_dot, &mut tau);
+    tau
+}
+
+/// Of each force the sum of its terms: of weight and springs, of motion, and of each acceleration. What outer bodies weigh may
+/// be nothing beside inner ones, so each has its own; but a force that is the sum of larger ones, in axes of other bodies, has
+/// the rounding of these.
+fn scales<S: InverseDynamics<f64>>(system: &S, q: &S::Q, u: &S::U, u_dot: &S::U) -> S::U {
+    let zero = S::U::filled(0.0);
+    let (resting, moving) = (forces(system, q, &zero, &zero), forces(system, q, u, &zero));
+    let mut scales =
+        S::U::from_fn(|speed| resting[speed].abs() + (moving[speed] - resting[speed]).abs());
+    for accelerated in 0..S::U::LEN {
+        let mut one = zero;
+        one[accelerated] = u_dot[accelerated];
+        let forces = forces(system, q, &zero, &one);
+        for speed in 0..S::U::LEN {
+            scales[speed] += (forces[speed] - resting[speed]).abs();
+        }
+    }
+    let scales_of = scales.as_ref().iter();
+    let largest = scales_of.fold(0.0, |most: f64, scale| most.max(*scale));
+    for scale in scales.as_mut() {
+        *scale += LARGER * largest;
+    }
+    scales
 }
 
 fn zero_matrix<S: MassMatrix<f64>>(_: &S) -> S::Matrix {

@@ -18,6 +18,8 @@
 pub mod id;
 // Vectors and rotations as numbers.
 pub mod geometry;
+// Numbers, and numbers with their rounding.
+pub mod number;
 // What can be wrong, and how it is said.
 pub mod diagnostic;
 pub mod error;

@@ -4,16 +4,12 @@ use std::{env, fmt::Write as _, fs, path::Path};
 
 use kane_codegen::{build_script::Build, description::Base};
 
+mod mutant;
+
+use mutant::{Mutant, mutant};
+
 /// How many mutants a module has.
 const MUTANTS: u64 = 10;
-
-/// What a token becomes: a sign, or another operation.
-const CHANGES: [(&str, &str); 4] = [
-    (" + ", " - "),
-    (" - ", " + "),
-    (" * ", " + "),
-    ("= -", "= "),
-];
 
 #[expect(
     clippy::disallowed_methods,
@@ -21,6 +17,7 @@ const CHANGES: [(&str, &str); 4] = [
 )]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=mutant.rs");
     let out = env::var("OUT_DIR")?;
     let mut list = String::new();
     for (name, model, base) in [
@@ -46,60 +43,59 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             "pub mod {name} {{ {module}\npub mod tests {{ use super::*; {tests} }} }}\n"
         )?;
         for seed in 0..MUTANTS {
-            let (mutant, line) = mutant(&module, seed);
+            let Mutant { module, line, .. } = mutant(&module, seed);
             write!(
                 list,
-                "/// `{line}`\npub mod {name}_{seed} {{ {mutant}\npub mod tests {{ use super::*; {tests} }} }}\n"
+                "/// `{line}`\npub mod {name}_{seed} {{ {module}\npub mod tests {{ use super::*; {tests} }} }}\n"
             )?;
         }
     }
+    list += &eight_body(Path::new(&out))?;
     fs::write(Path::new(&out).join("mutants.rs"), list)?;
     Ok(())
 }
 
-/// The module with one token of one function changed, and the changed line.
-fn mutant(module: &str, seed: u64) -> (String, String) {
-    let start = module.find("pub fn ").unwrap_or(0);
-    let places: Vec<(usize, &str, &str)> = CHANGES
-        .iter()
-        .flat_map(|&(from, to)| {
-            let found = module.match_indices(from);
-            found.map(move |(place, _)| (place, from, to))
-        })
-        .filter(|&(place, ..)| place > start && is_statement(line_at(module, place)))
-        .collect();
-    let chosen = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 33;
-    let chosen = usize::try_from(chosen).unwrap_or(0) % places.len();
-    let (place, from, to) = places[chosen];
-    let mut text = module.to_owned();
-    text.replace_range(place..place + from.len(), to);
-    let line = line_at(&text, place).trim().to_owned();
-    (text, line)
-}
-
-fn line_at(text: &str, place: usize) -> &str {
-    let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
-    let end = text[place..]
-        .find('\n')
-        .map_or(text.len(), |end| place + end);
-    &text[start..end]
-}
-
-/// True for a line of a function's body.
-fn is_statement(line: &str) -> bool {
-    line.starts_with("    ") && !line.trim_start().starts_with("//")
+/// All functions of a large module, and of each mutant the one that is wrong, in front of the others: ten whole ones would take
+/// minutes to compile. Identities call the functions of the module as it is, so the test of the function's values has to see
+/// what is wrong.
+fn eight_body(out: &Path) -> Result<String, Box<dyn std::error::Error>> {
+    let build = Build::new("../../models/eight_body.toml").functions(["all"]);
+    let module = fs::read_to_string(build.with_tests().run()?)?;
+    let tests = fs::read_to_string(out.join("eight_body_tests.rs"))?;
+    let mut list = format!(
+        "pub mod eight_body {{ {module}\npub mod tests {{ use super::*; {} }} }}\n",
+        as_functions(&tests)
+    );
+    for seed in 0..MUTANTS {
+        let mutant = mutant(&module, seed);
+        let (name, function) = mutant.function();
+        let mut items = tests.split("#[test]\n");
+        let test = items.find(|item| item.starts_with(&format!("fn {name}_has_its_values(")));
+        let test = as_functions(&format!(
+            "#[test]\n{}",
+            test.ok_or("a function without test")?
+        ));
+        write!(
+            list,
+            "/// `{}`\npub mod eight_body_{seed} {{ pub use super::eight_body::*;{function}\
+             pub mod tests {{ use super::*; use crate::eight_body::tests::*; {test} }} }}\n",
+            mutant.line
+        )?;
+    }
+    Ok(list)
 }
 
 /// The tests as functions that can be called, with the list of them.
 fn as_functions(tests: &str) -> String {
     let text = tests.replace("#[test]\nfn ", "pub fn ");
+    let text = text.replace("\nconst ", "\npub const ");
     let names = tests.split("#[test]\nfn ").skip(1);
     let names = names.filter_map(|rest| rest.split('(').next());
     let names: Vec<String> = names
         .map(|name| format!("({name:?}, {name} as Test)"))
         .collect();
     format!(
-        "{text}\ntype Test = fn() -> Result<(), kane::self_test::Mismatch>;\n\
+        "{text}\npub type Test = fn() -> Result<(), kane::self_test::Mismatch>;\n\
          pub const ALL: &[(&str, Test)] = &[{}];\n",
         names.join(", ")
     )

@@ -1,18 +1,19 @@
 //! The tests beside a module: states, and what the equations give there.
 //!
 //! Values are those of the notes' formulation, evaluated as a graph: they share neither the recursion, nor the passes, nor the
-//! emission with what they test.
-
-use std::collections::BTreeMap;
+//! emission with what they test. How far a function may be from them is what rounding can do, to them and to the program
+//! that was emitted.
 
 use crate::{
-    emit::{self, Module, Sample, Sampled},
+    companions::sample::{self, Inputs},
+    emit::{self, Emittable, Module, Sample, Sampled},
     expr::Input,
-    functions::{Formulation, Request},
-    id::{BodyId, CoordinateId, ParameterId, SpeedId},
+    functions::Formulation,
+    number::{Number, Rounded},
+    passes::sines,
     recursive::Plan,
     threads,
-    tree::{Chart, Orientation, Tree},
+    tree::Tree,
 };
 
 /// How many states are tried.
@@ -21,45 +22,28 @@ const STATES: u64 = 2;
 /// The most numbers that are compared one by one; those of larger outputs are summed.
 const MOST_NUMBERS: usize = 64;
 
+/// How many times the bound on rounding a value may be off. The bound knows nothing of the digits that constants lost where
+/// they were folded; of models with extreme numbers values are off by four times the bound, of others by a hundredth.
+const ROUNDINGS: f64 = 100.0;
+
+/// What of the largest number of a row any other one may be off: the cosine of a right angle that folding made of constants
+/// is no zero, and the bound takes it for a number with all its digits.
+const CRUMBS: f64 = 8.0 * f64::EPSILON;
+
 pub(super) fn text(module: &Module<'_>) -> String {
     let tree = module.tree;
-    let samples: Vec<Sample> = (0..STATES).map(|seed| sample(tree, seed)).collect();
+    let samples: Vec<Sample> = (0..STATES).map(|seed| sample::draw(tree, seed)).collect();
+    let inputs = samples.iter().map(|sample| inputs(module, sample));
+    let inputs: Vec<Inputs> = inputs.collect();
     let functions = threads::map(&module.functions, |emittable| {
-        sampled(tree, &emittable.function, &samples)
+        sampled(tree, emittable, &inputs)
     });
     emit::self_tests(module, &samples, &functions)
 }
 
-/// A state in which nothing is zero, equal, or singular.
-fn sample(tree: &Tree, seed: u64) -> Sample {
-    let mut random = Random(seed);
-    let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<f64>>();
-    let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
-    let mut q = numbers(tree.n_coordinates);
-    for body in &tree.bodies {
-        if let Orientation::AngularVelocity {
-            chart: Chart::EulerParameters(parameters),
-            ..
-        } = body.joint.orientation
-        {
-            let places = parameters.map(CoordinateId::index);
-            let square: f64 = places.iter().map(|&place| q[place] * q[place]).sum();
-            for place in places {
-                q[place] /= libm::sqrt(square);
-            }
-        }
-    }
-    Sample {
-        q,
-        u: numbers(n_speeds),
-        u_dot: numbers(n_speeds),
-        loads: numbers(6 * n_bodies),
-        w_rel: numbers(3 * n_bodies),
-    }
-}
-
 /// What a function writes in every state.
-fn sampled(tree: &Tree, function: &Request, samples: &[Sample]) -> Sampled {
+fn sampled(tree: &Tree, emittable: &Emittable, states: &[Inputs]) -> Sampled {
+    let function = &emittable.function;
     let derived = function.derive(tree, Formulation::Notes, &Plan::full(tree));
     let n_columns = derived.roots.len() / 3;
     let outputs = function.outputs().into_iter();
@@ -71,19 +55,26 @@ fn sampled(tree: &Tree, function: &Request, samples: &[Sample]) -> Sampled {
         count.div_ceil(MOST_NUMBERS).max(1)
     };
     let entries: Vec<usize> = lengths.iter().map(entries).collect();
-    let values = samples.iter().map(|sample| {
-        let inputs = inputs(tree, sample);
-        let numbers = derived
-            .graph
-            .evaluate(&derived.roots, |input| inputs[&input]);
-        let mut rest = &numbers[..];
-        let mut outputs = Vec::new();
-        for (lengths, &entries) in lengths.iter().zip(&entries) {
-            let (own, others) = rest.split_at(lengths.iter().product());
-            outputs.push(own.chunks(entries).map(sum).collect());
-            rest = others;
-        }
-        outputs
+    let values = states.iter().map(|inputs| {
+        let graph = &derived.graph;
+        let numbers = graph.evaluate(&derived.roots, |input| inputs[&input]);
+        let emitted = emittable.program.evaluate(|input| inputs[&input]);
+        let mut rest = tolerated(&numbers, &emitted);
+        let outputs = lengths.iter().zip(&entries).map(|(lengths, &entries)| {
+            let others = rest.split_off(lengths.iter().product());
+            let own = std::mem::replace(&mut rest, others);
+            // In an array of several dimensions what is small has rows of its own.
+            let is_vector = lengths.len() < 2;
+            let row = if is_vector {
+                own.len()
+            } else {
+                lengths[lengths.len() - 1]
+            };
+            let own: Vec<Rounded> = own.chunks(row.max(1)).flat_map(with_crumbs).collect();
+            let sums = own.chunks(entries).map(sum);
+            sums.map(|sum| (sum.value, sum.error)).collect()
+        });
+        outputs.collect()
     });
     Sampled {
         values: values.collect(),
@@ -92,61 +83,51 @@ fn sampled(tree: &Tree, function: &Request, samples: &[Sample]) -> Sampled {
     }
 }
 
+/// Values, and how far those that the emitted program computes may be from them.
+fn tolerated(numbers: &[Rounded], emitted: &[Rounded]) -> Vec<Rounded> {
+    assert_eq!(numbers.len(), emitted.len(), "functions have one layout");
+    let pairs = numbers.iter().zip(emitted);
+    let tolerated = pairs.map(|(number, emitted)| Rounded {
+        error: ROUNDINGS * (number.error + emitted.error),
+        ..*number
+    });
+    tolerated.collect()
+}
+
+fn with_crumbs(row: &[Rounded]) -> Vec<Rounded> {
+    let largest = row.iter().fold(0.0, |most: f64, x| most.max(x.value.abs()));
+    let with_crumbs = row.iter().map(|number| Rounded {
+        error: number.error + CRUMBS * largest,
+        ..*number
+    });
+    with_crumbs.collect()
+}
+
 /// As `kane::self_test` sums: one number is itself.
-fn sum(entries: &[f64]) -> f64 {
+fn sum(entries: &[Rounded]) -> Rounded {
     match entries {
         [entry] => *entry,
         entries => {
             let weight = |place: usize| f64::from([1, 2, 3, 4, 5, 6, 7][place % 7]) / 8.0;
             let terms = entries.iter().enumerate();
-            terms.map(|(place, entry)| weight(place) * entry).sum()
+            terms
+                .map(|(place, &entry)| Rounded::exact(weight(place)) * entry)
+                .fold(Rounded::exact(0.0), |sum, term| sum + term)
         }
     }
 }
 
-fn inputs(tree: &Tree, sample: &Sample) -> BTreeMap<Input, f64> {
-    let mut inputs = BTreeMap::new();
-    for (place, &value) in sample.q.iter().enumerate() {
-        inputs.insert(Input::Q(CoordinateId::new(place)), value);
+/// All that a program of the module reads.
+fn inputs(module: &Module<'_>, sample: &Sample) -> Inputs {
+    let mut inputs = sample::inputs(module.tree, sample);
+    for (place, angle) in sines::angles(module.tree).iter().enumerate() {
+        let (sine, cosine) = inputs[&Input::Q(angle.coordinate)].sin_cos();
+        inputs.insert(Input::Sine(place), sine);
+        inputs.insert(Input::Cosine(place), cosine);
     }
-    for (place, (&u, &u_dot)) in sample.u.iter().zip(&sample.u_dot).enumerate() {
-        let speed = SpeedId::new(place);
-        inputs.insert(Input::U(speed), u);
-        inputs.insert(Input::UDot(speed), u_dot);
-        inputs.insert(Input::Tau(speed), u_dot);
-    }
-    for (place, parameter) in tree.parameters.iter().enumerate() {
-        inputs.insert(Input::Parameter(ParameterId::new(place)), parameter.nominal);
-    }
-    for body in tree.body_ids() {
-        for axis in 0..3 {
-            let load = 6 * BodyId::index(body) + axis;
-            inputs.insert(Input::Force(body, axis), sample.loads[load]);
-            inputs.insert(Input::Moment(body, axis), sample.loads[load + 3]);
-            let rate = sample.w_rel[3 * BodyId::index(body) + axis];
-            inputs.insert(Input::RelativeAngularVelocity(body, axis), rate);
-        }
+    let prepared = module.preparation.evaluate(|input| inputs[&input]);
+    for (place, value) in prepared.into_iter().enumerate() {
+        inputs.insert(Input::Prepared(place), value);
     }
     inputs
-}
-
-/// `SplitMix64`: the same numbers everywhere.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut word = self.0;
-        word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        word ^ (word >> 31)
-    }
-
-    /// Between a tenth and 1.2 in magnitude, with three digits: angles stay away from the singularity.
-    fn number(&mut self) -> f64 {
-        let word = self.next();
-        let thousandths = u32::try_from(100 + (word >> 1) % 1101);
-        let magnitude = f64::from(thousandths.expect("a remainder is small")) / 1000.0;
-        if word & 1 == 0 { magnitude } else { -magnitude }
-    }
 }

@@ -1,12 +1,12 @@
 //! The meaning of a program: what it stores. Flattening is tested against the graph's own meaning.
 
 use super::{Instruction, Operand, Operation, Origin, Program};
-use crate::expr::Input;
+use crate::{expr::Input, number::Number};
 
 impl Program {
-    /// The stored values where `input` gives the inputs, in f64.
-    pub fn evaluate(&self, mut input: impl FnMut(Input) -> f64) -> Vec<f64> {
-        let mut values = vec![f64::NAN; self.values.len()];
+    /// The stored values where `input` gives the inputs, in any kind of numbers.
+    pub fn evaluate<N: Number>(&self, mut input: impl FnMut(Input) -> N) -> Vec<N> {
+        let mut values = vec![N::constant(f64::NAN); self.values.len()];
         for (value, slot) in self.values.iter().zip(&mut values) {
             if let Origin::Input(given) = value.origin {
                 *slot = input(given);
@@ -19,7 +19,7 @@ impl Program {
                         Operation::Add(a, b) => read(&values, a) + read(&values, b),
                         Operation::Mul(a, b) => read(&values, a) * read(&values, b),
                         Operation::MulAdd(a, b, c) => {
-                            libm::fma(read(&values, a), read(&values, b), read(&values, c))
+                            read(&values, a).mul_add(read(&values, b), read(&values, c))
                         }
                         Operation::Div(a, b) => read(&values, a) / read(&values, b),
                         Operation::Abs(a) => read(&values, a).abs(),
@@ -32,11 +32,8 @@ impl Program {
                     cosines,
                 } => {
                     for (place, &angle) in angles.iter().enumerate() {
-                        let angle = read(&values, angle);
-                        for (result, number) in [
-                            (sines[place], libm::sin(angle)),
-                            (cosines[place], libm::cos(angle)),
-                        ] {
+                        let (sine, cosine) = read(&values, angle).sin_cos();
+                        for (result, number) in [(sines[place], sine), (cosines[place], cosine)] {
                             if let Some(result) = result {
                                 values[result.index()] = number;
                             }
@@ -52,9 +49,9 @@ impl Program {
     }
 }
 
-fn read(values: &[f64], operand: Operand) -> f64 {
+fn read<N: Number>(values: &[N], operand: Operand) -> N {
     match operand {
-        Operand::Number(number) => number,
+        Operand::Number(number) => N::constant(number),
         Operand::Value {
             id,
             negative: false,

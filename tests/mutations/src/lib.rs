@@ -6,6 +6,7 @@
     clippy::restriction,
     missing_docs,
     unused_parens,
+    unused_variables,
     dead_code,
     reason = "generated, and made wrong on purpose"
 )]

@@ -9,6 +9,7 @@ mod body;
 mod draw;
 mod joints;
 pub(crate) mod rotation;
+pub(crate) mod trees;
 pub(crate) mod variants;
 
 use body::{Body, Number, list};

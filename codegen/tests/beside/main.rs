@@ -1,0 +1,48 @@
+//! The tests beside modules, compiled and run: whatever the model, a sound module passes them and a faulty one does not.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test stops where it cannot go on"
+)]
+
+mod crates;
+mod unusual;
+
+use crates::Tested;
+
+#[path = "../../../tests/mutations/mutant.rs"]
+mod mutant;
+#[path = "../dynamics/random/mod.rs"]
+#[allow(dead_code, reason = "other tests use the rest of these")]
+mod random;
+
+use random::trees;
+
+/// How many of the trees have mutants where all are tried, and how many each of these has.
+const MUTATED: (usize, u64) = (10, 5);
+
+/// Each tree alone: all of them in one crate would take gigabytes.
+#[test]
+fn random_trees_pass_and_their_mutants_do_not() {
+    let count = trees::count(3);
+    // In an ordinary run the smallest one alone, or compiling takes a minute.
+    let (n_mutated, n_mutants) = if count < 50 { (1, 3) } else { MUTATED };
+    let (mut n_tests, mut caught, mut missed) = (0, 0, Vec::new());
+    for (place, system) in trees::first(count).enumerate() {
+        let tested = Tested::new(&system.toml());
+        n_tests += tested.passes(&system.name);
+        for seed in 0..if place < n_mutated { n_mutants } else { 0 } {
+            let mutant = mutant::mutant(tested.module(), seed);
+            if tested.fails(&mutant.module) {
+                caught += 1;
+            } else {
+                missed.push(format!("{}: {}", system.name, mutant.line));
+            }
+        }
+    }
+    println!(
+        "{count} trees pass {n_tests} tests; of their mutants {caught} are caught, these are not: {missed:#?}"
+    );
+    assert!(10 * missed.len() <= caught, "{missed:#?}");
+}

@@ -1,0 +1,72 @@
+//! Models with numbers far from one, and far from one another.
+
+use super::{crates::Tested, mutant::mutant};
+
+/// A shoulder that turns, an elbow, and a tip that slides: their masses, kg, the length of each, m, and what acts in the
+/// first joint.
+fn chain(masses: [f64; 3], length: f64, mechanics: &str) -> String {
+    let mut text =
+        "name = \"chain\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n".to_owned();
+    let joints = [
+        format!("joint = \"revolute\"\naxis = [0.3, 1.0, 0.2]\n{mechanics}"),
+        "joint = \"universal\"\n".to_owned(),
+        "joint = \"prismatic\"\naxis = [0.1, -0.4, 1.0]\n".to_owned(),
+    ];
+    for (place, (mass, joint)) in masses.into_iter().zip(joints).enumerate() {
+        let [x, y, z] = [0.21, -0.34, 0.55].map(|part| part * length);
+        let [xx, yy, zz, xy] = [0.11, 0.13, 0.09, 0.02].map(|part| part * mass * length * length);
+        text += &format!(
+            "\n[[body]]\nname = \"b{place}\"\nmass = {mass:?}\nmass_center = [{x:?}, {y:?}, {z:?}]\n\
+             inertia = {{ xx = {xx:?}, yy = {yy:?}, zz = {zz:?}, xy = {xy:?}, xz = 0.0, yz = 0.0 }}\n\
+             attachment = [{z:?}, {x:?}, {y:?}]\n{joint}"
+        );
+    }
+    text
+}
+
+fn assert_tested(description: &str) {
+    let tested = Tested::new(description);
+    tested.passes("the module as it is");
+    for seed in 0..4 {
+        let mutant = mutant(tested.module(), seed);
+        assert!(tested.fails(&mutant.module), "not caught: {}", mutant.line);
+    }
+}
+
+/// States of metres would be all that counts in its equations.
+#[test]
+fn a_microscopic_chain() {
+    assert_tested(&chain([2e-9, 1e-9, 5e-10], 1e-5, ""));
+}
+
+/// A solution with its mass matrix has lost most of its digits.
+#[test]
+fn a_chain_that_ends_in_nearly_nothing() {
+    assert_tested(&chain([2.0, 1e-6, 1e-12], 0.5, ""));
+}
+
+/// Its first joint moves hardly more than what is on it.
+#[test]
+fn a_chain_that_ends_in_nearly_everything() {
+    assert_tested(&chain([1e-6, 1e-3, 1e3], 0.5, ""));
+}
+
+/// Forces of the spring are a billion times those of the motion.
+#[test]
+fn a_chain_on_a_stiff_spring() {
+    assert_tested(&chain(
+        [2.0, 1.0, 0.5],
+        0.5,
+        "stiffness = 1e9\nrest = 0.3\n",
+    ));
+}
+
+/// The rotor is all that the first joint feels.
+#[test]
+fn a_chain_behind_a_rotor() {
+    assert_tested(&chain(
+        [2.0, 1.0, 0.5],
+        0.5,
+        "armature = 1e5\ndamping = 1e5\n",
+    ));
+}
