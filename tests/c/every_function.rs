@@ -4,7 +4,7 @@ use std::{fmt::Write as _, fs, process::Command};
 
 use serde_json::Value;
 
-use super::{C, WARNINGS, bits, folder, headers, run};
+use super::{C, WARNINGS, bits, folder, headers, random::trees, run};
 
 const MANIFEST: &str = r#"
 [workspace]
@@ -42,7 +42,7 @@ fn entry<R: Real>(kind: i64, place: i64) -> R {
 }
 
 fn all<R: Real + Numbers>() {
-    let p = Prepared::new(&Parameters { int_mass: R::from_f64(2.5), ..Parameters::default() });
+    let p = Prepared::new(&Parameters { CHANGED..Parameters::default() });
     let (q, u, u_dot, tau): ([R; NQ], [R; NU], [R; NU], [R; NU]) = (entries(0), entries(1), entries(2), entries(3));
     let w_rel: [[R; 3]; NB] = core::array::from_fn(|body| core::array::from_fn(|i| entry(4, (3 * body + i) as i64)));
     let loads: [Load<R>; NB] = core::array::from_fn(|body| Load {
@@ -90,7 +90,7 @@ static void all_SCALAR(void)
 {
     claw_parameters_SCALAR parameters;
     claw_nominal_SCALAR(&parameters);
-    parameters.int_mass = 2.5;
+    CHANGED
     claw_prepared_SCALAR p;
     claw_prepare_SCALAR(&parameters, &p);
     REAL q[CLAW_NQ], u[CLAW_NU], u_dot[CLAW_NU], tau[CLAW_NU], w_rel[3 * CLAW_NB];
@@ -120,10 +120,26 @@ int main(void)
 
 #[test]
 fn every_function_gives_c_the_bits_of_rust() {
-    let folder = folder("every_function");
+    compare("every_function", headers::CLAW, Some("int_mass"));
+}
+
+#[test]
+fn every_function_of_random_trees_gives_c_the_bits_of_rust() {
+    let (mut n_trees, mut n_numbers) = (0, 0);
+    for system in trees::first(trees::count(2)) {
+        n_numbers += compare("random", &system.toml(), None);
+        n_trees += 1;
+    }
+    println!("{n_trees} trees from C: {n_numbers} numbers of each compiler have the bits of Rust");
+}
+
+/// Compiles and runs both programs for a model, one parameter of it changed where it is named. Returns how many numbers are
+/// the same.
+fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
+    let folder = folder(name);
     let source = folder.join("src");
     fs::create_dir_all(&source).unwrap();
-    let generated = headers::module("claw", headers::CLAW);
+    let generated = headers::module("claw", model);
     let files = generated.files(&source.join("claw.rs"));
     for (path, text) in &files {
         fs::write(path, text).unwrap();
@@ -135,14 +151,16 @@ fn every_function_gives_c_the_bits_of_rust() {
     let kane = env!("CARGO_MANIFEST_DIR").replace('\\', "/");
     fs::write(folder.join("Cargo.toml"), MANIFEST.replace("KANE", &kane)).unwrap();
     fs::write(source.join("lib.rs"), "pub mod claw;\npub mod claw_c;\n").unwrap();
-    fs::write(source.join("main.rs"), rust_program(&functions)).unwrap();
-    fs::write(source.join("main.c"), c_program(&functions)).unwrap();
+    fs::write(source.join("main.rs"), rust_program(&functions, changed)).unwrap();
+    fs::write(source.join("main.c"), c_program(&functions, changed)).unwrap();
 
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--offline"]).current_dir(&folder);
-    let target = folder.join("target");
+    // Beside the folder, which is emptied: the runtime is compiled once.
+    let target = folder.with_extension("target");
     run(cargo
         .env("CARGO_TARGET_DIR", &target)
+        .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("RUSTFLAGS", "--deny warnings"));
     let expected = run(&mut Command::new(target.join("debug/every")));
     let expected: Vec<_> = expected.lines().map(bits).collect();
@@ -165,6 +183,7 @@ fn every_function_gives_c_the_bits_of_rust() {
         }
         assert_eq!(printed.len(), expected.len());
     }
+    expected.iter().map(|(_, numbers)| numbers.len()).sum()
 }
 
 /// A function as the manifest has it.
@@ -190,7 +209,7 @@ impl<'a> Function<'a> {
     }
 }
 
-fn rust_program(functions: &[Function<'_>]) -> String {
+fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
     let mut calls = String::new();
     for function in functions {
         let Function {
@@ -215,10 +234,11 @@ fn rust_program(functions: &[Function<'_>]) -> String {
         let passed = passed.join(", ");
         writeln!(calls, "    {declared}claw::{name}({passed}); {printed}").unwrap();
     }
-    RUST.replace("CALLS", &calls)
+    let changed = changed.map_or_else(String::new, |name| format!("{name}: R::from_f64(2.5), "));
+    RUST.replace("CALLS", &calls).replace("CHANGED", &changed)
 }
 
-fn c_program(functions: &[Function<'_>]) -> String {
+fn c_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
     let mut calls = String::new();
     for function in functions {
         let Function {
@@ -234,7 +254,8 @@ fn c_program(functions: &[Function<'_>]) -> String {
         let (mut declared, mut printed) = (String::new(), String::new());
         for (output, shape) in outputs {
             let size: u64 = shape.iter().product();
-            write!(declared, "REAL {output}_[{size}]; ").unwrap();
+            // C has no array without entries.
+            write!(declared, "REAL {output}_[{}]; ", size.max(1)).unwrap();
             write!(
                 printed,
                 "printf(\"{name}.{output}\"); print_SCALAR({size}, {output}_); printf(\"\\n\"); "
@@ -249,7 +270,8 @@ fn c_program(functions: &[Function<'_>]) -> String {
         )
         .unwrap();
     }
-    let all = C_ALL.replace("CALLS", &calls);
+    let changed = changed.map_or_else(String::new, |name| format!("parameters.{name} = 2.5;"));
+    let all = C_ALL.replace("CALLS", &calls).replace("CHANGED", &changed);
     let [double, single] = [("f64", "double"), ("f32", "float")]
         .map(|(scalar, real)| all.replace("SCALAR", scalar).replace("REAL", real));
     [C_BEGINNING, &double, &single, C_MAIN].concat()

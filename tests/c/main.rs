@@ -10,6 +10,10 @@ mod every_function;
 mod example;
 mod headers;
 
+#[path = "../../codegen/tests/dynamics/random/mod.rs"]
+#[allow(dead_code, reason = "other tests use the rest of these")]
+mod random;
+
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -47,8 +51,8 @@ fn run(command: &mut Command) -> String {
 
 /// A line's name and the bits of its numbers.
 fn bits(line: &str) -> (&str, Vec<u64>) {
-    let (name, numbers) = line.split_once(' ').unwrap();
-    let numbers = numbers.split(' ');
+    let mut fields = line.split(' ');
+    let (name, numbers) = (fields.next().unwrap(), fields);
     let numbers = numbers.map(|number| number.parse::<f64>().unwrap().to_bits());
     (name, numbers.collect())
 }
