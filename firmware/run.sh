@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Runs generated functions on two microcontrollers in QEMU, compares their bits with the host's, and prints what they cost.
 #
-#   firmware/run.sh
+#   [KANE_TREES=N] firmware/run.sh
+#
+# With KANE_TREES, random trees too, in programs that the flash has room for.
 #
 # What it lacks it downloads: the compiler's target by rustup, and where that fails Debian's compiler; QEMU from Debian.
 #
@@ -59,7 +61,7 @@ if [ "${FIRMWARE_DEBIAN:-0}" = 1 ] || { ! has_target && { [ -e "$root/rustc-web.
     core=(-Zbuild-std=core)
 fi
 
-qemu=(timeout 60 qemu-system-arm)
+qemu=(timeout 300 qemu-system-arm)
 if ! has qemu-system-arm; then
     unpack qemu-system-arm
     qemu=(debian "${qemu[@]}")
@@ -71,7 +73,6 @@ build() {
 }
 
 # microcontroller NAME CPU BOARD
-programs=()
 microcontroller() {
     local program=$work/$2 printed=$work/$2.txt
     say "$1: $3"
@@ -81,12 +82,26 @@ microcontroller() {
     # Time passes with instructions, which board.rs counts by it.
     "${qemu[@]}" -machine "$3" -display none -icount shift=7 \
         -semihosting-config enable=on,target=native -kernel "$program" >"$printed" ||
-        { say "$1: QEMU ended with $? (124 is after a minute)"; exit 1; }
+        { say "$1: QEMU ended with $? (124 is after five minutes)"; exit 1; }
     programs+=("$1" "$program" "$printed")
 }
-microcontroller Cortex-M4F cortex-m4 mps2-an386
-microcontroller Cortex-M7 cortex-m7 mps2-an500
 
 host=$("${cargo[@]}" -vV | sed -n 's/^host: //p')
-build "$host"
-"$work/target/$host/release/kane-firmware" "${programs[@]}"
+
+# Runs the program everywhere and compares.
+everywhere() {
+    programs=()
+    microcontroller Cortex-M4F cortex-m4 mps2-an386
+    microcontroller Cortex-M7 cortex-m7 mps2-an500
+    build "$host"
+    "$work/target/$host/release/kane-firmware" "${programs[@]}"
+}
+everywhere
+
+# The build script reads which of the trees a program has.
+batch=10
+for ((first = 0; first < ${KANE_TREES:-0}; first += batch)); do
+    end=$((first + batch < KANE_TREES ? first + batch : KANE_TREES))
+    say "trees $first to $((end - 1))"
+    FIRMWARE_TREES="$first $end" everywhere
+done

@@ -18,6 +18,9 @@ mod panda {
     include!(concat!(env!("OUT_DIR"), "/panda.rs"));
 }
 
+// Random trees, where the build script was asked for some.
+include!(concat!(env!("OUT_DIR"), "/trees.rs"));
+
 /// Where the functions are called.
 pub(crate) trait Machine {
     /// Calls, and says what that cost.
@@ -41,12 +44,58 @@ pub(crate) fn run(machine: &mut impl Machine) {
 }
 
 fn with_scalar<R: Scalar>(machine: &mut impl Machine) {
+    if option_env!("FIRMWARE_TREES").is_some() {
+        trees::<R>(machine);
+    } else {
+        bundled::<R>(machine);
+    }
+}
+
+#[allow(
+    unused,
+    clippy::extra_unused_type_parameters,
+    reason = "most often there are no trees"
+)]
+fn trees<R: Scalar>(machine: &mut impl Machine) {
+    macro_rules! call {
+        ($tree:ident) => {
+            let system = $tree::Prepared::<R>::nominal();
+            let function = Function {
+                name: concat!(stringify!($tree), "::inverse_dynamics"),
+                address: $tree::inverse_dynamics::<R> as *const (),
+            };
+            function.at_states(machine, |state: &State<R, { $tree::NQ }, _>, [tau]| {
+                $tree::inverse_dynamics(&system, &state.q, &state.u, &state.u_dot, tau);
+            });
+            let function = Function {
+                name: concat!(stringify!($tree), "::mass_matrix"),
+                address: $tree::mass_matrix::<R> as *const (),
+            };
+            function.at_states(machine, |state: &State<R, { $tree::NQ }, _>, m| {
+                $tree::mass_matrix(&system, &state.q, m);
+            });
+            let function = Function {
+                name: concat!(stringify!($tree), "::forward_dynamics"),
+                address: $tree::forward_dynamics::<R> as *const (),
+            };
+            function.at_states(
+                machine,
+                |state: &State<R, { $tree::NQ }, _>, [u_dot]| {
+                    $tree::forward_dynamics(&system, &state.q, &state.u, &state.tau, u_dot);
+                },
+            );
+        };
+    }
+    each_tree!(call);
+}
+
+fn bundled<R: Scalar>(machine: &mut impl Machine) {
     let system = panda::Prepared::<R>::nominal();
     let function = Function {
         name: "panda::inverse_dynamics",
         address: panda::inverse_dynamics::<R> as *const (),
     };
-    function.at_states(machine, |state: &State<R, _>, [tau]| {
+    function.at_states(machine, |state: &State<R, _, _>, [tau]| {
         panda::inverse_dynamics(&system, &state.q, &state.u, &state.u_dot, tau);
     });
 
@@ -55,7 +104,7 @@ fn with_scalar<R: Scalar>(machine: &mut impl Machine) {
         name: "cart_pole::forward_dynamics",
         address: cart_pole::forward_dynamics::<R> as *const (),
     };
-    function.at_states(machine, |state: &State<R, _>, [u_dot]| {
+    function.at_states(machine, |state: &State<R, _, _>, [u_dot]| {
         cart_pole::forward_dynamics(&system, &state.q, &state.u, &state.tau, u_dot);
     });
 
@@ -64,7 +113,7 @@ fn with_scalar<R: Scalar>(machine: &mut impl Machine) {
         name: "eight_body::mass_matrix",
         address: eight_body::mass_matrix::<R> as *const (),
     };
-    function.at_states(machine, |state: &State<R, _>, m| {
+    function.at_states(machine, |state: &State<R, _, _>, m| {
         eight_body::mass_matrix(&system, &state.q, m);
     });
 }
@@ -77,14 +126,14 @@ struct Function {
 
 impl Function {
     /// `call` writes one row of numbers or several.
-    fn at_states<R: Scalar, const N: usize, const ROWS: usize>(
+    fn at_states<R: Scalar, const NQ: usize, const NU: usize, const ROWS: usize>(
         &self,
         machine: &mut impl Machine,
-        call: impl Fn(&State<R, N>, &mut [[R; N]; ROWS]),
+        call: impl Fn(&State<R, NQ, NU>, &mut [[R; NU]; ROWS]),
     ) {
         for (number, numbers) in (0..).zip(&STATES) {
             let state = State::new(numbers);
-            let mut output = [[R::from_f64(0.0); N]; ROWS];
+            let mut output = [[R::from_f64(0.0); NU]; ROWS];
             let cost = machine.measure(|| call(black_box(&state), black_box(&mut output)));
 
             machine.print(self.name.as_bytes());
@@ -131,17 +180,16 @@ macro_rules! scalars {
 
 scalars!(f32 f64);
 
-/// All that the functions are given; these systems have as many coordinates as speeds.
-struct State<R, const N: usize> {
-    q: [R; N],
-    u: [R; N],
-    u_dot: [R; N],
-    tau: [R; N],
+/// All that the functions are given.
+struct State<R, const NQ: usize, const NU: usize> {
+    q: [R; NQ],
+    u: [R; NU],
+    u_dot: [R; NU],
+    tau: [R; NU],
 }
 
-impl<R: Scalar, const N: usize> State<R, N> {
+impl<R: Scalar, const NQ: usize, const NU: usize> State<R, NQ, NU> {
     fn new([q, u, u_dot, tau]: &Numbers) -> Self {
-        let first = |numbers: &[f64; LONGEST]| array::from_fn(|place| R::from_f64(numbers[place]));
         Self {
             q: first(q),
             u: first(u),
@@ -149,6 +197,10 @@ impl<R: Scalar, const N: usize> State<R, N> {
             tau: first(tau),
         }
     }
+}
+
+fn first<R: Scalar, const N: usize>(numbers: &[f64; LONGEST]) -> [R; N] {
+    array::from_fn(|place| R::from_f64(numbers[place]))
 }
 
 /// The length of the longest argument.
