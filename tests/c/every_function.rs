@@ -42,7 +42,7 @@ fn entry<R: Real>(kind: i64, place: i64) -> R {
 }
 
 fn all<R: Real + Numbers>() {
-    let p = Prepared::new(&Parameters { CHANGED..Parameters::default() });
+    let p = Prepared::new(&CHANGED);
     let (q, u, u_dot, tau): ([R; NQ], [R; NU], [R; NU], [R; NU]) = (entries(0), entries(1), entries(2), entries(3));
     let w_rel: [[R; 3]; NB] = core::array::from_fn(|body| core::array::from_fn(|i| entry(4, (3 * body + i) as i64)));
     let loads: [Load<R>; NB] = core::array::from_fn(|body| Load {
@@ -124,6 +124,10 @@ fn every_function_gives_c_the_bits_of_rust() {
 }
 
 #[test]
+#[expect(
+    clippy::print_stdout,
+    reason = "what was compared, for `tests/trees.sh`"
+)]
 fn every_function_of_random_trees_gives_c_the_bits_of_rust() {
     let (mut n_trees, mut n_numbers) = (0, 0);
     for system in trees::first(trees::count(2)) {
@@ -234,7 +238,10 @@ fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
         let passed = passed.join(", ");
         writeln!(calls, "    {declared}claw::{name}({passed}); {printed}").unwrap();
     }
-    let changed = changed.map_or_else(String::new, |name| format!("{name}: R::from_f64(2.5), "));
+    let nominal = "Parameters::default()".to_owned();
+    let changed = changed.map_or(nominal, |name| {
+        format!("Parameters {{ {name}: R::from_f64(2.5), ..Parameters::default() }}")
+    });
     RUST.replace("CALLS", &calls).replace("CHANGED", &changed)
 }
 

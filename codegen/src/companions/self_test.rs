@@ -22,8 +22,8 @@ const STATES: u64 = 2;
 /// The most numbers that are compared one by one; those of larger outputs are summed.
 const MOST_NUMBERS: usize = 64;
 
-/// How many times the bound on rounding a value may be off. The bound knows nothing of the digits that constants lost where
-/// they were folded; of models with extreme numbers values are off by four times the bound, of others by a hundredth.
+/// How many times the bound on rounding a value may be off. The bound is of first order, and knows nothing of the digits that
+/// constants lost where they were folded: that came to four times the bound.
 const ROUNDINGS: f64 = 100.0;
 
 /// What of the largest number of a row any other one may be off: the cosine of a right angle that folding made of constants

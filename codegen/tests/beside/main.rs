@@ -24,6 +24,7 @@ const MUTATED: (usize, u64) = (10, 5);
 
 /// Each tree alone: all of them in one crate would take gigabytes.
 #[test]
+#[expect(clippy::print_stdout, reason = "what was tried, for `tests/trees.sh`")]
 fn random_trees_pass_and_their_mutants_do_not() {
     let count = trees::count(3);
     // In an ordinary run the smallest one alone, or compiling takes a minute.

@@ -1,5 +1,7 @@
 //! Models with numbers far from one, and far from one another.
 
+use std::fmt::Write as _;
+
 use super::{crates::Tested, mutant::mutant};
 
 /// A shoulder that turns, an elbow, and a tip that slides: their masses, kg, the length of each, m, and what acts in the
@@ -15,11 +17,13 @@ fn chain(masses: [f64; 3], length: f64, mechanics: &str) -> String {
     for (place, (mass, joint)) in masses.into_iter().zip(joints).enumerate() {
         let [x, y, z] = [0.21, -0.34, 0.55].map(|part| part * length);
         let [xx, yy, zz, xy] = [0.11, 0.13, 0.09, 0.02].map(|part| part * mass * length * length);
-        text += &format!(
+        write!(
+            text,
             "\n[[body]]\nname = \"b{place}\"\nmass = {mass:?}\nmass_center = [{x:?}, {y:?}, {z:?}]\n\
              inertia = {{ xx = {xx:?}, yy = {yy:?}, zz = {zz:?}, xy = {xy:?}, xz = 0.0, yz = 0.0 }}\n\
              attachment = [{z:?}, {x:?}, {y:?}]\n{joint}"
-        );
+        )
+        .unwrap();
     }
     text
 }
