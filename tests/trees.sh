@@ -15,6 +15,12 @@ trees() { cargo test --quiet --package "$1" --test "$2" -- --nocapture random_tr
 step "the tests beside a module pass, and see a wrong token"
 trees kane-codegen beside
 
+step "machine code: no jump, no call, no panic, no memory but arguments, stack and constants"
+trees kane-codegen object
+
+step "every call executes as many instructions"
+tests/constant_time.sh trees "$KANE_TREES" | awk 'NR > 1 { n++ } / calls, of / { print } END { print n " functions, 1000 calls each" }'
+
 step "C is given the bits of Rust"
 trees kane c
 

@@ -22,7 +22,7 @@ use kane_codegen::{
 #[allow(dead_code, reason = "other tests use the rest of these")]
 mod random;
 
-use random::{RandomSystem, Sizes, Style};
+use random::trees;
 
 const RELEASE: Options = Options {
     scalar: Scalar::F64,
@@ -194,31 +194,31 @@ fn sines_of_any_number_of_angles_hold() {
     }
 }
 
-/// How many trees; `KANE_OBJECT_TREES` asks for another number, `KANE_OBJECT_FOLDER` for their modules.
-const N_TREES: u64 = 4;
-
+/// Every function of random trees; the variable `KANE_TREES_FOLDER` asks for their modules.
 #[test]
 #[expect(
     clippy::disallowed_methods,
-    reason = "how much is tested is the tester's choice"
+    reason = "whether modules are kept is the tester's choice"
 )]
 fn random_trees_hold() {
-    let n_trees = std::env::var("KANE_OBJECT_TREES");
-    let n_trees = n_trees.map_or(N_TREES, |number| number.parse().unwrap());
-    for seed in 0..n_trees {
-        let style = [Style::Plain, Style::Framed][usize::try_from(seed % 2).unwrap()];
-        let bodies = usize::try_from(2 + seed % 9).unwrap();
-        let sizes = Sizes {
-            bodies,
-            speeds: 3 * bodies,
-        };
-        let system = RandomSystem::new(3000 + seed, sizes, style);
+    let folder = std::env::var_os("KANE_TREES_FOLDER").map(PathBuf::from);
+    let (mut n_functions, mut text_bytes, mut most_stack) = (0, 0, 0);
+    for (place, system) in trees::first(trees::count(4)).enumerate() {
         let text = module(&Source::new("random", system.toml()), None, Functions::All);
-        if let Ok(folder) = std::env::var("KANE_OBJECT_FOLDER") {
-            fs::write(Path::new(&folder).join(format!("tree_{seed}.rs")), &text).unwrap();
+        if let Some(folder) = &folder {
+            fs::write(folder.join(format!("tree_{place}.rs")), &text).unwrap();
         }
-        assert_holds(&report(&text), &format!("seed {seed}"));
+        let report = report(&text);
+        assert_holds(&report, &format!("tree {place}"));
+        for function in report.all() {
+            n_functions += 1;
+            text_bytes += function.text;
+            most_stack = most_stack.max(function.stack);
+        }
     }
+    println!(
+        "{n_functions} functions, {text_bytes} bytes of machine code, at most {most_stack} bytes of stack"
+    );
 }
 
 /// The functions of the cart and the pole that break a promise, each with what it does, where this stands in
