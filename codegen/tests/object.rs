@@ -196,10 +196,7 @@ fn sines_of_any_number_of_angles_hold() {
 
 /// Every function of random trees; the variable `KANE_TREES_FOLDER` asks for their modules.
 #[test]
-#[expect(
-    clippy::disallowed_methods,
-    reason = "whether modules are kept is the tester's choice"
-)]
+#[expect(clippy::print_stdout, reason = "what was tried, for `tests/trees.sh`")]
 fn random_trees_hold() {
     let folder = std::env::var_os("KANE_TREES_FOLDER").map(PathBuf::from);
     let (mut n_functions, mut text_bytes, mut most_stack) = (0, 0, 0);

@@ -6,18 +6,19 @@ use std::{
     process::Command,
 };
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use kane_codegen::object::{self, OptLevel, Options, Report, Runtime, Scalar};
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::{Failures, Outcome, parse::one_of};
+use super::{Failures, Outcome, json, parse::one_of};
 
 /// Check what is promised of generated functions on their machine code
 ///
 /// Compiles each module with rustc and reads every instruction of its functions. None jumps; none calls anything but the
 /// runtime's sines and cosines, which are read too, so none can panic; none uses memory but what its arguments refer to,
 /// its stack and constants, and no address depends on a value. Standard output gets a table: bytes of machine code, the most
-/// bytes of stack, instructions of a call; and every broken promise, with the instruction.
+/// bytes of stack, instructions of a call; and every broken promise, with the instruction. All of it follows from the compiler,
+/// its target and options, and stands in no generated file for that reason; `--format json` is for programs that keep it.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every promise holds\n  \
@@ -43,6 +44,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "LEVEL", default_value = "3", value_parser = one_of(OptLevel::ALL))]
     opt_level: OptLevel,
 
+    /// How it is written
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
+    format: Format,
+
     /// The processor, as rustc knows it; without it, the least of its kind
     #[arg(long, value_name = "NAME")]
     target_cpu: Option<String>,
@@ -50,6 +55,14 @@ pub(crate) struct Arguments {
     /// The folder of the crate `kane`; without it, the one on which the package in the current folder depends
     #[arg(long, value_name = "FOLDER")]
     kane: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Tables
+    Text,
+    /// JSON, for programs
+    Json,
 }
 
 /// Compiles and reads.
@@ -74,14 +87,45 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         })
         .collect();
     failures.none()?;
-    let mut outcome = Outcome::Done;
-    for (path, report) in &reports {
-        write_report(out, path, report)?;
-        if !report.holds() {
-            outcome = Outcome::Broken;
+    match arguments.format {
+        Format::Text => {
+            for (path, report) in &reports {
+                write_report(out, path, report)?;
+            }
+        }
+        Format::Json => {
+            let reports = reports.iter().map(|(path, report)| value(path, report));
+            json::write(out, &reports.collect())?;
         }
     }
-    Ok(outcome)
+    let holds = reports.iter().all(|(_, report)| report.holds());
+    Ok(if holds {
+        Outcome::Done
+    } else {
+        Outcome::Broken
+    })
+}
+
+fn value(path: &Path, report: &Report) -> Value {
+    let functions = report.all().map(|function| {
+        let breaches = function.breaches.iter().map(|breach| {
+            json!({
+                "offset": breach.offset, "instruction": breach.instruction, "what": breach.what.to_string(),
+            })
+        });
+        json!({
+            "name": function.name,
+            "text_bytes": function.text,
+            "stack_bytes": function.stack,
+            "instructions": function.instructions,
+            "breaches": breaches.collect::<Value>(),
+        })
+    });
+    json!({
+        "module": path.display().to_string(),
+        "holds": report.holds(),
+        "functions": functions.collect::<Value>(),
+    })
 }
 
 /// The root file of the crate `kane` that cargo compiles for the current folder's package.

@@ -2,6 +2,8 @@
 
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
 
+use serde_json::Value;
+
 use crate::project::{Project, Ran, repository};
 
 /// The command on files of a project, with the repository's crate `kane`.
@@ -58,6 +60,37 @@ fn a_broken_promise_names_function_and_instruction() {
     assert!(broken[0].contains(", `j"), "{}", broken[0]);
     assert!(broken[0].ends_with("`: jumps"), "{}", broken[0]);
     assert!(!ran.out.contains("every promise holds"));
+}
+
+#[test]
+fn json_says_the_same_for_programs() {
+    let project = Project::generated();
+    let ran = verify(&project, &[MODULE, "--format", "json"]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    let value: Value = serde_json::from_str(&ran.out).unwrap();
+    let report = &value[0];
+    assert_eq!(
+        (&report["module"], &report["holds"]),
+        (&MODULE.into(), &true.into())
+    );
+    let function = &report["functions"][1];
+    assert_eq!(function["name"], "mass_matrix");
+    for key in ["text_bytes", "instructions"] {
+        assert!(function[key].as_u64().unwrap() > 0, "{function}");
+    }
+    assert!(function["stack_bytes"].is_u64());
+    assert_eq!(function["breaches"], serde_json::json!([]));
+
+    project.replace(
+        MODULE,
+        "m[0][0] =",
+        "if core::ptr::from_ref(q).addr() & 64 == 0 { return; }\n    m[0][0] =",
+    );
+    let ran = verify(&project, &[MODULE, "--format", "json"]);
+    assert_eq!(ran.code, 1);
+    let value: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(value[0]["holds"], false);
+    assert_eq!(value[0]["functions"][1]["breaches"][0]["what"], "jumps");
 }
 
 #[test]
