@@ -78,12 +78,9 @@ fn trees<R: Scalar>(machine: &mut impl Machine) {
                 name: concat!(stringify!($tree), "::forward_dynamics"),
                 address: $tree::forward_dynamics::<R> as *const (),
             };
-            function.at_states(
-                machine,
-                |state: &State<R, { $tree::NQ }, _>, [u_dot]| {
-                    $tree::forward_dynamics(&system, &state.q, &state.u, &state.tau, u_dot);
-                },
-            );
+            function.at_states(machine, |state: &State<R, { $tree::NQ }, _>, [u_dot]| {
+                $tree::forward_dynamics(&system, &state.q, &state.u, &state.tau, u_dot);
+            });
         };
     }
     each_tree!(call);
