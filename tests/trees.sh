@@ -26,7 +26,3 @@ trees kane c
 
 step "microcontrollers compute the bits of this machine"
 firmware/run.sh | awk '{ print } /^All [0-9]+ numbers/ { sum += $2 } END { print sum " numbers of each microcontroller in all" }'
-
-# Once these tests are here:
-# step "machine code has no call, branch or panic"; trees kane-codegen object
-# step "every call takes as many instructions"; tests/constant_time.sh
