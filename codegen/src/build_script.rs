@@ -14,10 +14,7 @@
 //! }
 //! ```
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use crate::{
     companions::{Abi, Kind},
@@ -27,6 +24,7 @@ use crate::{
     diagnostic::{Diagnostics, Severity, Source},
     error::Error,
     generate::generate,
+    input,
     output::{self, Overwrite},
     recursive::Technique,
 };
@@ -167,7 +165,7 @@ impl Build {
         // Told before the file is read, so that one that is missing now is looked for again.
         let read = |path: &Path| {
             println!("cargo::rerun-if-changed={}", path.display());
-            fs::read_to_string(path)
+            input::text(path)
         };
         let name = self.model.to_string_lossy().replace('\\', "/");
         let text = read(&self.model).map_err(|source| Error::Io {

@@ -15,7 +15,7 @@ use crate::{
     passes::{factor, hoist, hoist::Preparation, sines},
     program::{self, Operations, Program},
     recursive::{Plan, Technique},
-    search, threads,
+    search, size, threads,
     tree::{Changes, Tree},
 };
 
@@ -123,7 +123,7 @@ impl Options {
 /// Compiles the functions that the options select; no other is derived.
 ///
 /// # Errors
-/// Options that cannot be; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
+/// Options that cannot be; [`Error::TooLarge`]; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
 pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     options.check()?;
     let numbers = tree.frames.iter();
@@ -136,6 +136,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
     let requests = options.requests(tree);
+    size::check(tree, &requests, options)?;
     let choices = threads::map(&requests, |function| choose(tree, function, options));
     for (function, choice) in requests.into_iter().zip(choices) {
         let Choice {

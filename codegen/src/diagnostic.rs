@@ -5,12 +5,16 @@
 //!
 //! Messages are lower case, without a final stop, with the user's own names, and say what was found and what was expected.
 
+use std::borrow::Cow;
 use std::fmt;
+use std::ops::Range;
 
-use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 
 /// Faults shown by `Display`; the rest are only counted, for a broken file can hold thousands.
 const MOST_SHOWN: usize = 100;
+/// Bytes of the longest line that is shown.
+const LONGEST_LINE: usize = 2_000;
 
 /// The text of an input file and the name under which it is shown, and those of the files that it includes.
 ///
@@ -213,6 +217,15 @@ impl Diagnostic {
         self
     }
 
+    /// The same with its places moved.
+    #[must_use]
+    pub(crate) fn moved(mut self, by: usize) -> Self {
+        for (span, _) in &mut self.labels {
+            *span = Span::from(span.start + by..span.end + by);
+        }
+        self
+    }
+
     /// True for an error.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
@@ -229,17 +242,16 @@ impl Diagnostic {
         let mut group: Group<'_> = if self.labels.is_empty() {
             title.element(Origin::path(source.name()))
         } else {
-            let snippets = self.snippets(source);
-            title.elements(snippets)
+            title.elements(self.places(source))
         };
         if let Some(help) = &self.help {
             group = group.element(Level::HELP.message(help));
         }
-        Renderer::plain().render(&[group])
+        printable(&Renderer::plain().render(&[group])).into_owned()
     }
 
-    /// The lines of each file in which a label stands, that of the main one first.
-    fn snippets<'a>(&'a self, source: &'a Source) -> Vec<Snippet<'a, Annotation<'a>>> {
+    /// Of each file in which a label stands the lines from the first to the last one, that of the main one first.
+    fn places<'a>(&'a self, source: &'a Source) -> Vec<Element<'a>> {
         let mut files: Vec<&SourceFile> = Vec::new();
         for (span, _) in &self.labels {
             let file = source.file_at(span.start);
@@ -247,23 +259,63 @@ impl Diagnostic {
                 files.push(file);
             }
         }
-        let snippet = |file: &'a SourceFile| {
+        let place = |file: &'a SourceFile| {
             let labels = self.labels.iter().enumerate();
             let here = labels.filter(|(_, (span, _))| source.file_at(span.start).base == file.base);
-            let annotations = here.map(|(index, (span, label))| {
-                let kind = if index == 0 {
-                    AnnotationKind::Primary
-                } else {
-                    AnnotationKind::Context
-                };
-                kind.span(file.clamp(*span)).label(label)
-            });
-            Snippet::source(file.text())
-                .path(file.name())
-                .annotations(annotations)
+            let here = here.map(|(index, (span, label))| (index == 0, file.clamp(*span), label));
+            snippet(file, &here.collect::<Vec<_>>())
         };
-        files.into_iter().map(snippet).collect()
+        files.into_iter().map(place).collect()
     }
+}
+
+/// The lines of a file with labels, of which one may be the main one; where a line is very long, its place alone.
+fn snippet<'a>(file: &'a SourceFile, labels: &[(bool, Range<usize>, &'a String)]) -> Element<'a> {
+    let text = file.text();
+    let first = labels
+        .iter()
+        .map(|(_, place, _)| place.start)
+        .min()
+        .unwrap_or(0);
+    let last = labels
+        .iter()
+        .map(|(_, place, _)| place.end)
+        .max()
+        .unwrap_or(0);
+    let start = text[..first].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[last..]
+        .find('\n')
+        .map_or(text.len(), |at| last + at + 1);
+    let lines = &text[start..end];
+    let before = 1 + text[..start].matches('\n').count();
+    if lines.split('\n').any(|line| line.len() > LONGEST_LINE) {
+        let main = labels
+            .iter()
+            .find(|(is_main, ..)| *is_main)
+            .or(labels.first());
+        let at = main.map_or(first, |(_, place, _)| place.start);
+        let line_start = text[..at].rfind('\n').map_or(0, |at| at + 1);
+        let line = before + text[start..line_start].matches('\n').count();
+        let column = 1 + text[line_start..at].chars().count();
+        return Origin::path(file.name())
+            .line(line)
+            .char_column(column)
+            .into();
+    }
+    let annotations = labels.iter().map(|(is_main, place, label)| {
+        let kind = if *is_main {
+            AnnotationKind::Primary
+        } else {
+            AnnotationKind::Context
+        };
+        let here = place.start - start..place.end - start;
+        kind.span(here).label(label.as_str())
+    });
+    Snippet::source(lines)
+        .line_start(before)
+        .path(file.name())
+        .annotations(annotations)
+        .into()
 }
 
 /// The faults of one source, in the order in which they stand there.
@@ -322,6 +374,23 @@ impl fmt::Display for Diagnostics {
 }
 
 impl std::error::Error for Diagnostics {}
+
+/// The text as a terminal may be given it: what would steer it, or turn the direction of writing, becomes `\u{fffd}`; lines end
+/// as they do.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    let steers = |c: char| is_unprintable(c) && c != '\n';
+    if text.contains(steers) {
+        Cow::Owned(text.replace(steers, "\u{fffd}"))
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
+/// True for what must not stand in a name: a line's end would leave a comment, other control characters would steer a terminal,
+/// and a change of writing direction would show other code than is there.
+pub(crate) fn is_unprintable(character: char) -> bool {
+    character.is_control() || matches!(character, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
 
 /// The candidate that `word` was probably meant to be, if one is near enough.
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {

@@ -74,6 +74,18 @@ pub enum Error {
         /// The function, or the table, in which it appeared.
         function: String,
     },
+    /// What is asked for would take too much time or memory.
+    #[error("{what} {found} {unit}; expected at most {most}")]
+    TooLarge {
+        /// What it is, with a verb.
+        what: String,
+        /// How much there is.
+        found: usize,
+        /// Of what.
+        unit: &'static str,
+        /// How much is allowed, of [`limits`](crate::limits).
+        most: usize,
+    },
     /// A file could not be read or written.
     #[error("cannot access `{}`", path.display())]
     Io {

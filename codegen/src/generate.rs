@@ -37,7 +37,7 @@ pub struct Generated {
 /// [`description::no_includes`] for one that stands alone.
 ///
 /// # Errors
-/// [`Error::Invalid`] with every rule that the description breaks; options that cannot be; [`Error::Unrepresentable`].
+/// [`Error::Invalid`] with every rule that the description breaks; options that cannot be; [`Error::TooLarge`]; [`Error::Unrepresentable`].
 pub fn generate(
     model: &Source,
     shown_path: &str,

@@ -11,8 +11,8 @@
 //!
 //! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
 //! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
-//! same bytes everywhere; files are touched only by the command line, [`output`], [`build_script`] and `object`, which
-//! reads what rustc makes of a module.
+//! same bytes everywhere; files are touched only by the command line, [`input`], [`output`], [`build_script`] and `object`,
+//! which reads what rustc makes of a module.
 
 // Indexes that cannot be mixed up.
 pub mod id;
@@ -23,6 +23,7 @@ pub mod number;
 // What can be wrong, and how it is said.
 pub mod diagnostic;
 pub mod error;
+pub mod limits;
 // What the user wrote; `kane.toml`.
 pub mod budget;
 pub mod config;
@@ -43,12 +44,14 @@ pub mod compile;
 pub mod passes;
 pub mod program;
 pub mod search;
+pub mod size;
 mod threads;
 // From here on there is text.
 pub mod build_script;
 pub mod companions;
 pub mod emit;
 pub mod generate;
+pub mod input;
 pub mod origin;
 pub mod output;
 // What is known of a system, and what changed in a module, for people to read.

@@ -1,12 +1,17 @@
 //! Writing a file: whole or not at all, and never over a file that is not ours.
 
 use std::{
-    fs,
+    collections::BTreeSet,
+    fs::{self, File},
     io::{self, Write as _},
     path::{Path, PathBuf},
 };
 
-use crate::{error::Error, origin};
+use crate::{error::Error, input, origin};
+
+/// How the names of files begin and end that are not whole yet.
+const PREFIX: &str = ".kane-generate-";
+const SUFFIX: &str = ".tmp";
 
 /// Which files may be overwritten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +61,9 @@ pub fn write(files: &[(PathBuf, &str)], overwrite: Overwrite) -> Result<(), Erro
     let staged = files.iter();
     let staged = staged.map(|(path, text)| stage(path, text, overwrite));
     let staged: Vec<Staged> = staged.collect::<Result<_, Error>>()?;
-    staged.into_iter().try_for_each(Staged::commit)
+    staged.into_iter().try_for_each(Staged::commit)?;
+    sweep(files.iter().map(|(path, _)| path.as_path()));
+    Ok(())
 }
 
 /// Writes `text` beside the file at `path`, which stays as it is; folders that are missing are made.
@@ -86,19 +93,48 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
         }
         _ => {}
     }
-    let folder = match path.parent() {
-        Some(folder) if folder != Path::new("") => folder.to_owned(),
-        _ => PathBuf::from("."),
-    };
-    fs::create_dir_all(&folder).map_err(io)?;
-    let mut file = tempfile::Builder::new()
-        .prefix(".kane-")
-        .tempfile_in(&folder)
-        .map_err(io)?;
+    let folder = folder(path);
+    fs::create_dir_all(folder).map_err(io)?;
+    let mut file = temporary(folder).map_err(io)?;
     file.write_all(text.as_bytes()).map_err(io)?;
     file.as_file().sync_all().map_err(io)?;
     set_permissions(path, file.path()).map_err(io)?;
     Ok(staged(Some(file)))
+}
+
+fn folder(path: &Path) -> &Path {
+    let folder = path.parent().filter(|folder| *folder != Path::new(""));
+    folder.unwrap_or(Path::new("."))
+}
+
+/// A file beside others, locked as long as somebody writes it.
+fn temporary(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+    loop {
+        let mut builder = tempfile::Builder::new();
+        let file = builder.prefix(PREFIX).suffix(SUFFIX).tempfile_in(folder)?;
+        // Before it was locked, another process may have swept it away.
+        if file.as_file().lock().is_err() || file.path().exists() {
+            return Ok(file);
+        }
+    }
+}
+
+/// Removes what runs that were killed have left beside these files. What cannot be removed stays: it harms nobody.
+pub fn sweep<'a>(files: impl Iterator<Item = &'a Path>) {
+    let folders: BTreeSet<&Path> = files.map(folder).collect();
+    let entries = folders
+        .into_iter()
+        .filter_map(|folder| fs::read_dir(folder).ok());
+    for entry in entries.flatten().filter_map(Result::ok) {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if name.starts_with(PREFIX) && name.ends_with(SUFFIX) {
+            let file = File::open(entry.path());
+            if file.is_ok_and(|file| file.try_lock().is_ok()) {
+                drop(fs::remove_file(entry.path()));
+            }
+        }
+    }
 }
 
 /// The bytes of a file; `None` where there is none.
@@ -106,7 +142,7 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
 /// # Errors
 /// [`Error::Io`] where there is one that cannot be read.
 pub fn read(path: &Path) -> Result<Option<Vec<u8>>, Error> {
-    match fs::read(path) {
+    match input::bytes(path) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(source) => Err(Error::Io {

@@ -67,6 +67,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
             };
             let staged = output::stage(&path, &text, overwrite)?;
             job::commit(staged, &path)?;
+            output::sweep(std::iter::once(path.as_path()));
         }
     }
     Ok(Outcome::Done)

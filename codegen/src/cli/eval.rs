@@ -1,9 +1,9 @@
 //! `kane eval`.
 
 use std::{
-    fs,
-    io::{self, Read as _, Write},
+    io::{self, Write},
     path::{Path, PathBuf},
+    slice,
 };
 
 use clap::Args;
@@ -13,7 +13,9 @@ use kane_codegen::{
     diagnostic::Source,
     error::Error,
     functions::{Block, Request},
+    input,
     recursive::Technique,
+    size,
     tree::Tree,
 };
 use serde_json::{Map, Value, json};
@@ -93,6 +95,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         without: arguments.without.iter().copied().collect(),
         ..Options::default()
     };
+    size::check(tree, slice::from_ref(&function), &options)?;
     let derived = compile::choose(tree, &function, &options).derived;
     let numbers = derived.graph.evaluate(&derived.roots, |input| {
         *inputs.get(&input).unwrap_or_else(|| {
@@ -149,11 +152,9 @@ fn blocks(blocks: &[Block]) -> Value {
 
 fn read_state(path: &Path) -> Result<Source, Error> {
     let (name, text) = if path == Path::new("-") {
-        let mut text = String::new();
-        let read = io::stdin().read_to_string(&mut text);
-        ("standard input".into(), read.map(|_| text))
+        ("standard input".into(), input::text_from(io::stdin()))
     } else {
-        (path.to_string_lossy(), fs::read_to_string(path))
+        (path.to_string_lossy(), input::text(path))
     };
     let text = text.map_err(|source| Error::Io {
         path: PathBuf::from(&*name),

@@ -1,13 +1,13 @@
 //! `kane generate`.
 
-use std::io::Write;
+use std::{io::Write, path::PathBuf};
 
 use clap::Args;
 use kane_codegen::output::{self, Overwrite};
 
 use super::{
     Failures, Outcome,
-    job::{self, Target},
+    job::{self, Job, Target},
     operations, say,
     selection::Selection,
 };
@@ -56,9 +56,11 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         }
     }
     failures.none()?;
+    let paths: Vec<PathBuf> = plan.jobs.iter().flat_map(Job::files).collect();
     for (path, staged) in files {
         job::commit(staged, &path)?;
     }
+    output::sweep(paths.iter().map(PathBuf::as_path));
     for (job, module) in plan.jobs.iter().zip(&modules) {
         let excesses = job.excesses(module);
         if !excesses.is_empty() {

@@ -10,6 +10,7 @@ use clap::Args;
 use kane_codegen::{
     functions::{CATALOGUE, Formulation, Request},
     id::BodyId,
+    limits::{COUNTED_SPEEDS, DRAWN_BODIES},
     program::Operations,
     recursive::Technique,
     report::{self, Cell, Counts, Partitions},
@@ -36,10 +37,11 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, pa
     speeds          names, in the order of u\n  \
     frames          what is fixed to bodies and part of them: name, body (0: inertial frame), rotation (by rows, from the\n                  \
     body's axes), position (m, nominal)\n  \
-    partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero\n  \
+    partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero; null for more than 250 bodies\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
-    cheapest (the one with fewer operations)\n\n\
+    cheapest (the one with fewer operations); without those that would be too large, of which null is the cheapest,\n                  \
+    and, beyond 500 speeds, only what --functions names\n\n\
     Examples:\n  \
     kane info models/arm.toml\n  \
     kane info models/arm.toml --json | jq '.functions[] | {name, cheapest}'"
@@ -69,10 +71,13 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let changes = &arguments.changes;
     changes.check()?;
-    let requests = requests(arguments.functions.as_deref())?;
+    let mut requests = requests(arguments.functions.as_deref())?;
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
+    if arguments.functions.is_none() && tree.n_speeds > COUNTED_SPEEDS {
+        requests.clear();
+    }
     let without = arguments.without.iter().copied().collect();
     if arguments.json {
         json::write(out, &value(tree, &counts(tree, requests, &without)))?;
@@ -122,16 +127,33 @@ fn write(out: &mut dyn Write, tree: &Tree, counts: &[Counts]) -> io::Result<()> 
     let lower = tree.body_ids().map(|body| lower_number(tree, body));
     let lower: Vec<String> = lower.map(|number| number.to_string()).collect();
     writeln!(out, "lower bodies [{}]", lower.join(", "))?;
-    writeln!(
-        out,
-        "\nTree: number, body, free coordinates, locked ones that are not zero\n"
-    )?;
-    write!(out, "{}", report::picture(tree))?;
+    if is_drawn(tree) {
+        let title = "Tree: number, body, free coordinates, locked ones that are not zero";
+        writeln!(out, "\n{title}\n\n{}", report::picture(tree).trim_end())?;
+    } else {
+        writeln!(
+            out,
+            "\nTree and partitions are drawn of at most {DRAWN_BODIES} bodies"
+        )?;
+    }
     write_frames(out, tree)?;
     write_coordinates(out, tree, order)?;
-    write_partitions(out, tree, &report::partitions(tree))?;
+    if is_drawn(tree) {
+        write_partitions(out, tree, &report::partitions(tree))?;
+    }
     write_parameters(out, tree)?;
+    if counts.is_empty() {
+        return writeln!(
+            out,
+            "\nBeyond {COUNTED_SPEEDS} speeds only what --functions names is counted"
+        );
+    }
     write_counts(out, counts)
+}
+
+/// True where there is room for the tree and its partitions.
+fn is_drawn(tree: &Tree) -> bool {
+    tree.bodies.len() <= DRAWN_BODIES
 }
 
 /// Bodies that are part of others.
@@ -252,7 +274,7 @@ fn write_counts(out: &mut dyn Write, counts: &[Counts]) -> io::Result<()> {
         let default = if is_default(count) { " (d)" } else { "" };
         let cell = |formulation: Formulation| match operations(count, formulation) {
             Some(operations) => {
-                let mark = if formulation == count.cheapest {
+                let mark = if Some(formulation) == count.cheapest {
                     "*"
                 } else {
                     " "
@@ -313,7 +335,7 @@ fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "coordinates": coordinates_value(tree),
         "speeds": tree.speed_names(),
         "frames": tree.frames.iter().map(frame_value).collect::<Value>(),
-        "partitions": partitions_value(&report::partitions(tree)),
+        "partitions": is_drawn(tree).then(|| partitions_value(&report::partitions(tree))),
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
     })
@@ -417,6 +439,6 @@ fn counts_value(counts: &Counts) -> Value {
         "name": counts.function.text(),
         "default": is_default(counts),
         "formulations": formulations,
-        "cheapest": counts.cheapest.name(),
+        "cheapest": counts.cheapest.map(Formulation::name),
     })
 }

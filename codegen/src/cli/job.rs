@@ -12,6 +12,7 @@ use kane_codegen::{
     diagnostic::{Diagnostics, Source},
     error::Error,
     generate::{self, Generated},
+    input,
     output::Staged,
     tree::{self, Changes, Checked},
 };
@@ -163,7 +164,7 @@ pub(crate) fn warn(warnings: &Diagnostics) {
 
 /// Reads a model.
 pub(crate) fn read(model: &Path) -> Result<Source, Error> {
-    let text = fs::read_to_string(model).map_err(|source| Error::Io {
+    let text = input::text(model).map_err(|source| Error::Io {
         path: model.to_owned(),
         source,
     })?;
@@ -172,7 +173,7 @@ pub(crate) fn read(model: &Path) -> Result<Source, Error> {
 
 /// Reads the files that a model includes: their paths are relative to its folder.
 pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<String> {
-    |path| fs::read_to_string(paths::parent(model).join(path))
+    |path| input::text(&paths::parent(model).join(path))
 }
 
 /// Reads a model and checks it.
@@ -198,7 +199,7 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         }
     }
     generate::generate(&source, &job.shown, &options, &include).map_err(|error| match error {
-        Error::Unrepresentable { .. } => {
+        Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }
         error => error.into(),

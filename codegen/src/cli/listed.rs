@@ -14,6 +14,7 @@ use kane_codegen::{
     diagnostic::Source,
     error::Error,
     functions::CATALOGUE,
+    input,
 };
 
 use super::{
@@ -34,7 +35,7 @@ pub(super) struct Listed {
 
 impl Listed {
     pub(super) fn read(path: &Path) -> Result<Self, Failures> {
-        let text = fs::read_to_string(path).map_err(|source| Error::Io {
+        let text = input::text(path).map_err(|source| Error::Io {
             path: path.to_owned(),
             source,
         })?;

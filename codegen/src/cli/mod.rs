@@ -35,6 +35,7 @@ use std::{
 };
 
 use clap::{Parser, Subcommand};
+use kane_codegen::diagnostic::printable;
 
 pub(crate) use failure::Failures;
 pub(crate) use pipe::Pipe;
@@ -137,7 +138,8 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
 
 /// Tells the user something on standard error. Where nobody can hear it, it is not worth stopping for.
 pub(crate) fn say(text: impl fmt::Display) {
-    drop(writeln!(io::stderr(), "{text}"));
+    let text = text.to_string();
+    drop(writeln!(io::stderr(), "{}", printable(&text)));
 }
 
 impl From<Outcome> for ExitCode {

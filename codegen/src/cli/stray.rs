@@ -90,7 +90,8 @@ fn visit(
                 false
             }
             Kind::Generated => {
-                entry.file_name() != "mod.rs" || is_ours(&path).map_err(io(&path))?
+                entry.file_name() != "mod.rs"
+                    || path.is_file() && is_ours(&path).map_err(io(&path))?
             }
             Kind::Mixed => file_type.is_file() && is_ours(&path).map_err(io(&path))?,
         };

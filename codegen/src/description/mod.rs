@@ -8,6 +8,7 @@
 //! Reading never fails: a file that is no description at all is an empty description with faults.
 
 pub(crate) mod cycles;
+pub(crate) mod markup;
 pub mod mjcf;
 pub(crate) mod read;
 pub mod toml;
@@ -19,6 +20,7 @@ use std::io;
 pub use crate::geometry::Rotation;
 
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
+use crate::limits::{BODIES, INPUT_BYTES};
 use crate::tree::Order;
 
 /// What a URDF or MJCF leaves to the user.
@@ -53,6 +55,10 @@ pub fn no_includes(_path: &str) -> io::Result<String> {
 /// Reads a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or
 /// `.mjcf`, our own format otherwise.
 pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Description {
+    if let Some(fault) = too_large(source) {
+        let empty = Source::new(source.name(), "");
+        return Description::none(&empty, vec![fault]);
+    }
     let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
     let (mut description, base, chart) = match extension.to_ascii_lowercase().as_str() {
         "urdf" => (urdf::parse(source, reading), None, None),
@@ -82,6 +88,19 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
     description
 }
 
+/// What is wrong where a file, with those that it includes, is larger than may be.
+pub(crate) fn too_large(source: &Source) -> Option<Diagnostic> {
+    let n_bytes: usize = source.files().map(|file| file.text().len()).sum();
+    let message = format!("the model has {n_bytes} bytes; expected at most {INPUT_BYTES}");
+    (n_bytes > INPUT_BYTES).then(|| Diagnostic::error(message))
+}
+
+/// What is wrong where there are more bodies, or entries of a list, than may be.
+pub(crate) fn too_many(what: &str, count: usize) -> Option<Diagnostic> {
+    let message = format!("{what} {count}; expected at most {BODIES}");
+    (count > BODIES).then(|| Diagnostic::error(message))
+}
+
 /// A value with its place; `None` where the file holds none that can be used, which is then among the faults.
 pub type Given<T> = Option<Spanned<T>>;
 
@@ -102,6 +121,22 @@ pub struct Description {
     pub bodies: Vec<Body>,
     /// What was wrong already while reading.
     pub faults: Vec<Diagnostic>,
+}
+
+impl Description {
+    /// A file of which nothing could be read.
+    fn none(source: &Source, faults: Vec<Diagnostic>) -> Self {
+        let start = Span { start: 0, end: 0 };
+        Self {
+            source: source.clone(),
+            name: None,
+            gravity: [None; 3],
+            lower_bodies: None,
+            order: Some(Spanned::new(Order::Body, start)),
+            bodies: Vec::new(),
+            faults,
+        }
+    }
 }
 
 /// A value that may be absent: `None` where it is, or where what is written cannot be used, which is then a fault.

@@ -5,7 +5,9 @@
 use ::toml::Spanned as TomlSpanned;
 use ::toml::de::{DeTable, DeValue};
 
+use crate::description::too_many;
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned, nearest};
+use crate::limits::UNKNOWN;
 
 /// A TOML value with its place.
 pub(crate) type Item<'s> = TomlSpanned<DeValue<'s>>;
@@ -70,21 +72,20 @@ impl Reader {
     /// lead to faults that are not there.
     pub(crate) fn document<'s>(&mut self, source: &'s Source) -> DeTable<'s> {
         let (table, errors) = DeTable::parse_recoverable(source.text());
-        let mut recovered = true;
+        let is_repeated = |error: &::toml::de::Error| error.message() == "duplicate key";
+        let recovered = errors.iter().all(is_repeated);
         let lines = filled_lines(source.text());
         let mut last_line = None;
-        for error in &errors {
-            let repeated = error.message() == "duplicate key";
+        for error in errors.iter().take(UNKNOWN) {
             let end = source.text().len();
             let span = Span::from(error.span().unwrap_or(end..end));
-            if repeated {
+            if is_repeated(error) {
                 let key = source.text().get(span.start..span.end).unwrap_or_default();
                 let message = format!("the key `{}` is given twice", key.escape_debug());
                 self.faults
                     .push(Diagnostic::error(message).at(span, "the second one"));
                 continue;
             }
-            recovered = false;
             // After an open bracket every line is a fault; the first of adjacent lines is the one to mend.
             let line = lines.partition_point(|start| *start <= span.start);
             let follows = last_line.is_some_and(|last| line <= last + 1);
@@ -150,10 +151,11 @@ impl Reader {
     }
 
     fn unknown_keys(&mut self, table: &mut Table<'_, '_>, known: &[&str]) {
-        for (key, _) in table.entries() {
-            if known.contains(&key.value) {
-                continue;
-            }
+        let entries = table.entries();
+        for (key, _) in entries
+            .filter(|(key, _)| !known.contains(&key.value))
+            .take(UNKNOWN)
+        {
             let of = if table.owner.is_empty() {
                 String::new()
             } else {
@@ -244,6 +246,13 @@ impl Reader {
         of: &str,
     ) -> Option<Vec<&'t Item<'s>>> {
         if let DeValue::Array(entries) = item.get_ref() {
+            if let Some(fault) = too_many(
+                &format!("the number of entries of {what} is"),
+                entries.len(),
+            ) {
+                self.faults.push(fault.at(span(item), "too many"));
+                return None;
+            }
             return Some(entries.iter().collect());
         }
         self.wrong_type(item, what, &format!("a list of {of}"));

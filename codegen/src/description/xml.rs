@@ -6,10 +6,12 @@
 //!
 //! Document type declarations are refused, and with them every entity but those of XML itself.
 
-use roxmltree::{Error, Node};
+use roxmltree::{Error, Node, ParsingOptions};
 
+use crate::description::markup;
 use crate::description::read::list;
 use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
+use crate::limits::{UNKNOWN, XML_NODES};
 
 /// Characters of a value shown in a message.
 const MOST_SHOWN: usize = 40;
@@ -46,6 +48,8 @@ pub(crate) struct Known<'k> {
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
     pub(crate) faults: Vec<Diagnostic>,
+    /// How many unknown names were met: of very many the first are told.
+    n_unknown: usize,
 }
 
 /// The name of the root element, as far as it can be told without reading the file.
@@ -74,7 +78,12 @@ fn prolog_end(text: &str) -> usize {
 impl<'t> Document<'t> {
     /// Reads a file whose first byte has the place `base`.
     pub(crate) fn parse(text: &'t str, base: usize) -> Result<Self, Diagnostic> {
-        match roxmltree::Document::parse(text) {
+        markup::check(text).map_err(|fault| fault.moved(base))?;
+        let options = ParsingOptions {
+            nodes_limit: XML_NODES,
+            ..ParsingOptions::default()
+        };
+        match roxmltree::Document::parse_with_options(text, options) {
             Ok(tree) => Ok(Self { tree, base }),
             Err(error) => Err(malformed(text, base, &error)),
         }
@@ -106,6 +115,9 @@ fn malformed(text: &str, base: usize, error: &Error) -> Diagnostic {
     let mut help = None;
     let message = match error {
         Error::NoRootNode => "it has no element".to_owned(),
+        Error::NodesLimitReached => {
+            format!("it has more than {XML_NODES} elements, comments and texts")
+        }
         Error::UnclosedRootNode => "the file ends before its root element is closed".to_owned(),
         Error::UnexpectedEndOfStream => "the file ends too early".to_owned(),
         Error::DtdDetected => {
@@ -285,6 +297,10 @@ impl Reader {
     }
 
     fn unknown_name(&mut self, name: Spanned<&str>, owner: &str, what: &str, known: &[&str]) {
+        self.n_unknown += 1;
+        if self.n_unknown > UNKNOWN {
+            return;
+        }
         let message = format!("unknown {what} `{}` of {owner}", shown(name.value));
         let mut warning = Diagnostic::warning(message).at(name.span, "ignored");
         if let Some(near) = nearest(name.value, known) {

@@ -3,7 +3,7 @@
 //! In: a text such as `bias`, `mass_matrix+bias` or `bias(sin_cos)`. Out: a [`Request`]. Afterwards: every part is of the
 //! catalogue, none is there twice, and what is joined has no compact output.
 
-use super::{Argument, CATALOGUE, Derived, Formulation, Function, Shape};
+use super::{Argument, CATALOGUE, Derived, Formulation, Function, Shape, terms};
 use crate::{expr::ExprGraph, recursive::Plan, tree::Tree};
 
 /// What stands after the name of a function that is given sines and cosines.
@@ -230,6 +230,16 @@ impl Request {
     pub fn literal_terms(&self, tree: &Tree) -> usize {
         let terms = self.parts.iter().map(|part| part.literal_terms(tree));
         terms.max().unwrap_or(0)
+    }
+
+    /// How many numbers it writes, or somewhat more, where joints follow others.
+    pub fn n_numbers(&self, tree: &Tree) -> usize {
+        let of_part = |part: &&Function| match part.shape {
+            Shape::Columns => 3 * terms::of_vector(tree),
+            Shape::SpeedPairs => terms::pairs(tree),
+            shape => shape.lengths(tree, 0).iter().product(),
+        };
+        self.parts.iter().map(of_part).sum()
     }
 
     /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no

@@ -1,6 +1,6 @@
 //! How many terms the notes' sums over bodies have.
 
-use crate::tree::Tree;
+use crate::tree::{Body, Tree};
 
 /// Eq. (42): for every body, one term for each pair of speeds that move it; those that others follow
 /// count once.
@@ -12,6 +12,15 @@ pub(super) fn of_matrix(tree: &Tree) -> usize {
 /// Eqs. (36), (43): for every body, one term for each speed that moves it.
 pub(super) fn of_vector(tree: &Tree) -> usize {
     moving(tree).into_iter().sum()
+}
+
+/// The pairs of speeds that move a body in common, each once.
+pub(super) fn pairs(tree: &Tree) -> usize {
+    let of_body = |(body, moving): (&Body, usize)| {
+        let own = body.joint.speeds().len();
+        (moving - own..moving).map(|below| below + 1).sum::<usize>()
+    };
+    tree.bodies.iter().zip(moving(tree)).map(of_body).sum()
 }
 
 /// None that is known: gravity may have no component along a speed.

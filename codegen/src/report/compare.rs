@@ -5,8 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use syn::{Attribute, Expr, ExprLit, ImplItem, Item, Lit, Meta};
+use syn::{Attribute, Expr, ExprLit, File, ImplItem, Item, Lit, Meta};
 
+use super::rust;
 use crate::program::Operations;
 
 /// What a function states about itself.
@@ -79,8 +80,12 @@ pub fn compare(old: &str, new: &str) -> Result<Comparison, syn::Error> {
 /// # Errors
 /// A text that is not Rust.
 pub fn counted(source: &str) -> Result<Vec<(String, Counted)>, syn::Error> {
+    rust::read(source, of_functions)
+}
+
+fn of_functions(file: File) -> Vec<(String, Counted)> {
     let mut list = Vec::new();
-    for item in syn::parse_file(source)?.items {
+    for item in file.items {
         match item {
             Item::Fn(function) => {
                 let name = function.sig.ident.to_string();
@@ -97,7 +102,7 @@ pub fn counted(source: &str) -> Result<Vec<(String, Counted)>, syn::Error> {
             _ => {}
         }
     }
-    Ok(list)
+    list
 }
 
 /// What the documentation states.
@@ -146,11 +151,7 @@ fn parse(line: &str) -> Option<Counted> {
 /// True where two texts differ, by more than their line ends, and have the same banner and the same code: one was
 /// formatted by something else.
 pub fn differs_in_layout_only(old: &str, new: &str) -> bool {
-    let layout = |text: &str| {
-        syn::parse_file(text)
-            .map(|file| prettyplease::unparse(&file))
-            .ok()
-    };
+    let layout = |text: &str| rust::read(text, |file| prettyplease::unparse(&file)).ok();
     let banner = |text: &str| -> Vec<String> {
         let lines = text.lines().take_while(|line| line.starts_with("//"));
         lines.map(str::to_owned).collect()

@@ -1,12 +1,14 @@
 //! The operations of every function in every formulation that it has.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, slice};
 
 use crate::{
-    compile,
+    compile::{self, Options},
+    config,
     functions::{Formulation, Request},
     program::Operations,
     recursive::Technique,
+    size,
     tree::Tree,
 };
 
@@ -17,25 +19,38 @@ pub struct Counts {
     pub function: Request,
     /// Its formulations, each with the operations that it leaves in the loop.
     pub formulations: Vec<(Formulation, Operations)>,
-    /// The one with the fewest operations, which is what is generated where nothing else is asked for.
-    pub cheapest: Formulation,
+    /// The one with the fewest operations, which is what is generated where nothing else is asked for; `None` where the
+    /// function would be too large in each of them.
+    pub cheapest: Option<Formulation>,
 }
 
-/// Counts the operations of one function.
+/// Counts the operations of one function in those of its formulations in which it would not be too large.
 pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> Counts {
+    let is_choice = function.formulations().len() > 1;
     let formulations: Vec<_> = function
         .formulations()
         .iter()
+        .filter(|&&formulation| {
+            let options = Options {
+                formulation: match formulation {
+                    Formulation::Notes if is_choice => config::Formulation::Notes,
+                    _ => config::Formulation::Cheapest,
+                },
+                without: without.clone(),
+                ..Options::default()
+            };
+            size::check(tree, slice::from_ref(&function), &options).is_ok()
+        })
         .map(|&formulation| {
             let choice = compile::of_formulation(tree, &function, formulation, without);
             (formulation, compile::operations(&choice.derived))
         })
         .collect();
     // The first of equals, as `compile::choose` takes it.
-    let (cheapest, _) = *formulations
+    let cheapest = formulations
         .iter()
         .min_by_key(|(_, operations)| operations.total())
-        .expect("functions: every function has a formulation");
+        .map(|(formulation, _)| *formulation);
     Counts {
         function,
         formulations,

@@ -4,12 +4,13 @@ use crate::description::{Body as Written, Chart as ChartKind, Description, Rotat
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry;
 use crate::id::{BodyId, CoordinateId, SpeedId};
+use crate::limits::{PARAMETERS, SPEEDS_WITH_FOLLOWERS};
 use crate::tree::resolve::{Freedom, Resolved};
 use crate::tree::snapping::Snapping;
 use crate::tree::values::Parameters;
 use crate::tree::{
     Body, Changes, Chart, Coordinate, Frame, Joint, Offset, Orientation, Part, Pose, Step, Tree,
-    Value, mechanics, names, numbering, places, rotation,
+    Value, coupled, mechanics, names, numbering, places, rotation,
 };
 
 /// Where a written body's own frame is: in which body of the tree, and where there.
@@ -64,6 +65,15 @@ pub(crate) fn assemble(
             identifier,
         };
         placed[*old] = Some(builder.place(new, &below)?);
+        let n_parameters = builder.parameters.list.len();
+        if n_parameters > PARAMETERS {
+            let fault = format!(
+                "the model has at least {n_parameters} values that are set at run time; expected at most {PARAMETERS}"
+            );
+            let place = description.bodies[*old].span;
+            findings.push(Diagnostic::error(fault).at(place, "too many"));
+            return None;
+        }
     }
     let host = |old: usize| placed[old].as_ref().and_then(|placed| placed.host);
     let mut bodies = builder.bodies;
@@ -83,6 +93,13 @@ pub(crate) fn assemble(
         n_coordinates: numbers.coordinates,
         n_speeds: numbers.speeds,
     };
+    if coupled::has_followers(&tree) && tree.n_speeds > SPEEDS_WITH_FOLLOWERS {
+        findings.push(Diagnostic::error(format!(
+            "the system, in which joints follow others, has {} speeds; expected at most {SPEEDS_WITH_FOLLOWERS}",
+            tree.n_speeds
+        )));
+        return None;
+    }
     tree.frames = frames(&tree, &builder.frames);
     note_merged(&tree, findings);
     names::check_coordinates(&tree, findings);

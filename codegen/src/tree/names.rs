@@ -6,7 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Spanned, is_unprintable};
+use crate::limits::NAME_CHARACTERS;
 use crate::tree::{Joint, Tree};
 
 /// "body `hub`", or "body 3" where it has no name.
@@ -59,6 +60,13 @@ fn check_one(name: Option<&Spanned<String>>, whose: &str, findings: &mut Vec<Dia
             Diagnostic::error(format!("{whose} name is empty")).at(name.span, "expected a name"),
         );
     }
+    let n_characters = name.value.chars().count();
+    if n_characters > NAME_CHARACTERS {
+        let fault = format!(
+            "{whose} name has {n_characters} characters; expected at most {NAME_CHARACTERS}"
+        );
+        findings.push(Diagnostic::error(fault).at(name.span, "too long"));
+    }
     if let Some(character) = name
         .value
         .chars()
@@ -68,12 +76,6 @@ fn check_one(name: Option<&Spanned<String>>, whose: &str, findings: &mut Vec<Dia
         let fault = format!("{whose} name holds the character U+{code:04X}, which cannot be shown");
         findings.push(Diagnostic::error(fault).at(name.span, "expected printable characters"));
     }
-}
-
-/// Names come to stand in comments of the generated code: a line's end would leave the comment, and a change of
-/// writing direction would show other code than is there.
-fn is_unprintable(character: char) -> bool {
-    character.is_control() || matches!(character, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The identifiers of bodies with these names, and for those that had to change a note.
@@ -90,15 +92,13 @@ pub(crate) fn identifiers(
         .map(|(name, plain)| name.value == *plain && taken.insert(plain.clone()))
         .collect();
     let mut unique = Vec::with_capacity(names.len());
-    // The next suffix to try, so that thousands of equal names do not try all suffixes.
-    let mut next: BTreeMap<&str, usize> = BTreeMap::new();
-    for ((name, plain), kept) in names.iter().zip(&plain).zip(kept) {
-        let mut identifier = plain.clone();
-        while !kept && !taken.insert(identifier.clone()) {
-            let suffix = next.entry(plain).or_insert(2);
-            identifier = format!("{plain}_{suffix}");
-            *suffix += 1;
-        }
+    let mut next = BTreeMap::new();
+    for ((name, plain), kept) in names.iter().zip(plain).zip(kept) {
+        let identifier = if kept {
+            plain
+        } else {
+            unique_among(plain, &mut taken, &mut next)
+        };
         if identifier != name.value {
             let note = format!(
                 "body `{}` is called `{identifier}` in generated code",
@@ -109,6 +109,22 @@ pub(crate) fn identifiers(
             );
         }
         unique.push(identifier);
+    }
+    unique
+}
+
+/// The identifier, or with a number behind it where it is taken; `next` holds the next one to try of each, so that thousands
+/// of equal names do not try all.
+fn unique_among(
+    plain: String,
+    taken: &mut BTreeSet<String>,
+    next: &mut BTreeMap<String, usize>,
+) -> String {
+    let mut unique = plain.clone();
+    while !taken.insert(unique.clone()) {
+        let suffix = next.entry(plain.clone()).or_insert(2);
+        unique = format!("{plain}_{suffix}");
+        *suffix += 1;
     }
     unique
 }
@@ -192,6 +208,7 @@ pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
             *kept = taken.insert(plain);
         }
     }
+    let mut next = BTreeMap::new();
     let joints = description.bodies.iter().zip(own).zip(kept);
     joints
         .map(|((body, own), kept)| {
@@ -199,13 +216,10 @@ pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
                 return own;
             };
             let (_, plain) = plain(name);
-            let mut unique = plain.clone();
-            let mut suffix = 2;
-            while !kept && !taken.insert(unique.clone()) {
-                unique = format!("{plain}_{suffix}");
-                suffix += 1;
+            if kept {
+                return plain;
             }
-            unique
+            unique_among(plain, &mut taken, &mut next)
         })
         .collect()
 }

@@ -346,7 +346,7 @@ fn model_that_is_not_text_is_said() {
     fs::write(project.path("models/arm.toml"), [0xff, 0xfe, 0x00]).unwrap();
     let ran = project.kane(&["generate"]);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"error: cannot access `models/arm.toml`: stream did not contain valid UTF-8");
+    insta::assert_snapshot!(ran.err, @"error: cannot access `models/arm.toml`: it is not text in UTF-8, from byte 0 on");
 }
 
 #[cfg(unix)]

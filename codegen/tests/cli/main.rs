@@ -13,8 +13,12 @@ mod diff;
 mod eval;
 mod generate;
 #[cfg(unix)]
+mod hostile;
+#[cfg(unix)]
 mod hosts;
 mod info;
 mod interface;
+#[cfg(unix)]
+mod kills;
 mod project;
 mod verify;

@@ -106,7 +106,7 @@ impl Side {
         options.companions.clear();
         let generated = generate::generate(&self.source, shown, &options, &include);
         let generated = generated.map_err(|error| match error {
-            Error::Unrepresentable { .. } => {
+            Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
                 Failures::message(format!("`{}`: {error}", self.name()))
             }
             error => error.into(),

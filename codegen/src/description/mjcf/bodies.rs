@@ -13,8 +13,10 @@ use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::solid::together;
 use crate::description::mjcf::{Model, known};
+use crate::description::too_many;
 use crate::description::xml::{Element, Reader, shown};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::limits::BODIES;
 
 /// A body that is still to be read.
 struct Pending<'d> {
@@ -45,6 +47,11 @@ pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, worlds: &[Element
         push(&mut pending, contents.bodies, 0, Moves::No);
     }
     while let Some(next) = pending.pop() {
+        if let Some(fault) = too_many("the number of bodies is at least", bodies.list.len() + 1) {
+            let place = next.inside.element.span();
+            reader.faults.push(fault.at(place, "one too many"));
+            break;
+        }
         let (contents, moves) = body(reader, model, &next, &mut bodies);
         let number = bodies.list.len();
         push(&mut pending, contents.bodies, number, moves);
@@ -100,6 +107,7 @@ fn body<'d>(
     let joints: Vec<joints::Read> = contents
         .joints
         .iter()
+        .take(BODIES + 1)
         .map(|inside| joint(reader, model, inside, &owner))
         .collect();
     check_free(reader, model, &joints, next, &contents.bodies, &owner);

@@ -8,8 +8,10 @@ use std::collections::BTreeMap;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::known;
+use crate::description::too_many;
 use crate::description::xml::{Element, Known, Reader, shown};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
+use crate::limits::UNKNOWN;
 
 /// Kinds of elements whose defaults matter to the dynamics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -143,6 +145,10 @@ impl<'d> Defaults<'d> {
             return None;
         }
         let class = Class(self.classes.len());
+        if let Some(fault) = too_many("the number of default classes is", class.0 + 1) {
+            reader.faults.push(fault.at(name.span, "one too many"));
+            return None;
+        }
         self.classes.push(self.classes[outer.0].clone());
         self.names.insert(name.value, (class, name.span));
         Some(class)
@@ -156,10 +162,13 @@ impl<'d> Defaults<'d> {
         let class = self.names.get(name.value).map(|(class, _)| *class);
         if class.is_none() {
             let message = format!("there is no default class `{}`", shown(name.value));
-            let names: Vec<&str> = self.names.keys().copied().collect();
             let mut fault = Diagnostic::error(message).at(name.span, "unknown class");
-            if let Some(near) = crate::diagnostic::nearest(name.value, &names) {
-                fault = fault.help(format!("did you mean `{near}`?"));
+            // Looking through very many names very often would take too long.
+            if reader.faults.len() < UNKNOWN && self.names.len() < UNKNOWN {
+                let names: Vec<&str> = self.names.keys().copied().collect();
+                if let Some(near) = nearest(name.value, &names) {
+                    fault = fault.help(format!("did you mean `{near}`?"));
+                }
             }
             reader.faults.push(fault);
         }

@@ -6,8 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::Include;
 use crate::description::xml::{Document, Element, Known, Reader, shown};
+use crate::description::{Include, too_large};
 use crate::diagnostic::{Diagnostic, Source, Span};
 
 /// How deep elements may be nested in a file; MuJoCo's own limit.
@@ -70,6 +70,10 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
             match read(&path) {
                 Ok(text) => {
                     source.append(format!("{folder}{path}"), text);
+                    if let Some(fault) = too_large(source) {
+                        reader.faults.push(fault.at(path_span, "included here"));
+                        return Included::default();
+                    }
                     included.files.insert(element.start, number);
                     included.paths.insert(place, number);
                     included.from.push(Some((element, index)));

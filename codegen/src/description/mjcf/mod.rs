@@ -34,8 +34,7 @@ use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::settings::Settings;
 use crate::description::xml::{Element, Known, Reader, shown};
 use crate::description::{Description, Include, Reading};
-use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
-use crate::tree::Order;
+use crate::diagnostic::{Diagnostic, Source, Spanned};
 
 /// The name of a model that has none, as MuJoCo calls it.
 const NAME: &str = "MuJoCo Model";
@@ -56,16 +55,7 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
     let mut reader = Reader::default();
     let mut source = source.clone();
     let included = include::load(&mut reader, &mut source, include);
-    let start = Span { start: 0, end: 0 };
-    let mut description = Description {
-        source: source.clone(),
-        name: None,
-        gravity: [None; 3],
-        lower_bodies: None,
-        order: Some(Spanned::new(Order::Body, start)),
-        bodies: Vec::new(),
-        faults: Vec::new(),
-    };
+    let mut description = Description::none(&source, Vec::new());
     let files = Files::parse(&source, included);
     if let Some(root) = files.root() {
         read(&mut reader, &files, root, reading, &mut description);

@@ -25,13 +25,8 @@ pub fn parse(source: &Source) -> Description {
     let document = reader.document(source);
     let start = Span { start: 0, end: 0 };
     let mut description = Description {
-        source: source.clone(),
-        name: None,
         gravity: [Some(Spanned::new(Scalar::Baked(0.0), start)); 3],
-        lower_bodies: None,
-        order: Some(Spanned::new(Order::Body, start)),
-        bodies: Vec::new(),
-        faults: Vec::new(),
+        ..Description::none(source, Vec::new())
     };
     // A file that is not TOML has lost its keys; that they are missing would be no news.
     if !(document.is_empty() && reader.has_faults()) {

@@ -13,10 +13,9 @@ use std::collections::BTreeSet;
 
 use crate::description::xml::{Document, Element, Known, Reader, root_name, shown};
 use crate::description::{
-    Base, Body, Chart, Description, Given, Joint, JointKind, Optional, Reading, Scalar,
+    Base, Body, Chart, Description, Given, Joint, JointKind, Optional, Reading, Scalar, too_many,
 };
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
-use crate::tree::Order;
 
 /// Gravity, m/s², against z.
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -43,13 +42,8 @@ pub fn is_urdf(source: &Source) -> bool {
 pub fn parse(source: &Source, reading: &Reading) -> Description {
     let start = Span { start: 0, end: 0 };
     let mut description = Description {
-        source: source.clone(),
-        name: None,
         gravity: GRAVITY.map(|g| Some(Spanned::new(Scalar::Baked(g), start))),
-        lower_bodies: None,
-        order: Some(Spanned::new(Order::Body, start)),
-        bodies: Vec::new(),
-        faults: Vec::new(),
+        ..Description::none(source, Vec::new())
     };
     let mut reader = Reader::default();
     match Document::parse(source.text(), 0) {
@@ -67,6 +61,15 @@ fn read(reader: &mut Reader, robot: Element<'_>, reading: &Reading, description:
         let fault = Diagnostic::error(fault).at(robot.span(), "expected `robot`");
         reader.faults.push(fault);
         return;
+    }
+    for (name, what) in [
+        ("link", "the number of links is"),
+        ("joint", "the number of joints is"),
+    ] {
+        if let Some(fault) = too_many(what, robot.children_named(name).count()) {
+            reader.faults.push(fault.at(robot.span(), "too many"));
+            return;
+        }
     }
     let known = Known {
         attributes: &["name"],

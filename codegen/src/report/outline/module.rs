@@ -2,6 +2,8 @@
 
 use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta};
 
+use crate::report::rust;
+
 use super::{Body, INERTIAL, LOWER, Layout, Outline, Values};
 
 /// Why a text has no outline.
@@ -17,9 +19,12 @@ pub enum ModuleError {
 }
 
 pub(super) fn outline(text: &str) -> Result<Outline, ModuleError> {
-    let file = syn::parse_file(text)?;
-    let body_names = strings(&file, "BODY_NAMES")?;
-    let (lower_bodies, joints) = (list(&file, "LOWER_BODIES"), list(&file, "JOINTS"));
+    rust::read(text, |file| of_file(&file))?
+}
+
+fn of_file(file: &File) -> Result<Outline, ModuleError> {
+    let body_names = strings(file, "BODY_NAMES")?;
+    let (lower_bodies, joints) = (list(file, "LOWER_BODIES"), list(file, "JOINTS"));
     let mut bodies = Vec::new();
     for (place, name) in body_names.iter().enumerate() {
         let mut values = Values::new();
@@ -35,7 +40,7 @@ pub(super) fn outline(text: &str) -> Result<Outline, ModuleError> {
         let name = name.clone();
         bodies.push(Body { name, values });
     }
-    for frame in list(&file, "FRAMES") {
+    for frame in list(file, "FRAMES") {
         let place = field(frame, "body").and_then(some).and_then(integer);
         let values = [
             (LOWER.to_owned(), below(place, &body_names)),
@@ -46,17 +51,17 @@ pub(super) fn outline(text: &str) -> Result<Outline, ModuleError> {
             values: values.into(),
         }));
     }
-    let mut values = nominal_values(&file);
-    let name = constant(&file, "NAME").and_then(string);
+    let mut values = nominal_values(file);
+    let name = constant(file, "NAME").and_then(string);
     values.extend(name.map(|name| ("name".to_owned(), name)));
     Ok(Outline {
-        fingerprint: constant(&file, "FINGERPRINT").and_then(integer),
+        fingerprint: constant(file, "FINGERPRINT").and_then(integer),
         values,
         bodies,
         layouts: vec![
             (Layout::Bodies, body_names),
-            (Layout::Coordinates, strings(&file, "COORDINATE_NAMES")?),
-            (Layout::Speeds, strings(&file, "SPEED_NAMES")?),
+            (Layout::Coordinates, strings(file, "COORDINATE_NAMES")?),
+            (Layout::Speeds, strings(file, "SPEED_NAMES")?),
         ],
     })
 }

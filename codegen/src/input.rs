@@ -1,0 +1,58 @@
+//! Reading a file: a regular one, and no more of it than it may have, so that nothing waits for ever or fills the memory.
+
+use std::{
+    fs::{self, File},
+    io::{self, Read},
+    path::Path,
+};
+
+use crate::limits;
+
+/// The text of a file: a model, what it includes, `kane.toml`, a state.
+///
+/// # Errors
+/// What the system says; a file that is none, such as a pipe; one that is too large, or not text in UTF-8.
+pub fn text(path: &Path) -> io::Result<String> {
+    text_from(open(path)?)
+}
+
+/// The text that can be read from here, as [`text`] reads a file's.
+///
+/// # Errors
+/// As of [`text`].
+pub fn text_from(from: impl Read) -> io::Result<String> {
+    let bytes = at_most(from, limits::INPUT_BYTES)?;
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        io::Error::other(format!("it is not text in UTF-8, from byte {place} on"))
+    })
+}
+
+/// The bytes of a generated file.
+///
+/// # Errors
+/// As of [`text`], but for what the bytes mean.
+pub(crate) fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+    at_most(open(path)?, limits::OUTPUT_BYTES)
+}
+
+/// Opens a file; a pipe could keep us waiting, and a device never end.
+fn open(path: &Path) -> io::Result<File> {
+    let metadata = fs::metadata(path)?;
+    if metadata.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    if !metadata.is_file() {
+        return Err(io::Error::other("it is no regular file"));
+    }
+    File::open(path)
+}
+
+fn at_most(from: impl Read, most: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(most as u64 + 1).read_to_end(&mut bytes)?;
+    if bytes.len() > most {
+        return Err(io::Error::other(format!("it has more than {most} bytes")));
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,36 @@
+//! How large what is given may be, so that every command ends in bounded time and memory: in a minute or so, and 4 GiB.
+//!
+//! Whatever is beyond a limit is an error that says what was found and what is allowed. `docs/model.md` lists the limits.
+
+/// Bytes of a model with all that it includes, of `kane.toml`, of a state.
+pub const INPUT_BYTES: usize = 16 << 20;
+/// Bytes of a file that is compared with what is generated, or replaced by it.
+pub const OUTPUT_BYTES: usize = 256 << 20;
+/// Entries of a list of a model, its bodies among them.
+pub const BODIES: usize = 10_000;
+/// Characters of a name.
+pub const NAME_CHARACTERS: usize = 250;
+/// Unknown keys of one table, or elements and attributes of one XML element, that are told.
+pub const UNKNOWN: usize = 1_000;
+/// Elements, comments and texts of an XML file.
+pub const XML_NODES: u32 = 1_000_000;
+/// Attributes of an XML element.
+pub const XML_ATTRIBUTES: usize = 250;
+/// Declarations of namespaces in an XML file.
+pub const XML_NAMESPACES: usize = 100;
+/// Numbers of a model that are set at run time.
+pub const PARAMETERS: usize = 2_000;
+/// Speeds of a system in which joints follow others.
+pub const SPEEDS_WITH_FOLLOWERS: usize = 250;
+/// Speeds of a system of which a function is derived.
+pub const SPEEDS: usize = 5_000;
+/// Numbers that the functions of a module write, all together.
+pub const NUMBERS: usize = 250_000;
+/// Terms of the notes' sums where a function is derived as these stand.
+pub const TERMS: usize = 250_000;
+/// The same where they are evaluated only, for the tests beside a module; updates of a factorised mass matrix.
+pub const EVALUATED_TERMS: usize = 1_000_000;
+/// Speeds of a system of which `kane info` counts the operations of all functions.
+pub const COUNTED_SPEEDS: usize = 500;
+/// Bodies of a system of which `kane info` draws the tree and the partitions.
+pub const DRAWN_BODIES: usize = 250;

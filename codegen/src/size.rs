@@ -1,0 +1,77 @@
+//! How large a module would be, told before any of its functions is derived.
+//!
+//! In: a tree, functions, options. Out: an error where deriving or writing them would take more time or memory than
+//! [`limits`](crate::limits) allow.
+
+use crate::{
+    companions::Kind, compile::Options, config::Formulation, error::Error, functions::Request,
+    limits, recursive, recursive::Technique, solve, tree::Tree,
+};
+
+/// Refuses what would be too large.
+///
+/// # Errors
+/// [`Error::TooLarge`], for the first limit that is passed.
+pub fn check(tree: &Tree, requests: &[Request], options: &Options) -> Result<(), Error> {
+    bound("the system has", tree.n_speeds, "speeds", limits::SPEEDS)?;
+    let sizes: Vec<usize> = requests
+        .iter()
+        .map(|request| request.n_numbers(tree))
+        .collect();
+    let largest = sizes.iter().zip(requests).max_by_key(|(size, _)| **size);
+    let largest = largest.map_or_else(String::new, |(_, request)| request.text());
+    let what = format!("the functions, `{largest}` most of all, write");
+    bound(&what, sizes.iter().sum(), "numbers", limits::NUMBERS)?;
+    for request in requests {
+        check_derivation(tree, request, options)?;
+    }
+    Ok(())
+}
+
+/// Refuses a function whose derivation alone would be too large.
+fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result<(), Error> {
+    let terms = request.literal_terms(tree);
+    let name = request.text();
+    if options.formulation == Formulation::Notes {
+        bound(
+            &format!("the notes' sums for `{name}` have"),
+            terms,
+            "terms",
+            limits::TERMS,
+        )?;
+    }
+    if options.companions.contains(&Kind::Tests) {
+        bound(
+            &format!("the tests of `{name}` evaluate"),
+            terms,
+            "terms",
+            limits::EVALUATED_TERMS,
+        )?;
+    }
+    let is_factorised = options.formulation == Formulation::Notes
+        || options.without.contains(&Technique::Articulated)
+        || recursive::has_followers(tree);
+    if request.solves() && is_factorised {
+        let updates = solve::operations(tree);
+        bound(
+            &format!("factorising for `{name}` takes"),
+            updates,
+            "updates",
+            limits::EVALUATED_TERMS,
+        )?;
+    }
+    Ok(())
+}
+
+fn bound(what: &str, found: usize, unit: &'static str, most: usize) -> Result<(), Error> {
+    if found <= most {
+        return Ok(());
+    }
+    let what = what.to_owned();
+    Err(Error::TooLarge {
+        what,
+        found,
+        unit,
+        most,
+    })
+}

@@ -1,0 +1,471 @@
+//! Models that nobody means well, and those that fuzzing invented: whatever is given, a model is generated or what is wrong
+//! with it is told, in bounded time and memory.
+
+#[path = "support/promises.rs"]
+mod promises;
+mod support;
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use kane_codegen::{
+    companions::Kind,
+    compile::Options,
+    config::Functions,
+    description::{self, Reading, no_includes},
+    diagnostic::Source,
+    generate::generate,
+    limits, tree,
+};
+use promises::Files;
+use support::{Random, body, system};
+
+/// Everything, with all that can stand beside a module.
+fn everything() -> Options {
+    Options {
+        functions: Functions::All,
+        companions: Kind::ALL.map(|(_, kind)| kind).into(),
+        ..Options::default()
+    }
+}
+
+fn folder(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// The files of a folder with this ending, with their names.
+fn files(path: &str, ending: &str) -> Vec<(String, String)> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder(path)).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if name.ends_with(ending) {
+            let text = String::from_utf8_lossy(&fs::read(&path).unwrap()).into_owned();
+            files.push((name, text));
+        }
+    }
+    files.sort();
+    files
+}
+
+/// What is wrong with a model.
+fn faults(name: &str, text: &str) -> String {
+    let source = Source::new(name, text);
+    let description = description::read(&source, &Reading::default(), &no_includes);
+    tree::build(&description).unwrap_err().to_string()
+}
+
+#[test]
+fn what_fuzzing_found_holds() {
+    let found = files("tests/fuzzed", "");
+    assert!(!found.is_empty());
+    for (name, text) in found {
+        let files = Files::new(&name, &text);
+        promises::reading(&files, &Reading::default());
+        promises::generating(&files, &everything());
+    }
+}
+
+#[test]
+fn mutated_models_keep_all_promises() {
+    let mut random = Random(7);
+    let formats = [
+        ("tests/models", ".toml"),
+        ("tests/invalid", ".toml"),
+        ("tests/invalid/urdf", ".urdf"),
+        ("tests/invalid/mjcf", ".xml"),
+    ];
+    let pieces = [
+        "\"", "'", "<", ">", "/>", "&", "&#10;", "<!--", "]]>", "\0", "\r", "\u{9b}", "\u{202e}",
+        "é", "1e999", "-", "nan", "0", "=", "{", "[", "runtime", "name", "inf", " ",
+    ];
+    for (path, ending) in formats {
+        let models = files(path, ending);
+        for _ in 0..300 {
+            let (name, model) = &models[random.below(models.len())];
+            let mut text: Vec<char> = model.chars().collect();
+            for _ in 0..=random.below(4) {
+                let start = random.below(text.len() + 1);
+                let end = (start + random.below(12)).min(text.len());
+                text.splice(start..end, pieces[random.below(pieces.len())].chars());
+            }
+            let text: String = text.into_iter().collect();
+            promises::reading(&Files::new(name, &text), &Reading::default());
+        }
+    }
+}
+
+/// Names that would leave a string, a comment, a format or a table, or are no identifiers.
+const NAMES: [&str; 22] = [
+    "fn", "self", "Self", "crate", "r#type", "_", "1", "", " ", "🦾", "é", "a b", "*/", "/*",
+    "\"#", "\\", "{}", "{a}", "`|`", "<script>", "../x", "${HOME}",
+];
+
+/// A name as a string of TOML, and as an attribute of XML.
+fn quoted(name: &str) -> [String; 2] {
+    let toml = name.replace('\\', "\\\\").replace('"', "\\\"");
+    let xml = name
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('"', "&quot;");
+    [toml, xml].map(|name| format!("\"{name}\""))
+}
+
+/// Models in each format with these names of the system, a body and a joint.
+fn named(name: &str) -> [(&'static str, String); 3] {
+    let [toml, xml] = quoted(name);
+    let own = system("[0, 1]", &[("a", "[\"theta1\"]"), ("b", "[\"theta2\"]")]);
+    let own = own
+        .replace("\"system\"", &toml)
+        .replace("\"b\"", &format!("{toml}\njoint_name = {toml}"));
+    let inertial = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+    let urdf = format!(
+        "<robot name={xml}><link name='base'/><link name={xml}>{inertial}</link>\
+        <joint name={xml} type='continuous'><parent link='base'/><child link={xml}/></joint></robot>"
+    );
+    let mjcf = format!(
+        "<mujoco model={xml}><worldbody><body name={xml}><joint name={xml}/><geom size='1'/></body></worldbody></mujoco>"
+    );
+    [
+        ("model.toml", own),
+        ("model.urdf", urdf),
+        ("model.xml", mjcf),
+    ]
+}
+
+/// The name of the system in a module.
+fn name_in(module: &str) -> Option<String> {
+    let module = syn::parse_file(module).unwrap();
+    module.items.iter().find_map(|item| match item {
+        syn::Item::Const(constant) if constant.ident == "NAME" => match &*constant.expr {
+            syn::Expr::Lit(syn::ExprLit {
+                lit: syn::Lit::Str(text),
+                ..
+            }) => Some(text.value()),
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+#[test]
+fn names_reach_the_output_as_what_they_are_or_are_refused() {
+    let options = Options {
+        functions: Functions::Named(vec!["bias".to_owned()]),
+        ..everything()
+    };
+    for name in NAMES {
+        for (file, text) in named(name) {
+            let files = Files::new(file, &text);
+            promises::reading(&files, &Reading::default());
+            promises::generating(&files, &options);
+            if !name.is_empty() {
+                let generated = generate(&files.model, file, &options, &no_includes).unwrap();
+                assert_eq!(name_in(&generated.source).as_deref(), Some(name));
+            }
+        }
+    }
+}
+
+#[test]
+fn names_that_cannot_be_shown_are_refused() {
+    for character in [
+        '\n', '\r', '\t', '\u{1b}', '\u{9b}', '\u{7f}', '\u{202e}', '\u{2066}', '\u{2028}',
+    ] {
+        let code = u32::from(character);
+        let shown = format!("name holds the character U+{code:04X}, which cannot be shown");
+        let own =
+            system("[0]", &[("b", "[\"theta1\"]")]).replace("\"b\"", &format!("\"\\u{code:04x}\""));
+        assert!(faults("model.toml", &own).contains(&shown));
+        let [_, (_, urdf), (_, mjcf)] = named("NAME");
+        let entity = format!("&#{code};");
+        let faults = [("model.urdf", urdf), ("model.xml", mjcf)]
+            .map(|(file, text)| faults(file, &text.replace("NAME", &entity)));
+        for faults in faults {
+            // XML refuses some of them itself.
+            assert!(
+                faults.contains(&shown) || faults.contains("not valid XML"),
+                "{faults}"
+            );
+        }
+    }
+}
+
+#[test]
+fn long_name_is_refused() {
+    let long = "é".repeat(1_000_000);
+    for (file, text) in named(&long) {
+        let shown = "name has 1000000 characters; expected at most 250\n";
+        assert!(faults(file, &text).contains(shown), "{file}");
+    }
+}
+
+#[test]
+fn entities_are_not_expanded_and_no_file_is_read_for_one() {
+    let laughs: String = (0..12)
+        .map(|n| format!("<!ENTITY l{} \"&l{n};&l{n};&l{n};\">", n + 1))
+        .collect();
+    for declared in [
+        laughs,
+        "<!ENTITY l12 SYSTEM \"file:///etc/passwd\">".to_owned(),
+        format!("<!ENTITY l12 \"{}\">", "a".repeat(100_000)),
+    ] {
+        for (file, root) in [("model.urdf", "robot"), ("model.xml", "mujoco")] {
+            let text = format!(
+                "<!DOCTYPE {root} [<!ENTITY l0 \"ha\">{declared}]>\n<{root} name='{}'/>",
+                "&l12;".repeat(100)
+            );
+            let faults = faults(file, &text);
+            assert!(
+                faults.contains("a document type declaration is not accepted"),
+                "{faults}"
+            );
+        }
+    }
+}
+
+#[test]
+fn markup_that_takes_its_square_to_parse_is_refused() {
+    let attributes: String = (0..200_000).map(|n| format!(" a{n}=''")).collect();
+    let spaces: String = (0..20_000)
+        .map(|n| format!("<a xmlns:n{n}='u{n}'>"))
+        .collect();
+    let classes: String = (0..20_000)
+        .map(|n| format!("<default class='c{n}'/>"))
+        .collect();
+    for (file, root) in [("model.urdf", "robot"), ("model.xml", "mujoco")] {
+        let text = format!("<{root} name='a'{attributes}/>");
+        assert!(
+            faults(file, &text).contains("the element has 200001 attributes; expected at most 250")
+        );
+        let text = format!("<{root} name='a'>{spaces}</{root}>");
+        assert!(faults(file, &text).contains("more than 100 namespaces are declared"));
+        let text = format!(
+            "<{root}>{}</{root}>",
+            "<a/>".repeat(limits::XML_NODES as usize)
+        );
+        assert!(
+            faults(file, &text).contains("it has more than 1000000 elements, comments and texts")
+        );
+    }
+    let text = format!("<mujoco><default>{classes}</default></mujoco>");
+    assert!(
+        faults("model.xml", &text)
+            .contains("the number of default classes is 10001; expected at most 10000")
+    );
+}
+
+#[test]
+fn deep_nesting_does_not_reach_the_end_of_the_stack() {
+    let many = |text: &str| text.repeat(1_000_000);
+    for (file, text) in [
+        ("model.toml", format!("name = {}", many("["))),
+        ("model.toml", format!("name = {}", many("{a="))),
+        ("model.toml", many("a.")),
+        ("model.urdf", format!("<robot>{}", many("<a>"))),
+        (
+            "model.urdf",
+            format!("<robot name='a'>{}{}</robot>", many("<a>"), many("</a>")),
+        ),
+        (
+            "model.xml",
+            format!("<mujoco>{}{}</mujoco>", many("<a>"), many("</a>")),
+        ),
+        (
+            "model.xml",
+            format!(
+                "<mujoco><worldbody>{}{}</worldbody></mujoco>",
+                many("<body>"),
+                many("</body>")
+            ),
+        ),
+    ] {
+        assert!(faults(file, &text).starts_with("error: "));
+    }
+}
+
+#[test]
+fn very_many_faults_are_told_soon() {
+    let keys: String = (0..150_000).map(|n| format!("k{n} = 1\n")).collect();
+    let unknown: String = (0..200_000).map(|n| format!("<linx{n}/>")).collect();
+    let geoms = format!(
+        "<default>{}</default><worldbody><body>{}</body></worldbody>",
+        "<default class='a'/>".repeat(2),
+        "<geom class='b'/>".repeat(100_000)
+    );
+    for (file, text) in [
+        ("model.toml", keys),
+        ("model.toml", "a = 1\n".repeat(150_000)),
+        ("model.toml", "a\n\n".repeat(150_000)),
+        (
+            "model.toml",
+            format!("name = \"{}\"\nq = 1", "x".repeat(5_000_000)),
+        ),
+        (
+            "model.toml",
+            format!("lower_bodies = [{}]", "[],".repeat(300_000)),
+        ),
+        ("model.toml", "[[body]]\n".repeat(150_000)),
+        ("model.urdf", format!("<robot>{unknown}</robot>")),
+        (
+            "model.urdf",
+            format!("<robot>{}</robot>", "<link/>".repeat(150_000)),
+        ),
+        (
+            "model.urdf",
+            format!("<robot><link name='{}'/></robot>", "q".repeat(5_000_000)),
+        ),
+        (
+            "model.xml",
+            format!(
+                "<mujoco><worldbody>{}</worldbody></mujoco>",
+                "<body/>".repeat(200_000)
+            ),
+        ),
+        (
+            "model.xml",
+            format!(
+                "<mujoco><worldbody><body>{}</body></worldbody></mujoco>",
+                "<joint/>".repeat(200_000)
+            ),
+        ),
+        ("model.xml", format!("<mujoco>{geoms}</mujoco>")),
+    ] {
+        let faults = faults(file, &text);
+        assert!(faults.len() < 200_000, "{} bytes", faults.len());
+    }
+}
+
+/// A chain of bodies of which each has these keys besides.
+fn chain(n_bodies: usize, joint: &str, more: &str) -> String {
+    let lower: Vec<usize> = (0..n_bodies).collect();
+    let bodies = (0..n_bodies).map(|number| {
+        let joint = if number == 0 { "[\"theta1\"]" } else { joint };
+        let more = if number == 0 { "" } else { more };
+        body(&format!("b{number}"), joint) + more
+    });
+    format!(
+        "name = \"chain\"\nlower_bodies = {lower:?}\n{}",
+        bodies.collect::<String>()
+    )
+}
+
+#[test]
+fn ten_thousand_bodies_of_any_kind_are_read_or_refused_soon() {
+    let n = limits::BODIES;
+    let runtime = chain(n, "[]", "").replace("0.3]", "{ runtime = 0.3 }]");
+    assert!(
+        faults("model.toml", &runtime)
+            .contains("values that are set at run time; expected at most 2000")
+    );
+    let following = chain(n, "[\"theta2\"]", "")
+        .replace("[\"theta2\"]", "[\"theta2\"]\nmimic = { joint = \"b0\" }");
+    assert!(support::build(&following).is_ok());
+    let half = chain(n, "[\"theta2\"]", "").replacen(
+        "[\"theta2\"]",
+        "[\"theta2\"]\nmimic = { joint = \"b0\" }",
+        5,
+    );
+    assert!(
+        faults("model.toml", &half)
+            .contains("in which joints follow others, has 9995 speeds; expected at most 250")
+    );
+    let massless = chain(n, "[\"theta2\"]", "")
+        .replace("mass = 2.0", "mass = 0.0")
+        .replace("0.1,", "0.0,");
+    assert!(faults("model.toml", &massless).contains("body `b0`"));
+    for (joint, more) in [
+        ("[]", ""),
+        ("\"free\"", ""),
+        ("[\"theta2\"]", "joint_name = \"a\"\n"),
+    ] {
+        let text = chain(n, joint, more);
+        promises::generating(&Files::new("model.toml", &text), &Options::default());
+    }
+}
+
+#[test]
+fn what_would_be_too_large_is_told_before_it_is_derived() {
+    let refused = |n: usize, options: Options| {
+        let source = Source::new("model.toml", chain(n, "[\"theta2\"]", ""));
+        let generated = generate(&source, "model.toml", &options, &no_includes);
+        generated.unwrap_err().to_string()
+    };
+    let named = |name: &str| Options {
+        functions: Functions::Named(vec![name.to_owned()]),
+        ..Options::default()
+    };
+    let notes = Options {
+        formulation: kane_codegen::config::Formulation::Notes,
+        ..named("mass_matrix")
+    };
+    let tested = Options {
+        companions: [Kind::Tests].into(),
+        ..named("mass_matrix_packed")
+    };
+    let factorised = Options {
+        without: [kane_codegen::recursive::Technique::Articulated].into(),
+        ..named("forward_dynamics")
+    };
+    for (n, options, why) in [
+        (
+            5001,
+            named("bias"),
+            "the system has 5001 speeds; expected at most 5000",
+        ),
+        (
+            600,
+            named("mass_matrix"),
+            "the functions, `mass_matrix` most of all, write 360600 numbers; expected at most 250000",
+        ),
+        (
+            200,
+            notes,
+            "the notes' sums for `mass_matrix` have 1353400 terms; expected at most 250000",
+        ),
+        (
+            200,
+            tested,
+            "the tests of `mass_matrix_packed` evaluate 1353400 terms; expected at most 1000000",
+        ),
+        (
+            200,
+            factorised,
+            "factorising for `forward_dynamics` takes 2766100 updates; expected at most 1000000",
+        ),
+    ] {
+        assert_eq!(refused(n, options), why);
+    }
+}
+
+#[test]
+fn numbers_at_the_ends_of_what_there_is_are_generated_or_refused() {
+    let text = system(
+        "[0, 1]",
+        &[
+            ("a", "\"revolute\"\naxis = [0, 0, 1]"),
+            ("b", "[\"theta1\", \"s1\"]"),
+        ],
+    );
+    for number in [
+        "1e400",
+        "nan",
+        "inf",
+        "-inf",
+        "-0.0",
+        "1e-320",
+        "5e-324",
+        "1e-300",
+        "1e300",
+        "1.7976931348623157e308",
+    ] {
+        for place in ["2.0", "0.01", "0.1", "-0.5", "0.02", "0.3"] {
+            for text in [text.replace(place, number), text.replacen(place, number, 1)] {
+                promises::reading(&Files::new("model.toml", &text), &Reading::default());
+                promises::generating(&Files::new("model.toml", &text), &Options::default());
+            }
+        }
+    }
+}
