@@ -64,7 +64,7 @@ pub fn generate(
     let name = options.module.as_deref().unwrap_or_default();
     Ok(Generated {
         source: emit::source(&module),
-        companions: companions::of(&module, &options.companions, name),
+        companions: companions::of(&module, &options.companions, name)?,
         functions,
         warnings: checked.warnings,
     })

@@ -27,10 +27,10 @@ pub const SPEEDS: usize = 5_000;
 /// Numbers that the functions of a module write, all together.
 pub const NUMBERS: usize = 250_000;
 /// Terms of the notes' sums where a function is derived as these stand.
-pub const TERMS: usize = 250_000;
+pub const TERMS: usize = 100_000;
 /// The same where they are evaluated only, for the tests beside a module; updates of a factorised mass matrix.
 pub const EVALUATED_TERMS: usize = 1_000_000;
 /// Speeds of a system of which `kane info` counts the operations of all functions.
-pub const COUNTED_SPEEDS: usize = 500;
+pub const COUNTED_SPEEDS: usize = 100;
 /// Bodies of a system of which `kane info` draws the tree and the partitions.
 pub const DRAWN_BODIES: usize = 250;

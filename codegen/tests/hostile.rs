@@ -1,6 +1,11 @@
 //! Models that nobody means well, and those that fuzzing invented: whatever is given, a model is generated or what is wrong
 //! with it is told, in bounded time and memory.
 
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test stops where it fails, its helpers too"
+)]
+
 #[path = "support/promises.rs"]
 mod promises;
 mod support;
@@ -50,6 +55,11 @@ fn files(path: &str, ending: &str) -> Vec<(String, String)> {
     files
 }
 
+/// As many texts, one after the other.
+fn numbered(count: usize, one: impl Fn(usize) -> String) -> String {
+    (0..count).map(one).collect()
+}
+
 /// What is wrong with a model.
 fn faults(name: &str, text: &str) -> String {
     let source = Source::new(name, text);
@@ -63,7 +73,7 @@ fn what_fuzzing_found_holds() {
     assert!(!found.is_empty());
     for (name, text) in found {
         let files = Files::new(&name, &text);
-        promises::reading(&files, &Reading::default());
+        promises::reading(&files, Reading::default());
         promises::generating(&files, &everything());
     }
 }
@@ -92,7 +102,7 @@ fn mutated_models_keep_all_promises() {
                 text.splice(start..end, pieces[random.below(pieces.len())].chars());
             }
             let text: String = text.into_iter().collect();
-            promises::reading(&Files::new(name, &text), &Reading::default());
+            promises::reading(&Files::new(name, &text), Reading::default());
         }
     }
 }
@@ -159,7 +169,7 @@ fn names_reach_the_output_as_what_they_are_or_are_refused() {
     for name in NAMES {
         for (file, text) in named(name) {
             let files = Files::new(file, &text);
-            promises::reading(&files, &Reading::default());
+            promises::reading(&files, Reading::default());
             promises::generating(&files, &options);
             if !name.is_empty() {
                 let generated = generate(&files.model, file, &options, &no_includes).unwrap();
@@ -204,9 +214,9 @@ fn long_name_is_refused() {
 
 #[test]
 fn entities_are_not_expanded_and_no_file_is_read_for_one() {
-    let laughs: String = (0..12)
-        .map(|n| format!("<!ENTITY l{} \"&l{n};&l{n};&l{n};\">", n + 1))
-        .collect();
+    let laughs = numbered(12, |n| {
+        format!("<!ENTITY l{} \"&l{n};&l{n};&l{n};\">", n + 1)
+    });
     for declared in [
         laughs,
         "<!ENTITY l12 SYSTEM \"file:///etc/passwd\">".to_owned(),
@@ -228,13 +238,9 @@ fn entities_are_not_expanded_and_no_file_is_read_for_one() {
 
 #[test]
 fn markup_that_takes_its_square_to_parse_is_refused() {
-    let attributes: String = (0..200_000).map(|n| format!(" a{n}=''")).collect();
-    let spaces: String = (0..20_000)
-        .map(|n| format!("<a xmlns:n{n}='u{n}'>"))
-        .collect();
-    let classes: String = (0..20_000)
-        .map(|n| format!("<default class='c{n}'/>"))
-        .collect();
+    let attributes = numbered(200_000, |n| format!(" a{n}=''"));
+    let spaces = numbered(20_000, |n| format!("<a xmlns:n{n}='u{n}'>"));
+    let classes = numbered(20_000, |n| format!("<default class='c{n}'/>"));
     for (file, root) in [("model.urdf", "robot"), ("model.xml", "mujoco")] {
         let text = format!("<{root} name='a'{attributes}/>");
         assert!(
@@ -288,8 +294,8 @@ fn deep_nesting_does_not_reach_the_end_of_the_stack() {
 
 #[test]
 fn very_many_faults_are_told_soon() {
-    let keys: String = (0..150_000).map(|n| format!("k{n} = 1\n")).collect();
-    let unknown: String = (0..200_000).map(|n| format!("<linx{n}/>")).collect();
+    let keys = numbered(150_000, |n| format!("k{n} = 1\n"));
+    let unknown = numbered(200_000, |n| format!("<linx{n}/>"));
     let geoms = format!(
         "<default>{}</default><worldbody><body>{}</body></worldbody>",
         "<default class='a'/>".repeat(2),
@@ -423,7 +429,7 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
         (
             200,
             notes,
-            "the notes' sums for `mass_matrix` have 1353400 terms; expected at most 250000",
+            "the notes' sums for `mass_matrix` have 1353400 terms; expected at most 100000",
         ),
         (
             200,
@@ -463,7 +469,7 @@ fn numbers_at_the_ends_of_what_there_is_are_generated_or_refused() {
     ] {
         for place in ["2.0", "0.01", "0.1", "-0.5", "0.02", "0.3"] {
             for text in [text.replace(place, number), text.replacen(place, number, 1)] {
-                promises::reading(&Files::new("model.toml", &text), &Reading::default());
+                promises::reading(&Files::new("model.toml", &text), Reading::default());
                 promises::generating(&Files::new("model.toml", &text), &Options::default());
             }
         }

@@ -8,8 +8,8 @@ mod tree;
 use std::collections::BTreeSet;
 
 use arbitrary::Unstructured;
-use kane_codegen::compile::Options;
 use kane_codegen::companions;
+use kane_codegen::compile::Options;
 use kane_codegen::config::{Formulation, Functions};
 use kane_codegen::description::{Base, Chart, Reading};
 use kane_codegen::functions::CATALOGUE;
@@ -28,7 +28,7 @@ const FEW_BODIES: (usize, usize) = (2, 6);
 pub fn read(name: &str, data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let reading = reading(data.len(), name != MODELS[0]);
-    promises::reading(&Files::new(name, &text), &reading);
+    promises::reading(&Files::new(name, &text), reading);
 }
 
 /// Generates from a text as it stands, or from a tree that is made of the bytes; the first says of which, the next ones how.
@@ -45,8 +45,11 @@ pub fn generate(data: &[u8]) {
         },
     };
     let files = Files::new(name.unwrap_or(MODELS[0]), &text);
-    let reading = reading(usize::from(format / 4), name.is_some_and(|name| name != MODELS[0]));
-    let n_bodies = promises::n_bodies(&files, &reading);
+    let reading = reading(
+        usize::from(format / 4),
+        name.is_some_and(|name| name != MODELS[0]),
+    );
+    let n_bodies = promises::n_bodies(&files, reading);
     if n_bodies > FEW_BODIES.1 {
         return;
     }
@@ -61,8 +64,17 @@ pub fn generate(data: &[u8]) {
         },
         formulation: Formulation::ALL[usize::from(how / 4) % Formulation::ALL.len()].1,
         fma: how & 16 != 0,
-        without: Technique::ALL.iter().skip(usize::from(technique)).take(1).map(|(_, technique)| *technique).collect(),
-        companions: if how & 32 == 0 { BTreeSet::new() } else { companions::Kind::ALL.map(|(_, kind)| kind).into() },
+        without: Technique::ALL
+            .iter()
+            .skip(usize::from(technique))
+            .take(1)
+            .map(|(_, technique)| *technique)
+            .collect(),
+        companions: if how & 32 == 0 {
+            BTreeSet::new()
+        } else {
+            companions::Kind::ALL.map(|(_, kind)| kind).into()
+        },
     };
     promises::generating(&files, &options);
 }

@@ -8,16 +8,64 @@ use arbitrary::{Result, Unstructured};
 const MOST_BODIES: u8 = 4;
 /// Numbers that are often special, beside any other.
 const NUMBERS: [f64; 16] = [
-    0.0, 1.0, -1.0, 0.5, 2.0, 0.1, -0.3, 1.25, 9.81, 1e-9, 1e-6, 1e9, 1e300, 5e-324, 1.570_796_326_794_896_6, -3.0,
+    0.0,
+    1.0,
+    -1.0,
+    0.5,
+    2.0,
+    0.1,
+    -0.3,
+    1.25,
+    9.81,
+    1e-9,
+    1e-6,
+    1e9,
+    1e300,
+    5e-324,
+    std::f64::consts::FRAC_PI_2,
+    -3.0,
 ];
 /// Names, some of which collide or cannot stand in code.
-const NAMES: [&str; 12] = ["a", "b", "A", "fn", "self", "r#type", "a b", "é", "1", "🦾", "*/ \\\" #{}", "_"];
-const JOINTS: [&str; 16] = [
-    "\"fixed\"", "\"revolute\"", "\"continuous\"", "\"prismatic\"", "\"cylindrical\"", "\"planar\"", "\"universal\"",
-    "\"spherical\"", "\"free\"", "[\"theta1\"]", "[\"theta2\"]", "[\"theta3\", \"s1\"]", "[\"s1\", \"s2\", \"s3\"]",
-    "[\"theta1\", \"theta3\"]", "[\"theta1\", \"theta2\", \"theta3\"]", "[]",
+const NAMES: [&str; 12] = [
+    "a",
+    "b",
+    "A",
+    "fn",
+    "self",
+    "r#type",
+    "a b",
+    "é",
+    "1",
+    "🦾",
+    "*/ \\\" #{}",
+    "_",
 ];
-const AXES: [&str; 6] = ["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[0, 0, -2]", "[1, 1, 0]", "[0.3, -0.4, 1e-7]"];
+const JOINTS: [&str; 16] = [
+    "\"fixed\"",
+    "\"revolute\"",
+    "\"continuous\"",
+    "\"prismatic\"",
+    "\"cylindrical\"",
+    "\"planar\"",
+    "\"universal\"",
+    "\"spherical\"",
+    "\"free\"",
+    "[\"theta1\"]",
+    "[\"theta2\"]",
+    "[\"theta3\", \"s1\"]",
+    "[\"s1\", \"s2\", \"s3\"]",
+    "[\"theta1\", \"theta3\"]",
+    "[\"theta1\", \"theta2\", \"theta3\"]",
+    "[]",
+];
+const AXES: [&str; 6] = [
+    "[1, 0, 0]",
+    "[0, 1, 0]",
+    "[0, 0, 1]",
+    "[0, 0, -2]",
+    "[1, 1, 0]",
+    "[0.3, -0.4, 1e-7]",
+];
 const ROTATIONS: [&str; 5] = [
     "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
     "[[1, 0, 0], [0, 0, 1], [0, -1, 0]]",
@@ -29,8 +77,13 @@ const ROTATIONS: [&str; 5] = [
 /// A description.
 pub(crate) fn text(bytes: &mut Unstructured<'_>) -> Result<String> {
     let n_bodies = bytes.int_in_range(1..=MOST_BODIES)?;
-    let lower: Vec<u8> = (0..n_bodies).map(|body| bytes.int_in_range(0..=body)).collect::<Result<_>>()?;
-    let mut text = format!("name = \"tree\"\ngravity = {}\nlower_bodies = {lower:?}\n", vector(bytes)?);
+    let lower: Vec<u8> = (0..n_bodies)
+        .map(|body| bytes.int_in_range(0..=body))
+        .collect::<Result<_>>()?;
+    let mut text = format!(
+        "name = \"tree\"\ngravity = {}\nlower_bodies = {lower:?}\n",
+        vector(bytes)?
+    );
     if bytes.ratio(1, 3)? {
         text += "order = \"notes\"\n";
     }
@@ -41,13 +94,21 @@ pub(crate) fn text(bytes: &mut Unstructured<'_>) -> Result<String> {
 }
 
 fn body(bytes: &mut Unstructured<'_>, text: &mut String, body: u8) -> Result<()> {
-    let name = bytes.choose(&NAMES)?.replace('\\', "\\\\").replace('"', "\\\"");
-    let mut line = |key: &str, value: &str| writeln!(text, "{key} = {value}").map_err(|_| arbitrary::Error::IncorrectFormat);
+    let name = bytes
+        .choose(&NAMES)?
+        .replace('\\', "\\\\")
+        .replace('"', "\\\"");
+    let mut line = |key: &str, value: &str| {
+        writeln!(text, "{key} = {value}").map_err(|_| arbitrary::Error::IncorrectFormat)
+    };
     line("\n[[body]]\nname", &format!("\"{name}{body}\""))?;
     line("mass", &scalar(bytes)?)?;
     line("mass_center", &vector(bytes)?)?;
     let mut inertia = Vec::new();
-    for (component, (least, scale)) in ["xx", "yy", "zz", "xy", "xz", "yz"].iter().zip([(0.1, 0.01); 3].into_iter().chain([(0.0, 1e-4); 3])) {
+    for (component, (least, scale)) in ["xx", "yy", "zz", "xy", "xz", "yz"]
+        .iter()
+        .zip([(0.1, 0.01); 3].into_iter().chain([(0.0, 1e-4); 3]))
+    {
         let number = least + scale * f64::from(bytes.arbitrary::<u8>()? % 8);
         inertia.push(format!("{component} = {}", bound(bytes, number)?));
     }
@@ -74,12 +135,25 @@ fn body(bytes: &mut Unstructured<'_>, text: &mut String, body: u8) -> Result<()>
     if [7, 8, 14].contains(&joint) && bytes.ratio(1, 2)? {
         line("chart", "\"quaternion\"")?;
     } else if [9, 10].contains(&joint) && bytes.ratio(1, 4)? {
-        line("locked", &format!("{{ theta3 = {:?}, s2 = {:?} }}", number(bytes)?, number(bytes)?))?;
+        line(
+            "locked",
+            &format!(
+                "{{ theta3 = {:?}, s2 = {:?} }}",
+                number(bytes)?,
+                number(bytes)?
+            ),
+        )?;
     }
     if body > 0 && bytes.ratio(1, 5)? {
         line("joint_name", "\"follower\"")?;
         let (multiplier, offset) = (number(bytes)?, number(bytes)?);
-        line("mimic", &format!("{{ joint = \"{}0\", multiplier = {multiplier:?}, offset = {offset:?} }}", bytes.choose(&NAMES[..4])?))?;
+        line(
+            "mimic",
+            &format!(
+                "{{ joint = \"{}0\", multiplier = {multiplier:?}, offset = {offset:?} }}",
+                bytes.choose(&NAMES[..4])?
+            ),
+        )?;
     }
     Ok(())
 }
@@ -96,9 +170,17 @@ fn scalar(bytes: &mut Unstructured<'_>) -> Result<String> {
 
 /// In one of its binding times.
 fn bound(bytes: &mut Unstructured<'_>, number: f64) -> Result<String> {
-    Ok(if bytes.ratio(1, 8)? { format!("{{ runtime = {number:?} }}") } else { format!("{number:?}") })
+    Ok(if bytes.ratio(1, 8)? {
+        format!("{{ runtime = {number:?} }}")
+    } else {
+        format!("{number:?}")
+    })
 }
 
 fn number(bytes: &mut Unstructured<'_>) -> Result<f64> {
-    if bytes.ratio(1, 16)? { bytes.arbitrary() } else { Ok(*bytes.choose(&NUMBERS)?) }
+    if bytes.ratio(1, 16)? {
+        bytes.arbitrary()
+    } else {
+        Ok(*bytes.choose(&NUMBERS)?)
+    }
 }

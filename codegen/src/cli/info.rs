@@ -41,7 +41,7 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, pa
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
     cheapest (the one with fewer operations); without those that would be too large, of which null is the cheapest,\n                  \
-    and, beyond 500 speeds, only what --functions names\n\n\
+    and, beyond 100 speeds, only what --functions names\n\n\
     Examples:\n  \
     kane info models/arm.toml\n  \
     kane info models/arm.toml --json | jq '.functions[] | {name, cheapest}'"

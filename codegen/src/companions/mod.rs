@@ -17,6 +17,7 @@ use std::{
 
 use crate::{
     emit::{self, Module},
+    error::Error,
     tree::is_keyword,
 };
 
@@ -79,12 +80,12 @@ impl Kind {
         matches!(self, Self::Abi(_))
     }
 
-    fn texts(self, module: &Module<'_>, name: &str) -> Vec<String> {
-        match self {
+    fn texts(self, module: &Module<'_>, name: &str) -> Result<Vec<String>, Error> {
+        Ok(match self {
             Self::Manifest => vec![manifest::text(module)],
-            Self::Tests => vec![self_test::text(module)],
+            Self::Tests => vec![self_test::text(module)?],
             Self::Abi(Abi::C) => vec![emit::interface(module, name), header::text(module, name)],
-        }
+        })
     }
 }
 
@@ -96,15 +97,18 @@ pub fn is_module_name(name: &str) -> bool {
         && !is_keyword(name)
 }
 
-/// The files of these kinds, beside the module `name`.
-pub(crate) fn of(module: &Module<'_>, kinds: &BTreeSet<Kind>, name: &str) -> Vec<Companion> {
-    let companions = kinds.iter().flat_map(|kind| {
-        let texts = kind.texts(module, name).into_iter();
-        kind.endings().iter().zip(texts)
-    });
-    companions
-        .map(|(&ending, text)| Companion { ending, text })
-        .collect()
+/// The files of these kinds, beside the module `name`, or why one of them cannot be.
+pub(crate) fn of(
+    module: &Module<'_>,
+    kinds: &BTreeSet<Kind>,
+    name: &str,
+) -> Result<Vec<Companion>, Error> {
+    let mut companions = Vec::new();
+    for kind in kinds {
+        let texts = kind.endings().iter().zip(kind.texts(module, name)?);
+        companions.extend(texts.map(|(&ending, text)| Companion { ending, text }));
+    }
+    Ok(companions)
 }
 
 fn beside(module: &Path, ending: &str) -> PathBuf {

@@ -7,6 +7,7 @@
 use crate::{
     companions::sample::{self, Inputs},
     emit::{self, Emittable, Module, Sample, Sampled},
+    error::Error,
     expr::Input,
     functions::Formulation,
     number::{Number, Rounded},
@@ -30,7 +31,8 @@ const ROUNDINGS: f64 = 100.0;
 /// is no zero, and the bound takes it for a number with all its digits.
 const CRUMBS: f64 = 8.0 * f64::EPSILON;
 
-pub(super) fn text(module: &Module<'_>) -> String {
+/// The text, or which function has a value in it that f64 does not hold.
+pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
     let tree = module.tree;
     let samples: Vec<Sample> = (0..STATES).map(|seed| sample::draw(tree, seed)).collect();
     let inputs = samples.iter().map(|sample| inputs(module, sample));
@@ -38,7 +40,15 @@ pub(super) fn text(module: &Module<'_>) -> String {
     let functions = threads::map(&module.functions, |emittable| {
         sampled(tree, emittable, &inputs)
     });
-    emit::self_tests(module, &samples, &functions)
+    for (emittable, sampled) in module.functions.iter().zip(&functions) {
+        let mut numbers = sampled.values.iter().flatten().flatten();
+        if numbers.any(|(number, _)| !number.is_finite()) {
+            return Err(Error::Unrepresentable {
+                function: format!("the tests of {}", emittable.function.name()),
+            });
+        }
+    }
+    Ok(emit::self_tests(module, &samples, &functions))
 }
 
 /// What a function writes in every state.
@@ -72,7 +82,9 @@ fn sampled(tree: &Tree, emittable: &Emittable, states: &[Inputs]) -> Sampled {
             };
             let own: Vec<Rounded> = own.chunks(row.max(1)).flat_map(with_crumbs).collect();
             let sums = own.chunks(entries).map(sum);
-            sums.map(|sum| (sum.value, sum.error)).collect()
+            // A bound beyond all numbers is one that a literal can hold.
+            sums.map(|sum| (sum.value, sum.error.min(f64::MAX)))
+                .collect()
         });
         outputs.collect()
     });

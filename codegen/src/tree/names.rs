@@ -97,7 +97,7 @@ pub(crate) fn identifiers(
         let identifier = if kept {
             plain
         } else {
-            unique_among(plain, &mut taken, &mut next)
+            unique_among(&plain, &mut taken, &mut next)
         };
         if identifier != name.value {
             let note = format!(
@@ -116,13 +116,13 @@ pub(crate) fn identifiers(
 /// The identifier, or with a number behind it where it is taken; `next` holds the next one to try of each, so that thousands
 /// of equal names do not try all.
 fn unique_among(
-    plain: String,
+    plain: &str,
     taken: &mut BTreeSet<String>,
     next: &mut BTreeMap<String, usize>,
 ) -> String {
-    let mut unique = plain.clone();
+    let mut unique = plain.to_owned();
     while !taken.insert(unique.clone()) {
-        let suffix = next.entry(plain.clone()).or_insert(2);
+        let suffix = next.entry(plain.to_owned()).or_insert(2);
         unique = format!("{plain}_{suffix}");
         *suffix += 1;
     }
@@ -219,7 +219,7 @@ pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
             if kept {
                 return plain;
             }
-            unique_among(plain, &mut taken, &mut next)
+            unique_among(&plain, &mut taken, &mut next)
         })
         .collect()
 }

@@ -199,15 +199,15 @@ fn thousands_of_systems_are_listed() {
 /// A chain of bodies, each turning on the one before.
 fn chain(n_bodies: usize) -> String {
     let lower: Vec<usize> = (0..n_bodies).collect();
-    let mut text = format!("name = \"chain\"\nlower_bodies = {lower:?}\n");
-    for body in 0..n_bodies {
-        text += &format!(
+    let body = |body: usize| {
+        format!(
             "[[body]]\nname = \"b{body}\"\nmass = 1.5\nmass_center = [0.0, 0.02, -0.4]\n\
             inertia = {{ xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.0, xz = 0.01, yz = 0.0 }}\n\
             attachment = [0.0, 0.0, -1.0]\njoint = [\"theta2\"]\n"
-        );
-    }
-    text
+        )
+    };
+    let bodies: String = (0..n_bodies).map(body).collect();
+    format!("name = \"chain\"\nlower_bodies = {lower:?}\n{bodies}")
 }
 
 #[test]

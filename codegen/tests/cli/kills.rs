@@ -34,17 +34,19 @@ struct Systems {
 impl Systems {
     fn new() -> Self {
         let project = Project::empty();
-        let mut config = String::new();
-        let mut files = Vec::new();
-        for number in 0..SYSTEMS {
-            let output = format!("{}/arm{number}", folder());
-            config += &format!(
+        let outputs = (0..SYSTEMS).map(|number| format!("{}/arm{number}", folder()));
+        let outputs: Vec<String> = outputs.collect();
+        let system = |output: &String| {
+            format!(
                 "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"{output}.rs\"\n\
                 functions = [\"bias\"]\nmanifest = true\ntests = true\n"
-            );
-            let endings = [".rs", ".json", "_tests.rs"].iter();
-            files.extend(endings.map(|ending| project.path(&format!("{output}{ending}"))));
-        }
+            )
+        };
+        let config: String = outputs.iter().map(system).collect();
+        let files = outputs.iter().flat_map(|output| {
+            [".rs", ".json", "_tests.rs"].map(|ending| project.path(&format!("{output}{ending}")))
+        });
+        let files: Vec<PathBuf> = files.collect();
         project.write("kane.toml", &config);
         let mut systems = Self {
             project,

@@ -4,6 +4,7 @@
 #![allow(dead_code, reason = "each that asserts uses its part of these")]
 #![allow(
     clippy::unwrap_used,
+    clippy::panic,
     reason = "what asserts stops where something does not hold"
 )]
 
@@ -46,8 +47,8 @@ impl<'t> Files<'t> {
 
 /// A model is read and checked, or told what is wrong with it, in places that it has, in characters that can be shown; a
 /// model that is right is the same when it is written in our own format and read again.
-pub(crate) fn reading(files: &Files<'_>, reading: &Reading) {
-    let description = description::read(&files.model, reading, &|path| files.include(path));
+pub(crate) fn reading(files: &Files<'_>, reading: Reading) {
+    let description = description::read(&files.model, &reading, &|path| files.include(path));
     places_lie_in_the_files(&description.source, &description.faults);
     match tree::build_with(&description, &Changes::default()) {
         Ok(checked) => {
@@ -135,7 +136,7 @@ fn is_code(generated: &Generated, options: &Options) {
 }
 
 /// The bodies of a model, as far as they can be read.
-pub(crate) fn n_bodies(files: &Files<'_>, reading: &Reading) -> usize {
-    let description = description::read(&files.model, reading, &|path| files.include(path));
+pub(crate) fn n_bodies(files: &Files<'_>, reading: Reading) -> usize {
+    let description = description::read(&files.model, &reading, &|path| files.include(path));
     description.bodies.len()
 }
