@@ -20,17 +20,19 @@ pub const XML_ATTRIBUTES: usize = 250;
 pub const XML_NAMESPACES: usize = 100;
 /// Numbers of a model that are set at run time.
 pub const PARAMETERS: usize = 2_000;
-/// Speeds of a system in which joints follow others.
-pub const SPEEDS_WITH_FOLLOWERS: usize = 250;
+/// Bodies that move, and speeds, of a system in which joints follow others.
+pub const FOLLOWING: usize = 250;
 /// Speeds of a system of which a function is derived.
 pub const SPEEDS: usize = 5_000;
+/// Bodies of such a system with all that is fixed to them.
+pub const PARTS: usize = 5_000;
 /// Numbers that the functions of a module write, all together.
 pub const NUMBERS: usize = 250_000;
 /// Terms of the notes' sums where a function is derived as these stand.
 pub const TERMS: usize = 100_000;
 /// The same where they are evaluated only, for the tests beside a module; updates of a factorised mass matrix.
 pub const EVALUATED_TERMS: usize = 1_000_000;
-/// Speeds of a system of which `kane info` counts the operations of all functions.
-pub const COUNTED_SPEEDS: usize = 100;
+/// Speeds, and parts, of a system of which `kane info` counts the operations of all functions.
+pub const COUNTED: usize = 100;
 /// Bodies of a system of which `kane info` draws the tree and the partitions.
 pub const DRAWN_BODIES: usize = 250;

@@ -14,6 +14,7 @@ use crate::{
 /// [`Error::TooLarge`], for the first limit that is passed.
 pub fn check(tree: &Tree, requests: &[Request], options: &Options) -> Result<(), Error> {
     bound("the system has", tree.n_speeds, "speeds", limits::SPEEDS)?;
+    bound("the bodies have", tree.n_parts(), "parts", limits::PARTS)?;
     let sizes: Vec<usize> = requests
         .iter()
         .map(|request| request.n_numbers(tree))

@@ -366,18 +366,9 @@ fn ten_thousand_bodies_of_any_kind_are_read_or_refused_soon() {
         faults("model.toml", &runtime)
             .contains("values that are set at run time; expected at most 2000")
     );
-    let following = chain(n, "[\"theta2\"]", "")
-        .replace("[\"theta2\"]", "[\"theta2\"]\nmimic = { joint = \"b0\" }");
-    assert!(support::build(&following).is_ok());
-    let half = chain(n, "[\"theta2\"]", "").replacen(
-        "[\"theta2\"]",
-        "[\"theta2\"]\nmimic = { joint = \"b0\" }",
-        5,
-    );
-    assert!(
-        faults("model.toml", &half)
-            .contains("in which joints follow others, has 9995 speeds; expected at most 250")
-    );
+    let following = chain(n, "[\"theta2\"]", "mimic = { joint = \"b0\" }\n");
+    let many = "in which joints follow others, has 10000 bodies that move and 1 speeds; expected at most 250 of each";
+    assert!(faults("model.toml", &following).contains(many));
     let massless = chain(n, "[\"theta2\"]", "")
         .replace("mass = 2.0", "mass = 0.0")
         .replace("0.1,", "0.0,");
@@ -415,6 +406,10 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
         without: [kane_codegen::recursive::Technique::Articulated].into(),
         ..named("forward_dynamics")
     };
+    let fixed = Source::new("model.toml", chain(5001, "[]", ""));
+    let fixed = generate(&fixed, "model.toml", &named("bias"), &no_includes);
+    let many = "the bodies have 5001 parts; expected at most 5000";
+    assert_eq!(fixed.unwrap_err().to_string(), many);
     for (n, options, why) in [
         (
             5001,

@@ -10,7 +10,7 @@ use clap::Args;
 use kane_codegen::{
     functions::{CATALOGUE, Formulation, Request},
     id::BodyId,
-    limits::{COUNTED_SPEEDS, DRAWN_BODIES},
+    limits::{COUNTED, DRAWN_BODIES},
     program::Operations,
     recursive::Technique,
     report::{self, Cell, Counts, Partitions},
@@ -41,7 +41,7 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, pa
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
     cheapest (the one with fewer operations); without those that would be too large, of which null is the cheapest,\n                  \
-    and, beyond 100 speeds, only what --functions names\n\n\
+    and, beyond 100 speeds or parts, only what --functions names\n\n\
     Examples:\n  \
     kane info models/arm.toml\n  \
     kane info models/arm.toml --json | jq '.functions[] | {name, cheapest}'"
@@ -75,7 +75,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
-    if arguments.functions.is_none() && tree.n_speeds > COUNTED_SPEEDS {
+    if arguments.functions.is_none() && tree.n_speeds.max(tree.n_parts()) > COUNTED {
         requests.clear();
     }
     let without = arguments.without.iter().copied().collect();
@@ -145,7 +145,7 @@ fn write(out: &mut dyn Write, tree: &Tree, counts: &[Counts]) -> io::Result<()> 
     if counts.is_empty() {
         return writeln!(
             out,
-            "\nBeyond {COUNTED_SPEEDS} speeds only what --functions names is counted"
+            "\nBeyond {COUNTED} speeds, or parts of bodies, only what --functions names is counted"
         );
     }
     write_counts(out, counts)

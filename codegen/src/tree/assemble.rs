@@ -4,7 +4,7 @@ use crate::description::{Body as Written, Chart as ChartKind, Description, Rotat
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry;
 use crate::id::{BodyId, CoordinateId, SpeedId};
-use crate::limits::{PARAMETERS, SPEEDS_WITH_FOLLOWERS};
+use crate::limits::{FOLLOWING, PARAMETERS};
 use crate::tree::resolve::{Freedom, Resolved};
 use crate::tree::snapping::Snapping;
 use crate::tree::values::Parameters;
@@ -93,10 +93,11 @@ pub(crate) fn assemble(
         n_coordinates: numbers.coordinates,
         n_speeds: numbers.speeds,
     };
-    if coupled::has_followers(&tree) && tree.n_speeds > SPEEDS_WITH_FOLLOWERS {
+    let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
+    if coupled::has_followers(&tree) && n_bodies.max(n_speeds) > FOLLOWING {
         findings.push(Diagnostic::error(format!(
-            "the system, in which joints follow others, has {} speeds; expected at most {SPEEDS_WITH_FOLLOWERS}",
-            tree.n_speeds
+            "the system, in which joints follow others, has {n_bodies} bodies that move and {n_speeds} speeds; \
+            expected at most {FOLLOWING} of each"
         )));
         return None;
     }

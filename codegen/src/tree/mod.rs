@@ -292,6 +292,11 @@ impl Tree {
         pairs
     }
 
+    /// How many bodies it has with all that is fixed to them.
+    pub fn n_parts(&self) -> usize {
+        self.bodies.iter().map(|body| body.parts.len()).sum()
+    }
+
     /// True where some orientation is described by a quaternion.
     pub fn has_quaternions(&self) -> bool {
         let is_quaternion = |body: &Body| {
