@@ -282,7 +282,14 @@ fn snippet<'a>(file: &'a SourceFile, labels: &[(bool, Range<usize>, &'a String)]
         .map(|(_, place, _)| place.end)
         .max()
         .unwrap_or(0);
-    let start = text[..first].rfind('\n').map_or(0, |at| at + 1);
+    // The end of the file is the end of its last line, though that ends in a line's end.
+    let before_first = &text[..first];
+    let is_end = first == text.len();
+    let before_first = before_first
+        .strip_suffix('\n')
+        .filter(|_| is_end)
+        .unwrap_or(before_first);
+    let start = before_first.rfind('\n').map_or(0, |at| at + 1);
     let end = text[last..]
         .find('\n')
         .map_or(text.len(), |at| last + at + 1);
