@@ -24,7 +24,7 @@ fn without_a_tree_every_link_is_still_a_body_to_be_checked() {
 
 #[test]
 fn chain_may_be_long() {
-    let n = 50_000;
+    let n = 9_999;
     let mut text = String::from("<robot name=\"chain\"><link name=\"l0\"/>");
     for k in 1..=n {
         let (lower, link) = (format!("l{}", k - 1), format!("l{k}"));
@@ -40,7 +40,7 @@ fn chain_may_be_long() {
     let cycle = faults
         .iter()
         .find(|fault| fault.severity == Severity::Error);
-    assert!(cycle.expect("it is no tree").message.contains("49991 more"));
+    assert!(cycle.expect("it is no tree").message.contains("9990 more"));
 }
 
 /// The first fault that is an error, as it is shown.
