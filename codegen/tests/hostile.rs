@@ -16,7 +16,7 @@ use std::{
 };
 
 use kane_codegen::{
-    companions::Kind,
+    companions::{Abi, Kind},
     compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
@@ -31,7 +31,8 @@ use support::{Random, body, system};
 fn everything() -> Options {
     Options {
         functions: Functions::All,
-        companions: Kind::ALL.map(|(_, kind)| kind).into(),
+        companions: [Kind::Manifest, Kind::Tests, Kind::Abi(Abi::C)].into(),
+        module: Some("hostile".to_owned()),
         ..Options::default()
     }
 }

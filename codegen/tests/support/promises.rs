@@ -130,6 +130,10 @@ fn is_code(generated: &Generated, options: &Options) {
     for companion in &generated.companions {
         match companion.ending {
             ".json" => drop(serde_json::from_str::<serde_json::Value>(&companion.text).unwrap()),
+            ".h" => {
+                let is_strange = |character: char| character.is_control() && character != '\n';
+                assert!(!companion.text.contains(is_strange));
+            }
             _ => drop(syn::parse_file(&companion.text).unwrap()),
         }
     }
