@@ -13,7 +13,8 @@ pub(crate) struct Mutant {
     pub(crate) module: String,
     /// The line that is wrong.
     pub(crate) line: String,
-    place: usize,
+    /// Where in the module its token begins.
+    pub(crate) place: usize,
 }
 
 impl Mutant {
