@@ -7,6 +7,7 @@
 mod header;
 mod json;
 mod manifest;
+mod parameters;
 mod sample;
 mod self_test;
 

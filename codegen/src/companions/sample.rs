@@ -23,11 +23,12 @@ const POWERS: [f64; 25] = [
 ];
 
 /// A state in which nothing is zero, equal, or singular.
-pub(super) fn draw(tree: &Tree, seed: u64) -> Sample {
-    let mut random = Random(seed);
+pub(super) fn draw(tree: &Tree, parameters: Vec<f64>, seed: u64) -> Sample {
+    let mut random = Random::new(seed);
     let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<f64>>();
     let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
     let mut sample = Sample {
+        parameters,
         q: numbers(tree.n_coordinates),
         u: numbers(n_speeds),
         u_dot: numbers(n_speeds),
@@ -134,8 +135,8 @@ pub(super) fn inputs(tree: &Tree, sample: &Sample) -> Inputs {
         insert(Input::UDot(speed), u_dot);
         insert(Input::Tau(speed), sample.tau[place]);
     }
-    for (place, parameter) in tree.parameters.iter().enumerate() {
-        insert(Input::Parameter(ParameterId::new(place)), parameter.nominal);
+    for (place, &value) in sample.parameters.iter().enumerate() {
+        insert(Input::Parameter(ParameterId::new(place)), value);
     }
     for body in tree.body_ids() {
         for axis in 0..3 {
@@ -150,9 +151,13 @@ pub(super) fn inputs(tree: &Tree, sample: &Sample) -> Inputs {
 }
 
 /// `SplitMix64`: the same numbers everywhere.
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut word = self.0;
@@ -164,8 +169,16 @@ impl Random {
     /// Between a tenth and 1.2 in magnitude, with three digits: angles stay away from the singularity.
     fn number(&mut self) -> f64 {
         let word = self.next();
-        let thousandths = u32::try_from(100 + (word >> 1) % 1101);
-        let magnitude = f64::from(thousandths.expect("a remainder is small")) / 1000.0;
+        let magnitude = thousandths(100 + (word >> 1) % 1101);
         if word & 1 == 0 { magnitude } else { -magnitude }
     }
+
+    /// Between a tenth and 0.4, with three digits: a value that changes by this part of it is another, and near.
+    pub(super) fn part(&mut self) -> f64 {
+        thousandths(100 + self.next() % 301)
+    }
+}
+
+fn thousandths(count: u64) -> f64 {
+    f64::from(u32::try_from(count).expect("a remainder is small")) / 1000.0
 }

@@ -5,7 +5,10 @@
 //! that was emitted.
 
 use crate::{
-    companions::sample::{self, Inputs},
+    companions::{
+        parameters,
+        sample::{self, Inputs},
+    },
     emit::{self, Emittable, Module, Sample, Sampled},
     error::Error,
     expr::Input,
@@ -34,7 +37,7 @@ const CRUMBS: f64 = 8.0 * f64::EPSILON;
 /// The text, or which function has a value in it that f64 does not hold.
 pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
     let tree = module.tree;
-    let samples: Vec<Sample> = (0..STATES).map(|seed| sample::draw(tree, seed)).collect();
+    let samples: Vec<Sample> = (0..STATES).map(|seed| sample(tree, seed)).collect();
     let inputs = samples.iter().map(|sample| inputs(module, sample));
     let inputs: Vec<Inputs> = inputs.collect();
     let functions = threads::map(&module.functions, |emittable| {
@@ -49,6 +52,15 @@ pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
         }
     }
     Ok(emit::self_tests(module, &samples, &functions))
+}
+
+/// The first state with nominal parameters, each other with its own.
+fn sample(tree: &Tree, seed: u64) -> Sample {
+    let parameters = match seed {
+        0 => parameters::nominal(tree),
+        seed => parameters::changed(tree, seed),
+    };
+    sample::draw(tree, parameters, seed)
 }
 
 /// What a function writes in every state.

@@ -9,12 +9,14 @@ use syn::{Expr, Item, parse_quote};
 use super::{Emittable, Module, ident, printed, syntax};
 use crate::{
     functions::{Argument, Request},
-    tree::Parameter,
+    tree::{Parameter, Tree},
 };
 
 /// A state, and what else functions are given there.
 #[derive(Clone, Debug)]
 pub struct Sample {
+    /// Values of the parameters.
+    pub parameters: Vec<f64>,
     /// Coordinates.
     pub q: Vec<f64>,
     /// Speeds.
@@ -64,6 +66,7 @@ fn states(module: &Module<'_>, samples: &[Sample]) -> Vec<Item> {
     let mut items = vec![parse_quote! {
         const STATES: [kane::self_test::State<NQ, NU>; #count] = [#(#states),*];
     }];
+    items.extend(systems(module.tree, samples));
     let is_given = |argument: Argument| {
         let mut functions = module.functions.iter();
         functions.any(|emittable| emittable.function.arguments().contains(&argument))
@@ -96,6 +99,34 @@ fn states(module: &Module<'_>, samples: &[Sample]) -> Vec<Item> {
         });
     }
     items
+}
+
+/// The system in each state: with the parameters of that, if it has any.
+fn systems(tree: &Tree, samples: &[Sample]) -> Vec<Item> {
+    if tree.parameters.is_empty() {
+        return vec![parse_quote! {
+            fn system(_: usize) -> Prepared<f64> {
+                Prepared::nominal()
+            }
+        }];
+    }
+    let count = syntax::integer(samples.len());
+    let parameters = tree.parameters.iter();
+    let fields: Vec<Ident> = parameters.map(|parameter| ident(&parameter.name)).collect();
+    let values = samples.iter().map(|sample| {
+        let numbers = sample.parameters.iter().copied().map(syntax::number);
+        quote!(Parameters { #(#fields: #numbers),* })
+    });
+    vec![
+        parse_quote! {
+            const PARAMETERS: [Parameters<f64>; #count] = [#(#values),*];
+        },
+        parse_quote! {
+            fn system(place: usize) -> Prepared<f64> {
+                Prepared::new(&PARAMETERS[place])
+            }
+        },
+    ]
 }
 
 /// The test that a function has its values.
@@ -145,8 +176,8 @@ fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
         #[test]
         fn #test() -> Result<(), kane::self_test::Mismatch> {
             const EXPECTED: [(#(#types,)*); #n_states] = [#(#expected),*];
-            let p = Prepared::nominal();
             for (place, expected) in EXPECTED.iter().enumerate() {
+                let p = system(place);
                 #sines
                 let mut outputs = (#(#empty,)*);
                 #call(&p, #(#given,)* #(&mut outputs.#places),*);
@@ -205,8 +236,9 @@ fn identities(module: &Module<'_>) -> Vec<Item> {
             items.push(parse_quote! {
                 #[test]
                 fn #name() -> Result<(), kane::self_test::Mismatch> {
-                    let p = Prepared::nominal();
-                    STATES.iter().try_for_each(|state| kane::self_test::#name(&p, #(&state.#arguments),*))
+                    STATES.iter().enumerate().try_for_each(|(place, state)| {
+                        kane::self_test::#name(&system(place), #(&state.#arguments),*)
+                    })
                 }
             });
         }
@@ -236,12 +268,12 @@ fn linear(parameter: &Parameter) -> Option<Item> {
     Some(parse_quote! {
         #[test]
         fn #test() -> Result<(), kane::self_test::Mismatch> {
-            let [below, at, above] = [-1.0, 0.0, 1.0].map(|steps| {
-                let mut parameters = Parameters::<f64>::default();
-                parameters.#field += steps * #step;
-                Prepared::new(&parameters)
-            });
-            STATES.iter().try_for_each(|state| {
+            STATES.iter().zip(PARAMETERS).try_for_each(|(state, parameters)| {
+                let [below, at, above] = [-1.0, 0.0, 1.0].map(|steps| {
+                    let mut parameters = parameters;
+                    parameters.#field += steps * #step;
+                    Prepared::new(&parameters)
+                });
                 kane::self_test::inverse_dynamics_is_linear([&below, &at, &above], &state.q, &state.u, &state.u_dot)
             })
         }

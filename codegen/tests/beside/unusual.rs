@@ -74,3 +74,58 @@ fn a_chain_behind_a_rotor() {
         "armature = 1e5\ndamping = 1e5\n",
     ));
 }
+
+/// An arm of which much is zero, and could be something else.
+const ZEROS: &str = r#"
+name = "arm"
+gravity = [{ runtime = 0.0 }, 0.0, -9.81]
+lower_bodies = [0, 1]
+
+[[body]]
+name = "upper"
+mass = 2.0
+mass_center = [0.0, { runtime = 0.0 }, 0.3]
+inertia = { xx = 0.03, yy = 0.03, zz = 0.02, xy = 0.0, xz = { runtime = 0.0 }, yz = 0.0 }
+attachment = [0.0, 0.0, 0.1]
+joint = "universal"
+
+[[body]]
+name = "fore"
+mass = 1.0
+mass_center = [0.0, 0.0, 0.2]
+inertia = { xx = 0.01, yy = 0.01, zz = 0.01, xy = 0.0, xz = 0.0, yz = 0.0 }
+attachment = [{ runtime = 0.0 }, 0.0, 0.6]
+joint = "revolute"
+axis = [0.0, 1.0, 0.0]
+stiffness = { runtime = 0.0 }
+rest = 0.2
+damping = { runtime = 0.0 }
+"#;
+
+/// The module with the other sign before a parameter, where it is first added or subtracted.
+fn with_wrong_sign(module: &str, parameter: &str) -> String {
+    let [plus, minus] = [" + p.", " - p."].map(|sign| format!("{sign}{parameter} "));
+    let wrong = if module.contains(&minus) {
+        module.replacen(&minus, &plus, 1)
+    } else {
+        module.replacen(&plus, &minus, 1)
+    };
+    assert_ne!(wrong, module, "{parameter} is never added");
+    wrong
+}
+
+#[test]
+fn a_wrong_sign_before_a_parameter_that_is_zero() {
+    let tested = Tested::new(ZEROS);
+    tested.passes("the module as it is");
+    for parameter in [
+        "gravity_x",
+        "upper_mass_center_y",
+        "upper_inertia_xz",
+        "fore_attachment_x",
+        "fore_stiffness",
+    ] {
+        let wrong = with_wrong_sign(tested.module(), parameter);
+        assert!(tested.fails(&wrong), "not caught: {parameter}");
+    }
+}
