@@ -86,9 +86,14 @@ impl<'ast> Visit<'ast> for Found {
             | syn::Expr::Path(_)
             | syn::Expr::Struct(_) => {}
             syn::Expr::Call(call) => match called(&call.func).as_deref() {
-                Some("R::from_f64" | "R::sin_cos" | "R::sin_cos_array" | "R::abs") => {}
-                // No instruction.
-                Some("core::sync::atomic::compiler_fence") => {}
+                // A fence is no instruction.
+                Some(
+                    "R::from_f64"
+                    | "R::sin_cos"
+                    | "R::sin_cos_array"
+                    | "R::abs"
+                    | "core::sync::atomic::compiler_fence",
+                ) => {}
                 other => self.add(format!("a call of {other:?}")),
             },
             syn::Expr::Index(index) => {
