@@ -1,7 +1,7 @@
 //! How large a module would be, told before any of its functions is derived.
 //!
 //! In: a tree, functions, options. Out: an error where deriving or writing them would take more time or memory than
-//! [`limits`](crate::limits) allow.
+//! [`crate::limits`] allow.
 
 use crate::{
     companions::Kind, compile::Options, config::Formulation, error::Error, functions::Request,
