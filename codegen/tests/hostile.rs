@@ -16,7 +16,7 @@ use std::{
 };
 
 use kane_codegen::{
-    companions::{Abi, Kind},
+    companions::Kind,
     compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
@@ -31,7 +31,7 @@ use support::{Random, body, system};
 fn everything() -> Options {
     Options {
         functions: Functions::All,
-        companions: [Kind::Manifest, Kind::Tests, Kind::Abi(Abi::C)].into(),
+        companions: Kind::ALL.into(),
         module: Some("hostile".to_owned()),
         ..Options::default()
     }

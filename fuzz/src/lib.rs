@@ -73,8 +73,9 @@ pub fn generate(data: &[u8]) {
         companions: if how & 32 == 0 {
             BTreeSet::new()
         } else {
-            companions::Kind::ALL.map(|(_, kind)| kind).into()
+            companions::Kind::ALL.into()
         },
+        module: Some("model".to_owned()),
     };
     promises::generating(&files, &options);
 }

@@ -62,6 +62,9 @@ impl Companion {
 }
 
 impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Manifest, Self::Tests, Self::Abi(Abi::C)];
+
     /// The endings of its files.
     pub fn endings(self) -> &'static [&'static str] {
         match self {
