@@ -77,9 +77,8 @@ impl Options {
                 name: names[place].clone(),
             });
         }
-        let mut companions = self.companions.iter();
         let name = self.module.as_deref().unwrap_or_default();
-        if companions.any(|kind| kind.names_module()) && !companions::is_module_name(name) {
+        if !companions::can_be_beside(&self.companions, name) {
             return Err(Error::ModuleName {
                 name: name.to_owned(),
             });

@@ -262,7 +262,7 @@ fn check_name(
 ) {
     let name = Path::new(&output.value).file_stem().unwrap_or_default();
     let name = name.to_string_lossy();
-    if companions.iter().any(|kind| kind.names_module()) && !companions::is_module_name(&name) {
+    if !companions::can_be_beside(companions, &name) {
         let fault = Diagnostic::error(format!(
             "{what} is `{}`; names in C begin with the module's",
             output.value

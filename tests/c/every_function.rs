@@ -215,12 +215,12 @@ impl<'a> Function<'a> {
 
 fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
     let mut calls = String::new();
-    for function in functions {
-        let Function {
-            name,
-            arguments,
-            outputs,
-        } = function;
+    for Function {
+        name,
+        arguments,
+        outputs,
+    } in functions
+    {
         let mut passed: Vec<String> = arguments.iter().map(|name| format!("&{name}")).collect();
         let (mut declared, mut printed) = (String::new(), String::new());
         for (output, shape) in outputs {
@@ -247,12 +247,12 @@ fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
 
 fn c_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
     let mut calls = String::new();
-    for function in functions {
-        let Function {
-            name,
-            arguments,
-            outputs,
-        } = function;
+    for Function {
+        name,
+        arguments,
+        outputs,
+    } in functions
+    {
         let passed = arguments.iter().map(|name| match *name {
             "p" | "sin_cos" => format!("&{name}"),
             array => array.to_owned(),

@@ -78,12 +78,13 @@ pub(crate) const BAD_INPUT: u8 = 2;
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \
         output = \"generated/arm.rs\"\n  \
-        abi = \"c\"                    # also generated/arm_c.rs and arm.h, for programs in C; absent: neither\n  \
+        abi = \"c\"                    # arm_c.rs and arm.h beside it, for programs in C\n  \
         functions = [\"all\"]          # or names; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
         fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \
         without = [\"regroup\"]        # techniques to leave out that lower the number of operations\n  \
         manifest = true              # arm.json beside it\n  \
+        tests = true                 # arm_tests.rs beside it\n  \
         budget = { bias = 60, mass_matrix = { mul = 20, total = 35 } } # operations that `kane check` lets pass\n  \
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \

@@ -79,8 +79,8 @@ impl Kind {
         self.endings().iter().map(|ending| beside(module, ending))
     }
 
-    /// True where its files know the module by its name.
-    pub fn names_module(self) -> bool {
+    /// True where its files know the module by its name, with which names in C begin.
+    fn names_module(self) -> bool {
         matches!(self, Self::Abi(_))
     }
 
@@ -93,8 +93,13 @@ impl Kind {
     }
 }
 
-/// True for the name of a module with which names in C can begin.
-pub fn is_module_name(name: &str) -> bool {
+/// True where files of these kinds can stand beside a module of this name.
+pub fn can_be_beside(kinds: &BTreeSet<Kind>, name: &str) -> bool {
+    !kinds.iter().any(|kind| kind.names_module()) || is_of_c(name)
+}
+
+/// True for a name with which those in C can begin.
+fn is_of_c(name: &str) -> bool {
     let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
     name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(is_of_name)

@@ -1,8 +1,6 @@
 //! All systems of a repository, in two revisions or in one and as the files are.
 
-use std::{fs, path::Path};
-
-use kane_codegen::error::Error;
+use std::path::Path;
 
 use super::{report::Report, side::Side};
 use crate::cli::{
@@ -59,20 +57,16 @@ impl Snapshot {
 
     /// The systems that it lists; none where it has no such file.
     fn jobs(&self, config: &Path, asked: &Asked<'_>) -> Result<Vec<Job>, Failures> {
-        let text = match self {
+        let listed = match self {
             Self::Revision(name) => {
                 let revision = Revision::of(name, config)?;
                 if !revision.exists() {
                     return Ok(Vec::new());
                 }
-                revision.read()?
+                Listed::parse(config, &revision.read()?)?
             }
-            Self::Files => fs::read_to_string(config).map_err(|source| Error::Io {
-                path: config.to_owned(),
-                source,
-            })?,
+            Self::Files => Listed::read(config)?,
         };
-        let listed = Listed::parse(config, &text)?;
         let jobs = listed.config.systems.iter().map(|system| {
             let mut job = listed.job(system)?;
             asked.set(&mut job.options);
