@@ -9,6 +9,8 @@
 #        tests/constant_time.sh trees [50]   so many random ones
 #        tests/constant_time.sh FILE...      generated modules
 set -euo pipefail
+modules=()
+for file in "$@"; do [[ $file != *.rs ]] || modules+=("$(realpath "$file")"); done
 cd "$(dirname "$0")/.."
 states=1000
 work=$(mktemp -d)
@@ -53,7 +55,7 @@ RUST
     printf '}\n\nfn main() {\nlet p = black_box(Prepared::<f64>::nominal());\n'
     printf 'let states: Vec<State> = (0..%d).map(State::new).collect();\n' $states
     # Signatures in one line; arguments that are written, and those that are read.
-    awk '/^pub fn /,/\{$/ { printf "%s ", $0 } /^\) \{$|^pub fn .*\{$/ { print "" }' "$1" | sed -n 's/^pub fn \([a-z0-9_]*\)<[^>]*>(\(.*\)) {.*/\1 \2/p' |
+    awk '/^pub fn /,/\{\}?$/ { printf "%s ", $0 } /^\) \{\}?$|^pub fn .*\{\}?$/ { print "" }' "$1" | sed -n 's/^pub fn \([a-z0-9_]*\)<[^>]*>(\(.*\)) {.*/\1 \2/p' |
         awk '{
             name = $1; read = "&p"; written = ""; declared = ""
             for (word = 2; word < NF; word++) {
@@ -70,18 +72,19 @@ RUST
 }
 
 # The counts of what callgrind has written into $1: of each function of the system $2 one line. A part ends a function's
-# calls; $3 is their names in this order, of which symbols do not tell all: functions of the same code are one.
+# calls; $3 is their names in this order, of which symbols do not tell all: functions of the same code are one. One that does
+# nothing is not called, and has no instructions.
 counts() {
     awk -v model="$2" -v states=$states -v names="$3" '
         BEGIN { n_names = split(names, name_of) }
         function finish() {
-            if (!is_found) return
+            if (!calls) return
             name = name_of[++n_functions]
             if (calls != states || least != most) {
                 printf "%-12s %-30s %d calls, of %d to %d instructions\n", model, name, calls, least, most
                 differs = 1
             } else printf "%-12s %-30s %d\n", model, name, total / calls
-            is_found = calls = 0
+            calls = total = 0
         }
         /^part: / { finish() }
         /^fn=/ { is_sweep = /::every_state/; is_closure = /::main::\{closure/ }
@@ -93,21 +96,26 @@ counts() {
                 if (calls == 1 || $NF < least) least = $NF
                 if (calls == 1 || $NF > most) most = $NF
             }
-            if (is_closure && in_system) { is_found = 1; total = $NF }
+            if (is_closure && in_system) total = $NF
         }
         END { finish(); exit differs || n_functions != n_names }' "$1"
 }
 
 # Whether every function of the module $1 executes as many instructions in every state.
 measure() {
-    local name
+    local name names
     name=$(basename "$1" .rs)
     program "$(realpath "$1")" > "$work/${name}_calls.rs"
+    names=$(sed -n 's/.*system::\([a-z0-9_]*\)::<f64>(.*/\1/p' "$work/${name}_calls.rs")
+    if [[ $(wc -w <<< "$names") != $(grep -c '^pub fn ' "$1") ]]; then
+        echo "$1: not all of its functions are called" >&2
+        exit 1
+    fi
     rustc --edition 2024 -C opt-level=3 -C codegen-units=1 -C symbol-mangling-version=v0 --extern kane="$work/libkane.rlib" \
         -o "$work/$name" "$work/${name}_calls.rs"
     valgrind --quiet --tool=callgrind --dump-instr=yes --compress-strings=no --compress-pos=no --combine-dumps=yes \
         --dump-after='*end*' --callgrind-out-file="$work/$name.out" "$work/$name" 2> "$work/$name.log" || { cat "$work/$name.log"; exit 1; }
-    counts "$work/$name.out" "$name" "$(sed -n 's/.*system::\([a-z0-9_]*\)::<f64>(.*/\1/p' "$work/${name}_calls.rs")"
+    counts "$work/$name.out" "$name" "$names"
 }
 
 # generate NAME OPTION...: the module of a robot.
@@ -116,7 +124,6 @@ generate() {
     modules+=("$work/$1.rs")
 }
 
-modules=()
 case ${1:-} in
     "") modules=(generated/*.rs) ;;
     robots)
@@ -127,7 +134,7 @@ case ${1:-} in
         KANE_TREES=${2:-50} KANE_TREES_FOLDER=$work cargo test --quiet --package kane-codegen --test object random_trees > "$work/trees.log" || { cat "$work/trees.log"; exit 1; }
         modules=("$work"/tree_*.rs)
         ;;
-    *.rs) modules=("$@") ;;
+    *.rs) ;;
     *) sed -n 's/^# //p' "$0"; exit 2 ;;
 esac
 rustc --edition 2024 --crate-type rlib --crate-name kane -C opt-level=3 -o "$work/libkane.rlib" src/lib.rs

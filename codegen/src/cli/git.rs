@@ -2,9 +2,11 @@
 
 use std::{
     fmt, io,
-    path::{Path, PathBuf},
-    process::{Command, Output},
+    path::{Component, Path, PathBuf},
+    process::{Command, Output, Stdio},
 };
+
+use kane_codegen::{error::Error, input};
 
 use super::{Failures, paths};
 
@@ -27,14 +29,23 @@ impl Revision {
         })
     }
 
-    /// This file, whose path is relative to the current folder.
+    /// This file, whose path is absolute or relative to the current folder.
     pub(super) fn of(name: &str, file: &Path) -> Result<Self, Failures> {
         let prefix = git(&["rev-parse", "--show-prefix"]).ok();
         let prefix = prefix.and_then(|output| String::from_utf8(output.stdout).ok());
         let prefix = prefix.unwrap_or_default();
-        let path = Path::new(prefix.trim_end_matches(['\n', '\r'])).join(file);
-        let path: PathBuf = paths::normal(&path).iter().collect();
-        let path = paths::with_slashes(&path).ok_or_else(|| {
+        let from_here = if file.is_absolute() {
+            let folder = paths::target(paths::parent(file))?;
+            paths::shown(&folder.join(file.file_name().unwrap_or_default()))?
+        } else {
+            file.to_owned()
+        };
+        let path = Path::new(prefix.trim_end_matches(['\n', '\r'])).join(from_here);
+        let parts = paths::normal(&path);
+        let is_below = matches!(parts.first(), Some(Component::Normal(_)));
+        let path: PathBuf = parts.iter().collect();
+        let path = paths::with_slashes(&path).filter(|_| is_below);
+        let path = path.ok_or_else(|| {
             let file = file.to_string_lossy();
             Failures::message(format!("git knows no file `{}`", file.escape_debug()))
         })?;
@@ -53,8 +64,20 @@ impl Revision {
     /// The file's text.
     pub(super) fn read(&self) -> Result<String, Failures> {
         let object = self.to_string();
-        let output =
-            git(&["cat-file", "blob", &object]).map_err(|error| is_missing(&object, &error))?;
+        let cannot_run = |error| is_missing(&object, &error);
+        let mut blob = command(&["cat-file", "blob", &object]);
+        let blob = blob.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut blob = blob.spawn().map_err(cannot_run)?;
+        // Of a file that is too large git writes no more than is read.
+        let text = blob
+            .stdout
+            .take()
+            .map_or(Ok(String::new()), input::text_from);
+        let output = blob.wait_with_output().map_err(cannot_run)?;
+        let text = text.map_err(|source| Error::Io {
+            path: PathBuf::from(&object),
+            source,
+        })?;
         if !output.status.success() {
             let told = String::from_utf8_lossy(&output.stderr);
             return Err(Failures::message(format!(
@@ -63,8 +86,7 @@ impl Revision {
                 told.trim()
             )));
         }
-        String::from_utf8(output.stdout)
-            .map_err(|_| Failures::message(format!("`{object}` is not text in UTF-8")))
+        Ok(text)
     }
 
     /// Reads a file that stands beside this one, in the same revision.
@@ -118,7 +140,13 @@ pub(super) fn is_commit(name: &str) -> bool {
 }
 
 fn git(arguments: &[&str]) -> io::Result<Output> {
-    Command::new("git").args(arguments).output()
+    command(arguments).output()
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new("git");
+    command.args(arguments);
+    command
 }
 
 fn is_missing(object: &str, error: &io::Error) -> Failures {

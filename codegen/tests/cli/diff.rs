@@ -1,5 +1,6 @@
 //! `kane diff`.
 
+use kane_codegen::limits;
 use serde_json::Value;
 
 use super::project::{Project, Ran, model, repository};
@@ -365,7 +366,8 @@ fn history() -> Project {
 #[test]
 fn revisions_are_compared_system_by_system() {
     let project = history();
-    let told = "modules\n  added    right.rs\n  removed  left.rs\n\
+    let told = "BREAKING: modules that are gone, or in whose arrays the places changed\n  removed  left.rs\n\
+        modules\n  added    right.rs\n\
         == HEAD~1:arm.rs -> HEAD:arm.rs\nvalues\n  changed  fore: mass  1.5 -> 1.25\n";
     let ran = project.kane(&["diff", "HEAD~1", "HEAD"]);
     assert_eq!(ran.code, 1, "{}", ran.err);
@@ -401,9 +403,22 @@ fn one_revision_is_compared_with_the_files_as_they_are() {
     project.replace("models/arm.toml", "[\"theta2\"]", "[\"s3\"]");
     let ran = project.kane(&["diff", "HEAD"]);
     assert_eq!(ran.code, 1);
+    insta::assert_snapshot!(ran.out.split("== HEAD:arm.rs").next().unwrap(), @"
+    BREAKING: modules that are gone, or in whose arrays the places changed
+      changed  arm.rs    q, u
+      changed  right.rs  q, u
+    ");
     let told = "== HEAD:arm.rs -> arm.rs\nBREAKING: the places in q changed\n";
-    assert!(ran.out.starts_with(told), "{}", ran.out);
+    assert!(ran.out.contains(told), "{}", ran.out);
     assert!(ran.out.contains("== HEAD:right.rs -> right.rs\n"));
+
+    let ran = project.kane(&["diff", "HEAD", "--format", "markdown"]);
+    assert!(
+        ran.out
+            .starts_with("## `HEAD` → `the files as they are`\n\n**BREAKING: modules "),
+        "{}",
+        ran.out
+    );
 }
 
 #[test]
@@ -418,11 +433,36 @@ fn systems_of_a_revision_without_a_list_are_all_new() {
     let ran = project.kane(&["diff", "HEAD"]);
     assert_eq!(ran.code, 1, "{}", ran.err);
     assert!(
-        ran.out
-            .starts_with("modules\n  added    generated/arm.rs\n"),
+        ran.out.starts_with("modules\n  added    generated/arm.rs\n"),
         "{}",
         ran.out
     );
+}
+
+#[test]
+fn list_is_found_wherever_it_is_said_to_stand() {
+    let project = history();
+    let absolute = project.path("kane.toml").display().to_string();
+    let told = |folder: &str, config: &str| {
+        let arguments = ["diff", "HEAD~1", "HEAD", "--config", config];
+        project.kane_in(folder, &arguments)
+    };
+    for (folder, config) in [("", absolute.as_str()), ("models", "../kane.toml")] {
+        let ran = told(folder, config);
+        assert_eq!(ran.code, 1, "{}", ran.err);
+        assert!(ran.out.contains("fore: mass  1.5 -> 1.25"), "{}", ran.out);
+    }
+    for (config, why) in [
+        (
+            "typo.toml",
+            "neither `HEAD~1` nor `HEAD` has a file `typo.toml`",
+        ),
+        ("../kane.toml", "git knows no file `../kane.toml`"),
+    ] {
+        let ran = told("", config);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+        assert_eq!(ran.err, format!("error: {why}\n"));
+    }
 }
 
 #[test]
@@ -505,6 +545,12 @@ fn revision_that_cannot_be_read_is_said() {
             ran.err
         );
     }
+    project.write("models/arm.toml", &"#".repeat(limits::INPUT_BYTES + 1));
+    project.commit();
+    let ran = project.kane(&["diff", "HEAD:models/arm.toml", "HEAD~1:models/arm.toml"]);
+    assert_eq!(ran.code, 2);
+    let told = "error: cannot access `HEAD:models/arm.toml`: it has more than ";
+    assert!(ran.err.starts_with(told), "{}", ran.err);
     let mut command = project.command();
     command.args(["diff", "HEAD:models/arm.toml", "models/arm.toml"]);
     let ran: Ran = command.env("PATH", "").output().unwrap().into();

@@ -14,14 +14,30 @@ struct Section {
     rows: Vec<Row>,
 }
 
-/// What came and went, then what differs of every other module under its name.
-pub(super) fn text_of_systems(systems: &Systems) -> String {
-    let rows = modules(systems);
-    let mut text = String::new();
-    if !rows.is_empty() {
-        text += "modules\n";
-        text += &operations::text(&rows);
+impl Section {
+    fn text(&self) -> String {
+        format!("{}\n{}", self.title, operations::text(&self.rows))
     }
+
+    /// As a table of Markdown.
+    fn table(&self) -> String {
+        let head = format!("\n**{}**\n\n| | | |\n| --- | --- | --- |\n", self.title);
+        let row =
+            |[what, name, how]: &Row| format!("| {what} | {} | {} |\n", code(name), code(how));
+        let rows = self.rows.iter().map(row);
+        std::iter::once(head).chain(rows).collect()
+    }
+}
+
+/// Adds a section if there are rows for it.
+fn push(sections: &mut Vec<Section>, title: &str, rows: Vec<Row>) {
+    let title = title.to_owned();
+    sections.extend((!rows.is_empty()).then_some(Section { title, rows }));
+}
+
+/// What breaks code, what came, then what differs of every other module under its name.
+pub(super) fn text_of_systems(systems: &Systems) -> String {
+    let mut text: String = modules(systems).iter().map(Section::text).collect();
     for report in &systems.changed {
         let [old, new] = &report.names;
         text.extend([format!("== {old} -> {new}\n"), self::text(report)]);
@@ -29,36 +45,45 @@ pub(super) fn text_of_systems(systems: &Systems) -> String {
     text
 }
 
-/// A title, a table of what came and went, then what differs of every other module.
+/// A title, tables of what breaks code and what came, then what differs of every other module.
 pub(super) fn markdown_of_systems(systems: &Systems) -> String {
     let [old, new] = systems.names.each_ref().map(|name| code(name));
     let mut text = format!("## {old} → {new}\n");
     if systems.is_same() {
         text += "\nNothing differs.\n";
     }
-    let rows = modules(systems);
-    if !rows.is_empty() {
-        text += &table("modules", &rows);
-    }
+    text.extend(modules(systems).iter().map(Section::table));
     for report in &systems.changed {
         text.extend(["\n".to_owned(), markdown(report)]);
     }
     text
 }
 
-fn modules(systems: &Systems) -> Vec<Row> {
-    let row = |what: &str, name: &String| [what.to_owned(), name.clone(), String::new()];
-    let added = systems.added.iter().map(|name| row("added", name));
-    let removed = systems.removed.iter().map(|name| row("removed", name));
-    added.chain(removed).collect()
+fn modules(systems: &Systems) -> Vec<Section> {
+    let row = |what: &str, name: &str, how: String| [what.to_owned(), name.to_owned(), how];
+    let removed = systems.removed.iter();
+    let removed = removed.map(|name| row("removed", name, String::new()));
+    let changed = systems.breaking().map(|report| {
+        let layouts = report.differences.layouts.iter();
+        let layouts: Vec<&str> = layouts.map(|change| change.layout.name()).collect();
+        row("changed", &report.names[1], layouts.join(", "))
+    });
+    let added = systems.added.iter();
+    let added = added.map(|name| row("added", name, String::new()));
+    let mut sections = Vec::new();
+    push(
+        &mut sections,
+        "BREAKING: modules that are gone, or in whose arrays the places changed",
+        removed.chain(changed).collect(),
+    );
+    push(&mut sections, "modules", added.collect());
+    sections
 }
 
 /// Sections one after the other, then the diff.
 pub(super) fn text(report: &Report) -> String {
     let mut text: String = note(report).map(|note| note + "\n").into_iter().collect();
-    for Section { title, rows } in sections(report) {
-        text.extend([title, "\n".to_owned(), operations::text(&rows)]);
-    }
+    text.extend(sections(report).iter().map(Section::text));
     text + &report.diff
 }
 
@@ -70,9 +95,7 @@ pub(super) fn markdown(report: &Report) -> String {
         text += "\nNothing differs.\n";
     }
     text.extend(note(report).map(|note| format!("\n{note}\n")));
-    for Section { title, rows } in sections(report) {
-        text += &table(&title, &rows);
-    }
+    text.extend(sections(report).iter().map(Section::table));
     if !report.diff.is_empty() {
         let lines: Vec<&str> = report.diff.lines().collect();
         let shown = lines[..lines.len().min(SHOWN_LINES)].join("\n");
@@ -87,14 +110,6 @@ pub(super) fn markdown(report: &Report) -> String {
         ]);
     }
     text
-}
-
-/// Rows under a title.
-fn table(title: &str, rows: &[Row]) -> String {
-    let head = format!("\n**{title}**\n\n| | | |\n| --- | --- | --- |\n");
-    let row = |[what, name, how]: &Row| format!("| {what} | {} | {} |\n", code(name), code(how));
-    let rows = rows.iter().map(row);
-    std::iter::once(head).chain(rows).collect()
 }
 
 /// A name as code in a table; nothing is nothing.
@@ -119,15 +134,16 @@ fn sections(report: &Report) -> Vec<Section> {
         .iter()
         .partition(|change| change.is_of_the_tree());
     let mut sections: Vec<Section> = differences.layouts.iter().map(layout).collect();
-    let mut push = |title: &str, rows: Vec<Row>| {
-        let title = title.to_owned();
-        sections.extend((!rows.is_empty()).then_some(Section { title, rows }));
-    };
     let mut bodies = bodies(differences);
     bodies.extend(of_the_tree.into_iter().map(value));
-    push("bodies and joints", bodies);
-    push("values", values.into_iter().map(value).collect());
-    push("operations", operations::rows(&report.functions));
+    let values = values.into_iter().map(value).collect();
+    push(&mut sections, "bodies and joints", bodies);
+    push(&mut sections, "values", values);
+    push(
+        &mut sections,
+        "operations",
+        operations::rows(&report.functions),
+    );
     sections
 }
 

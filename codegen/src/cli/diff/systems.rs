@@ -55,13 +55,13 @@ impl Snapshot {
         }
     }
 
-    /// The systems that it lists; none where it has no such file.
-    fn jobs(&self, config: &Path, asked: &Asked<'_>) -> Result<Vec<Job>, Failures> {
+    /// The systems that it lists, or that it has no such file.
+    fn jobs(&self, config: &Path, asked: &Asked<'_>) -> Result<Option<Vec<Job>>, Failures> {
         let listed = match self {
             Self::Revision(name) => {
                 let revision = Revision::of(name, config)?;
                 if !revision.exists() {
-                    return Ok(Vec::new());
+                    return Ok(None);
                 }
                 Listed::parse(config, &revision.read()?)?
             }
@@ -72,7 +72,7 @@ impl Snapshot {
             asked.set(&mut job.options);
             Ok(job)
         });
-        jobs.collect()
+        jobs.collect::<Result<_, _>>().map(Some)
     }
 
     /// A model in it.
@@ -85,7 +85,7 @@ impl Snapshot {
 }
 
 impl Systems {
-    /// Compares what the `kane.toml` of each snapshot lists: a system is known by its module.
+    /// Compares what the `kane.toml` of each snapshot lists: a system is known by its module. One of them may have none.
     pub(super) fn compare(
         snapshots: [&Snapshot; 2],
         config: &Path,
@@ -96,6 +96,15 @@ impl Systems {
         let [Some(old), Some(new)] = jobs else {
             return Err(failures);
         };
+        if old.is_none() && new.is_none() {
+            let [old, new] = snapshots.map(Snapshot::name);
+            let config = config.to_string_lossy();
+            return Err(Failures::message(format!(
+                "neither `{old}` nor `{new}` has a file `{}`",
+                config.escape_debug()
+            )));
+        }
+        let [old, new] = [old, new].map(Option::unwrap_or_default);
         let of = |jobs: &[Job], job: &Job| {
             let mut places = jobs.iter();
             places.position(|one| one.target == job.target)
@@ -122,6 +131,17 @@ impl Systems {
 
     pub(super) fn is_same(&self) -> bool {
         self.changed.is_empty() && self.added.is_empty() && self.removed.is_empty()
+    }
+
+    /// True where a module went, or an array of one has other places.
+    pub(super) fn is_breaking(&self) -> bool {
+        !self.removed.is_empty() || self.breaking().next().is_some()
+    }
+
+    /// What differs of modules in whose arrays the places changed.
+    pub(super) fn breaking(&self) -> impl Iterator<Item = &Report> {
+        let changed = self.changed.iter();
+        changed.filter(|report| report.differences.is_breaking())
     }
 }
 

@@ -9,12 +9,11 @@ use serde_json::{Value, json};
 use super::{report::Report, systems::Systems};
 
 pub(super) fn of_systems(systems: &Systems) -> Value {
-    let mut changed = systems.changed.iter();
     json!({
         "old": systems.names[0],
         "new": systems.names[1],
         "same": systems.is_same(),
-        "breaking": changed.any(|report| report.differences.is_breaking()) || !systems.removed.is_empty(),
+        "breaking": systems.is_breaking(),
         "added": systems.added,
         "removed": systems.removed,
         "systems": systems.changed.iter().map(of_report).collect::<Value>(),
