@@ -176,7 +176,7 @@ impl Build {
         let own = self.model.file_stem().unwrap_or(self.model.as_os_str());
         let module = self.name.as_ref().map_or(own, |name| name.as_ref());
         let options = Options {
-            module: Some(module.to_string_lossy().into_owned()),
+            module: module.to_string_lossy().into_owned(),
             ..self.options.clone()
         };
         let generated = generate(

@@ -42,7 +42,7 @@ pub struct Options {
     /// What else is written, beside the module.
     pub companions: BTreeSet<companions::Kind>,
     /// The module's name, that of its file without the ending, for what is beside it and speaks of it.
-    pub module: Option<String>,
+    pub module: String,
 }
 
 /// A module's programs.
@@ -77,10 +77,9 @@ impl Options {
                 name: names[place].clone(),
             });
         }
-        let name = self.module.as_deref().unwrap_or_default();
-        if !companions::can_be_beside(&self.companions, name) {
+        if !companions::can_be_beside(&self.companions, &self.module) {
             return Err(Error::ModuleName {
-                name: name.to_owned(),
+                name: self.module.clone(),
             });
         }
         let Functions::Named(names) = &self.functions else {

@@ -267,11 +267,10 @@ fn check_name(
             "{what} is `{}`; names in C begin with the module's",
             output.value
         ));
-        let help = "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust";
         reader.faults.push(
             fault
                 .at(output.span, "no name that C and Rust can have")
-                .help(help),
+                .help(companions::EXPECTED_NAME),
         );
     }
 }

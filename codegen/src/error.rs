@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::{compile::SNAP_TOLERANCES, diagnostic::Diagnostics, functions::RequestError};
+use crate::{
+    companions::EXPECTED_NAME, compile::SNAP_TOLERANCES, diagnostic::Diagnostics,
+    functions::RequestError,
+};
 
 /// Why nothing was generated.
 #[derive(Debug, thiserror::Error)]
@@ -44,7 +47,7 @@ pub enum Error {
     },
     /// A name of a module with which names in C cannot begin.
     #[error(
-        "the module is called `{}`; names in C begin with that: expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust",
+        "the module is called `{}`; names in C begin with that: {EXPECTED_NAME}",
         name.escape_debug()
     )]
     ModuleName {

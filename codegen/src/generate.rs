@@ -61,10 +61,9 @@ pub fn generate(
         fields: compiled.fields,
         functions: compiled.functions,
     };
-    let name = options.module.as_deref().unwrap_or_default();
     Ok(Generated {
         source: emit::source(&module),
-        companions: companions::of(&module, &options.companions, name)?,
+        companions: companions::of(&module, &options.companions, &options.module)?,
         functions,
         warnings: checked.warnings,
     })

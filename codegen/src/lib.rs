@@ -20,6 +20,7 @@ pub mod id;
 pub mod geometry;
 // Numbers, and numbers with their rounding.
 pub mod number;
+mod random;
 // What can be wrong, and how it is said.
 pub mod diagnostic;
 pub mod error;

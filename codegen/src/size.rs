@@ -3,6 +3,8 @@
 //! In: a tree, functions, options. Out: an error where deriving or writing them would take more time or memory than
 //! [`crate::limits`] allow.
 
+use std::collections::BTreeSet;
+
 use crate::{
     companions::Kind, compile::Options, config::Formulation, error::Error, functions::Request,
     limits, recursive, recursive::Technique, solve, tree::Tree,
@@ -26,6 +28,20 @@ pub fn check(tree: &Tree, requests: &[Request], options: &Options) -> Result<(),
     for request in requests {
         check_derivation(tree, request, options)?;
     }
+    check_companions(tree, requests, &options.companions)
+}
+
+/// Refuses files beside the module for which too much would be evaluated.
+fn check_companions(
+    tree: &Tree,
+    requests: &[Request],
+    companions: &BTreeSet<Kind>,
+) -> Result<(), Error> {
+    for request in companions.iter().flat_map(|kind| kind.evaluated(requests)) {
+        let what = format!("the tests evaluate `{}` with", request.text());
+        let terms = request.literal_terms(tree);
+        bound(&what, terms, "terms", limits::EVALUATED_TERMS)?;
+    }
     Ok(())
 }
 
@@ -39,14 +55,6 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
             terms,
             "terms",
             limits::TERMS,
-        )?;
-    }
-    if options.companions.contains(&Kind::Tests) {
-        bound(
-            &format!("the tests of `{name}` evaluate"),
-            terms,
-            "terms",
-            limits::EVALUATED_TERMS,
         )?;
     }
     let is_factorised = options.formulation == Formulation::Notes

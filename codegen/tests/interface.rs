@@ -21,7 +21,7 @@ fn generated(name: &str) -> Result<Generated, Error> {
     let options = Options {
         functions: Functions::Named(vec!["mass_matrix".to_owned()]),
         companions: [Kind::Abi(Abi::C)].into(),
-        module: Some(name.to_owned()),
+        module: name.to_owned(),
         ..Options::default()
     };
     generate(&source, "models/pendulum.toml", &options, &no_includes)

@@ -75,7 +75,7 @@ pub fn generate(data: &[u8]) {
         } else {
             companions::Kind::ALL.into()
         },
-        module: Some("model".to_owned()),
+        module: "model".to_owned(),
     };
     promises::generating(&files, &options);
 }

@@ -68,7 +68,7 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
     let options = Options {
         functions: Functions::Named(functions),
         companions: [Kind::Manifest, Kind::Abi(Abi::C)].into(),
-        module: Some(name.to_owned()),
+        module: name.to_owned(),
         ..Options::default()
     };
     let source = Source::new(format!("{name}.toml"), model);

@@ -194,8 +194,8 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
     match &job.target {
         Target::StandardOutput => options.companions.clear(),
         Target::File(module) => {
-            let name = module.file_stem();
-            options.module = name.map(|name| name.to_string_lossy().into_owned());
+            let name = module.file_stem().unwrap_or_default();
+            options.module = name.to_string_lossy().into_owned();
         }
     }
     generate::generate(&source, &job.shown, &options, &include).map_err(|error| match error {

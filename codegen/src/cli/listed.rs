@@ -72,7 +72,7 @@ impl Listed {
                 fma: system.fma,
                 without: system.without.clone(),
                 companions: system.companions.clone(),
-                module: None,
+                module: String::new(),
                 reading: system.reading,
                 changes: system.changes.clone(),
             },

@@ -19,8 +19,10 @@ use std::{
 use crate::{
     emit::{self, Module},
     error::Error,
+    functions::{Function, Request},
     tree::is_keyword,
 };
+use sample::SCALES;
 
 /// A file beside a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,6 +81,18 @@ impl Kind {
         self.endings().iter().map(|ending| beside(module, ending))
     }
 
+    /// What is evaluated for it by the notes' equations, beside a module with these functions.
+    pub(crate) fn evaluated(self, functions: &[Request]) -> Vec<Request> {
+        match self {
+            Self::Tests => {
+                let scales = SCALES.iter().copied().filter_map(Function::find);
+                let own = functions.iter().cloned();
+                own.chain(scales.map(Request::from)).collect()
+            }
+            Self::Manifest | Self::Abi(_) => Vec::new(),
+        }
+    }
+
     /// True where its files know the module by its name, with which names in C begin.
     fn names_module(self) -> bool {
         matches!(self, Self::Abi(_))
@@ -92,6 +106,10 @@ impl Kind {
         })
     }
 }
+
+/// What [`can_be_beside`] asks of a name.
+pub const EXPECTED_NAME: &str =
+    "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust";
 
 /// True where files of these kinds can stand beside a module of this name.
 pub fn can_be_beside(kinds: &BTreeSet<Kind>, name: &str) -> bool {

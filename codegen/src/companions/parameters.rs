@@ -2,8 +2,8 @@
 //! with shows nothing, not even its sign.
 
 use crate::{
-    companions::sample::Random,
     id::ParameterId,
+    random::Random,
     tree::{Parameter, Part, Tree, Units, Value, principal},
 };
 
@@ -31,7 +31,15 @@ pub(super) fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
             values[parameter.index()] = value;
         }
     }
-    values
+    let pairs = values.into_iter().zip(nominal(tree));
+    let held = pairs.map(|(changed, nominal)| {
+        if changed.is_finite() {
+            changed
+        } else {
+            nominal
+        }
+    });
+    held.collect()
 }
 
 /// What a model has of a unit. States turn by about a radian in a second, so the unit of time is the second.
@@ -161,6 +169,15 @@ mod tests {
                 assert!((changed - nominal).abs() > 1e-4, "{changed} for {nominal}");
             }
         }
+    }
+
+    #[test]
+    fn value_that_f64_cannot_hold_changed_stays_the_nominal_one() {
+        let mut tree = tree(ALL);
+        let largest = tree.parameters.iter().position(|one| one.unit == "kg");
+        let largest = largest.expect("a mass");
+        tree.parameters[largest].nominal = 1.75e308;
+        assert_eq!(changed(&tree, 1)[largest], 1.75e308);
     }
 
     #[test]

@@ -6,11 +6,12 @@ use std::collections::BTreeMap;
 use crate::{
     emit::Sample,
     expr::Input,
-    functions::{Formulation, Function, Request},
+    functions::{Derived, Formulation, Function, Request},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
     number::Rounded,
+    random::Random,
     recursive::Plan,
-    tree::{Chart, Orientation, Tree},
+    tree::{Chart, Orientation, Tree, is_translation},
 };
 
 /// All that the equations are given in a state.
@@ -22,29 +23,70 @@ const POWERS: [f64; 25] = [
     1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12,
 ];
 
-/// A state in which nothing is zero, equal, or singular.
-pub(super) fn draw(tree: &Tree, parameters: Vec<f64>, seed: u64) -> Sample {
-    let mut random = Random::new(seed);
-    let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<f64>>();
-    let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
-    let mut sample = Sample {
-        parameters,
-        q: numbers(tree.n_coordinates),
-        u: numbers(n_speeds),
-        u_dot: numbers(n_speeds),
-        tau: vec![0.0; n_speeds],
-        loads: numbers(6 * n_bodies),
-        w_rel: numbers(3 * n_bodies),
-    };
-    let factors = numbers(n_speeds);
-    normalize(tree, &mut sample.q);
-    let length = length(tree, &sample);
-    scale(tree, &mut sample, length);
-    // Forces that would be nothing beside those of the motion, or everything, would show nothing of one of them.
-    let forces = evaluated(tree, "inverse_dynamics", &sample);
-    let pairs = forces.iter().zip(factors);
-    sample.tau = pairs.map(|(force, factor)| factor * force).collect();
-    sample
+/// The functions by which samples are scaled: where mass centres are, and what forces motions take.
+pub(super) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
+
+/// What draws samples of a tree.
+pub(super) struct Sampler<'a> {
+    tree: &'a Tree,
+    /// [`SCALES`], by the notes' equations.
+    positions: Derived,
+    forces: Derived,
+}
+
+impl<'a> Sampler<'a> {
+    pub(super) fn new(tree: &'a Tree) -> Self {
+        let [positions, forces] = SCALES.map(|name| {
+            let function = Function::find(name).expect("a function of the catalogue");
+            Request::from(function).derive(tree, Formulation::Notes, &Plan::full(tree))
+        });
+        Self {
+            tree,
+            positions,
+            forces,
+        }
+    }
+
+    /// A state in which nothing is zero, equal, or singular.
+    pub(super) fn draw(&self, parameters: Vec<f64>, seed: u64) -> Sample {
+        let tree = self.tree;
+        let mut random = Random::new(seed);
+        let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<f64>>();
+        let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
+        let mut sample = Sample {
+            parameters,
+            q: numbers(tree.n_coordinates),
+            u: numbers(n_speeds),
+            u_dot: numbers(n_speeds),
+            tau: vec![0.0; n_speeds],
+            loads: numbers(6 * n_bodies),
+            w_rel: numbers(3 * n_bodies),
+        };
+        let factors = numbers(n_speeds);
+        normalize(tree, &mut sample.q);
+        let length = self.length(&sample);
+        scale(tree, &mut sample, length);
+        // Forces that would be nothing beside those of the motion, or everything, would show nothing of one of them.
+        let forces = evaluated(tree, &self.forces, &sample);
+        let pairs = forces.iter().zip(factors);
+        sample.tau = pairs.map(|(force, factor)| factor * force).collect();
+        sample
+    }
+
+    /// The power of ten next to the largest distance in the tree at rest; at most a metre.
+    fn length(&self, sample: &Sample) -> f64 {
+        let mut resting = sample.clone();
+        for body in &self.tree.bodies {
+            for (kind, coordinate) in body.joint.coordinates() {
+                if is_translation(kind) {
+                    resting.q[coordinate.index()] = 0.0;
+                }
+            }
+        }
+        let positions = evaluated(self.tree, &self.positions, &resting);
+        let largest = positions.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        power_of_ten(largest).min(1.0)
+    }
 }
 
 fn normalize(tree: &Tree, q: &mut [f64]) {
@@ -61,25 +103,6 @@ fn normalize(tree: &Tree, q: &mut [f64]) {
             }
         }
     }
-}
-
-/// The power of ten next to the largest distance in a tree at rest; at most a metre.
-fn length(tree: &Tree, sample: &Sample) -> f64 {
-    let mut resting = sample.clone();
-    for body in &tree.bodies {
-        for (kind, coordinate) in body.joint.coordinates() {
-            if is_translation(kind) {
-                resting.q[coordinate.index()] = 0.0;
-            }
-        }
-    }
-    let positions = evaluated(tree, "mass_center_position", &resting);
-    let largest = positions.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    power_of_ten(largest).min(1.0)
-}
-
-fn is_translation(kind: &str) -> bool {
-    kind.starts_with('s')
 }
 
 /// The least power of ten that is no less; one where there is none.
@@ -113,10 +136,7 @@ fn scale(tree: &Tree, sample: &mut Sample, length: f64) {
     }
 }
 
-/// What a function of the catalogue gives by the notes' equations.
-fn evaluated(tree: &Tree, function: &str, sample: &Sample) -> Vec<f64> {
-    let function = Function::find(function).expect("a function of the catalogue");
-    let derived = Request::from(function).derive(tree, Formulation::Notes, &Plan::full(tree));
+fn evaluated(tree: &Tree, derived: &Derived, sample: &Sample) -> Vec<f64> {
     let inputs = inputs(tree, sample);
     let graph = &derived.graph;
     graph.evaluate(&derived.roots, |input| inputs[&input].value)
@@ -148,37 +168,4 @@ pub(super) fn inputs(tree: &Tree, sample: &Sample) -> Inputs {
         }
     }
     inputs
-}
-
-/// `SplitMix64`: the same numbers everywhere.
-pub(super) struct Random(u64);
-
-impl Random {
-    pub(super) fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut word = self.0;
-        word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        word ^ (word >> 31)
-    }
-
-    /// Between a tenth and 1.2 in magnitude, with three digits: angles stay away from the singularity.
-    fn number(&mut self) -> f64 {
-        let word = self.next();
-        let magnitude = thousandths(100 + (word >> 1) % 1101);
-        if word & 1 == 0 { magnitude } else { -magnitude }
-    }
-
-    /// Between a tenth and 0.4, with three digits: a value that changes by this part of it is another, and near.
-    pub(super) fn part(&mut self) -> f64 {
-        thousandths(100 + self.next() % 301)
-    }
-}
-
-fn thousandths(count: u64) -> f64 {
-    f64::from(u32::try_from(count).expect("a remainder is small")) / 1000.0
 }

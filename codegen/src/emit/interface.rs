@@ -59,7 +59,7 @@ fn imports(signatures: &[Signature], name: &str) -> Item {
     });
     let named: BTreeSet<&str> = named.collect();
     let (name, named) = (ident(name), named.into_iter().map(ident));
-    parse_quote!(use super::#name::{self, #(#named),*};)
+    parse_quote!(use super::#name::{#(#named),*};)
 }
 
 fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
@@ -96,7 +96,7 @@ fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
     let body = match signature.name.as_str() {
         "nominal" => quote!(parameters.write(Parameters::default());),
         "prepare" => quote!(p.write(Prepared::new(&*parameters));),
-        _ => quote!(#module::#own(#(#passed),*);),
+        _ => quote!(super::#module::#own(#(#passed),*);),
     };
     parse_quote! {
         #doc

@@ -4,8 +4,8 @@ use proc_macro2::Literal;
 use quote::quote;
 use syn::{Item, parse_quote};
 
-use super::{allow_generated, allow_unused, doc, statements::ANGLES_OF_CALL};
-use crate::{passes::sines, program::Operations, tree::Tree};
+use super::{allow_generated, allow_unused, doc, signature::declared, statements::ANGLES_OF_CALL};
+use crate::{functions::Signature, passes::sines, program::Operations, tree::Tree};
 
 /// The number and names of the angles, the type that holds their sines and cosines, and the function that computes them.
 pub(super) fn items(tree: &Tree) -> Vec<Item> {
@@ -16,19 +16,28 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
         .iter()
         .map(|angle| &coordinates[angle.coordinate.index()]);
     let places = |first: usize, count: usize| (first..first + count).map(Literal::usize_unsuffixed);
-    let calls = (0..angles.len()).step_by(ANGLES_OF_CALL).map(|first| {
-        let angles = &angles[first..angles.len().min(first + ANGLES_OF_CALL)];
-        let coordinates = angles
-            .iter()
-            .map(|angle| Literal::usize_unsuffixed(angle.coordinate.index()));
-        let [sines, cosines] = [(); 2].map(|()| places(first, angles.len()));
-        quote! {
-            let (sines, cosines) = R::sin_cos_array([#(q[#coordinates]),*]);
-            [#(sin_cos.sines[#sines]),*] = sines;
-            [#(sin_cos.cosines[#cosines]),*] = cosines;
-        }
-    });
-    let cost = doc([format!("Operations: {}.", operations(tree))]);
+    let firsts = (0..).step_by(ANGLES_OF_CALL);
+    let calls = firsts
+        .zip(angles.chunks(ANGLES_OF_CALL))
+        .map(|(first, angles)| {
+            let coordinates = angles
+                .iter()
+                .map(|angle| Literal::usize_unsuffixed(angle.coordinate.index()));
+            let [sines, cosines] = [(); 2].map(|()| places(first, angles.len()));
+            quote! {
+                let (sines, cosines) = R::sin_cos_array([#(q[#coordinates]),*]);
+                [#(sin_cos.sines[#sines]),*] = sines;
+                [#(sin_cos.cosines[#cosines]),*] = cosines;
+            }
+        });
+    let Signature {
+        doc: lines,
+        arguments,
+        ..
+    } = Signature::sin_cos();
+    let cost = format!("Operations: {}.", operations(tree));
+    let doc = doc(lines.into_iter().chain([String::new(), cost]));
+    let arguments = arguments.iter().map(declared);
     let (allow, allow_generated) = (allow_unused(), allow_generated());
     vec![
         parse_quote! {
@@ -54,12 +63,10 @@ pub(super) fn items(tree: &Tree) -> Vec<Item> {
             }
         },
         parse_quote! {
-            /// Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.
-            ///
-            #cost
+            #doc
             #allow_generated
             #[inline(never)]
-            pub fn sin_cos<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], sin_cos: &mut SinCos<R>) {
+            pub fn sin_cos<R: kane::Real>(#(#arguments),*) {
                 #(#calls)*
             }
         },

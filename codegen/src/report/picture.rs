@@ -2,7 +2,7 @@
 
 use crate::{
     id::BodyId,
-    tree::{Coordinate, Orientation, Tree},
+    tree::{Coordinate, Orientation, Tree, is_translation},
 };
 
 /// A line for the inertial frame and for each body, with its number, joint and, where it differs, the user's number.
@@ -64,7 +64,7 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
         let turning = joint.coordinates().into_iter().map(|(name, _)| name);
         free.extend(
             turning
-                .take_while(|name| !name.starts_with('s'))
+                .take_while(|name| !is_translation(name))
                 .map(str::to_owned),
         );
     }

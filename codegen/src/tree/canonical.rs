@@ -6,7 +6,9 @@
 use std::fmt::Write as _;
 
 use crate::geometry::{IDENTITY, Rotation};
-use crate::tree::{Coordinate, Joint, Mechanics, Offset, Order, Orientation, Step, Tree, Value};
+use crate::tree::{
+    Coordinate, Joint, Mechanics, Offset, Order, Orientation, Step, Tree, Value, is_translation,
+};
 
 /// The canonical text of a tree.
 pub fn canonical(tree: &Tree) -> String {
@@ -89,7 +91,7 @@ fn joint(text: &mut String, tree: &Tree, joint: &Joint) {
         let speeds = speeds.map(|speed| format!(" u{}", speed.index()));
         coordinates.push(format!(" angular velocity{}", speeds.concat()));
         let places = joint.coordinates();
-        let turning = places.iter().filter(|(name, _)| !name.starts_with('s'));
+        let turning = places.iter().filter(|(name, _)| !is_translation(name));
         coordinates.extend(turning.map(|(name, place)| format!(" {name} q{}", place.index())));
     }
     coordinates.extend((0..6).filter_map(|motion| Some(coordinate(joint.coordinate_of(motion)?))));

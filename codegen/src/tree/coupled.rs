@@ -6,9 +6,10 @@ use std::collections::BTreeMap;
 
 use crate::description::Axis;
 use crate::id::{BodyId, SpeedId};
-use crate::tree::rows::{Random, Twist, dot, project_out};
+use crate::random::Random;
+use crate::tree::rows::{Twist, dot, project_out};
 use crate::tree::sweep::{Geometry, IDLE, SHARE, Units, geometry, own, rotor};
-use crate::tree::{Coordinate, Tree};
+use crate::tree::{Coordinate, Tree, is_translation};
 
 /// True where a coordinate follows another.
 pub(crate) fn has_followers(tree: &Tree) -> bool {
@@ -111,7 +112,7 @@ fn state(tree: &Tree, units: &Units, random: &mut Random) -> Vec<f64> {
     let mut q = vec![0.0; tree.n_coordinates];
     for body in &tree.bodies {
         for (kind, place) in body.joint.coordinates() {
-            let size = if kind.starts_with('s') {
+            let size = if is_translation(kind) {
                 units.length
             } else {
                 3.0

@@ -270,3 +270,8 @@ impl Coordinate {
         }
     }
 }
+
+/// True for the name of a coordinate that is a length: `s1`, `s2` or `s3`.
+pub fn is_translation(name: &str) -> bool {
+    name.starts_with('s')
+}

@@ -13,11 +13,11 @@
 use crate::description::{Axis, Description};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::id::BodyId;
+use crate::random::Random;
 use crate::tree::Tree;
 use crate::tree::coupled;
 use crate::tree::joint_check::free_axes;
 use crate::tree::names::shown;
-use crate::tree::rows::Random;
 use crate::tree::sweep::{Joint, Units, inward, moved_along};
 
 /// The states that are tried.

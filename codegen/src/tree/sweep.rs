@@ -3,8 +3,9 @@
 use crate::description::Axis;
 use crate::geometry::{self, cross};
 use crate::id::{BodyId, SpeedId};
+use crate::random::Random;
 use crate::tree::inertia::principal;
-use crate::tree::rows::{Random, Twist, dot, join, project_out, triangle};
+use crate::tree::rows::{Twist, dot, join, project_out, triangle};
 use crate::tree::{Coordinate, Orientation, Part, Tree};
 
 /// Part of what a column could move at most, below which it moves nothing.

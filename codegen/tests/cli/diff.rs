@@ -433,7 +433,8 @@ fn systems_of_a_revision_without_a_list_are_all_new() {
     let ran = project.kane(&["diff", "HEAD"]);
     assert_eq!(ran.code, 1, "{}", ran.err);
     assert!(
-        ran.out.starts_with("modules\n  added    generated/arm.rs\n"),
+        ran.out
+            .starts_with("modules\n  added    generated/arm.rs\n"),
         "{}",
         ran.out
     );

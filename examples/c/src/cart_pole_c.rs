@@ -14,7 +14,7 @@
 // - something is written to which another argument leads as well.
 // What is only read may overlap, and what is written may hold anything before.
 
-use super::cart_pole::{self, NB, NQ, NU, Parameters, Prepared, SinCos};
+use super::cart_pole::{NB, NQ, NU, Parameters, Prepared, SinCos};
 
 /// The model's nominal parameters.
 ///
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn cart_pole_sin_cos_f64(
     sin_cos: *mut SinCos<f64>,
 ) {
     unsafe {
-        cart_pole::sin_cos(&*p, &*q, &mut *sin_cos);
+        super::cart_pole::sin_cos(&*p, &*q, &mut *sin_cos);
     }
 }
 
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn cart_pole_sin_cos_f32(
     sin_cos: *mut SinCos<f32>,
 ) {
     unsafe {
-        cart_pole::sin_cos(&*p, &*q, &mut *sin_cos);
+        super::cart_pole::sin_cos(&*p, &*q, &mut *sin_cos);
     }
 }
 
@@ -120,7 +120,7 @@ pub unsafe extern "C" fn cart_pole_mass_matrix_f64(
     m: *mut [[f64; NU]; NU],
 ) {
     unsafe {
-        cart_pole::mass_matrix(&*p, &*q, &mut *m);
+        super::cart_pole::mass_matrix(&*p, &*q, &mut *m);
     }
 }
 
@@ -135,7 +135,7 @@ pub unsafe extern "C" fn cart_pole_mass_matrix_f32(
     m: *mut [[f32; NU]; NU],
 ) {
     unsafe {
-        cart_pole::mass_matrix(&*p, &*q, &mut *m);
+        super::cart_pole::mass_matrix(&*p, &*q, &mut *m);
     }
 }
 
@@ -158,7 +158,7 @@ pub unsafe extern "C" fn cart_pole_forcing_f64(
     f: *mut [f64; NU],
 ) {
     unsafe {
-        cart_pole::forcing(&*p, &*q, &*u, &*loads, &mut *f);
+        super::cart_pole::forcing(&*p, &*q, &*u, &*loads, &mut *f);
     }
 }
 
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn cart_pole_forcing_f32(
     f: *mut [f32; NU],
 ) {
     unsafe {
-        cart_pole::forcing(&*p, &*q, &*u, &*loads, &mut *f);
+        super::cart_pole::forcing(&*p, &*q, &*u, &*loads, &mut *f);
     }
 }
 
@@ -196,7 +196,7 @@ pub unsafe extern "C" fn cart_pole_q_dot_f64(
     q_dot: *mut [f64; NQ],
 ) {
     unsafe {
-        cart_pole::q_dot(&*p, &*q, &*u, &mut *q_dot);
+        super::cart_pole::q_dot(&*p, &*q, &*u, &mut *q_dot);
     }
 }
 
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn cart_pole_q_dot_f32(
     q_dot: *mut [f32; NQ],
 ) {
     unsafe {
-        cart_pole::q_dot(&*p, &*q, &*u, &mut *q_dot);
+        super::cart_pole::q_dot(&*p, &*q, &*u, &mut *q_dot);
     }
 }
 
@@ -236,7 +236,7 @@ pub unsafe extern "C" fn cart_pole_forward_dynamics_f64(
     u_dot: *mut [f64; NU],
 ) {
     unsafe {
-        cart_pole::forward_dynamics(&*p, &*q, &*u, &*tau, &mut *u_dot);
+        super::cart_pole::forward_dynamics(&*p, &*q, &*u, &*tau, &mut *u_dot);
     }
 }
 
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn cart_pole_forward_dynamics_f32(
     u_dot: *mut [f32; NU],
 ) {
     unsafe {
-        cart_pole::forward_dynamics(&*p, &*q, &*u, &*tau, &mut *u_dot);
+        super::cart_pole::forward_dynamics(&*p, &*q, &*u, &*tau, &mut *u_dot);
     }
 }
 
@@ -279,7 +279,7 @@ pub unsafe extern "C" fn cart_pole_bias_at_sin_cos_f64(
     bias: *mut [f64; NU],
 ) {
     unsafe {
-        cart_pole::bias_at_sin_cos(&*p, &*q, &*sin_cos, &*u, &mut *bias);
+        super::cart_pole::bias_at_sin_cos(&*p, &*q, &*sin_cos, &*u, &mut *bias);
     }
 }
 
@@ -296,6 +296,6 @@ pub unsafe extern "C" fn cart_pole_bias_at_sin_cos_f32(
     bias: *mut [f32; NU],
 ) {
     unsafe {
-        cart_pole::bias_at_sin_cos(&*p, &*q, &*sin_cos, &*u, &mut *bias);
+        super::cart_pole::bias_at_sin_cos(&*p, &*q, &*sin_cos, &*u, &mut *bias);
     }
 }

@@ -14,7 +14,7 @@
 // - something is written to which another argument leads as well.
 // What is only read may overlap, and what is written may hold anything before.
 
-use super::panda::{self, NQ, NU, Parameters, Prepared};
+use super::panda::{NQ, NU, Parameters, Prepared};
 
 /// The model's nominal parameters.
 ///
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn panda_q_dot_f64(
     q_dot: *mut [f64; NQ],
 ) {
     unsafe {
-        panda::q_dot(&*p, &*q, &*u, &mut *q_dot);
+        super::panda::q_dot(&*p, &*q, &*u, &mut *q_dot);
     }
 }
 
@@ -104,7 +104,7 @@ pub unsafe extern "C" fn panda_q_dot_f32(
     q_dot: *mut [f32; NQ],
 ) {
     unsafe {
-        panda::q_dot(&*p, &*q, &*u, &mut *q_dot);
+        super::panda::q_dot(&*p, &*q, &*u, &mut *q_dot);
     }
 }
 
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn panda_inverse_dynamics_f64(
     tau: *mut [f64; NU],
 ) {
     unsafe {
-        panda::inverse_dynamics(&*p, &*q, &*u, &*u_dot, &mut *tau);
+        super::panda::inverse_dynamics(&*p, &*q, &*u, &*u_dot, &mut *tau);
     }
 }
 
@@ -145,6 +145,6 @@ pub unsafe extern "C" fn panda_inverse_dynamics_f32(
     tau: *mut [f32; NU],
 ) {
     unsafe {
-        panda::inverse_dynamics(&*p, &*q, &*u, &*u_dot, &mut *tau);
+        super::panda::inverse_dynamics(&*p, &*q, &*u, &*u_dot, &mut *tau);
     }
 }

@@ -6,11 +6,12 @@ use crate::description::Axis;
 use crate::expr::Input;
 use crate::functions::{Formulation, Function};
 use crate::id::BodyId;
+use crate::random::Random;
 use crate::tree::Tree;
 use crate::tree::assemble::assemble;
 use crate::tree::coupled;
 use crate::tree::mimic;
-use crate::tree::rows::{Random, Twist, dot, project_out};
+use crate::tree::rows::{Twist, dot, project_out};
 use crate::tree::sweep::{Joint, Units, inward, moved_along, own};
 use crate::tree::{Changes, resolve};
 
