@@ -1,6 +1,6 @@
 //! What can go wrong in the library: one variant per stage that can fail.
 
-use std::path::PathBuf;
+use std::{error, fmt, path::PathBuf};
 
 use crate::{
     companions::EXPECTED_NAME, compile::SNAP_TOLERANCES, diagnostic::Diagnostics,
@@ -8,7 +8,9 @@ use crate::{
 };
 
 /// Why nothing was generated.
-#[derive(Debug, thiserror::Error)]
+///
+/// [`fmt::Debug`] writes what people read, causes too: a build script whose `main` returns an error prints that.
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// An input file breaks a rule; every breach is listed with its place.
@@ -97,6 +99,16 @@ pub enum Error {
         /// What the system said.
         source: std::io::Error,
     },
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}")?;
+        let causes = std::iter::successors(error::Error::source(self), |&cause| cause.source());
+        causes
+            .into_iter()
+            .try_for_each(|cause| write!(f, ": {cause}"))
+    }
 }
 
 impl From<Diagnostics> for Error {

@@ -103,10 +103,14 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         .iter()
         .flat_map(|(whole, strays)| strays.iter().map(move |stray| (whole, stray)))
     {
+        let list = plan.jobs.iter().find_map(|job| job.asks_for(stray));
+        let list = list.map_or("list its system".to_owned(), |key| {
+            format!("give its system `{key}`")
+        });
         let (stray, config) = (stray.display(), whole.config.display());
         writeln!(
             out,
-            "{stray} is produced by nothing in {config}: remove it, or list its system"
+            "{stray} is produced by nothing in {config}: remove it, or {list}"
         )?;
         outcome = Outcome::Differs;
     }

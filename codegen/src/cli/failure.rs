@@ -53,7 +53,7 @@ impl From<Error> for Failures {
         if let Error::Invalid(diagnostics) = error {
             return diagnostics.into();
         }
-        Self::message(with_causes(&error))
+        Self::message(format_args!("{error:?}"))
     }
 }
 

@@ -7,6 +7,7 @@ use std::{
 
 use kane_codegen::{
     budget::{self, Budget, Excess},
+    companions,
     compile::Options,
     description::{self, Reading},
     diagnostic::{Diagnostics, Source},
@@ -52,6 +53,16 @@ impl Job {
         let companions = self.options.companions.iter();
         let beside = companions.flat_map(|kind| kind.beside(module));
         std::iter::once(module.clone()).chain(beside).collect()
+    }
+
+    /// What would ask for a file beside the module, if it can be one.
+    pub(crate) fn asks_for(&self, file: &Path) -> Option<&'static str> {
+        let Target::File(module) = &self.target else {
+            return None;
+        };
+        let mut kinds = companions::Kind::ALL.into_iter();
+        let kind = kinds.find(|kind| kind.beside(module).any(|beside| beside == file))?;
+        Some(kind.key())
     }
 
     /// What goes beyond the budget, a line each.

@@ -76,6 +76,15 @@ impl Kind {
         }
     }
 
+    /// What asks for it in `kane.toml`.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Manifest => "manifest = true",
+            Self::Tests => "tests = true",
+            Self::Abi(Abi::C) => "abi = \"c\"",
+        }
+    }
+
     /// The paths of its files, where the module goes to `module`.
     pub fn beside(self, module: &Path) -> impl Iterator<Item = PathBuf> {
         self.endings().iter().map(|ending| beside(module, ending))

@@ -159,7 +159,10 @@ fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
             return quote!(&[outputs.#place]);
         }
         let flattened = iter::repeat_n(quote!(.as_flattened()), lengths.len() - 1);
-        quote!(&outputs.#place #(#flattened)*)
+        match lengths.len() {
+            1 => quote!(&outputs.#place),
+            _ => quote!(outputs.#place #(#flattened)*),
+        }
     });
     let entries = sampled
         .entries

@@ -189,8 +189,9 @@ fn lockable(description: &Description, joints: &[Resolved]) -> Vec<Lockable> {
             } else {
                 format!("{}_{kind}", joint.identifier)
             };
-            let of_joint = joint_name(description, body).filter(|_| is_only);
-            let names = [Some(of_coordinate), of_joint.map(str::to_owned)];
+            let of_joint = joint_name(description, body).map(str::to_owned);
+            let of_joint = of_joint.filter(|name| is_only && *name != of_coordinate);
+            let names = [Some(of_coordinate), of_joint];
             known.extend(
                 names
                     .into_iter()

@@ -366,8 +366,8 @@ fn history() -> Project {
 #[test]
 fn revisions_are_compared_system_by_system() {
     let project = history();
-    let told = "BREAKING: modules that are gone, or in whose arrays the places changed\n  removed  left.rs\n\
-        modules\n  added    right.rs\n\
+    let told = "BREAKING: files that are gone, or in whose arrays the places changed\n  removed  left.rs\n  removed  left_c.rs\n  removed  left.h\n\
+        files\n  added    right.rs\n  added    right_c.rs\n  added    right.h\n\
         == HEAD~1:arm.rs -> HEAD:arm.rs\nvalues\n  changed  fore: mass  1.5 -> 1.25\n";
     let ran = project.kane(&["diff", "HEAD~1", "HEAD"]);
     assert_eq!(ran.code, 1, "{}", ran.err);
@@ -379,8 +379,14 @@ fn revisions_are_compared_system_by_system() {
 
     let ran = project.kane_in("models", &["diff", "HEAD~1", "HEAD", "--format", "json"]);
     let value: Value = serde_json::from_str(&ran.out).unwrap();
-    assert_eq!(value["added"], serde_json::json!(["../right.rs"]));
-    assert_eq!(value["removed"], serde_json::json!(["../left.rs"]));
+    assert_eq!(
+        value["added"],
+        serde_json::json!(["../right.rs", "../right_c.rs", "../right.h"])
+    );
+    assert_eq!(
+        value["removed"],
+        serde_json::json!(["../left.rs", "../left_c.rs", "../left.h"])
+    );
     assert_eq!(value["breaking"], true);
     let arm = &value["systems"][0];
     assert_eq!(value["systems"].as_array().unwrap().len(), 1);
@@ -404,7 +410,7 @@ fn one_revision_is_compared_with_the_files_as_they_are() {
     let ran = project.kane(&["diff", "HEAD"]);
     assert_eq!(ran.code, 1);
     insta::assert_snapshot!(ran.out.split("== HEAD:arm.rs").next().unwrap(), @"
-    BREAKING: modules that are gone, or in whose arrays the places changed
+    BREAKING: files that are gone, or in whose arrays the places changed
       changed  arm.rs    q, u
       changed  right.rs  q, u
     ");
@@ -415,7 +421,7 @@ fn one_revision_is_compared_with_the_files_as_they_are() {
     let ran = project.kane(&["diff", "HEAD", "--format", "markdown"]);
     assert!(
         ran.out
-            .starts_with("## `HEAD` → `the files as they are`\n\n**BREAKING: modules "),
+            .starts_with("## `HEAD` → `the files as they are`\n\n**BREAKING: files "),
         "{}",
         ran.out
     );
@@ -433,8 +439,7 @@ fn systems_of_a_revision_without_a_list_are_all_new() {
     let ran = project.kane(&["diff", "HEAD"]);
     assert_eq!(ran.code, 1, "{}", ran.err);
     assert!(
-        ran.out
-            .starts_with("modules\n  added    generated/arm.rs\n"),
+        ran.out.starts_with("files\n  added    generated/arm.rs\n"),
         "{}",
         ran.out
     );

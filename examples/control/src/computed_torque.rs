@@ -130,7 +130,7 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "error up to {:.3} mrad (bound {:.3}), torque up to {:.0} % and speed up to {:.0} % of the limits",
+            "error up to {:.3} mrad (bound but for sampling {:.3}), torque up to {:.0} % and speed up to {:.0} % of the limits",
             1e3 * self.error,
             1e3 * self.bound,
             1e2 * self.effort,

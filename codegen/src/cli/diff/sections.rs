@@ -37,7 +37,7 @@ fn push(sections: &mut Vec<Section>, title: &str, rows: Vec<Row>) {
 
 /// What breaks code, what came, then what differs of every other module under its name.
 pub(super) fn text_of_systems(systems: &Systems) -> String {
-    let mut text: String = modules(systems).iter().map(Section::text).collect();
+    let mut text: String = files(systems).iter().map(Section::text).collect();
     for report in &systems.changed {
         let [old, new] = &report.names;
         text.extend([format!("== {old} -> {new}\n"), self::text(report)]);
@@ -52,14 +52,14 @@ pub(super) fn markdown_of_systems(systems: &Systems) -> String {
     if systems.is_same() {
         text += "\nNothing differs.\n";
     }
-    text.extend(modules(systems).iter().map(Section::table));
+    text.extend(files(systems).iter().map(Section::table));
     for report in &systems.changed {
         text.extend(["\n".to_owned(), markdown(report)]);
     }
     text
 }
 
-fn modules(systems: &Systems) -> Vec<Section> {
+fn files(systems: &Systems) -> Vec<Section> {
     let row = |what: &str, name: &str, how: String| [what.to_owned(), name.to_owned(), how];
     let removed = systems.removed.iter();
     let removed = removed.map(|name| row("removed", name, String::new()));
@@ -73,10 +73,10 @@ fn modules(systems: &Systems) -> Vec<Section> {
     let mut sections = Vec::new();
     push(
         &mut sections,
-        "BREAKING: modules that are gone, or in whose arrays the places changed",
+        "BREAKING: files that are gone, or in whose arrays the places changed",
         removed.chain(changed).collect(),
     );
-    push(&mut sections, "modules", added.collect());
+    push(&mut sections, "files", added.collect());
     sections
 }
 

@@ -1,6 +1,9 @@
 //! All systems of a repository, in two revisions or in one and as the files are.
 
-use std::path::Path;
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
 
 use super::{report::Report, side::Side};
 use crate::cli::{
@@ -17,9 +20,9 @@ pub(super) struct Systems {
     pub(super) names: [String; 2],
     /// Modules of both that differ.
     pub(super) changed: Vec<Report>,
-    /// Modules of the new one alone.
+    /// Generated files of the new one alone.
     pub(super) added: Vec<String>,
-    /// Modules of the old one alone.
+    /// Generated files of the old one alone.
     pub(super) removed: Vec<String>,
 }
 
@@ -110,8 +113,10 @@ impl Systems {
             places.position(|one| one.target == job.target)
         };
         let only = |jobs: &[Job], others: &[Job]| -> Vec<String> {
-            let own = jobs.iter().filter(|job| of(others, job).is_none());
-            own.map(|job| job.target.to_string()).collect()
+            let others: BTreeSet<PathBuf> = others.iter().flat_map(Job::files).collect();
+            let own = jobs.iter().flat_map(Job::files);
+            let own = own.filter(|file| !others.contains(file));
+            own.map(|file| file.display().to_string()).collect()
         };
         let mut changed = Vec::new();
         for job in &new {
@@ -133,7 +138,7 @@ impl Systems {
         self.changed.is_empty() && self.added.is_empty() && self.removed.is_empty()
     }
 
-    /// True where a module went, or an array of one has other places.
+    /// True where a file went, or an array of one has other places.
     pub(super) fn is_breaking(&self) -> bool {
         !self.removed.is_empty() || self.breaking().next().is_some()
     }

@@ -52,6 +52,8 @@ pub enum Layout {
     Coordinates,
     /// `u`, `u_dot`, `tau`.
     Speeds,
+    /// The fields of `Parameters`, which C may fill in order.
+    Parameters,
 }
 
 impl Layout {
@@ -61,6 +63,7 @@ impl Layout {
             Self::Bodies => "arrays over bodies",
             Self::Coordinates => "q",
             Self::Speeds => "u",
+            Self::Parameters => "Parameters",
         }
     }
 }
@@ -104,6 +107,10 @@ impl Outline {
             flatten(key, value, &mut values);
         }
         let names = tree.bodies.iter().map(|body| body.name.clone());
+        let parameters = tree
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.clone());
         Ok(Self {
             fingerprint: Some(origin::fingerprint(tree)),
             values,
@@ -112,6 +119,7 @@ impl Outline {
                 (Layout::Bodies, names.collect()),
                 (Layout::Coordinates, tree.coordinate_names()),
                 (Layout::Speeds, tree.speed_names()),
+                (Layout::Parameters, parameters.collect()),
             ],
         })
     }

@@ -1,6 +1,6 @@
 //! The outline of a module, read from its constants.
 
-use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta};
+use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta, ext::IdentExt};
 
 use crate::report::rust;
 
@@ -62,6 +62,7 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
             (Layout::Bodies, body_names),
             (Layout::Coordinates, strings(file, "COORDINATE_NAMES")?),
             (Layout::Speeds, strings(file, "SPEED_NAMES")?),
+            (Layout::Parameters, fields(file, "Parameters")),
         ],
     })
 }
@@ -79,6 +80,17 @@ fn constant<'f>(file: &'f File, name: &str) -> Option<&'f Expr> {
         Item::Const(constant) if constant.ident == name => Some(&*constant.expr),
         _ => None,
     })
+}
+
+/// The names of a type's fields; none where it is not there.
+fn fields(file: &File, name: &str) -> Vec<String> {
+    let fields = file.items.iter().find_map(|item| match item {
+        Item::Struct(item) if item.ident == name => Some(&item.fields),
+        _ => None,
+    });
+    let names = fields.into_iter().flatten();
+    let names = names.filter_map(|field| field.ident.as_ref());
+    names.map(|name| name.unraw().to_string()).collect()
 }
 
 /// The entries of a constant; none where it is not there.
