@@ -11,6 +11,8 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 
+use crate::limits::TOLD;
+
 /// Faults shown by `Display`; the rest are only counted, for a broken file can hold thousands.
 const MOST_SHOWN: usize = 100;
 /// Bytes of the longest line that is shown.
@@ -323,6 +325,73 @@ fn snippet<'a>(file: &'a SourceFile, labels: &[(bool, Range<usize>, &'a String)]
         .path(file.name())
         .annotations(annotations)
         .into()
+}
+
+/// The line and the column of a place.
+fn place_alone(file: &SourceFile, at: usize) -> Origin<'_> {
+    let text = file.text();
+    let start = lines(text, at, at).start;
+    Origin::path(file.name())
+        .line(number(text, start))
+        .char_column(1 + text[start..at].chars().count())
+}
+
+/// The lines from one place to another, with their ends. The end of the file is the end of its last line, though that ends
+/// in a line's end.
+fn lines(text: &str, first: usize, last: usize) -> Range<usize> {
+    let before = match text[..first].strip_suffix('\n') {
+        Some(before) if first == text.len() => before,
+        _ => &text[..first],
+    };
+    let start = before.rfind('\n').map_or(0, |at| at + 1);
+    let rest = text[last..].find('\n');
+    start..rest.map_or(text.len(), |at| last + at + 1)
+}
+
+/// The number of the line that starts here.
+fn number(text: &str, start: usize) -> usize {
+    1 + text[..start].matches('\n').count()
+}
+
+/// The faults of a file as they are found; of very many the first.
+#[derive(Debug, Default)]
+pub struct Faults {
+    told: Vec<Diagnostic>,
+    n_errors: usize,
+    n_others: usize,
+}
+
+impl Faults {
+    /// Adds one.
+    pub fn push(&mut self, fault: Diagnostic) {
+        let count = match fault.severity {
+            Severity::Error => &mut self.n_errors,
+            _ => &mut self.n_others,
+        };
+        *count += 1;
+        // An error among very many warnings is one of the first errors.
+        if *count <= TOLD {
+            self.told.push(fault);
+        }
+    }
+
+    /// How many there are, with those that are not told.
+    pub fn count(&self) -> usize {
+        self.n_errors + self.n_others
+    }
+
+    /// True where no more of this severity are told, and need not be looked for.
+    pub fn is_full(&self, severity: Severity) -> bool {
+        match severity {
+            Severity::Error => self.n_errors >= TOLD,
+            _ => self.n_others >= TOLD,
+        }
+    }
+
+    /// Those that are told, in the order in which they were found.
+    pub fn into_told(self) -> Vec<Diagnostic> {
+        self.told
+    }
 }
 
 /// The faults of one source, in the order in which they stand there.

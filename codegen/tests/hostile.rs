@@ -20,7 +20,7 @@ use kane_codegen::{
     compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
-    diagnostic::Source,
+    diagnostic::{Diagnostic, Source},
     generate::generate,
     limits, tree,
 };
@@ -342,6 +342,55 @@ fn very_many_faults_are_told_soon() {
     ] {
         let faults = faults(file, &text);
         assert!(faults.len() < 200_000, "{} bytes", faults.len());
+    }
+}
+
+#[test]
+fn of_very_many_faults_the_first_are_told() {
+    let many = |text: &str| text.repeat(5_000);
+    let keys = numbered(1_000, |n| format!("k{n} = 1\n"));
+    let body =
+        |n: usize| format!("<link name='l{n}'><inertial><mass value='x'/></inertial></link>");
+    for (file, text) in [
+        ("model.toml", format!("[[body]]\n{keys}").repeat(100)),
+        (
+            "model.toml",
+            format!("[[body]]\njoint = [{}]\n", many("1, ")).repeat(20),
+        ),
+        (
+            "model.toml",
+            format!("[[body]]\nmass_center = [{}]\n", many("[], ")).repeat(20),
+        ),
+        (
+            "model.toml",
+            format!("[[body]]\nlocked = {{ {} }}\n", keys.replace('\n', ", ")).repeat(20),
+        ),
+        (
+            "model.urdf",
+            format!("<robot name='a'>{}</robot>", numbered(5_000, body)),
+        ),
+        (
+            "model.xml",
+            format!(
+                "<mujoco><worldbody>{}</worldbody></mujoco>",
+                many("<body pos='x'/>")
+            ),
+        ),
+        (
+            "model.xml",
+            format!(
+                "<mujoco>{}<worldbody><body pos='x'/></worldbody></mujoco>",
+                many("<a/>")
+            ),
+        ),
+    ] {
+        let source = Source::new(file, text);
+        let description = description::read(&source, &Reading::default(), &no_includes);
+        let is_error = description.faults.iter().map(Diagnostic::is_error);
+        let n_errors = is_error.filter(|is_error| *is_error).count();
+        let n_others = description.faults.len() - n_errors;
+        assert!((1..=limits::TOLD).contains(&n_errors), "{n_errors} errors");
+        assert!(n_others <= limits::TOLD, "{n_others} warnings");
     }
 }
 
