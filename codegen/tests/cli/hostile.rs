@@ -31,13 +31,15 @@ fn arm() -> Project {
     project
 }
 
+fn pipe(project: &Project, path: &str) {
+    let made = Command::new("mkfifo").arg(project.path(path)).status();
+    assert!(made.unwrap().success());
+}
+
 #[test]
 fn what_is_no_file_is_refused() {
     let project = arm();
-    let pipe = Command::new("mkfifo")
-        .arg(project.path("pipe.toml"))
-        .status();
-    assert!(pipe.unwrap().success());
+    pipe(&project, "pipe.toml");
     for (path, why) in [
         ("models", "is a directory"),
         ("pipe.toml", "it is no regular file"),
@@ -59,6 +61,16 @@ fn what_is_no_file_is_refused() {
         let written = ["generate", "models/arm.toml", "--force", "--output", path];
         assert_refused(&project, &written, why);
     }
+}
+
+#[test]
+fn what_only_looks_like_the_rest_of_a_killed_run_stays() {
+    let project = Project::generated();
+    let names = ["pipe", "folder"].map(|name| format!("generated/.kane-generate-{name}.tmp"));
+    pipe(&project, &names[0]);
+    std::fs::create_dir(project.path(&names[1])).unwrap();
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    assert!(names.iter().all(|name| project.path(name).exists()));
 }
 
 #[test]
