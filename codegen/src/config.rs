@@ -152,7 +152,7 @@ pub fn parse(source: &Source, known: &[&str]) -> Result<Config, Diagnostics> {
         check_outputs(&mut reader, &systems);
     }
     if reader.has_faults() {
-        return Err(Diagnostics::new(source.clone(), reader.faults));
+        return Err(Diagnostics::new(source.clone(), reader.faults.into_told()));
     }
     Ok(Config {
         systems: systems

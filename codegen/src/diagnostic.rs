@@ -11,6 +11,8 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 
+use crate::limits::TOLD;
+
 /// Faults shown by `Display`; the rest are only counted, for a broken file can hold thousands.
 const MOST_SHOWN: usize = 100;
 /// Bytes of the longest line that is shown.
@@ -262,67 +264,111 @@ impl Diagnostic {
         let place = |file: &'a SourceFile| {
             let labels = self.labels.iter().enumerate();
             let here = labels.filter(|(_, (span, _))| source.file_at(span.start).base == file.base);
-            let here = here.map(|(index, (span, label))| (index == 0, file.clamp(*span), label));
+            let here = here.map(|(index, (span, label))| {
+                let kind = if index == 0 {
+                    AnnotationKind::Primary
+                } else {
+                    AnnotationKind::Context
+                };
+                (kind, file.clamp(*span), label)
+            });
             snippet(file, &here.collect::<Vec<_>>())
         };
         files.into_iter().map(place).collect()
     }
 }
 
-/// The lines of a file with labels, of which one may be the main one; where a line is very long, its place alone.
-fn snippet<'a>(file: &'a SourceFile, labels: &[(bool, Range<usize>, &'a String)]) -> Element<'a> {
+/// The lines of a file with labels; where one of them is very long, the place of the first label alone.
+fn snippet<'a>(
+    file: &'a SourceFile,
+    labels: &[(AnnotationKind, Range<usize>, &'a String)],
+) -> Element<'a> {
     let text = file.text();
-    let first = labels
-        .iter()
-        .map(|(_, place, _)| place.start)
-        .min()
-        .unwrap_or(0);
-    let last = labels
-        .iter()
-        .map(|(_, place, _)| place.end)
-        .max()
-        .unwrap_or(0);
-    // The end of the file is the end of its last line, though that ends in a line's end.
-    let before_first = &text[..first];
-    let is_end = first == text.len();
-    let before_first = before_first
-        .strip_suffix('\n')
-        .filter(|_| is_end)
-        .unwrap_or(before_first);
-    let start = before_first.rfind('\n').map_or(0, |at| at + 1);
-    let end = text[last..]
-        .find('\n')
-        .map_or(text.len(), |at| last + at + 1);
-    let lines = &text[start..end];
-    let before = 1 + text[..start].matches('\n').count();
-    if lines.split('\n').any(|line| line.len() > LONGEST_LINE) {
-        let main = labels
-            .iter()
-            .find(|(is_main, ..)| *is_main)
-            .or(labels.first());
-        let at = main.map_or(first, |(_, place, _)| place.start);
-        let line_start = text[..at].rfind('\n').map_or(0, |at| at + 1);
-        let line = before + text[start..line_start].matches('\n').count();
-        let column = 1 + text[line_start..at].chars().count();
-        return Origin::path(file.name())
-            .line(line)
-            .char_column(column)
-            .into();
+    let places = || labels.iter().map(|(_, place, _)| place);
+    let first = places().map(|place| place.start).min().unwrap_or(0);
+    let last = places().map(|place| place.end).max().unwrap_or(0);
+    let lines = lines(text, first, last);
+    let mut each = text[lines.clone()].split('\n');
+    if each.any(|line| line.len() > LONGEST_LINE) {
+        let main = places().next().map_or(0, |place| place.start);
+        return place_alone(file, main).into();
     }
-    let annotations = labels.iter().map(|(is_main, place, label)| {
-        let kind = if *is_main {
-            AnnotationKind::Primary
-        } else {
-            AnnotationKind::Context
-        };
-        let here = place.start - start..place.end - start;
+    let annotations = labels.iter().map(|(kind, place, label)| {
+        let here = place.start - lines.start..place.end - lines.start;
         kind.span(here).label(label.as_str())
     });
-    Snippet::source(lines)
-        .line_start(before)
+    Snippet::source(&text[lines.clone()])
+        .line_start(number(text, lines.start))
         .path(file.name())
         .annotations(annotations)
         .into()
+}
+
+/// The line and the column of a place.
+fn place_alone(file: &SourceFile, at: usize) -> Origin<'_> {
+    let text = file.text();
+    let start = lines(text, at, at).start;
+    Origin::path(file.name())
+        .line(number(text, start))
+        .char_column(1 + text[start..at].chars().count())
+}
+
+/// The lines from one place to another, with their ends. The end of the file is the end of its last line, though that ends
+/// in a line's end.
+fn lines(text: &str, first: usize, last: usize) -> Range<usize> {
+    let before = match text[..first].strip_suffix('\n') {
+        Some(before) if first == text.len() => before,
+        _ => &text[..first],
+    };
+    let start = before.rfind('\n').map_or(0, |at| at + 1);
+    let rest = text[last..].find('\n');
+    start..rest.map_or(text.len(), |at| last + at + 1)
+}
+
+/// The number of the line that starts here.
+fn number(text: &str, start: usize) -> usize {
+    1 + text[..start].matches('\n').count()
+}
+
+/// The faults of a file as they are found; of very many the first.
+#[derive(Debug, Default)]
+pub struct Faults {
+    told: Vec<Diagnostic>,
+    n_errors: usize,
+    n_others: usize,
+}
+
+impl Faults {
+    /// Adds one.
+    pub fn push(&mut self, fault: Diagnostic) {
+        let count = match fault.severity {
+            Severity::Error => &mut self.n_errors,
+            _ => &mut self.n_others,
+        };
+        *count += 1;
+        // An error among very many warnings is one of the first errors.
+        if *count <= TOLD {
+            self.told.push(fault);
+        }
+    }
+
+    /// How many there are, with those that are not told.
+    pub fn count(&self) -> usize {
+        self.n_errors + self.n_others
+    }
+
+    /// True where no more of this severity are told, and need not be looked for.
+    pub fn is_full(&self, severity: Severity) -> bool {
+        match severity {
+            Severity::Error => self.n_errors >= TOLD,
+            _ => self.n_others >= TOLD,
+        }
+    }
+
+    /// Those that are told, in the order in which they were found.
+    pub fn into_told(self) -> Vec<Diagnostic> {
+        self.told
+    }
 }
 
 /// The faults of one source, in the order in which they stand there.

@@ -21,11 +21,16 @@ pub fn text(path: &Path) -> io::Result<String> {
 /// # Errors
 /// As of [`text`].
 pub fn text_from(from: impl Read) -> io::Result<String> {
-    let bytes = at_most(from, limits::INPUT_BYTES)?;
-    String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        io::Error::other(format!("it is not text in UTF-8, from byte {place} on"))
-    })
+    utf8(at_most(from, limits::INPUT_BYTES)?)
+}
+
+/// The text of a generated file.
+///
+/// # Errors
+/// As of [`text`].
+#[cfg(feature = "object")]
+pub(crate) fn generated(path: &Path) -> io::Result<String> {
+    utf8(bytes(path)?)
 }
 
 /// The bytes of a generated file.
@@ -46,6 +51,13 @@ fn open(path: &Path) -> io::Result<File> {
         return Err(io::Error::other("it is no regular file"));
     }
     File::open(path)
+}
+
+fn utf8(bytes: Vec<u8>) -> io::Result<String> {
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        io::Error::other(format!("it is not text in UTF-8, from byte {place} on"))
+    })
 }
 
 fn at_most(from: impl Read, most: usize) -> io::Result<Vec<u8>> {

@@ -55,6 +55,7 @@ pub mod generate;
 pub mod input;
 pub mod origin;
 pub mod output;
+mod rust;
 // What is known of a system, and what changed in a module, for people to read.
 pub mod report;
 // What is promised of a module's machine code.

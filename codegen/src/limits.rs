@@ -10,8 +10,8 @@ pub const OUTPUT_BYTES: usize = 256 << 20;
 pub const BODIES: usize = 10_000;
 /// Characters of a name.
 pub const NAME_CHARACTERS: usize = 250;
-/// Unknown keys of one table, or elements and attributes of one XML element, that are told.
-pub const UNKNOWN: usize = 1_000;
+/// Errors of a file that are told, and as many warnings.
+pub const TOLD: usize = 1_000;
 /// Elements, comments and texts of an XML file.
 pub const XML_NODES: u32 = 1_000_000;
 /// Attributes of an XML element.

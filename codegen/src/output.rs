@@ -128,11 +128,15 @@ pub fn sweep<'a>(files: impl Iterator<Item = &'a Path>) {
     for entry in entries.flatten().filter_map(Result::ok) {
         let name = entry.file_name();
         let name = name.to_string_lossy();
-        if name.starts_with(PREFIX) && name.ends_with(SUFFIX) {
-            let file = File::open(entry.path());
-            if file.is_ok_and(|file| file.try_lock().is_ok()) {
-                drop(fs::remove_file(entry.path()));
-            }
+        if name.starts_with(PREFIX)
+            && name.ends_with(SUFFIX)
+            // A pipe could keep us waiting.
+            && entry.file_type().is_ok_and(|kind| kind.is_file())
+            && let Ok(file) = File::open(entry.path())
+            // Locked until it is removed, or who waits for the lock would find it still there.
+            && file.try_lock().is_ok()
+        {
+            drop(fs::remove_file(entry.path()));
         }
     }
 }

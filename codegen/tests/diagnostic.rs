@@ -71,6 +71,22 @@ fn place_after_a_files_end_is_not_in_the_next_file() {
 }
 
 #[test]
+fn end_of_a_file_is_that_of_its_last_line_however_long_it_is() {
+    for length in [3, 10_000] {
+        let text = format!("one\n{}\n", "x".repeat(length));
+        let end = Span::from(text.len()..text.len());
+        let fault = Diagnostic::error("something is missing").at(end, "here");
+        let rendered = fault.render(&Source::new("arm.toml", text));
+        let place = format!("--> arm.toml:2:{}", length + 2);
+        assert!(
+            rendered.lines().any(|line| line.trim() == place),
+            "{rendered}"
+        );
+        assert!(rendered.len() < 1_000);
+    }
+}
+
+#[test]
 fn faults_of_included_files_follow_those_of_the_file_itself() {
     let mut source = Source::new("arm.xml", "one two");
     source.append("hand.xml", "three");

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use kane_codegen::{
-    diagnostic::{Diagnostic, Diagnostics, Source, nearest},
+    diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
     functions::{Argument, Request},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
@@ -28,7 +28,7 @@ pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<S
     let mut reader = Reader {
         tree,
         state: nominal(tree),
-        faults: Vec::new(),
+        faults: Faults::default(),
     };
     match serde_json::from_str(source.text()) {
         Ok(Value::Object(file)) => reader.file(&file, function),
@@ -39,10 +39,10 @@ pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<S
         Err(error) => reader.faults.push(not_json(source, &error)),
     }
     reader.sines();
-    if reader.faults.is_empty() {
+    if reader.faults.count() == 0 {
         Ok(reader.state)
     } else {
-        Err(Diagnostics::new(source.clone(), reader.faults))
+        Err(Diagnostics::new(source.clone(), reader.faults.into_told()))
     }
 }
 
@@ -57,7 +57,7 @@ fn nominal(tree: &Tree) -> State {
 struct Reader<'a> {
     tree: &'a Tree,
     state: State,
-    faults: Vec<Diagnostic>,
+    faults: Faults,
 }
 
 impl Reader<'_> {
@@ -196,7 +196,7 @@ impl Reader<'_> {
             if let Some(place) = names.iter().position(|known| known == name) {
                 let input = Input::Parameter(ParameterId::new(place));
                 self.number(&format!("{PARAMETERS}.{name}"), value, input);
-            } else {
+            } else if !self.faults.is_full(Severity::Error) {
                 let name_shown = name.escape_debug();
                 let fault = format!("`{PARAMETERS}` names `{name_shown}`, which is no parameter");
                 let help = known_names(name, &names, "parameters");
@@ -247,6 +247,9 @@ impl Reader<'_> {
 
     fn unknown_keys(&mut self, what: &str, object: &Map<String, Value>, known: &[&str]) {
         for key in object.keys().filter(|key| !known.contains(&key.as_str())) {
+            if self.faults.is_full(Severity::Error) {
+                return;
+            }
             let fault = format!("{what} has the unknown key `{}`", key.escape_debug());
             self.faults
                 .push(Diagnostic::error(fault).help(known_names(key, known, "keys")));

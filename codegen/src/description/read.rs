@@ -6,8 +6,8 @@ use ::toml::Spanned as TomlSpanned;
 use ::toml::de::{DeTable, DeValue};
 
 use crate::description::too_many;
-use crate::diagnostic::{Diagnostic, Source, Span, Spanned, nearest};
-use crate::limits::UNKNOWN;
+use crate::diagnostic::{Diagnostic, Faults, Severity, Source, Span, Spanned, nearest};
+use crate::limits::TOLD;
 
 /// A TOML value with its place.
 pub(crate) type Item<'s> = TomlSpanned<DeValue<'s>>;
@@ -15,7 +15,7 @@ pub(crate) type Item<'s> = TomlSpanned<DeValue<'s>>;
 /// Reads values and keeps what is wrong with them.
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
-    pub(crate) faults: Vec<Diagnostic>,
+    pub(crate) faults: Faults,
 }
 
 /// A table, with the words for it in messages.
@@ -76,7 +76,7 @@ impl Reader {
         let recovered = errors.iter().all(is_repeated);
         let lines = filled_lines(source.text());
         let mut last_line = None;
-        for error in errors.iter().take(UNKNOWN) {
+        for error in errors.iter().take(TOLD) {
             let end = source.text().len();
             let span = Span::from(error.span().unwrap_or(end..end));
             if is_repeated(error) {
@@ -105,7 +105,7 @@ impl Reader {
 
     /// True while the file was readable as TOML, so that an absent key is truly absent.
     pub(crate) fn has_faults(&self) -> bool {
-        !self.faults.is_empty()
+        self.faults.count() > 0
     }
 
     /// The whole file, with the keys that it may have.
@@ -152,10 +152,10 @@ impl Reader {
 
     fn unknown_keys(&mut self, table: &mut Table<'_, '_>, known: &[&str]) {
         let entries = table.entries();
-        for (key, _) in entries
-            .filter(|(key, _)| !known.contains(&key.value))
-            .take(UNKNOWN)
-        {
+        for (key, _) in entries.filter(|(key, _)| !known.contains(&key.value)) {
+            if self.faults.is_full(Severity::Error) {
+                return;
+            }
             let of = if table.owner.is_empty() {
                 String::new()
             } else {

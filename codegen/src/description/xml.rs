@@ -10,8 +10,8 @@ use roxmltree::{Error, Node, ParsingOptions};
 
 use crate::description::markup;
 use crate::description::read::list;
-use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
-use crate::limits::{UNKNOWN, XML_NODES};
+use crate::diagnostic::{Diagnostic, Faults, Severity, Span, Spanned, nearest};
+use crate::limits::XML_NODES;
 
 /// Characters of a value shown in a message.
 const MOST_SHOWN: usize = 40;
@@ -47,9 +47,7 @@ pub(crate) struct Known<'k> {
 /// Reads values and keeps what is wrong with them.
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
-    pub(crate) faults: Vec<Diagnostic>,
-    /// How many unknown names were met: of very many the first are told.
-    n_unknown: usize,
+    pub(crate) faults: Faults,
 }
 
 /// The name of the root element, as far as it can be told without reading the file.
@@ -297,8 +295,7 @@ impl Reader {
     }
 
     fn unknown_name(&mut self, name: Spanned<&str>, owner: &str, what: &str, known: &[&str]) {
-        self.n_unknown += 1;
-        if self.n_unknown > UNKNOWN {
+        if self.faults.is_full(Severity::Warning) {
             return;
         }
         let message = format!("unknown {what} `{}` of {owner}", shown(name.value));

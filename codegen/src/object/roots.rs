@@ -4,6 +4,8 @@ use std::path::Path;
 
 use syn::{Attribute, Generics, Item, Visibility};
 
+use crate::rust;
+
 use super::Error;
 
 /// A function, to be compiled in one scalar.
@@ -62,11 +64,13 @@ impl Root {
 
 /// Every `pub fn` with `#[inline(never)]` of a module's text, in order.
 pub(super) fn of(path: &Path, text: &str) -> Result<Vec<Root>, Error> {
-    let file = syn::parse_file(text).map_err(|error| Error::Unreadable {
+    let roots = rust::read(text, |file| {
+        file.items.iter().flat_map(of_item).collect::<Vec<_>>()
+    });
+    let roots = roots.map_err(|error| Error::Unreadable {
         path: path.to_owned(),
         message: error.to_string(),
     })?;
-    let roots: Vec<Root> = file.items.iter().flat_map(of_item).collect();
     if roots.is_empty() {
         return Err(Error::NoFunctions {
             path: path.to_owned(),

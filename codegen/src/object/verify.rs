@@ -2,7 +2,6 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
-    fs,
     path::Path,
 };
 
@@ -10,6 +9,8 @@ use iced_x86::{
     Decoder, DecoderOptions, FlowControl, Formatter as _, Instruction, InstructionInfoFactory,
     IntelFormatter,
 };
+
+use crate::input;
 
 use super::{
     Breach, Error, Function, Report, Runtime, What,
@@ -32,7 +33,7 @@ const SINES: [&str; 3] = [
 /// # Errors
 /// Where the module cannot be read or compiled, or rustc's machine code cannot be read. A broken promise is none.
 pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
-    let text = fs::read_to_string(path).map_err(|source| Error::Io {
+    let text = input::generated(path).map_err(|source| Error::Io {
         path: path.to_owned(),
         source,
     })?;

@@ -7,8 +7,7 @@ use std::collections::BTreeMap;
 
 use syn::{Attribute, Expr, ExprLit, File, ImplItem, Item, Lit, Meta};
 
-use super::rust;
-use crate::program::Operations;
+use crate::{program::Operations, rust};
 
 /// What a function states about itself.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -9,7 +9,6 @@ mod differences;
 mod outline;
 mod partitions;
 mod picture;
-mod rust;
 
 pub use compare::{Change, Comparison, Counted, compare, counted, differs_in_layout_only};
 pub use counts::{Counts, count};

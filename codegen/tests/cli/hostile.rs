@@ -3,17 +3,24 @@
 use std::{fs::File, process::Command};
 
 use super::project::{Project, model, system};
+use super::shown::steers;
 
-/// The commands that read this model.
-fn readers(model: &str) -> [Vec<&str>; 6] {
+/// The commands that read this file, as a model or a module.
+fn readers(path: &str) -> [Vec<&str>; 7] {
     [
-        vec!["generate", model, "--output", "-"],
-        vec!["check", model, "--output", "x.rs"],
-        vec!["info", model],
-        vec!["convert", model],
-        vec!["eval", model, "--function", "bias", "--state", "state.json"],
-        vec!["diff", model, "models/arm.toml"],
+        vec!["generate", path, "--output", "-"],
+        vec!["check", path, "--output", "x.rs"],
+        vec!["info", path],
+        vec!["convert", path],
+        vec!["eval", path, "--function", "bias", "--state", "state.json"],
+        vec!["diff", path, "models/arm.toml"],
+        verify(path),
     ]
+}
+
+/// With a stand-in for the crate `kane`: what is refused needs none.
+fn verify(module: &str) -> Vec<&str> {
+    vec!["verify", module, "--object", "--kane", "kane"]
 }
 
 /// That this is refused, with these words for why.
@@ -21,23 +28,26 @@ fn assert_refused(project: &Project, arguments: &[&str], why: &str) {
     let ran = project.kane(arguments);
     let (code, err) = (ran.code, &ran.err);
     assert!(code == 2 && err.contains(why), "{arguments:?}: {ran:?}");
-    let unshown = err.chars().find(|c| c.is_control() && *c != '\n');
+    let unshown = err.chars().find(|c| steers(*c));
     assert_eq!(unshown, None, "{arguments:?}");
 }
 
 fn arm() -> Project {
     let project = Project::arm();
     project.write("state.json", r#"{"q": [0, 0, 0], "u": [0, 0, 0]}"#);
+    project.write("kane/src/lib.rs", "");
     project
+}
+
+fn pipe(project: &Project, path: &str) {
+    let made = Command::new("mkfifo").arg(project.path(path)).status();
+    assert!(made.unwrap().success());
 }
 
 #[test]
 fn what_is_no_file_is_refused() {
     let project = arm();
-    let pipe = Command::new("mkfifo")
-        .arg(project.path("pipe.toml"))
-        .status();
-    assert!(pipe.unwrap().success());
+    pipe(&project, "pipe.toml");
     for (path, why) in [
         ("models", "is a directory"),
         ("pipe.toml", "it is no regular file"),
@@ -59,6 +69,16 @@ fn what_is_no_file_is_refused() {
         let written = ["generate", "models/arm.toml", "--force", "--output", path];
         assert_refused(&project, &written, why);
     }
+}
+
+#[test]
+fn what_only_looks_like_the_rest_of_a_killed_run_stays() {
+    let project = Project::generated();
+    let names = ["pipe", "folder"].map(|name| format!("generated/.kane-generate-{name}.tmp"));
+    pipe(&project, &names[0]);
+    std::fs::create_dir(project.path(&names[1])).unwrap();
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    assert!(names.iter().all(|name| project.path(name).exists()));
 }
 
 #[test]
@@ -88,8 +108,9 @@ fn file_of_a_hundred_megabytes_is_not_read() {
     for name in ["large.toml", "large.urdf", "large.xml"] {
         let file = File::create(project.path(name)).unwrap();
         file.set_len(100 << 20).unwrap();
-        for arguments in readers(name) {
-            assert_refused(&project, &arguments, "it has more than 16777216 bytes");
+        // A module may be longer than a model.
+        for arguments in &readers(name)[..6] {
+            assert_refused(&project, arguments, "it has more than 16777216 bytes");
         }
     }
     for arguments in [
@@ -111,6 +132,32 @@ fn file_of_a_hundred_megabytes_is_not_read() {
         &["info", "main.xml"],
         "it has more than 16777216 bytes",
     );
+}
+
+#[test]
+fn module_of_more_than_256_megabytes_is_not_read() {
+    let project = arm();
+    let file = File::create(project.path("large.rs")).unwrap();
+    file.set_len((256 << 20) + 1).unwrap();
+    let why = "it has more than 268435456 bytes";
+    assert_refused(&project, &verify("large.rs"), why);
+}
+
+#[test]
+fn of_very_many_faults_of_a_state_the_first_are_told() {
+    let project = arm();
+    let runtime = model("arm", "{ runtime = 2.0 }");
+    project.write("models/arm.toml", &runtime);
+    let unknown: Vec<String> = (0..200_000).map(|n| format!("\"p{n}\": 1")).collect();
+    let unknown = unknown.join(", ");
+    let evaluated = readers("models/arm.toml")[4].clone();
+    for state in [
+        format!("{{{unknown}}}"),
+        format!("{{\"parameters\": {{{unknown}}}}}"),
+    ] {
+        project.write("state.json", &state);
+        assert_refused(&project, &evaluated, " 900 more faults are not shown");
+    }
 }
 
 #[test]
@@ -172,7 +219,8 @@ fn what_would_steer_a_terminal_is_not_printed() {
 
 #[test]
 fn module_that_is_nested_too_deep_is_refused() {
-    let project = Project::generated();
+    let project = arm();
+    assert_eq!(project.kane(&["generate"]).code, 0);
     let module = project.read("generated/arm.rs");
     let deep = format!("{module}const A: f64 = {}1.0;\n", "-".repeat(200_000));
     project.write("deep.rs", &deep);
@@ -181,6 +229,7 @@ fn module_that_is_nested_too_deep_is_refused() {
         &["diff", "generated/arm.rs", "deep.rs"],
         "nested too deep",
     );
+    assert_refused(&project, &verify("deep.rs"), "nested too deep");
     project.write("generated/arm.rs", &deep);
     assert_eq!(project.kane(&["check"]).code, 1);
 }

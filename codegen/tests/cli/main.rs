@@ -21,4 +21,7 @@ mod interface;
 #[cfg(unix)]
 mod kills;
 mod project;
+#[cfg(unix)]
+#[path = "../support/shown.rs"]
+mod shown;
 mod verify;

@@ -8,6 +8,8 @@
     reason = "what asserts stops where something does not hold"
 )]
 
+mod shown;
+
 use std::io;
 
 use kane_codegen::compile::Options;
@@ -17,6 +19,7 @@ use kane_codegen::error::Error;
 use kane_codegen::functions::Request;
 use kane_codegen::generate::{Generated, generate};
 use kane_codegen::tree::{self, Changes, canonical};
+use shown::steers;
 
 /// Stands between the files of one text: the model, then those that it may include, as `1.xml`, `2.xml` and so on.
 pub(crate) const BETWEEN_FILES: char = '\0';
@@ -81,8 +84,7 @@ fn can_be_shown(findings: &Diagnostics) {
     places_lie_in_the_files(findings.source(), findings.list());
     let text = findings.to_string();
     assert!(findings.is_empty() || !text.is_empty());
-    let unshown = text.chars().find(|c| c.is_control() && *c != '\n');
-    assert_eq!(unshown, None, "{text:?}");
+    assert_eq!(text.chars().find(|c| steers(*c)), None, "{text:?}");
 }
 
 fn is_the_same_written(description: &Description, tree: &str) {
@@ -99,7 +101,10 @@ pub(crate) fn generating(files: &Files<'_>, options: &Options) {
     match generate(&files.model, "model", options, &include) {
         Ok(generated) => is_code(&generated, options),
         Err(Error::Invalid(faults)) => can_be_shown(&faults),
-        Err(error) => assert!(!error.to_string().chars().any(char::is_control)),
+        Err(error) => {
+            let text = error.to_string();
+            assert!(!text.contains(|c| c == '\n' || steers(c)), "{text:?}");
+        }
     }
 }
 
@@ -130,10 +135,7 @@ fn is_code(generated: &Generated, options: &Options) {
     for companion in &generated.companions {
         match companion.ending {
             ".json" => drop(serde_json::from_str::<serde_json::Value>(&companion.text).unwrap()),
-            ".h" => {
-                let is_strange = |character: char| character.is_control() && character != '\n';
-                assert!(!companion.text.contains(is_strange));
-            }
+            ".h" => assert!(!companion.text.contains(steers)),
             _ => drop(syn::parse_file(&companion.text).unwrap()),
         }
     }

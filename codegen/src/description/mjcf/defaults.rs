@@ -10,8 +10,10 @@ use crate::description::mjcf::include::Files;
 use crate::description::mjcf::known;
 use crate::description::too_many;
 use crate::description::xml::{Element, Known, Reader, shown};
-use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
-use crate::limits::UNKNOWN;
+use crate::diagnostic::{Diagnostic, Severity, Span, Spanned, nearest};
+
+/// As many names are too many to look for the one that was meant.
+const MANY: usize = 1_000;
 
 /// Kinds of elements whose defaults matter to the dynamics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -164,7 +166,7 @@ impl<'d> Defaults<'d> {
             let message = format!("there is no default class `{}`", shown(name.value));
             let mut fault = Diagnostic::error(message).at(name.span, "unknown class");
             // Looking through very many names very often would take too long.
-            if reader.faults.len() < UNKNOWN && self.names.len() < UNKNOWN {
+            if self.names.len() < MANY && !reader.faults.is_full(Severity::Error) {
                 let names: Vec<&str> = self.names.keys().copied().collect();
                 if let Some(near) = nearest(name.value, &names) {
                     fault = fault.help(format!("did you mean `{near}`?"));

@@ -60,7 +60,7 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
     if let Some(root) = files.root() {
         read(&mut reader, &files, root, reading, &mut description);
     }
-    description.faults = once(reader.faults);
+    description.faults = once(reader.faults.into_told());
     description
 }
 

@@ -83,7 +83,7 @@ fn kind(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<JointKind> {
         return named_kind(reader, item, text, what);
     }
     let entries = reader.list(item, what, "coordinates, or a name such as \"free\"")?;
-    let before = reader.faults.len();
+    let before = reader.faults.count();
     let mut axes: Vec<Spanned<Axis>> = Vec::new();
     for (index, entry) in entries.iter().enumerate() {
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
@@ -104,7 +104,7 @@ fn kind(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<JointKind> {
         }
     }
     // With an entry lost, what moves and what does not is unknown, and judging it would mislead.
-    (reader.faults.len() == before).then(|| Spanned::new(JointKind::List(axes), span(item)))
+    (reader.faults.count() == before).then(|| Spanned::new(JointKind::List(axes), span(item)))
 }
 
 fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> Given<JointKind> {

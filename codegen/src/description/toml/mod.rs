@@ -32,7 +32,7 @@ pub fn parse(source: &Source) -> Description {
     if !(document.is_empty() && reader.has_faults()) {
         read(&mut reader, &document, &mut description);
     }
-    description.faults = reader.faults;
+    description.faults = reader.faults.into_told();
     description
 }
 

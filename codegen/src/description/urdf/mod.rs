@@ -50,7 +50,7 @@ pub fn parse(source: &Source, reading: &Reading) -> Description {
         Ok(document) => read(&mut reader, document.root(), reading, &mut description),
         Err(fault) => reader.faults.push(fault),
     }
-    description.faults = reader.faults;
+    description.faults = reader.faults.into_told();
     description
 }
 

@@ -2,7 +2,7 @@
 
 use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta, ext::IdentExt};
 
-use crate::report::rust;
+use crate::rust;
 
 use super::{Body, INERTIAL, LOWER, Layout, Outline, Values};
 
