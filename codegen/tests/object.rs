@@ -366,6 +366,15 @@ fn the_clock_and_the_rounding_are_found() {
         "rdtsc",
         "ldmxcsr dword ptr [rsp - 8]",
         "fxsave64 [rdi]",
+        "stmxcsr dword ptr [rsp - 8]",
+        "fnstcw word ptr [rsp - 8]",
+        "rdpid rax",
+        "mfence",
+        "std",
+        "prefetcht0 byte ptr [rdi]",
+        "mov eax, ds",
+        "bt qword ptr [rdi], rcx",
+        "ret 8",
         "rep stosb",
     ] {
         assert_breaks(

@@ -1,7 +1,8 @@
 //! What one instruction does, and what of that is promised not to be.
 
 use iced_x86::{
-    ConstantOffsets, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind, Register, UsedMemory,
+    ConstantOffsets, CpuidFeature, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind,
+    Register, UsedMemory,
 };
 
 use super::{
@@ -9,6 +10,67 @@ use super::{
     file::{Files, Place, Reference, Target},
     state::{State, Value, WORD},
 };
+
+/// Where arithmetic and moves are, of numbers and of vectors of them; all else is strange.
+const FEATURES: [CpuidFeature; 24] = [
+    CpuidFeature::INTEL8086,
+    CpuidFeature::INTEL186,
+    CpuidFeature::INTEL386,
+    CpuidFeature::INTEL486,
+    CpuidFeature::X64,
+    CpuidFeature::CMOV,
+    CpuidFeature::MULTIBYTENOP,
+    CpuidFeature::SSE,
+    CpuidFeature::SSE2,
+    CpuidFeature::SSE3,
+    CpuidFeature::SSSE3,
+    CpuidFeature::SSE4_1,
+    CpuidFeature::SSE4_2,
+    CpuidFeature::AVX,
+    CpuidFeature::AVX2,
+    CpuidFeature::FMA,
+    CpuidFeature::BMI1,
+    CpuidFeature::BMI2,
+    CpuidFeature::LZCNT,
+    CpuidFeature::POPCNT,
+    CpuidFeature::AVX512F,
+    CpuidFeature::AVX512VL,
+    CpuidFeature::AVX512DQ,
+    CpuidFeature::AVX512BW,
+];
+
+/// What is neither, there too: the state of the processor, the order of accesses to memory, and what is read ahead.
+const STRANGE: [Mnemonic; 29] = [
+    Mnemonic::Cld,
+    Mnemonic::Lar,
+    Mnemonic::Ldmxcsr,
+    Mnemonic::Lfence,
+    Mnemonic::Lfs,
+    Mnemonic::Lgs,
+    Mnemonic::Lsl,
+    Mnemonic::Lss,
+    Mnemonic::Mfence,
+    Mnemonic::Popf,
+    Mnemonic::Popfq,
+    Mnemonic::Prefetchnta,
+    Mnemonic::Prefetcht0,
+    Mnemonic::Prefetcht1,
+    Mnemonic::Prefetcht2,
+    Mnemonic::Pushf,
+    Mnemonic::Pushfq,
+    Mnemonic::Sfence,
+    Mnemonic::Sgdt,
+    Mnemonic::Sidt,
+    Mnemonic::Sldt,
+    Mnemonic::Smsw,
+    Mnemonic::Std,
+    Mnemonic::Stmxcsr,
+    Mnemonic::Str,
+    Mnemonic::Vldmxcsr,
+    Mnemonic::Vstmxcsr,
+    Mnemonic::Wait,
+    Mnemonic::Xlatb,
+];
 
 /// An instruction at its place.
 pub(super) struct At<'a, 'data> {
@@ -56,18 +118,25 @@ impl At<'_, '_> {
             || instruction.is_string_instruction()
             || instruction.has_lock_prefix()
             || instruction.is_save_restore_instruction()
-            || matches!(
-                instruction.mnemonic(),
-                Mnemonic::Cpuid
-                    | Mnemonic::Fldcw
-                    | Mnemonic::Ldmxcsr
-                    | Mnemonic::Rdrand
-                    | Mnemonic::Rdseed
-                    | Mnemonic::Rdtsc
-                    | Mnemonic::Rdtscp
-                    | Mnemonic::Vldmxcsr
-                    | Mnemonic::Xgetbv
-            )
+            || STRANGE.contains(&instruction.mnemonic())
+            || !instruction
+                .cpuid_features()
+                .iter()
+                .all(|feature| FEATURES.contains(feature))
+            || (0..instruction.op_count()).any(|number| {
+                instruction.op_kind(number) == OpKind::Register
+                    && instruction.op_register(number).is_segment_register()
+            })
+            || self.reaches_a_bit()
+    }
+
+    /// A bit in memory that a register counts, which may be far from the operand.
+    fn reaches_a_bit(&self) -> bool {
+        let instruction = self.instruction;
+        let bits = [Mnemonic::Bt, Mnemonic::Btc, Mnemonic::Btr, Mnemonic::Bts];
+        bits.contains(&instruction.mnemonic())
+            && instruction.op0_kind() == OpKind::Memory
+            && instruction.op1_kind() == OpKind::Register
     }
 
     /// Holds the memory that it uses to what is promised.

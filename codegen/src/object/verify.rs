@@ -186,7 +186,7 @@ impl Walk<'_, '_, '_> {
             FlowControl::UnconditionalBranch
             | FlowControl::IndirectBranch
             | FlowControl::ConditionalBranch => self.jump(at),
-            FlowControl::Return => self.end(),
+            FlowControl::Return if at.instruction.code() == iced_x86::Code::Retnq => self.end(),
             _ => vec![What::Strange],
         }
     }
