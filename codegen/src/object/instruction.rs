@@ -1,7 +1,7 @@
 //! What one instruction does, and what of that is promised not to be.
 
 use iced_x86::{
-    ConstantOffsets, CpuidFeature, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind,
+    Code, ConstantOffsets, CpuidFeature, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind,
     Register, UsedMemory,
 };
 
@@ -163,20 +163,21 @@ impl At<'_, '_> {
     pub(super) fn update(&self, info: &InstructionInfo, state: &mut State) {
         let instruction = self.instruction;
         match instruction.mnemonic() {
-            Mnemonic::Push => {
+            // What pushes or pops fewer bytes leaves the stack pointer unknown, below.
+            Mnemonic::Push if instruction.stack_pointer_increment() == -8 => {
                 let value = self.operand(0, state);
                 move_stack_pointer(state, -WORD);
                 if let Some(pointer) = state.stack_pointer() {
                     state.store(pointer, value);
                 }
             }
-            Mnemonic::Pop => {
+            Mnemonic::Pop if instruction.stack_pointer_increment() == 8 => {
                 let pointer = state.stack_pointer();
                 let value = pointer.map_or(Value::Unknown, |pointer| state.load(pointer));
                 move_stack_pointer(state, WORD);
                 state.set(instruction.op0_register(), value);
             }
-            Mnemonic::Leave => {
+            Mnemonic::Leave if instruction.code() == Code::Leaveq => {
                 let frame = state.register(Register::RBP);
                 let value = match frame {
                     Value::Stack(offset) => state.load(offset),
@@ -208,12 +209,10 @@ impl At<'_, '_> {
                 self.assign(value, state);
             }
             Mnemonic::And if instruction.op0_register() == Register::RSP => {
-                let alignment = match self.operand(1, state) {
-                    Value::Number(mask) => mask.wrapping_neg(),
-                    _ => i64::MAX,
-                };
-                // At most so far: a return address is aligned to a word.
-                move_stack_pointer(state, WORD.wrapping_sub(alignment));
+                match self.operand(1, state) {
+                    Value::Number(mask) => state.align(mask),
+                    _ => state.set(Register::RSP, Value::Unknown),
+                }
             }
             _ => {
                 for register in info.used_registers() {
@@ -353,10 +352,15 @@ fn move_stack_pointer(state: &mut State, distance: i64) {
 }
 
 /// What is broken where so many bytes at an address are read or written.
-fn check_address(address: Value, size: i64, writes: bool, state: &mut State) -> Option<What> {
+pub(super) fn check_address(
+    address: Value,
+    size: i64,
+    writes: bool,
+    state: &mut State,
+) -> Option<What> {
     match address {
-        Value::Argument(number) => {
-            state.arguments.insert(number);
+        Value::Argument(number, distance) => {
+            state.uses(number, distance..distance.saturating_add(size), writes);
             None
         }
         Value::Stack(offset) if state.is_own(offset, size, writes) => {
