@@ -356,8 +356,66 @@ fn what_is_far_below_the_stack_is_found() {
 }
 
 #[test]
+fn a_stack_that_is_moved_by_a_value_is_found() {
+    for mask in ["rcx", "0xff", "-24"] {
+        let fault = format!(
+            "unsafe {{ core::arch::asm!(\"mov rax, rsp\", \"and rsp, {mask}\", \
+             \"mov qword ptr [rsp], 0\", \"mov rsp, rax\") }};"
+        );
+        assert_eq!(broken(&fault), [of_mass_matrix(What::Computed)], "{mask}");
+    }
+}
+
+/// What does this to an aligned stack, of which `rax` keeps where it was.
+fn on_an_aligned_stack(instruction: &str) -> String {
+    format!(
+        "unsafe {{ core::arch::asm!(\"mov rax, rsp\", \"and rsp, -64\", \"sub rsp, 64\", \
+         \"mov qword ptr [rsp + 56], 0\", \"{instruction}\", \"mov rsp, rax\") }};"
+    )
+}
+
+#[test]
+fn what_an_aligned_stack_may_share_with_the_caller_is_found() {
+    for address in ["rsp + 64", "rsp + 96", "rax - 16"] {
+        let fault = on_an_aligned_stack(&format!("mov qword ptr [{address}], 0"));
+        let expected = [of_mass_matrix(What::Stack)];
+        assert_eq!(broken(&fault), expected, "{address}");
+    }
+}
+
+/// Calls the sines of what `q` refers to, keeps `q` on the stack at an address meanwhile, and reads what is there; 64
+/// bytes of sines and cosines are written. The function has 256 bytes of the stack, or a few more.
+fn kept_across_sines(kept: &str, written: &str) -> String {
+    format!(
+        "unsafe {{ core::arch::asm!(\"mov rsi, {{q}}\", \"sub rsp, 256\", \"mov [{kept}], rsi\", \
+         \"lea rdi, [{written}]\", \"call {{sines}}\", \"mov rax, [{kept}]\", \"mov rax, [rax]\", \
+         \"add rsp, 256\", q = in(reg) q, sines = sym <f64 as kane::Real>::sin_cos_array::<4>, \
+         clobber_abi(\"C\")) }};"
+    )
+}
+
+#[test]
+fn an_address_that_a_callee_has_overwritten_is_found() {
+    for kept in ["rsp + 32", "rsp + 64", "rsp + 88", "rsp - 64"] {
+        let fault = kept_across_sines(kept, "rsp + 32");
+        assert_eq!(broken(&fault), [of_mass_matrix(What::Computed)], "{kept}");
+    }
+}
+
+#[test]
+fn memory_that_a_callee_may_not_be_given_is_found() {
+    for written in ["rsp - 64", "rsp + 512"] {
+        let fault = kept_across_sines("rsp + 16", written);
+        assert_eq!(broken(&fault), [of_mass_matrix(What::Stack)], "{written}");
+    }
+}
+
+#[test]
 fn a_stack_that_is_not_as_it_was_is_found() {
-    assert_breaks("unsafe { core::arch::asm!(\"push rax\") };", What::End);
+    for instructions in ["\"push rax\"", "\"push ax\", \"add rsp, 8\""] {
+        let fault = format!("unsafe {{ core::arch::asm!({instructions}) }};");
+        assert_breaks(&fault, What::End);
+    }
 }
 
 #[test]
@@ -366,6 +424,15 @@ fn the_clock_and_the_rounding_are_found() {
         "rdtsc",
         "ldmxcsr dword ptr [rsp - 8]",
         "fxsave64 [rdi]",
+        "stmxcsr dword ptr [rsp - 8]",
+        "fnstcw word ptr [rsp - 8]",
+        "rdpid rax",
+        "mfence",
+        "std",
+        "prefetcht0 byte ptr [rdi]",
+        "mov eax, ds",
+        "bt qword ptr [rdi], rcx",
+        "ret 8",
         "rep stosb",
     ] {
         assert_breaks(

@@ -1,7 +1,5 @@
 //! The tests beside a module: calls of `kane::self_test`, with their states and values.
 
-use std::iter;
-
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Item, parse_quote};
@@ -154,16 +152,19 @@ fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
                 quote!([#inner; #length])
             })
     });
-    let found = sampled.lengths.iter().zip(&places).map(|(lengths, place)| {
-        if lengths.is_empty() {
-            return quote!(&[outputs.#place]);
-        }
-        let flattened = iter::repeat_n(quote!(.as_flattened()), lengths.len() - 1);
-        match lengths.len() {
-            1 => quote!(&outputs.#place),
-            _ => quote!(outputs.#place #(#flattened)*),
-        }
-    });
+    let found =
+        sampled
+            .lengths
+            .iter()
+            .zip(&places)
+            .map(|(lengths, place)| match lengths.as_slice() {
+                [] => quote!(&[outputs.#place]),
+                [_] => quote!(&outputs.#place),
+                [_, inner @ ..] => {
+                    let flattened = inner.iter().map(|_| quote!(.as_flattened()));
+                    quote!(outputs.#place #(#flattened)*)
+                }
+            });
     let entries = sampled
         .entries
         .iter()

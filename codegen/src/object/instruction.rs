@@ -1,7 +1,8 @@
 //! What one instruction does, and what of that is promised not to be.
 
 use iced_x86::{
-    ConstantOffsets, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind, Register, UsedMemory,
+    Code, ConstantOffsets, CpuidFeature, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind,
+    Register, UsedMemory,
 };
 
 use super::{
@@ -9,6 +10,67 @@ use super::{
     file::{Files, Place, Reference, Target},
     state::{State, Value, WORD},
 };
+
+/// Where arithmetic and moves are, of numbers and of vectors of them; all else is strange.
+const FEATURES: [CpuidFeature; 24] = [
+    CpuidFeature::INTEL8086,
+    CpuidFeature::INTEL186,
+    CpuidFeature::INTEL386,
+    CpuidFeature::INTEL486,
+    CpuidFeature::X64,
+    CpuidFeature::CMOV,
+    CpuidFeature::MULTIBYTENOP,
+    CpuidFeature::SSE,
+    CpuidFeature::SSE2,
+    CpuidFeature::SSE3,
+    CpuidFeature::SSSE3,
+    CpuidFeature::SSE4_1,
+    CpuidFeature::SSE4_2,
+    CpuidFeature::AVX,
+    CpuidFeature::AVX2,
+    CpuidFeature::FMA,
+    CpuidFeature::BMI1,
+    CpuidFeature::BMI2,
+    CpuidFeature::LZCNT,
+    CpuidFeature::POPCNT,
+    CpuidFeature::AVX512F,
+    CpuidFeature::AVX512VL,
+    CpuidFeature::AVX512DQ,
+    CpuidFeature::AVX512BW,
+];
+
+/// What is neither, there too: the state of the processor, the order of accesses to memory, and what is read ahead.
+const STRANGE: [Mnemonic; 29] = [
+    Mnemonic::Cld,
+    Mnemonic::Lar,
+    Mnemonic::Ldmxcsr,
+    Mnemonic::Lfence,
+    Mnemonic::Lfs,
+    Mnemonic::Lgs,
+    Mnemonic::Lsl,
+    Mnemonic::Lss,
+    Mnemonic::Mfence,
+    Mnemonic::Popf,
+    Mnemonic::Popfq,
+    Mnemonic::Prefetchnta,
+    Mnemonic::Prefetcht0,
+    Mnemonic::Prefetcht1,
+    Mnemonic::Prefetcht2,
+    Mnemonic::Pushf,
+    Mnemonic::Pushfq,
+    Mnemonic::Sfence,
+    Mnemonic::Sgdt,
+    Mnemonic::Sidt,
+    Mnemonic::Sldt,
+    Mnemonic::Smsw,
+    Mnemonic::Std,
+    Mnemonic::Stmxcsr,
+    Mnemonic::Str,
+    Mnemonic::Vldmxcsr,
+    Mnemonic::Vstmxcsr,
+    Mnemonic::Wait,
+    Mnemonic::Xlatb,
+];
 
 /// An instruction at its place.
 pub(super) struct At<'a, 'data> {
@@ -56,18 +118,25 @@ impl At<'_, '_> {
             || instruction.is_string_instruction()
             || instruction.has_lock_prefix()
             || instruction.is_save_restore_instruction()
-            || matches!(
-                instruction.mnemonic(),
-                Mnemonic::Cpuid
-                    | Mnemonic::Fldcw
-                    | Mnemonic::Ldmxcsr
-                    | Mnemonic::Rdrand
-                    | Mnemonic::Rdseed
-                    | Mnemonic::Rdtsc
-                    | Mnemonic::Rdtscp
-                    | Mnemonic::Vldmxcsr
-                    | Mnemonic::Xgetbv
-            )
+            || STRANGE.contains(&instruction.mnemonic())
+            || !instruction
+                .cpuid_features()
+                .iter()
+                .all(|feature| FEATURES.contains(feature))
+            || (0..instruction.op_count()).any(|number| {
+                instruction.op_kind(number) == OpKind::Register
+                    && instruction.op_register(number).is_segment_register()
+            })
+            || self.reaches_a_bit()
+    }
+
+    /// A bit in memory that a register counts, which may be far from the operand.
+    fn reaches_a_bit(&self) -> bool {
+        let instruction = self.instruction;
+        let bits = [Mnemonic::Bt, Mnemonic::Btc, Mnemonic::Btr, Mnemonic::Bts];
+        bits.contains(&instruction.mnemonic())
+            && instruction.op0_kind() == OpKind::Memory
+            && instruction.op1_kind() == OpKind::Register
     }
 
     /// Holds the memory that it uses to what is promised.
@@ -94,20 +163,21 @@ impl At<'_, '_> {
     pub(super) fn update(&self, info: &InstructionInfo, state: &mut State) {
         let instruction = self.instruction;
         match instruction.mnemonic() {
-            Mnemonic::Push => {
+            // What pushes or pops fewer bytes leaves the stack pointer unknown, below.
+            Mnemonic::Push if instruction.stack_pointer_increment() == -8 => {
                 let value = self.operand(0, state);
                 move_stack_pointer(state, -WORD);
                 if let Some(pointer) = state.stack_pointer() {
                     state.store(pointer, value);
                 }
             }
-            Mnemonic::Pop => {
+            Mnemonic::Pop if instruction.stack_pointer_increment() == 8 => {
                 let pointer = state.stack_pointer();
                 let value = pointer.map_or(Value::Unknown, |pointer| state.load(pointer));
                 move_stack_pointer(state, WORD);
                 state.set(instruction.op0_register(), value);
             }
-            Mnemonic::Leave => {
+            Mnemonic::Leave if instruction.code() == Code::Leaveq => {
                 let frame = state.register(Register::RBP);
                 let value = match frame {
                     Value::Stack(offset) => state.load(offset),
@@ -139,12 +209,10 @@ impl At<'_, '_> {
                 self.assign(value, state);
             }
             Mnemonic::And if instruction.op0_register() == Register::RSP => {
-                let alignment = match self.operand(1, state) {
-                    Value::Number(mask) => mask.wrapping_neg(),
-                    _ => i64::MAX,
-                };
-                // At most so far: a return address is aligned to a word.
-                move_stack_pointer(state, WORD.wrapping_sub(alignment));
+                match self.operand(1, state) {
+                    Value::Number(mask) => state.align(mask),
+                    _ => state.set(Register::RSP, Value::Unknown),
+                }
             }
             _ => {
                 for register in info.used_registers() {
@@ -284,10 +352,15 @@ fn move_stack_pointer(state: &mut State, distance: i64) {
 }
 
 /// What is broken where so many bytes at an address are read or written.
-fn check_address(address: Value, size: i64, writes: bool, state: &mut State) -> Option<What> {
+pub(super) fn check_address(
+    address: Value,
+    size: i64,
+    writes: bool,
+    state: &mut State,
+) -> Option<What> {
     match address {
-        Value::Argument(number) => {
-            state.arguments.insert(number);
+        Value::Argument(number, distance) => {
+            state.uses(number, distance..distance.saturating_add(size), writes);
             None
         }
         Value::Stack(offset) if state.is_own(offset, size, writes) => {

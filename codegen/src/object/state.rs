@@ -1,6 +1,6 @@
 //! What the registers and the stack hold, as far as addresses are concerned.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::{collections::BTreeMap, ops::Range};
 
 use iced_x86::Register;
 
@@ -9,8 +9,8 @@ use super::file::Target;
 /// What a register or a place of the stack holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Value {
-    /// An address in what the argument of this number refers to.
-    Argument(usize),
+    /// An address in what the argument of this number refers to: so far from what it was given.
+    Argument(usize, i64),
     /// An address in the stack: so far from that of the return address.
     Stack(i64),
     /// An address in what is compiled, or of it.
@@ -50,6 +50,18 @@ const RED_ZONE: i64 = 128;
 const MOST_ARGUMENTS: i64 = 128;
 /// Bytes of a return address, and of a register.
 pub(super) const WORD: i64 = 8;
+/// The largest alignment of a stack: a page.
+const MOST_ALIGNMENT: i64 = 4096;
+/// What an alignment is taken to move the stack pointer by: no displacement reaches so far.
+const GAP: i64 = 1 << 40;
+
+/// What is used of the memory to which an argument refers.
+#[derive(Clone, Debug)]
+pub(super) struct Used {
+    /// From the first byte to the last, by their distance from what was given.
+    pub(super) bytes: Range<i64>,
+    pub(super) writes: bool,
+}
 
 /// What is known between two instructions.
 #[derive(Debug)]
@@ -59,8 +71,12 @@ pub(super) struct State {
     stack: BTreeMap<i64, Value>,
     /// The lowest address of the stack that was used.
     pub(super) lowest: i64,
-    /// The numbers of the arguments through which memory was used.
-    pub(super) arguments: BTreeSet<usize>,
+    /// Between what was on the stack before it was aligned, and what came after.
+    gap: Range<i64>,
+    /// The most bytes by which that has moved the stack pointer.
+    aligned: i64,
+    /// What was used through arguments, by their numbers.
+    pub(super) arguments: BTreeMap<usize, Used>,
 }
 
 impl State {
@@ -68,14 +84,16 @@ impl State {
     pub(super) fn new() -> Self {
         let arguments = ARGUMENTS.into_iter().enumerate();
         let mut registers: BTreeMap<_, _> = arguments
-            .map(|(number, register)| (register, Value::Argument(number)))
+            .map(|(number, register)| (register, Value::Argument(number, 0)))
             .collect();
         registers.insert(Register::RSP, Value::Stack(0));
         Self {
             registers,
             stack: BTreeMap::new(),
             lowest: 0,
-            arguments: BTreeSet::new(),
+            gap: 0..0,
+            aligned: 0,
+            arguments: BTreeMap::new(),
         }
     }
 
@@ -116,24 +134,66 @@ impl State {
 
     /// True for bytes of the stack that the function may read, or write.
     pub(super) fn is_own(&self, offset: i64, size: i64, writes: bool) -> bool {
-        let lowest = self.stack_pointer().map(|pointer| pointer - RED_ZONE);
-        let is_argument = !writes && offset >= WORD && offset + size <= WORD + MOST_ARGUMENTS;
-        lowest.is_some_and(|lowest| offset >= lowest) && (offset + size <= 0 || is_argument)
+        let lowest = self.stack_pointer();
+        let lowest = lowest.map(|pointer| pointer.saturating_sub(RED_ZONE));
+        let end = offset.saturating_add(size);
+        let is_argument = !writes && offset >= WORD && end <= WORD + MOST_ARGUMENTS;
+        lowest.is_some_and(|lowest| offset >= lowest)
+            && (end <= self.gap.start || offset >= self.gap.end)
+            && (end <= 0 || is_argument)
+    }
+
+    /// Aligns the stack pointer. How far that moves it depends on the caller, so what is above is no longer a known
+    /// distance away.
+    pub(super) fn align(&mut self, mask: i64) {
+        let alignment = mask.wrapping_neg();
+        let is_mask = (WORD..=MOST_ALIGNMENT).contains(&alignment) && alignment.count_ones() == 1;
+        let pointer = match self.stack_pointer() {
+            Some(pointer) if is_mask && pointer % WORD == 0 && self.gap.is_empty() => {
+                self.gap = pointer.saturating_sub(GAP)..pointer;
+                // A return address is aligned to a word.
+                self.aligned = alignment - WORD;
+                Value::Stack(self.gap.start)
+            }
+            _ => Value::Unknown,
+        };
+        self.set(Register::RSP, pointer);
+    }
+
+    /// The most bytes of stack that were used below the return address.
+    pub(super) fn bytes(&self) -> u64 {
+        let lowest = if self.lowest < self.gap.start {
+            self.lowest + (self.gap.end - self.gap.start) - self.aligned
+        } else {
+            self.lowest
+        };
+        lowest.unsigned_abs()
+    }
+
+    /// Uses memory to which an argument refers.
+    pub(super) fn uses(&mut self, number: usize, bytes: Range<i64>, writes: bool) {
+        let used = self.arguments.entry(number).or_insert(Used {
+            bytes: bytes.clone(),
+            writes,
+        });
+        used.bytes = used.bytes.start.min(bytes.start)..used.bytes.end.max(bytes.end);
+        used.writes |= writes;
     }
 
     /// What eight bytes of the stack hold.
     pub(super) fn load(&self, offset: i64) -> Value {
-        if offset >= WORD {
+        if offset >= WORD && offset % WORD == 0 {
             let number = usize::try_from(offset / WORD - 1).expect("it is above");
-            return Value::Argument(ARGUMENTS.len() + number);
+            return Value::Argument(ARGUMENTS.len() + number, 0);
         }
         self.stack.get(&offset).cloned().unwrap_or(Value::Unknown)
     }
 
     /// Forgets what bytes of the stack held.
     pub(super) fn overwrite(&mut self, offset: i64, size: i64) {
+        let end = offset.saturating_add(size);
         self.stack
-            .retain(|&place, _| place + WORD <= offset || offset + size <= place);
+            .retain(|&place, _| place.saturating_add(WORD) <= offset || end <= place);
     }
 
     /// Writes eight bytes of the stack.
@@ -142,8 +202,9 @@ impl State {
         self.stack.insert(offset, value);
     }
 
-    /// After a call.
-    pub(super) fn returned(&mut self) {
+    /// After a call, which keeps what the stack holds from an address on.
+    pub(super) fn returned(&mut self, kept: i64) {
+        self.stack.retain(|&place, _| place >= kept);
         for register in OF_CALLEE {
             self.set(register, Value::Unknown);
         }
@@ -154,7 +215,10 @@ impl Value {
     /// So many bytes further.
     pub(super) fn plus(self, number: i64) -> Self {
         match self {
-            Self::Argument(_) | Self::Address(Target::Constant) => self,
+            Self::Address(Target::Constant) => self,
+            Self::Argument(argument, distance) => {
+                Self::Argument(argument, distance.wrapping_add(number))
+            }
             Self::Stack(offset) => Self::Stack(offset.wrapping_add(number)),
             Self::Number(other) => Self::Number(other.wrapping_add(number)),
             _ if number == 0 => self,

@@ -2,6 +2,7 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
+    ops::Range,
     path::Path,
 };
 
@@ -16,9 +17,9 @@ use super::{
     Breach, Error, Function, Report, Runtime, What,
     compile::MODULE,
     file::{Code, Files, Place, Target},
-    instruction::At,
+    instruction::{At, check_address},
     roots,
-    state::{State, Value, WORD},
+    state::{State, Used, Value, WORD},
 };
 
 /// The runtime's sines and cosines: the beginnings of their names.
@@ -52,13 +53,15 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
         let code = files.place(&symbol).and_then(|place| files.function(place));
         let code = code.ok_or_else(|| Error::Object(format!("`{symbol}` is not in it")))?;
         generated.insert(code.place);
-        functions.push(verifier.facts(code).function(root.name));
+        let facts = verifier.facts(code);
+        functions.push(Function {
+            name: root.name,
+            ..facts.function
+        });
     }
-    let sines = verifier.facts.iter();
+    let sines = verifier.facts.into_iter();
     let sines = sines.filter(|(place, _)| !generated.contains(place));
-    let mut sines: Vec<Function> = sines
-        .map(|(&place, facts)| facts.function(files.name(place).to_owned()))
-        .collect();
+    let mut sines: Vec<Function> = sines.map(|(_, facts)| facts.function).collect();
     sines.sort_by(|one, other| one.name.cmp(&other.name));
     Ok(Report { functions, sines })
 }
@@ -66,24 +69,9 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
 /// What is known of a function.
 #[derive(Clone, Debug)]
 struct Facts {
-    text: u64,
-    stack: u64,
-    instructions: u64,
-    breaches: Vec<Breach>,
-    /// The numbers of the arguments that refer to memory that it uses.
-    arguments: BTreeSet<usize>,
-}
-
-impl Facts {
-    fn function(&self, name: String) -> Function {
-        Function {
-            name,
-            text: self.text,
-            stack: self.stack,
-            instructions: self.instructions,
-            breaches: self.breaches.clone(),
-        }
-    }
+    function: Function,
+    /// What it uses of the memory to which its arguments refer, by their numbers.
+    arguments: BTreeMap<usize, Used>,
 }
 
 struct Verifier<'a, 'data> {
@@ -99,6 +87,7 @@ impl Verifier<'_, '_> {
             return facts.clone();
         }
         self.open.insert(code.place);
+        let name = self.files.name(code.place).to_owned();
         let mut walk = Walk {
             verifier: self,
             state: Some(State::new()),
@@ -106,14 +95,17 @@ impl Verifier<'_, '_> {
             breaches: Vec::new(),
             has_returned: false,
             stack: 0,
-            arguments: BTreeSet::new(),
+            arguments: BTreeMap::new(),
         };
         walk.run(code);
         let facts = Facts {
-            text: code.bytes.len() as u64,
-            stack: walk.stack,
-            instructions: walk.instructions,
-            breaches: walk.breaches,
+            function: Function {
+                name,
+                text: code.bytes.len() as u64,
+                stack: walk.stack,
+                instructions: walk.instructions,
+                breaches: walk.breaches,
+            },
             arguments: walk.arguments,
         };
         self.open.remove(&code.place);
@@ -143,7 +135,7 @@ struct Walk<'v, 'a, 'data> {
     breaches: Vec<Breach>,
     has_returned: bool,
     stack: u64,
-    arguments: BTreeSet<usize>,
+    arguments: BTreeMap<usize, Used>,
 }
 
 impl Walk<'_, '_, '_> {
@@ -164,8 +156,8 @@ impl Walk<'_, '_, '_> {
             for what in self.step(&at, &mut factory) {
                 self.broken(&instruction, what);
             }
-            self.record();
         }
+        self.record();
         if !self.has_returned {
             self.broken(&instruction, What::End);
         }
@@ -187,7 +179,7 @@ impl Walk<'_, '_, '_> {
             FlowControl::UnconditionalBranch
             | FlowControl::IndirectBranch
             | FlowControl::ConditionalBranch => self.jump(at),
-            FlowControl::Return => self.end(),
+            FlowControl::Return if at.instruction.code() == iced_x86::Code::Retnq => self.end(),
             _ => vec![What::Strange],
         }
     }
@@ -205,50 +197,42 @@ impl Walk<'_, '_, '_> {
             let is_panic = name.contains("panic") || name.starts_with("core::slice::index::");
             let what = if is_panic { What::Panic } else { What::Call };
             if let Some(state) = &mut self.state {
-                state.returned();
+                state.returned(i64::MAX);
             }
             return vec![what(name)];
         };
-        self.instructions += callee.instructions;
+        self.instructions += callee.function.instructions;
         let Some(state) = &mut self.state else {
             return Vec::new();
         };
+        let Some(pointer) = state.stack_pointer() else {
+            state.returned(i64::MAX);
+            return vec![What::Stack];
+        };
         let mut broken = Vec::new();
-        for &number in &callee.arguments {
-            match state.argument(number) {
-                Value::Stack(_) | Value::Address(Target::Constant) => {}
-                Value::Argument(own) => {
-                    state.arguments.insert(own);
-                }
-                _ => broken.push(What::Computed),
-            }
+        for (&number, used) in &callee.arguments {
+            let Range { start, end } = used.bytes;
+            broken.extend(match state.argument(number).plus(start) {
+                // There the callee's own stack is.
+                Value::Stack(offset) if offset < pointer => Some(What::Stack),
+                address => check_address(address, end.saturating_sub(start), used.writes, state),
+            });
         }
-        match state.stack_pointer() {
-            Some(pointer) => {
-                let depth = i64::try_from(callee.stack).unwrap_or(i64::MAX);
-                state.lowest = state.lowest.min(pointer + pushed - depth);
-            }
-            None => broken.push(What::Stack),
-        }
-        state.returned();
+        let depth = i64::try_from(callee.function.stack).unwrap_or(i64::MAX);
+        let lowest = pointer.saturating_add(pushed).saturating_sub(depth);
+        state.lowest = state.lowest.min(lowest);
+        state.returned(pointer);
         broken
     }
 
-    /// A jump: to the runtime's sines and cosines, as the last that is done, it is a call and a return.
+    /// A jump.
     fn jump(&mut self, at: &At<'_, '_>) -> Vec<What> {
         let is_last = at.instruction.flow_control() != FlowControl::ConditionalBranch;
         match at.callee(self.state.as_ref()) {
-            Some(Target::Function(place))
-                if is_last && self.verifier.of_sines(&Target::Function(place)).is_some() =>
-            {
+            // Out of the function and not back: a call and a return in one.
+            Some(_) if is_last => {
                 let mut broken = self.call(at, 0);
                 broken.extend(self.end());
-                broken
-            }
-            // Out of the function and not back: a call in all but name.
-            Some(_) if is_last => {
-                let broken = self.call(at, 0);
-                self.leave();
                 broken
             }
             _ => {
@@ -282,8 +266,8 @@ impl Walk<'_, '_, '_> {
     /// Keeps what the state has gathered.
     fn record(&mut self) {
         if let Some(state) = &self.state {
-            self.stack = self.stack.max(state.lowest.unsigned_abs());
-            self.arguments.extend(&state.arguments);
+            self.stack = state.bytes();
+            self.arguments.clone_from(&state.arguments);
         }
     }
 
