@@ -29,7 +29,7 @@ pub struct Config {
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
     /// The description's path, relative to `kane.toml`.
-    pub model: String,
+    pub model: Spanned<String>,
     /// The generated file's path, relative to `kane.toml`.
     pub output: String,
     /// How the model is read.
@@ -179,7 +179,7 @@ struct Written {
 impl Written {
     fn into_system(self) -> Option<System> {
         Some(System {
-            model: self.model?.value,
+            model: self.model?,
             output: self.output?.value,
             reading: self.reading,
             changes: self.changes,

@@ -17,7 +17,7 @@ fn what_is_absent_has_its_default() {
         panic!("one system")
     };
     assert_eq!(
-        (arm.model.as_str(), arm.output.as_str()),
+        (arm.model.value.as_str(), arm.output.as_str()),
         ("models/arm.toml", "generated/arm.rs")
     );
     assert_eq!(
@@ -55,7 +55,7 @@ fn systems_and_functions_keep_their_order() {
     );
     assert_eq!((b.fma, a.fma), (true, false));
     assert_eq!(
-        (a.model.as_str(), &a.functions),
+        (a.model.value.as_str(), &a.functions),
         ("a.toml", &Functions::All)
     );
 }

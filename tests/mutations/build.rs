@@ -134,7 +134,7 @@ impl System {
 /// Modules with one token changed, each with another.
 fn mutants(module: &str, count: usize) -> Vec<Mutant> {
     let mut places = BTreeSet::new();
-    let seeded = (0..).map(|seed| mutant(module, seed));
+    let seeded = (0..1000).map(|seed| mutant(module, seed));
     let distinct = seeded.filter(|mutant| places.insert(mutant.place));
     distinct.take(count).collect()
 }

@@ -3,6 +3,7 @@
 use std::{
     fmt, fs, io,
     path::{Path, PathBuf},
+    sync::Arc,
 };
 
 use kane_codegen::{
@@ -10,7 +11,7 @@ use kane_codegen::{
     companions,
     compile::Options,
     description::{self, Reading},
-    diagnostic::{Diagnostics, Source},
+    diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
     generate::{self, Generated},
     input,
@@ -33,6 +34,15 @@ pub(crate) struct Job {
     pub(crate) options: Options,
     /// How many operations its functions may need.
     pub(crate) budget: Vec<Budget>,
+    /// Where it is listed, if it is.
+    pub(crate) listing: Option<Listing>,
+}
+
+/// Where a `kane.toml` lists a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Listing {
+    pub(crate) config: Arc<Source>,
+    pub(crate) model: Span,
 }
 
 /// Where a module goes.
@@ -53,6 +63,15 @@ impl Job {
         let companions = self.options.companions.iter();
         let beside = companions.flat_map(|kind| kind.beside(module));
         std::iter::once(module.clone()).chain(beside).collect()
+    }
+
+    /// Why the model cannot be read, where it is listed.
+    fn unreadable(&self, error: Error) -> Failures {
+        let Some(Listing { config, model }) = &self.listing else {
+            return error.into();
+        };
+        let fault = Diagnostic::error(format!("{error:?}")).at(*model, "listed here");
+        Diagnostics::new(Source::clone(config), vec![fault]).into()
     }
 
     /// What would ask for a file beside the module, if it can be one.
@@ -199,7 +218,7 @@ pub(crate) fn check(
 
 fn generate_one(job: &Job) -> Result<Generated, Failures> {
     job.check_files()?;
-    let source = read(&job.model)?;
+    let source = read(&job.model).map_err(|error| job.unreadable(error))?;
     let include = include(&job.model);
     let mut options = job.options.clone();
     match &job.target {

@@ -6,6 +6,7 @@
 use std::{
     fs,
     path::{Path, PathBuf},
+    sync::Arc,
 };
 
 use kane_codegen::{
@@ -19,7 +20,7 @@ use kane_codegen::{
 
 use super::{
     Failures,
-    job::{Job, Target},
+    job::{Job, Listing, Target},
     paths,
 };
 
@@ -27,6 +28,7 @@ use super::{
 pub(super) struct Listed {
     /// Its systems.
     pub(super) config: Config,
+    source: Arc<Source>,
     /// Its folder, absolute.
     root: PathBuf,
     /// Its folder, as it is shown.
@@ -45,11 +47,13 @@ impl Listed {
     /// Reads a text that stands, or would stand, at this path.
     pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
         let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
-        let config = config::parse(&Source::new(path.to_string_lossy(), text), &known)?;
+        let source = Source::new(path.to_string_lossy(), text);
+        let config = config::parse(&source, &known)?;
         let root = paths::target(paths::parent(path))?;
         let shown_root = paths::shown(&root)?;
         Ok(Self {
             config,
+            source: Arc::new(source),
             root,
             shown_root,
         })
@@ -60,8 +64,10 @@ impl Listed {
             self.shown_root
                 .join(paths::normal(Path::new(text)).iter().collect::<PathBuf>())
         };
-        let relative: PathBuf = paths::normal(Path::new(&system.model)).iter().collect();
-        let model = place(&system.model);
+        let relative: PathBuf = paths::normal(Path::new(&system.model.value))
+            .iter()
+            .collect();
+        let model = place(&system.model.value);
         let shown = paths::with_slashes(&relative).ok_or_else(|| cannot_be_shown(&model))?;
         Ok(Job {
             shown,
@@ -77,6 +83,10 @@ impl Listed {
                 changes: system.changes.clone(),
             },
             budget: system.budget.clone(),
+            listing: Some(Listing {
+                config: Arc::clone(&self.source),
+                model: system.model.span,
+            }),
             model,
         })
     }
@@ -85,7 +95,7 @@ impl Listed {
     pub(super) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
         let file = paths::target(model)?;
         let is_listed = |system: &&System| {
-            fs::canonicalize(self.root.join(&system.model)).is_ok_and(|listed| listed == file)
+            fs::canonicalize(self.root.join(&system.model.value)).is_ok_and(|listed| listed == file)
         };
         let systems = self.config.systems.iter().filter(is_listed);
         systems.map(|system| self.job(system)).collect()

@@ -197,6 +197,7 @@ impl Selection {
                     target: Target::new(&output),
                     options: Options::default(),
                     budget: Vec::new(),
+                    listing: None,
                 });
             }
         }

@@ -341,12 +341,18 @@ fn model_that_is_not_there_is_said_before_anything_else() {
 }
 
 #[test]
-fn model_that_is_not_text_is_said() {
+fn model_that_cannot_be_read_is_said_where_it_is_listed() {
     let project = Project::arm();
     fs::write(project.path("models/arm.toml"), [0xff, 0xfe, 0x00]).unwrap();
     let ran = project.kane(&["generate"]);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"error: cannot access `models/arm.toml`: it is not text in UTF-8, from byte 0 on");
+    insta::assert_snapshot!(ran.err, @r#"
+    error: cannot access `models/arm.toml`: it is not text in UTF-8, from byte 0 on
+     --> kane.toml:2:9
+      |
+    2 | model = "models/arm.toml"
+      |         ^^^^^^^^^^^^^^^^^ listed here
+    "#);
 }
 
 #[cfg(unix)]

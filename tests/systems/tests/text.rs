@@ -25,14 +25,21 @@ fn module(name: &str, text: &str, formulation: Formulation) -> String {
         .source
 }
 
-/// The smaller random systems, and one with parameters in the notes' formulation.
+/// The bundled systems, the smaller random ones, and one with parameters in the notes' formulation.
 fn modules() -> Vec<(String, String)> {
-    let mut modules: Vec<_> = RANDOM[..5]
-        .iter()
-        .map(|compiled| {
-            let text = module(compiled.name, compiled.model, Formulation::Cheapest);
-            (compiled.name.to_owned(), text)
-        })
+    let bundled = [
+        ("cart_pole", include_str!("../../../models/cart_pole.toml")),
+        (
+            "eight_body",
+            include_str!("../../../models/eight_body.toml"),
+        ),
+    ];
+    let random = RANDOM[..5].iter();
+    let random = random.map(|compiled| (compiled.name, compiled.model));
+    let mut modules: Vec<_> = bundled
+        .into_iter()
+        .chain(random)
+        .map(|(name, model)| (name.to_owned(), module(name, model, Formulation::Cheapest)))
         .collect();
     let notes = module(
         "runtime",
