@@ -30,8 +30,11 @@ pub const PARTS: usize = 5_000;
 pub const NUMBERS: usize = 250_000;
 /// Terms of the notes' sums where a function is derived as these stand.
 pub const TERMS: usize = 100_000;
-/// The same where they are evaluated only, for the tests beside a module; updates of a factorised mass matrix.
-pub const EVALUATED_TERMS: usize = 1_000_000;
+/// The same where they are evaluated only, for the tests beside a module, all together; one of forces, which holds a whole
+/// acceleration, counts as eight of a mass matrix.
+pub const EVALUATED_TERMS: usize = 4_000_000;
+/// Updates of a mass matrix that is factorised.
+pub const UPDATES: usize = 1_000_000;
 /// Speeds, and parts, of a system of which `kane info` counts the operations of all functions.
 pub const COUNTED: usize = 100;
 /// Bodies of a system of which `kane info` draws the tree and the partitions.

@@ -6,9 +6,19 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    companions::Kind, compile::Options, config::Formulation, error::Error, functions::Request,
-    limits, recursive, recursive::Technique, solve, tree::Tree,
+    companions::Kind,
+    compile::Options,
+    config::Formulation,
+    error::Error,
+    functions::{Argument, Request},
+    limits, recursive,
+    recursive::Technique,
+    solve,
+    tree::Tree,
 };
+
+/// How many terms of a mass matrix take the memory of one of forces.
+const ACCELERATION: usize = 8;
 
 /// Refuses what would be too large.
 ///
@@ -17,14 +27,8 @@ use crate::{
 pub fn check(tree: &Tree, requests: &[Request], options: &Options) -> Result<(), Error> {
     bound("the system has", tree.n_speeds, "speeds", limits::SPEEDS)?;
     bound("the bodies have", tree.n_parts(), "parts", limits::PARTS)?;
-    let sizes: Vec<usize> = requests
-        .iter()
-        .map(|request| request.n_numbers(tree))
-        .collect();
-    let largest = sizes.iter().zip(requests).max_by_key(|(size, _)| **size);
-    let largest = largest.map_or_else(String::new, |(_, request)| request.text());
-    let what = format!("the functions, `{largest}` most of all, write");
-    bound(&what, sizes.iter().sum(), "numbers", limits::NUMBERS)?;
+    let n_numbers = |request: &Request| request.n_numbers(tree);
+    bound_sum("write", requests, n_numbers, "numbers", limits::NUMBERS)?;
     for request in requests {
         check_derivation(tree, request, options)?;
     }
@@ -37,12 +41,14 @@ fn check_companions(
     requests: &[Request],
     companions: &BTreeSet<Kind>,
 ) -> Result<(), Error> {
-    for request in companions.iter().flat_map(|kind| kind.evaluated(requests)) {
-        let what = format!("the tests evaluate `{}` with", request.text());
-        let terms = request.literal_terms(tree);
-        bound(&what, terms, "terms", limits::EVALUATED_TERMS)?;
-    }
-    Ok(())
+    let evaluated = companions.iter().flat_map(|kind| kind.evaluated(requests));
+    let evaluated: Vec<Request> = evaluated.collect();
+    let terms = |request: &Request| {
+        let is_of_forces = request.arguments().contains(&Argument::U) && !request.solves();
+        request.literal_terms(tree) * if is_of_forces { ACCELERATION } else { 1 }
+    };
+    let verb = "have for the tests";
+    bound_sum(verb, &evaluated, terms, "terms", limits::EVALUATED_TERMS)
 }
 
 /// Refuses a function whose derivation alone would be too large.
@@ -66,10 +72,24 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
             &format!("factorising for `{name}` takes"),
             updates,
             "updates",
-            limits::EVALUATED_TERMS,
+            limits::UPDATES,
         )?;
     }
     Ok(())
+}
+
+/// Refuses what functions have together.
+fn bound_sum(
+    verb: &str,
+    requests: &[Request],
+    size: impl Fn(&Request) -> usize,
+    unit: &'static str,
+    most: usize,
+) -> Result<(), Error> {
+    let largest = requests.iter().max_by_key(|request| size(request));
+    let largest = largest.map_or_else(String::new, Request::text);
+    let what = format!("the functions, `{largest}` most of all, {verb}");
+    bound(&what, requests.iter().map(size).sum(), unit, most)
 }
 
 fn bound(what: &str, found: usize, unit: &'static str, most: usize) -> Result<(), Error> {

@@ -50,6 +50,7 @@ pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
         sampler.draw(parameters, seed)
     });
     let samples: Vec<Sample> = samples.collect();
+    drop(sampler);
     let inputs = samples.iter().map(|sample| inputs(module, sample));
     let inputs: Vec<Inputs> = inputs.collect();
     let functions = threads::map(&module.functions, |emittable| {
