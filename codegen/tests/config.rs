@@ -21,7 +21,7 @@ fn what_is_absent_has_its_default() {
         ("models/arm.toml", "generated/arm.rs")
     );
     assert_eq!(
-        (&arm.functions, arm.formulation),
+        (&arm.options.functions, arm.options.formulation),
         (&Functions::Default, Formulation::Cheapest)
     );
 }
@@ -46,16 +46,16 @@ fn systems_and_functions_keep_their_order() {
         panic!("two systems")
     };
     assert_eq!(
-        b.functions,
+        b.options.functions,
         Functions::Named(vec!["rotation".to_owned(), "bias".to_owned()])
     );
     assert_eq!(
-        (b.formulation, a.formulation),
+        (b.options.formulation, a.options.formulation),
         (Formulation::Notes, Formulation::Recursive)
     );
-    assert_eq!((b.fma, a.fma), (true, false));
+    assert_eq!((b.options.fma, a.options.fma), (true, false));
     assert_eq!(
-        (a.model.value.as_str(), &a.functions),
+        (a.model.value.as_str(), &a.options.functions),
         ("a.toml", &Functions::All)
     );
 }
@@ -94,14 +94,14 @@ fn reading_and_changes_are_read_in_an_order_of_their_own() {
         panic!("two systems")
     };
     assert_eq!(
-        panda.reading,
+        panda.options.reading,
         Reading {
             base: Some(Base::Free),
             chart: Some(Chart::Angles)
         }
     );
     assert_eq!(
-        panda.changes,
+        panda.options.changes,
         Changes {
             snap: 1e-5,
             lock: vec![("elbow joint".to_owned(), -0.5), ("wrist".to_owned(), 1.0)],
@@ -109,7 +109,7 @@ fn reading_and_changes_are_read_in_an_order_of_their_own() {
         }
     );
     assert_eq!(
-        (arm.reading, &arm.changes),
+        (arm.options.reading, &arm.options.changes),
         (Reading::default(), &Changes::default())
     );
 }
@@ -141,7 +141,7 @@ fn budgets_limit_all_operations_or_some_kind() {
         ]
     );
     assert_eq!(
-        config.systems[0].companions,
+        config.systems[0].options.companions,
         [companions::Kind::Manifest].into()
     );
 }

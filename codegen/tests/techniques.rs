@@ -19,7 +19,6 @@ use kane_codegen::{
     geometry,
     program::Operations,
     recursive::{Plan, Technique},
-    search,
     tree::{self, Tree},
 };
 use support::read;
@@ -314,7 +313,7 @@ fn no_technique_raises_a_count_that_it_is_meant_to_lower() {
         let tree = dynamics::random::tree(&system.toml()).unwrap();
         for function in FUNCTIONS {
             let request = request(function);
-            let best = search::cheapest(&tree, &request, &BTreeSet::new());
+            let best = compile::cheapest(&tree, &request, &BTreeSet::new());
             let count = |plan: &Plan| {
                 let derived = compile::candidate(&tree, &request, Formulation::Recursive, plan);
                 compile::operations(&derived).total()

@@ -8,7 +8,6 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    compile,
     expr::{Binding, Node, NodeId},
     functions::{Derived, Formulation, Request},
     id::BodyId,
@@ -16,6 +15,8 @@ use crate::{
     solve,
     tree::Tree,
 };
+
+use super::candidate::{candidate, given_sines, operations};
 
 /// How many nodes may be built to try other choices link by link: a tenth of a second's work.
 const MOST_NODES: usize = 400_000;
@@ -130,18 +131,17 @@ impl Search<'_> {
 
     fn count(&mut self, plan: &Plan) -> usize {
         if self.is_exact {
-            let derived =
-                compile::candidate(self.tree, self.function, Formulation::Recursive, plan);
+            let derived = candidate(self.tree, self.function, Formulation::Recursive, plan);
             self.n_nodes += derived.graph.len();
             self.is_exact = derived.graph.len() <= MOST_EXACT;
-            let operations = compile::operations(&derived);
+            let operations = operations(&derived);
             operations.total() + self.sine * operations.trig
         } else {
             let derived = self
                 .function
                 .derive(self.tree, Formulation::Recursive, plan);
             self.n_nodes += derived.graph.len();
-            let derived = compile::given_sines(self.tree, self.function, derived);
+            let derived = given_sines(self.tree, self.function, derived);
             self.cost(&derived)
         }
     }

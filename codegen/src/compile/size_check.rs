@@ -6,13 +6,11 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    companions::Kind,
-    compile::Options,
-    config::Formulation,
     error::Error,
     functions::{Argument, Request},
-    limits, recursive,
-    recursive::Technique,
+    limits,
+    options::{Formulation, Options, companion::Kind},
+    recursive::{self, Technique},
     solve,
     tree::Tree,
 };
