@@ -8,10 +8,9 @@
 //! Reading never fails: a file that is no description at all is an empty description with faults.
 
 pub(crate) mod cycles;
-pub(crate) mod markup;
 pub mod mjcf;
-pub(crate) mod read;
 pub mod toml;
+pub(crate) mod toml_reader;
 pub mod urdf;
 pub(crate) mod xml;
 

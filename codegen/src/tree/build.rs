@@ -2,10 +2,11 @@
 
 use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::tree::resolve::Resolved;
-use crate::tree::{
-    Changes, Tree, assemble, inertia, joint_check, mimic, mobility, names, numbering, resolve,
-};
+use crate::tree::assembly::assemble;
+use crate::tree::joints::resolve::Resolved;
+use crate::tree::joints::{mimic, resolve, rules};
+use crate::tree::numbering::bodies as numbering;
+use crate::tree::{Changes, Tree, inertia, mobility, names};
 
 /// A tree, and what the user should know about it.
 #[derive(Clone, Debug)]
@@ -61,9 +62,9 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
     let order = numbering::order(description, &mut findings);
     let joints = joints(description, changes, &mut findings);
     let bodies_stand = inertia::check(description, &mut findings);
-    let tree = order.zip(joints.as_deref()).and_then(|(order, joints)| {
-        assemble::assemble(description, &order, joints, changes, &mut findings)
-    });
+    let tree = order
+        .zip(joints.as_deref())
+        .and_then(|(order, joints)| assemble(description, &order, joints, changes, &mut findings));
     // Whether anything moves no mass can be judged only where masses and joints are right.
     if let Some(tree) = tree.as_ref().filter(|_| bodies_stand) {
         mobility::check(tree, description, &mut findings);
@@ -93,12 +94,12 @@ fn joints(
 ) -> Option<Vec<Resolved>> {
     let joints = resolve::joints(description, changes.snap);
     let before = findings.len();
-    joint_check::check(description, &joints, findings);
+    rules::check(description, &joints, findings);
     let mut joints: Vec<Resolved> = joints.into_iter().collect::<Option<_>>()?;
     if !findings[before..].iter().any(Diagnostic::is_error) {
         resolve::change(description, &mut joints, changes, findings);
         mimic::resolve(description, &mut joints, findings);
-        joint_check::check_motions(description, &joints, findings);
+        rules::check_motions(description, &joints, findings);
     }
     let stand = !findings[before..].iter().any(Diagnostic::is_error);
     stand.then_some(joints)

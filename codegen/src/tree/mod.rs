@@ -6,35 +6,27 @@
 //! bodies, and every free coordinate moves mass; later stages do not fail on a user's mistake.
 //! Does not: derive anything.
 
-mod assemble;
+mod assembly;
 mod build;
 mod canonical;
-mod coupled;
 mod inertia;
 mod joint;
-mod joint_check;
-mod mechanics;
-mod mimic;
+mod joints;
 mod mobility;
 mod names;
 mod numbering;
 mod offset;
-mod places;
-mod resolve;
-mod rotation;
-mod rows;
-mod snapping;
-mod sweep;
+mod rotations;
 mod values;
 
 pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
 pub(crate) use inertia::principal;
 pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation, is_translation};
+pub(crate) use mobility::Units;
 pub(crate) use names::is_keyword;
 pub use offset::{Offset, Step};
-pub use rotation::snapped_sin_cos;
-pub(crate) use sweep::Units;
+pub use rotations::snap::snapped_sin_cos;
 
 use std::collections::BTreeSet;
 

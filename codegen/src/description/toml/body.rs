@@ -1,7 +1,7 @@
 //! A `[[body]]`: its own properties here, its joint's in [`joint`].
 
-use crate::description::read::{Item, Reader, span};
 use crate::description::toml::{joint, value};
+use crate::description::toml_reader::{Item, Reader, span};
 use crate::description::{Body, Given, INERTIA_COMPONENTS, Joint, Scalar};
 
 const KEYS: [&str; 5] = ["name", "mass", "mass_center", "inertia", "inertia_rotation"];

@@ -1,7 +1,7 @@
 //! The joint of a `[[body]]` with its lower body.
 
-use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::toml::value;
+use crate::description::toml_reader::{Item, Reader, Table, list, span};
 use crate::description::{
     Axis, Chart, Given, Joint, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, Speeds,
 };

@@ -11,7 +11,7 @@ mod write;
 
 pub use write::write;
 
-use crate::description::read::{Item, Reader, span};
+use crate::description::toml_reader::{Item, Reader, span};
 use crate::description::{Description, Given, Scalar};
 use crate::diagnostic::{Source, Span, Spanned};
 use crate::tree::Order;

@@ -8,8 +8,8 @@
 
 use roxmltree::{Error, Node, ParsingOptions};
 
-use crate::description::markup;
-use crate::description::read::list;
+use crate::description::toml_reader::list;
+use crate::description::xml::markup;
 use crate::diagnostic::{Diagnostic, Faults, Severity, Span, Spanned, nearest};
 use crate::limits::XML_NODES;
 

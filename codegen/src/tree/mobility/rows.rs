@@ -1,4 +1,4 @@
-//! Rows on twists and the little algebra that [`sweep`](super::sweep) needs of them.
+//! Rows on twists and the little algebra that the sweeps need of them.
 
 /// Angular velocity, then velocity of the origin, both in the body's components; or a row that acts on these.
 pub(crate) type Twist = [f64; 6];

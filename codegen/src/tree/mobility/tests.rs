@@ -7,13 +7,13 @@ use crate::expr::Input;
 use crate::functions::{Formulation, Function};
 use crate::id::BodyId;
 use crate::random::Random;
+use crate::tree::Changes;
 use crate::tree::Tree;
-use crate::tree::assemble::assemble;
-use crate::tree::coupled;
-use crate::tree::mimic;
-use crate::tree::rows::{Twist, dot, project_out};
-use crate::tree::sweep::{Joint, Units, inward, moved_along, own};
-use crate::tree::{Changes, resolve};
+use crate::tree::assembly::assemble;
+use crate::tree::joints::{mimic, resolve};
+use crate::tree::mobility::following;
+use crate::tree::mobility::rows::{Twist, dot, project_out};
+use crate::tree::mobility::sweep::{Joint, Units, inward, moved_along, own};
 
 /// What joints a tree has.
 #[derive(Clone, Copy, PartialEq)]
@@ -339,7 +339,7 @@ fn named_coordinates_move_no_mass_and_none_is_superfluous() {
 /// How many motions of a tree with followers move no mass.
 fn n_coupled_idle(text: &str) -> usize {
     let tree = built(text);
-    let idle = |seed| coupled::idle(&tree, &Units::of(&tree), &mut Random::new(seed)).len();
+    let idle = |seed| following::idle(&tree, &Units::of(&tree), &mut Random::new(seed)).len();
     (1..4).map(idle).min().unwrap()
 }
 
@@ -392,7 +392,7 @@ fn idle_motions_with_followers_are_what_the_mass_matrix_lacks_in_rank() {
     for seed in 0..1000 {
         let tree = tree(&mut Random::new(seed), Style::Following);
         let units = Units::of(&tree);
-        let idle = |seed| coupled::idle(&tree, &units, &mut Random::new(seed)).len();
+        let idle = |seed| following::idle(&tree, &units, &mut Random::new(seed)).len();
         let idle = (1..4).map(idle).min().unwrap();
         let lacking = tree.n_speeds - rank_of_mass_matrix(&tree, seed);
         assert_eq!(idle, lacking, "seed {seed}");
@@ -411,7 +411,7 @@ fn idle_coordinates_are_counted_alike_with_and_without_followers() {
             let joints = inward(&tree, &units, &mut Random::new(seed));
             joints.iter().map(|joint| joint.idle.len()).sum::<usize>()
         };
-        let dense = |seed| coupled::idle(&tree, &units, &mut Random::new(seed)).len();
+        let dense = |seed| following::idle(&tree, &units, &mut Random::new(seed)).len();
         let least = |count: &dyn Fn(u64) -> usize| (seed..seed + 3).map(count).min();
         assert_eq!(least(&dense), least(&swept), "seed {seed}");
     }

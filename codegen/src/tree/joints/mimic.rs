@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::description::{Description, JointKind, Mimic};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::tree::joints::resolve::{Freedom, Resolved, joint_name};
 use crate::tree::names::shown;
-use crate::tree::resolve::{Freedom, Resolved, joint_name};
 
 /// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
 const MOST_COMPARED: (usize, usize) = (20, 5000);

@@ -6,8 +6,8 @@ use crate::description::{
     Axis, Body, Chart, Description, JointKind, Limits, PerCoordinate, Scalar, Speeds,
 };
 use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::tree::joints::resolve::{Freedom, Resolved};
 use crate::tree::names::shown;
-use crate::tree::resolve::{Freedom, Resolved};
 
 /// |cos(theta2)| below which theta1 and theta3 turn about one axis.
 const SINGULAR: f64 = 1e-9;

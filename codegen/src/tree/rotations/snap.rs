@@ -5,7 +5,7 @@ use crate::geometry::{IDENTITY, Rotation, Vector, cross, dot, length, transposed
 /// A rotation to axes of which the one at the returned place is `axis` (of any length): as few of them as possible
 /// are turned. About a coordinate axis, or its opposite, that place is its own. Last comes by how much snapping changed an
 /// entry of the axis.
-pub(super) fn toward(axis: Vector, tolerance: f64) -> (Rotation, usize, f64) {
+pub(crate) fn toward(axis: Vector, tolerance: f64) -> (Rotation, usize, f64) {
     let largest = axis
         .iter()
         .fold(0.0, |most: f64, part| most.max(part.abs()));
@@ -44,7 +44,7 @@ pub(super) fn toward(axis: Vector, tolerance: f64) -> (Rotation, usize, f64) {
 ///
 /// The others are then moved, by no more, until the rows are orthonormal again, or as nearly so as the exact entries
 /// permit: an entry 1 beside one that the tolerance does not reach leaves rows that are longer than 1 by half its square.
-pub(super) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
+pub(crate) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
     let zero = rotation.map(|row| row.map(|entry| entry.abs() < tolerance || entry == 0.0));
     // An entry is one where the others of its row or column are zero: near one alone, the angle may be far from zero.
     let is_alone = |i: usize, j: usize| {
@@ -83,7 +83,7 @@ pub(super) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
 const ORTHONORMAL_STEPS: usize = 100;
 
 /// The nearest orthonormal matrix of one that is not, by more than rounding: rotations may be written with few digits.
-pub(super) fn orthonormal(rotation: &Rotation) -> Rotation {
+pub(crate) fn orthonormal(rotation: &Rotation) -> Rotation {
     let columns = transposed(rotation);
     let gram = columns.map(|a| columns.map(|b| dot(a, b)));
     let entries = gram.iter().flatten().zip(IDENTITY.iter().flatten());

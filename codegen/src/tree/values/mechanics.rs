@@ -2,8 +2,8 @@
 
 use crate::description::{self, Limits, PerCoordinate, Scalar};
 use crate::id::BodyId;
-use crate::tree::resolve::{Freedom, Resolved};
-use crate::tree::values::Parameters;
+use crate::tree::joints::resolve::{Freedom, Resolved};
+use crate::tree::values::parameters::Parameters;
 use crate::tree::{Mechanics, Value};
 
 /// What acts along the six motions of the joint of a body, and how far they go.

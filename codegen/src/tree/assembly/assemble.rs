@@ -5,12 +5,15 @@ use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry;
 use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::limits::{FOLLOWING, PARAMETERS};
-use crate::tree::resolve::{Freedom, Resolved};
-use crate::tree::snapping::Snapping;
-use crate::tree::values::Parameters;
+use crate::tree::joints::resolve::{Freedom, Resolved};
+use crate::tree::numbering::{bodies as numbering, coordinates as places};
+use crate::tree::rotations::snap as rotation;
+use crate::tree::rotations::snapping::Snapping;
+use crate::tree::values::mechanics;
+use crate::tree::values::parameters::Parameters;
 use crate::tree::{
     Body, Changes, Chart, Coordinate, Frame, Joint, Offset, Orientation, Part, Pose, Step, Tree,
-    Value, coupled, mechanics, names, numbering, places, rotation,
+    Value, mobility, names,
 };
 
 /// Where a written body's own frame is: in which body of the tree, and where there.
@@ -94,7 +97,7 @@ pub(crate) fn assemble(
         n_speeds: numbers.speeds,
     };
     let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
-    if coupled::has_followers(&tree) && n_bodies.max(n_speeds) > FOLLOWING {
+    if mobility::has_followers(&tree) && n_bodies.max(n_speeds) > FOLLOWING {
         findings.push(Diagnostic::error(format!(
             "the system, in which joints follow others, has {n_bodies} bodies that move and {n_speeds} speeds; \
             expected at most {FOLLOWING} of each"

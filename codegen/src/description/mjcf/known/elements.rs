@@ -16,7 +16,7 @@ const fn known(
 }
 
 /// Sections of the root.
-pub(super) const SECTIONS: [&str; 10] = [
+pub(in crate::description::mjcf) const SECTIONS: [&str; 10] = [
     "compiler",
     "option",
     "default",
@@ -30,7 +30,7 @@ pub(super) const SECTIONS: [&str; 10] = [
 ];
 
 /// Sections that say nothing about the dynamics of the tree.
-pub(super) const IGNORED_SECTIONS: [&str; 8] = [
+pub(in crate::description::mjcf) const IGNORED_SECTIONS: [&str; 8] = [
     "size",
     "statistic",
     "visual",
@@ -42,7 +42,7 @@ pub(super) const IGNORED_SECTIONS: [&str; 8] = [
 ];
 
 /// Elements of `actuator`.
-pub(super) const ACTUATORS: [&str; 13] = [
+pub(in crate::description::mjcf) const ACTUATORS: [&str; 13] = [
     "general",
     "motor",
     "position",
@@ -59,11 +59,11 @@ pub(super) const ACTUATORS: [&str; 13] = [
 ];
 
 /// Elements of `equality`.
-pub(super) const EQUALITIES: [&str; 6] =
+pub(in crate::description::mjcf) const EQUALITIES: [&str; 6] =
     ["connect", "weld", "joint", "tendon", "flex", "flexstrain"];
 
 /// Elements that stand in a body.
-pub(super) const IN_BODY: [&str; 7] = [
+pub(in crate::description::mjcf) const IN_BODY: [&str; 7] = [
     "body",
     "inertial",
     "joint",
@@ -74,13 +74,13 @@ pub(super) const IN_BODY: [&str; 7] = [
 ];
 
 /// Elements in a body that only others than the dynamics look at.
-pub(super) const IGNORED_IN_BODY: [&str; 3] = ["site", "camera", "light"];
+pub(in crate::description::mjcf) const IGNORED_IN_BODY: [&str; 3] = ["site", "camera", "light"];
 
 /// Elements in a body that make others, or forces of their own.
-pub(super) const UNSUPPORTED_IN_BODY: [&str; 5] =
+pub(in crate::description::mjcf) const UNSUPPORTED_IN_BODY: [&str; 5] =
     ["replicate", "attach", "composite", "flexcomp", "plugin"];
 
-pub(super) const COMPILER: Known<'static> = known(
+pub(in crate::description::mjcf) const COMPILER: Known<'static> = known(
     &[
         "angle",
         "eulerseq",
@@ -113,7 +113,7 @@ pub(super) const COMPILER: Known<'static> = known(
     ],
 );
 
-pub(super) const OPTION: Known<'static> = known(
+pub(in crate::description::mjcf) const OPTION: Known<'static> = known(
     &["gravity", "density", "viscosity"],
     &[
         "actuatorgroupdisable",
@@ -148,7 +148,7 @@ pub(super) const OPTION: Known<'static> = known(
     ],
 );
 
-pub(super) const FLAG: Known<'static> = known(
+pub(in crate::description::mjcf) const FLAG: Known<'static> = known(
     &[
         "gravity",
         "spring",
@@ -185,7 +185,7 @@ pub(super) const FLAG: Known<'static> = known(
     ],
 );
 
-pub(super) const DEFAULT: Known<'static> = Known {
+pub(in crate::description::mjcf) const DEFAULT: Known<'static> = Known {
     attributes: &["class"],
     children: &["default", "joint", "geom", "tendon", "equality", "include"],
     ignored_attributes: &[],
@@ -194,7 +194,7 @@ pub(super) const DEFAULT: Known<'static> = Known {
     ],
 };
 
-pub(super) const BODY: Known<'static> = known(
+pub(in crate::description::mjcf) const BODY: Known<'static> = known(
     &[
         "name",
         "childclass",
@@ -210,7 +210,7 @@ pub(super) const BODY: Known<'static> = known(
     &["fuse", "simple", "sleep", "user"],
 );
 
-pub(super) const FRAME: Known<'static> = known(
+pub(in crate::description::mjcf) const FRAME: Known<'static> = known(
     &[
         "childclass",
         "pos",
@@ -223,7 +223,7 @@ pub(super) const FRAME: Known<'static> = known(
     &["name"],
 );
 
-pub(super) const INERTIAL: Known<'static> = known(
+pub(in crate::description::mjcf) const INERTIAL: Known<'static> = known(
     &[
         "pos",
         "quat",
@@ -238,7 +238,7 @@ pub(super) const INERTIAL: Known<'static> = known(
     &[],
 );
 
-pub(super) const JOINT: Known<'static> = known(
+pub(in crate::description::mjcf) const JOINT: Known<'static> = known(
     &[
         "name",
         "class",
@@ -270,9 +270,10 @@ pub(super) const JOINT: Known<'static> = known(
     ],
 );
 
-pub(super) const FREE_JOINT: Known<'static> = known(&["name", "align"], &["group"]);
+pub(in crate::description::mjcf) const FREE_JOINT: Known<'static> =
+    known(&["name", "align"], &["group"]);
 
-pub(super) const GEOM: Known<'static> = known(
+pub(in crate::description::mjcf) const GEOM: Known<'static> = known(
     &[
         "name",
         "class",
@@ -315,7 +316,7 @@ pub(super) const GEOM: Known<'static> = known(
     ],
 );
 
-pub(super) const TENDON: Known<'static> = known(
+pub(in crate::description::mjcf) const TENDON: Known<'static> = known(
     &[
         "name",
         "class",
@@ -344,7 +345,7 @@ pub(super) const TENDON: Known<'static> = known(
     ],
 );
 
-pub(super) const EQUALITY: Known<'static> = known(
+pub(in crate::description::mjcf) const EQUALITY: Known<'static> = known(
     &["name", "class", "active"],
     &[
         "anchor",
@@ -369,7 +370,7 @@ pub(super) const EQUALITY: Known<'static> = known(
 );
 
 /// Of all actuators together: what one of them may have is not told apart.
-pub(super) const ACTUATOR: Known<'static> = known(
+pub(in crate::description::mjcf) const ACTUATOR: Known<'static> = known(
     &["name", "class", "armature", "damping"],
     &IGNORED_OF_ACTUATOR,
 );

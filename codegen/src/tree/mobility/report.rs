@@ -1,24 +1,14 @@
-//! Every free coordinate must move mass, or the mass matrix is singular in every state.
-//!
-//! In: a tree whose masses and joints are right. Out: an error for each coordinate, or combination of coordinates,
-//! that moves none. Does not: judge single states; a chart that is singular in some is no fault here.
-//!
-//! Kinetic energy is ½|K V|² with a few rows K over the twist V of each body. From the tips inward, the rows of
-//! a body are those of its own mass and of its bodies beyond; what its joint's columns B = K S can take up of them
-//! is projected out, B = Q R by Gram and Schmidt with pivots, and the rest is passed on to the lower body. A column
-//! without pivot moves no mass when the others move with it as they like. Square roots of energies are compared, not
-//! energies, and each with what it could be at most, so that a part in 1e10 in the one is safe from rounding. All
-//! this happens at a few seeded states, and the state with the fewest such columns counts.
+//! The motions that move no mass, in the words of the user.
 
 use crate::description::{Axis, Description};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::id::BodyId;
 use crate::random::Random;
 use crate::tree::Tree;
-use crate::tree::coupled;
-use crate::tree::joint_check::free_axes;
+use crate::tree::joints::rules::free_axes;
+use crate::tree::mobility::following;
+use crate::tree::mobility::sweep::{Joint, Units, inward, moved_along};
 use crate::tree::names::shown;
-use crate::tree::sweep::{Joint, Units, inward, moved_along};
 
 /// The states that are tried.
 const STATES: u64 = 3;
@@ -51,8 +41,8 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
 /// The motions that move no mass in any of the states that are tried.
 fn idle(tree: &Tree) -> Vec<Motion> {
     let units = Units::of(tree);
-    if coupled::has_followers(tree) {
-        let tried = (1..=STATES).map(|seed| coupled::idle(tree, &units, &mut Random::new(seed)));
+    if following::has_followers(tree) {
+        let tried = (1..=STATES).map(|seed| following::idle(tree, &units, &mut Random::new(seed)));
         return tried.min_by_key(Vec::len).unwrap_or_default();
     }
     let sweeps = (1..=STATES).map(|seed| inward(tree, &units, &mut Random::new(seed)));

@@ -1,11 +1,11 @@
-//! The sweeps of [`mobility`](super::mobility): mass-weighted velocities, from the tips inward and back.
+//! The sweeps: mass-weighted velocities, from the tips inward and back.
 
 use crate::description::Axis;
 use crate::geometry::{self, cross};
 use crate::id::{BodyId, SpeedId};
 use crate::random::Random;
 use crate::tree::inertia::principal;
-use crate::tree::rows::{Twist, dot, join, project_out, triangle};
+use crate::tree::mobility::rows::{Twist, dot, join, project_out, triangle};
 use crate::tree::{Coordinate, Orientation, Part, Tree};
 
 /// Part of what a column could move at most, below which it moves nothing.
@@ -16,23 +16,23 @@ pub(crate) const SHARE: f64 = 1e-6;
 /// What the inward sweep found at the joint of a body.
 pub(crate) struct Joint {
     /// The free coordinates.
-    axes: Vec<Axis>,
+    pub(super) axes: Vec<Axis>,
     /// For each the twist that its unit rate gives the body.
-    columns: Vec<Twist>,
+    pub(super) columns: Vec<Twist>,
     /// For each the root of twice the energy of what turns or shifts with its unit rate alone: a rotor.
-    rotors: Vec<f64>,
+    pub(super) rotors: Vec<f64>,
     /// For each the most that its unit rate could move: root of twice the energy.
-    bounds: Vec<f64>,
+    pub(super) bounds: Vec<f64>,
     /// The twist of the body where that of the lower body is a unit: `carried[i]` for component `i`.
-    carried: [Twist; 6],
+    pub(super) carried: [Twist; 6],
     /// Places in `axes` of the pivots, in their order.
-    pivots: Vec<usize>,
+    pub(super) pivots: Vec<usize>,
     /// Qᵀ B, pivot by pivot: `upper[i][c]` for the coordinate at place `c`, in units of its bound.
-    upper: Vec<Vec<f64>>,
+    pub(super) upper: Vec<Vec<f64>>,
     /// Qᵀ K, pivot by pivot, on the lower body's twist.
-    pulled: Vec<Twist>,
+    pub(super) pulled: Vec<Twist>,
     /// Places in `axes` of the coordinates without pivot: they move no mass.
-    pub(crate) idle: Vec<usize>,
+    pub(super) idle: Vec<usize>,
 }
 
 /// Units in which masses and lengths are near 1, so that squares neither overflow nor vanish.
@@ -257,7 +257,7 @@ fn place(
 }
 
 /// The inertia of a motion's rotor.
-pub(crate) fn rotor(tree: &Tree, units: &Units, joint: &super::Joint, motion: usize) -> f64 {
+pub(crate) fn rotor(tree: &Tree, units: &Units, joint: &crate::tree::Joint, motion: usize) -> f64 {
     let armature = tree.nominal(joint.mechanics[motion].armature) / units.mass;
     if motion < 3 {
         armature / units.length / units.length
@@ -398,6 +398,3 @@ fn respond(joint: &Joint, mut sides: Vec<f64>) -> Vec<f64> {
     }
     rates
 }
-
-#[cfg(test)]
-mod tests;

@@ -7,13 +7,13 @@ use std::collections::BTreeMap;
 use crate::description::Axis;
 use crate::id::{BodyId, SpeedId};
 use crate::random::Random;
-use crate::tree::rows::{Twist, dot, project_out};
-use crate::tree::sweep::{Geometry, IDLE, SHARE, Units, geometry, own, rotor};
+use crate::tree::mobility::rows::{Twist, dot, project_out};
+use crate::tree::mobility::sweep::{Geometry, IDLE, SHARE, Units, geometry, own, rotor};
 use crate::tree::{Coordinate, Tree, is_translation};
 
 /// True where a coordinate follows another.
 pub(crate) fn has_followers(tree: &Tree) -> bool {
-    let follows = |joint: &super::Joint, motion| {
+    let follows = |joint: &crate::tree::Joint, motion| {
         matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }))
     };
     let mut joints = tree.bodies.iter().map(|body| &body.joint);

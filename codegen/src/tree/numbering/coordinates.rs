@@ -1,7 +1,7 @@
 //! The places of coordinates in `q` and of speeds in `u`.
 
 use crate::id::{BodyId, CoordinateId, SpeedId};
-use crate::tree::resolve::{Freedom, Resolved};
+use crate::tree::joints::resolve::{Freedom, Resolved};
 use crate::tree::{Body, Chart, Coordinate, Order, Orientation};
 
 /// How many there are, or where the next one goes.

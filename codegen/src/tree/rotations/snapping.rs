@@ -2,7 +2,7 @@
 
 use crate::description::Rotation;
 use crate::diagnostic::Diagnostic;
-use crate::tree::rotation;
+use crate::tree::rotations::snap as rotation;
 
 /// Makes entries of constant rotations exact, and remembers where.
 pub(crate) struct Snapping {

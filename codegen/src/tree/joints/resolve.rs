@@ -7,8 +7,9 @@
 use crate::description::{Axis, Chart, Description, Joint, JointKind, Rotation, Speeds};
 use crate::diagnostic::{Diagnostic, Span, nearest};
 use crate::geometry;
+use crate::tree::Changes;
 use crate::tree::names::{self, shown};
-use crate::tree::{Changes, rotation};
+use crate::tree::rotations::snap as rotation;
 
 /// A joint whose motions are about and along coordinate axes.
 #[derive(Clone, Debug)]
