@@ -4,7 +4,7 @@
 //! the sum of the two others. The first is required, up to 1e-9 of the largest moment, which covers the rounding of
 //! the test itself; a breach of the second, beyond 1e-6, which covers data of six digits, is a warning.
 
-use crate::description::{Body, Description, Scalar};
+use crate::description::{Description, Scalar, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::names::shown;
 
@@ -61,7 +61,7 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) -
 }
 
 /// The nominal components, and the place of all of them.
-fn components(body: &Body) -> Option<([f64; 6], Span)> {
+fn components(body: &WrittenBody) -> Option<([f64; 6], Span)> {
     let mut components = [0.0; 6];
     let mut place: Option<Span> = None;
     for (component, given) in components.iter_mut().zip(&body.inertia) {

@@ -36,7 +36,7 @@ pub enum Orientation {
     /// body's axes, rad/s, Eq. (8).
     AngularVelocity {
         /// The coordinates.
-        chart: Chart,
+        chart: ChartCoordinates,
         /// `w_1`, `w_2`, `w_3`.
         speeds: [SpeedId; 3],
     },
@@ -44,7 +44,7 @@ pub enum Orientation {
 
 /// Coordinates of an orientation that is free in all directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chart {
+pub enum ChartCoordinates {
     /// The three angles; singular at `cos(theta_2) = 0`.
     Angles([CoordinateId; 3]),
     /// Euler parameters, a unit quaternion: `e_0` is the scalar; `JR_K = C(e)^T` with Hamilton's product.
@@ -130,14 +130,14 @@ impl Joint {
         match self.orientation {
             Orientation::Rates(angles) => Some(angles),
             Orientation::AngularVelocity {
-                chart: Chart::Angles(angles),
+                chart: ChartCoordinates::Angles(angles),
                 speeds,
             } => Some(std::array::from_fn(|i| Coordinate::Free {
                 coordinate: angles[i],
                 speed: speeds[i],
             })),
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(_),
+                chart: ChartCoordinates::EulerParameters(_),
                 ..
             } => None,
         }
@@ -150,7 +150,7 @@ impl Joint {
     pub fn euler_parameters(&self) -> [CoordinateId; 4] {
         match self.orientation {
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(parameters),
+                chart: ChartCoordinates::EulerParameters(parameters),
                 ..
             } => parameters,
             _ => unreachable!("tree: an orientation has angles or Euler parameters"),
@@ -194,11 +194,11 @@ impl Joint {
                 coordinates.extend(own(["theta1", "theta2", "theta3"], angles));
             }
             Orientation::AngularVelocity {
-                chart: Chart::Angles(angles),
+                chart: ChartCoordinates::Angles(angles),
                 ..
             } => coordinates.extend(["theta1", "theta2", "theta3"].into_iter().zip(angles)),
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(parameters),
+                chart: ChartCoordinates::EulerParameters(parameters),
                 ..
             } => coordinates.extend(["e0", "e1", "e2", "e3"].into_iter().zip(parameters)),
         }

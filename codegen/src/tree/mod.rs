@@ -19,10 +19,13 @@ mod offset;
 mod rotations;
 mod values;
 
+pub use crate::description::Order;
 pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
 pub(crate) use inertia::principal;
-pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation, is_translation};
+pub use joint::{
+    ChartCoordinates, Coordinate, Joint, Mechanics, Motion, Orientation, is_translation,
+};
 pub(crate) use mobility::Units;
 pub(crate) use names::is_keyword;
 pub use offset::{Offset, Step};
@@ -176,15 +179,6 @@ pub struct Parameter {
     pub unit: &'static str,
 }
 
-/// The order of coordinates and speeds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// Body after body; in a body its free angles, then its free translations.
-    Body,
-    /// All free angles, body after body, then all free translations: Eq. (1).
-    Notes,
-}
-
 impl Tree {
     /// The ids of all bodies, from the inertial frame outward.
     pub fn body_ids(&self) -> impl DoubleEndedIterator<Item = BodyId> + ExactSizeIterator + use<> {
@@ -297,7 +291,7 @@ impl Tree {
             matches!(
                 body.joint.orientation,
                 Orientation::AngularVelocity {
-                    chart: Chart::EulerParameters(_),
+                    chart: ChartCoordinates::EulerParameters(_),
                     ..
                 }
             )

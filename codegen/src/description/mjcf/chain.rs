@@ -4,14 +4,14 @@ use crate::description::mjcf::inertial::{MassProperties, baked};
 use crate::description::mjcf::joints::{self, Type};
 use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::placement::{Placement, about};
-use crate::description::{Body, Given, Joint, JointKind, Scalar};
+use crate::description::{Given, JointKind, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Span, Spanned};
 use crate::geometry::{IDENTITY, Vector, scaled, then};
 
 /// The bodies of a model.
 #[derive(Debug, Default)]
 pub(super) struct Bodies {
-    pub(super) list: Vec<Body>,
+    pub(super) list: Vec<WrittenBody>,
     /// Of each the number of its lower body, from 1, or 0 for the world.
     pub(super) lower: Vec<Given<i64>>,
     /// Of each how it is to be called.
@@ -66,7 +66,7 @@ impl Bodies {
         self.masses.push(parts.mass);
     }
 
-    fn push(&mut self, body: Body, lower: usize, wish: Wish) {
+    fn push(&mut self, body: WrittenBody, lower: usize, wish: Wish) {
         let number = i64::try_from(lower).ok();
         self.lower
             .push(number.map(|number| Spanned::new(number, body.span)));
@@ -89,8 +89,8 @@ impl Bodies {
 }
 
 /// A body of which only the joint is known.
-fn blank(span: Span, joint: Joint) -> Body {
-    Body {
+fn blank(span: Span, joint: WrittenJoint) -> WrittenBody {
+    WrittenBody {
         span,
         name: None,
         mass: None,
@@ -101,14 +101,14 @@ fn blank(span: Span, joint: Joint) -> Body {
     }
 }
 
-fn fixed(place: &Placement, span: Span) -> Joint {
-    let mut joint = Joint::unknown();
+fn fixed(place: &Placement, span: Span) -> WrittenJoint {
+    let mut joint = WrittenJoint::unknown();
     joint.kind = Some(Spanned::new(JointKind::Fixed, span));
     attach(&mut joint, place, span);
     joint
 }
 
-fn attach(joint: &mut Joint, place: &Placement, span: Span) {
+fn attach(joint: &mut WrittenJoint, place: &Placement, span: Span) {
     joint.attachment = vector(place.position, span);
     let turned = place.rotation != IDENTITY;
     joint.attachment_rotation = turned.then(|| Spanned::new(place.rotation, span));
@@ -120,7 +120,7 @@ fn vector(vector: Vector, span: Span) -> [Given<Scalar>; 3] {
 
 /// The joint where it sits: MuJoCo turns (shifts) the body from where it stands, about (along) the joint's axis through
 /// its anchor, by the coordinate less the reference.
-fn joined(read: &joints::Read, place: &Placement, span: Span) -> Joint {
+fn joined(read: &joints::Read, place: &Placement, span: Span) -> WrittenJoint {
     let mut joint = read.joint.clone();
     let mut seat = Placement {
         position: place.point(read.anchor),

@@ -6,7 +6,7 @@ use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::mjcf::solid::{Solid, Tensor, is_positive};
 use crate::description::xml::Reader;
-use crate::description::{Body, Rotation, Scalar};
+use crate::description::{Rotation, Scalar, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::{IDENTITY, Vector, then};
 
@@ -44,7 +44,7 @@ impl MassProperties {
     }
 
     /// Fills a body.
-    pub(super) fn fill(&self, body: &mut Body) {
+    pub(super) fn fill(&self, body: &mut WrittenBody) {
         body.mass = Some(baked(self.mass));
         body.mass_center = self.center.map(|entry| Some(baked(entry)));
         body.inertia = self.inertia.map(|entry| Some(baked(entry)));

@@ -6,7 +6,7 @@ use crate::description::mjcf::orientation::AngleUnit;
 use crate::description::mjcf::placement::{Placement, unit};
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::xml::Reader;
-use crate::description::{Chart, Joint, JointKind, Limits, PerCoordinate};
+use crate::description::{Chart, JointKind, Limits, PerCoordinate, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::Vector;
 
@@ -42,13 +42,13 @@ pub(super) struct Read {
     /// Whether a free joint gets the axes of its body's inertia, where it says so.
     pub(super) align: Option<Switch>,
     /// All but where it sits.
-    pub(super) joint: Joint,
+    pub(super) joint: WrittenJoint,
 }
 
 impl Read {
     /// A joint of which only the kind and the name are known.
     fn new(given: &Attributes<'_>, kind: Type) -> Self {
-        let mut joint = Joint::unknown();
+        let mut joint = WrittenJoint::unknown();
         let name = given.text("name").filter(|name| !name.value.is_empty());
         joint.name = name.map(|name| Spanned::new(name.value.to_owned(), name.span));
         let described = match kind {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::Body;
+use crate::description::WrittenBody;
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 
@@ -26,7 +26,7 @@ pub(super) enum Wish {
 type Used = BTreeMap<String, usize>;
 
 /// Names the bodies, no two of them the same by our doing.
-pub(super) fn give(reader: &mut Reader, bodies: &mut [Body], wishes: &[Wish]) {
+pub(super) fn give(reader: &mut Reader, bodies: &mut [WrittenBody], wishes: &[Wish]) {
     let mut used = Used::new();
     for (body, wish) in bodies.iter_mut().zip(wishes) {
         if let Wish::Given(name) = wish {

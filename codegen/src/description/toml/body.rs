@@ -2,20 +2,20 @@
 
 use crate::description::toml::{joint, value};
 use crate::description::toml_reader::{Item, Reader, span};
-use crate::description::{Body, Given, INERTIA_COMPONENTS, Joint, Scalar};
+use crate::description::{Given, INERTIA_COMPONENTS, Scalar, WrittenBody, WrittenJoint};
 
 const KEYS: [&str; 5] = ["name", "mass", "mass_center", "inertia", "inertia_rotation"];
 
 /// Reads a body, the `number`-th of the file.
-pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Body {
-    let mut body = Body {
+pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> WrittenBody {
+    let mut body = WrittenBody {
         span: span(item),
         name: None,
         mass: None,
         mass_center: [None; 3],
         inertia: [None; 6],
         inertia_rotation: None,
-        joint: Joint::unknown(),
+        joint: WrittenJoint::unknown(),
     };
     let name = item
         .get_ref()

@@ -3,7 +3,8 @@
 use crate::description::toml::value;
 use crate::description::toml_reader::{Item, Reader, Table, list, span};
 use crate::description::{
-    Axis, Chart, Given, Joint, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, Speeds,
+    Axis, Chart, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, Speeds,
+    WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Spanned, nearest};
 
@@ -31,8 +32,8 @@ const LIMIT_KEYS: [&str; 4] = ["lower", "upper", "velocity", "effort"];
 const MIMIC_KEYS: [&str; 3] = ["joint", "multiplier", "offset"];
 
 /// Reads what a body's table says of its joint.
-pub(super) fn read(reader: &mut Reader, body: &Table<'_, '_>) -> Joint {
-    let mut joint = Joint::unknown();
+pub(super) fn read(reader: &mut Reader, body: &Table<'_, '_>) -> WrittenJoint {
+    let mut joint = WrittenJoint::unknown();
     if let Some(item) = reader.required(body, "attachment", "attachment = [0.0, 0.0, 0.0]") {
         joint.attachment = value::vector(reader, item, &body.what("attachment"));
     }

@@ -12,12 +12,10 @@ mod write;
 pub use write::write;
 
 use crate::description::toml_reader::{Item, Reader, span};
-use crate::description::{Description, Given, Scalar};
+use crate::description::{Description, Given, Order, Scalar};
 use crate::diagnostic::{Source, Span, Spanned};
-use crate::tree::Order;
 
 const ROOT_KEYS: [&str; 5] = ["name", "gravity", "lower_bodies", "order", "body"];
-const ORDERS: [(&str, Order); 2] = [("body", Order::Body), ("notes", Order::Notes)];
 
 /// Reads a description; what is wrong stands in [`Description::faults`].
 pub fn parse(source: &Source) -> Description {
@@ -46,7 +44,7 @@ fn read(reader: &mut Reader, document: &::toml::de::DeTable<'_>, description: &m
     let lower = reader.required(&root, "lower_bodies", "lower_bodies = [0, 1, 1]");
     description.lower_bodies = lower.and_then(|item| lower_bodies(reader, item));
     if let Some(item) = root.get("order") {
-        description.order = reader.choice(item, "`order`", &ORDERS, "unknown order");
+        description.order = reader.choice(item, "`order`", &Order::NAMED, "unknown order");
     }
     if let Some(item) = reader.required(&root, "body", "[[body]]") {
         let items = reader

@@ -3,7 +3,7 @@
 use crate::description::urdf::{IGNORED, named, origin};
 use crate::description::xml::{Element, Known, Reader};
 use crate::description::{
-    Chart, Given, Joint, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar,
+    Chart, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Spanned};
 
@@ -28,7 +28,7 @@ pub(super) struct JointElement<'d> {
     /// The name of the link that it moves.
     pub(super) child: Given<&'d str>,
     /// The joint itself.
-    pub(super) joint: Joint,
+    pub(super) joint: WrittenJoint,
 }
 
 /// Reads a `joint`, the `number`-th of the file.
@@ -52,11 +52,11 @@ pub(super) fn read<'d>(
         .required(element, &words, "type")
         .and_then(|kind| reader.keyword(kind, &format!("`type` of {words}"), &TYPES));
     let origin = origin::read(reader, element, &words);
-    let mut joint = Joint {
+    let mut joint = WrittenJoint {
         name: name.map(|name| Spanned::new(name.value.to_owned(), name.span)),
         attachment: origin.position,
         attachment_rotation: origin.rotation,
-        ..Joint::unknown()
+        ..WrittenJoint::unknown()
     };
     let what = kind.as_ref().map(|kind| &kind.value);
     if what.is_none_or(JointKind::has_axis) {
@@ -171,7 +171,7 @@ fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str) {
     }
 }
 
-fn dynamics(reader: &mut Reader, element: Element<'_>, words: &str, joint: &mut Joint) {
+fn dynamics(reader: &mut Reader, element: Element<'_>, words: &str, joint: &mut WrittenJoint) {
     let Some(element) = reader.child(element, words, "dynamics") else {
         return;
     };

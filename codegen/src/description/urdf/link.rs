@@ -2,7 +2,7 @@
 
 use crate::description::urdf::{IGNORED, named, origin};
 use crate::description::xml::{Element, Known, Reader};
-use crate::description::{Body, Given, INERTIA_COMPONENTS, Joint, Scalar};
+use crate::description::{Given, INERTIA_COMPONENTS, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 
 /// A link, with a joint of which nothing is known yet.
@@ -10,7 +10,7 @@ pub(super) struct Link<'d> {
     /// The name.
     pub(super) name: Given<&'d str>,
     /// All but the joint.
-    pub(super) body: Body,
+    pub(super) body: WrittenBody,
 }
 
 impl Link<'_> {
@@ -31,14 +31,14 @@ pub(super) fn read<'d>(reader: &mut Reader, element: Element<'d>, number: usize)
     };
     reader.unknown(element, &owner, &known);
     let zero = Some(Spanned::new(Scalar::Baked(0.0), element.span()));
-    let mut body = Body {
+    let mut body = WrittenBody {
         span: element.span(),
         name: name.map(|name| Spanned::new(name.value.to_owned(), name.span)),
         mass: zero,
         mass_center: [zero; 3],
         inertia: [zero; 6],
         inertia_rotation: None,
-        joint: Joint::unknown(),
+        joint: WrittenJoint::unknown(),
     };
     if let Some(inertial) = reader.child(element, &owner, "inertial") {
         read_inertial(reader, inertial, &owner, &mut body);
@@ -46,7 +46,7 @@ pub(super) fn read<'d>(reader: &mut Reader, element: Element<'d>, number: usize)
     Link { name, body }
 }
 
-fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str, body: &mut Body) {
+fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str, body: &mut WrittenBody) {
     let owner = format!("`inertial` of {link}");
     let known = Known {
         children: &["origin", "mass", "inertia"],

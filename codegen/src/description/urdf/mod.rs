@@ -13,7 +13,8 @@ use std::collections::BTreeSet;
 
 use crate::description::xml::{Document, Element, Known, Reader, root_name, shown};
 use crate::description::{
-    Base, Body, Chart, Description, Given, Joint, JointKind, Optional, Reading, Scalar, too_many,
+    Base, Chart, Description, Given, JointKind, Optional, Reading, Scalar, WrittenBody,
+    WrittenJoint, too_many,
 };
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 
@@ -118,17 +119,17 @@ struct Root {
 }
 
 impl Root {
-    fn joint(&self, span: Span) -> Joint {
+    fn joint(&self, span: Span) -> WrittenJoint {
         let (kind, chart): (_, Optional<Chart>) = match self.base {
             Base::Fixed => (JointKind::Fixed, None),
             Base::Free => (JointKind::Free, Some(Spanned::new(self.chart, span))),
         };
-        Joint {
+        WrittenJoint {
             kind: Some(Spanned::new(kind, span)),
             name: Some(Spanned::new(self.name.clone(), span)),
             attachment: [Some(Spanned::new(Scalar::Baked(0.0), span)); 3],
             chart,
-            ..Joint::unknown()
+            ..WrittenJoint::unknown()
         }
     }
 }
@@ -158,9 +159,9 @@ fn assemble(
         let joint = joint.and_then(|joint| joints[joint].take());
         parents.push(joint.as_ref().and_then(|j| Some(j.parent?.span)));
         let joint = joint.map_or_else(|| root.joint(link.span()), |joint| joint.joint);
-        Body { joint, ..link.body }
+        WrittenBody { joint, ..link.body }
     });
-    let mut bodies: Vec<Option<Body>> = bodies.map(Some).collect();
+    let mut bodies: Vec<Option<WrittenBody>> = bodies.map(Some).collect();
     let Some(order) = &hung.order else {
         description.bodies = bodies.into_iter().flatten().collect();
         return;

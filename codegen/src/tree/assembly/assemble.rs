@@ -1,6 +1,6 @@
 //! The tree of a description in which nothing is missing: bodies with all that is fixed to them, in axes of our choice.
 
-use crate::description::{Body as Written, Chart as ChartKind, Description, Rotation};
+use crate::description::{Chart, Description, Rotation, WrittenBody as Written};
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry;
 use crate::id::{BodyId, CoordinateId, SpeedId};
@@ -12,8 +12,8 @@ use crate::tree::rotations::snapping::Snapping;
 use crate::tree::values::mechanics;
 use crate::tree::values::parameters::Parameters;
 use crate::tree::{
-    Body, Changes, Chart, Coordinate, Frame, Joint, Offset, Orientation, Part, Pose, Step, Tree,
-    Value, mobility, names,
+    Body, Changes, ChartCoordinates, Coordinate, Frame, Joint, Offset, Orientation, Part, Pose,
+    Step, Tree, Value, mobility, names,
 };
 
 /// Where a written body's own frame is: in which body of the tree, and where there.
@@ -341,8 +341,8 @@ fn orientation(joint: &Resolved) -> Orientation {
         return Orientation::Rates([0, 1, 2].map(|motion| coordinate(joint.motions[motion])));
     }
     let chart = match joint.chart {
-        ChartKind::Angles => Chart::Angles([no_coordinate(); 3]),
-        ChartKind::Quaternion => Chart::EulerParameters([no_coordinate(); 4]),
+        Chart::Angles => ChartCoordinates::Angles([no_coordinate(); 3]),
+        Chart::Quaternion => ChartCoordinates::EulerParameters([no_coordinate(); 4]),
     };
     Orientation::AngularVelocity {
         chart,

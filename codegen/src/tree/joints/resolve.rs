@@ -4,7 +4,7 @@
 //! Afterwards: every free motion is about or along a coordinate axis of the joint's aligned frame.
 //! Does not: judge what is free; that is `joint_check`.
 
-use crate::description::{Axis, Chart, Description, Joint, JointKind, Rotation, Speeds};
+use crate::description::{Axis, Chart, Description, JointKind, Rotation, Speeds, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, nearest};
 use crate::geometry;
 use crate::tree::Changes;
@@ -110,7 +110,7 @@ pub(crate) fn change(
     }
 }
 
-fn resolved(joint: &Joint, identifier: String, snap: f64) -> Option<Resolved> {
+fn resolved(joint: &WrittenJoint, identifier: String, snap: f64) -> Option<Resolved> {
     let kind = joint.kind.as_ref()?;
     let (align, place, axis_change) = match (&joint.axis, kind.value.has_axis()) {
         (Some(axis), true) => rotation::toward(axis.value, snap),
@@ -250,7 +250,7 @@ fn remove(
     let known: Vec<&str> = (0..joints.len())
         .filter_map(|body| joint_name(description, body))
         .collect();
-    let of_body = |body: &crate::description::Body| {
+    let of_body = |body: &crate::description::WrittenBody| {
         body.name.as_ref().is_some_and(|known| known.value == name)
     };
     let place = (0..joints.len())

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{
-    Axis, Body, Chart, Description, JointKind, Limits, PerCoordinate, Scalar, Speeds,
+    Axis, Chart, Description, JointKind, Limits, PerCoordinate, Scalar, Speeds, WrittenBody,
 };
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::tree::joints::resolve::{Freedom, Resolved};
@@ -78,7 +78,7 @@ fn names_twice(description: &Description, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn locked(body: &Body, joint: &Resolved, name: &str, findings: &mut Vec<Diagnostic>) {
+fn locked(body: &WrittenBody, joint: &Resolved, name: &str, findings: &mut Vec<Diagnostic>) {
     let Some(kind) = &body.joint.kind else { return };
     for (locked, _) in &body.joint.locked {
         if kind.value.has_axis() {
@@ -107,7 +107,7 @@ fn locked(body: &Body, joint: &Resolved, name: &str, findings: &mut Vec<Diagnost
 }
 
 /// A quaternion or an angular velocity where not all angles are free, or rates of a quaternion.
-fn orientation(body: &Body, joint: &Resolved, name: &str, findings: &mut Vec<Diagnostic>) {
+fn orientation(body: &WrittenBody, joint: &Resolved, name: &str, findings: &mut Vec<Diagnostic>) {
     let turns = joint.free().filter(|motion| *motion < 3).count();
     if turns < 3 {
         let found = match (body.joint.chart, body.joint.speeds) {
@@ -131,7 +131,7 @@ fn orientation(body: &Body, joint: &Resolved, name: &str, findings: &mut Vec<Dia
 }
 
 /// A `theta2` locked at a right angle between free `theta1` and `theta3`, an error; near one, a warning.
-fn singular(body: &Body, joint: &Resolved, name: &str) -> Option<Diagnostic> {
+fn singular(body: &WrittenBody, joint: &Resolved, name: &str) -> Option<Diagnostic> {
     let (Freedom::Free(first), Freedom::Locked(value), Freedom::Free(third)) =
         (joint.motions[0], joint.motions[1], joint.motions[2])
     else {
@@ -177,7 +177,7 @@ fn singular(body: &Body, joint: &Resolved, name: &str) -> Option<Diagnostic> {
 }
 
 /// Quantities of coordinates that are not free, or that no spring, damper or rotor has.
-fn mechanics(body: &Body, joint: &Resolved, name: &str, findings: &mut Vec<Diagnostic>) {
+fn mechanics(body: &WrittenBody, joint: &Resolved, name: &str, findings: &mut Vec<Diagnostic>) {
     let written = &body.joint;
     let has_axis = written
         .kind
@@ -342,7 +342,7 @@ impl Check<'_> {
 }
 
 /// The free coordinates as written.
-pub(crate) fn free_axes(body: &Body) -> Vec<Spanned<Axis>> {
+pub(crate) fn free_axes(body: &WrittenBody) -> Vec<Spanned<Axis>> {
     match &body.joint.kind {
         Some(kind) => match &kind.value {
             JointKind::List(axes) => axes.clone(),

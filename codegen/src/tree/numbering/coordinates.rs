@@ -2,7 +2,7 @@
 
 use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::tree::joints::resolve::{Freedom, Resolved};
-use crate::tree::{Body, Chart, Coordinate, Order, Orientation};
+use crate::tree::{Body, ChartCoordinates, Coordinate, Order, Orientation};
 
 /// How many there are, or where the next one goes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,8 +36,8 @@ impl Numbers {
             Orientation::Rates(angles) => self.free(angles),
             Orientation::AngularVelocity { chart, speeds } => {
                 match chart {
-                    Chart::Angles(angles) => angles.fill_with(|| self.coordinate()),
-                    Chart::EulerParameters(parameters) => {
+                    ChartCoordinates::Angles(angles) => angles.fill_with(|| self.coordinate()),
+                    ChartCoordinates::EulerParameters(parameters) => {
                         parameters.fill_with(|| self.coordinate());
                     }
                 }

@@ -9,7 +9,7 @@ use crate::tree::{Mechanics, Value};
 /// What acts along the six motions of the joint of a body, and how far they go.
 pub(crate) fn of(
     parameters: &mut Parameters,
-    written: &description::Joint,
+    written: &description::WrittenJoint,
     joint: &Resolved,
     body: BodyId,
 ) -> [Mechanics; 6] {
