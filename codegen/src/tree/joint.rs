@@ -1,10 +1,9 @@
 //! A joint: which of a body's relative coordinates are free, and what they are called in `q` and `u`.
 
-use crate::{
-    description::Rotation,
-    id::{CoordinateId, SpeedId},
-    tree::{Offset, Value},
-};
+use crate::geometry::Rotation;
+use crate::id::{CoordinateId, SpeedId};
+use crate::tree::mechanics::Mechanics;
+use crate::tree::offset::Offset;
 
 /// The joint of a body with its lower body: an orientation and three translations between two constant frames.
 #[derive(Clone, Debug)]
@@ -83,44 +82,6 @@ pub struct Motion {
     pub speed: SpeedId,
     /// One, but for a coordinate that follows another.
     pub factor: f64,
-}
-
-/// What acts along one motion of a joint, and how far it goes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mechanics {
-    /// Stiffness of a spring, N m/rad, N/m.
-    pub stiffness: Value,
-    /// Where the spring is at rest, rad, m.
-    pub rest: Value,
-    /// Viscous damping, N m s/rad, N s/m.
-    pub damping: Value,
-    /// Inertia of a rotor as the joint feels it, kg m², kg.
-    pub armature: Value,
-    /// Coulomb friction, N m, N: data only.
-    pub friction: f64,
-    /// The least and the greatest value of the coordinate, rad, m: data only; infinite where there is no limit.
-    pub range: [f64; 2],
-    /// The greatest speed, rad/s, m/s: data only.
-    pub velocity: f64,
-    /// The greatest force, N m, N: data only.
-    pub effort: f64,
-}
-
-impl Default for Mechanics {
-    /// Nothing acts, and nothing is limited.
-    fn default() -> Self {
-        let zero = Value::Baked(0.0);
-        Self {
-            stiffness: zero,
-            rest: zero,
-            damping: zero,
-            armature: zero,
-            friction: 0.0,
-            range: [f64::NEG_INFINITY, f64::INFINITY],
-            velocity: f64::INFINITY,
-            effort: f64::INFINITY,
-        }
-    }
 }
 
 impl Joint {
@@ -204,6 +165,16 @@ impl Joint {
         }
         coordinates.extend(own(["s1", "s2", "s3"], self.translations));
         coordinates
+    }
+
+    /// The name of its coordinate or component of an angular velocity called `kind`: the joint's own name where it has one
+    /// and only this.
+    pub(crate) fn name_of(&self, kind: &str, is_only: bool) -> String {
+        if self.is_named && is_only {
+            self.identifier.clone()
+        } else {
+            format!("{}_{kind}", self.identifier)
+        }
     }
 
     /// The speeds that are the joint's own, each with the place of its motion among the six.

@@ -4,20 +4,20 @@ use std::collections::BTreeMap;
 
 use crate::description::{Description, JointKind, Mimic};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::tree::joints::resolve::{Freedom, Resolved, joint_name};
-use crate::tree::names::shown;
+use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
+use crate::tree::names::{joint_name, shown};
 
 /// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
 const MOST_COMPARED: (usize, usize) = (20, 5000);
 
 /// Makes every mimicking coordinate follow a free one, or hold where that one is held.
-pub(crate) fn resolve(
+pub(crate) fn follow(
     description: &Description,
-    joints: &mut [Resolved],
+    joints: &mut [ResolvedJoint],
     findings: &mut Vec<Diagnostic>,
 ) {
-    let mut links: Vec<Option<Link>> = Vec::with_capacity(joints.len());
-    let mut names = Names::of(description);
+    let mut links: Vec<Option<Mimicking>> = Vec::with_capacity(joints.len());
+    let mut names = JointNames::of(description);
     for body in 0..joints.len() {
         links.push(link(description, joints, body, &mut names, findings));
     }
@@ -74,14 +74,14 @@ pub(crate) fn resolve(
 }
 
 /// The names by which joints can be followed.
-struct Names<'d> {
+struct JointNames<'d> {
     /// Of each name the first body whose joint has it.
     places: BTreeMap<&'d str, usize>,
     /// How many were looked up and are none.
     n_missing: usize,
 }
 
-impl<'d> Names<'d> {
+impl<'d> JointNames<'d> {
     fn of(description: &'d Description) -> Self {
         let mut places = BTreeMap::new();
         for body in 0..description.bodies.len() {
@@ -109,7 +109,7 @@ impl<'d> Names<'d> {
 
 /// A coordinate and the joint that it names.
 #[derive(Clone, Copy)]
-struct Link {
+struct Mimicking {
     motion: usize,
     leader: usize,
     multiplier: f64,
@@ -119,11 +119,11 @@ struct Link {
 /// What the joint of a body follows, if it can.
 fn link(
     description: &Description,
-    joints: &[Resolved],
+    joints: &[ResolvedJoint],
     body: usize,
-    names: &mut Names<'_>,
+    names: &mut JointNames<'_>,
     findings: &mut Vec<Diagnostic>,
-) -> Option<Link> {
+) -> Option<Mimicking> {
     let mimic = description.bodies[body].joint.mimic.as_ref()?;
     let Mimic {
         joint,
@@ -176,7 +176,7 @@ fn link(
         );
         return None;
     }
-    Some(Link {
+    Some(Mimicking {
         motion,
         leader,
         multiplier: *multiplier,

@@ -1,9 +1,17 @@
 //! Joints as written become six motions, each free, held or following another, between two constant frames.
 //!
-//! In: kinds, axes, lists of coordinates, and the user's changes. Out: a [`Resolved`](resolve::Resolved) joint for every
-//! body. Afterwards: no joint contradicts itself, and what follows another follows a free coordinate. Does not: number
-//! anything.
+//! In: kinds, exact axes, lists of coordinates, and the user's changes. Out: a [`ResolvedJoint`] for every body.
+//! Afterwards: no joint contradicts itself, and what follows another follows a free coordinate. Does not: number anything.
 
-pub(crate) mod mimic;
-pub(crate) mod resolve;
-pub(crate) mod rules;
+mod change;
+mod mechanics_rules;
+mod mimic;
+mod resolve;
+mod resolved;
+mod rules;
+
+pub(crate) use change::change;
+pub(crate) use mimic::follow;
+pub(crate) use resolve::joints;
+pub(crate) use resolved::{Freedom, ResolvedJoint};
+pub(crate) use rules::{check, check_motions};

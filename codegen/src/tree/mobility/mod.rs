@@ -17,6 +17,5 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use following::has_followers;
 pub(crate) use report::check;
 pub(crate) use sweep::Units;

@@ -1,11 +1,10 @@
 //! The motions that move no mass, in the words of the user.
 
-use crate::description::{Axis, Description};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::description::{Axis, Description, JointKind, WrittenBody};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::id::BodyId;
 use crate::random::Random;
 use crate::tree::Tree;
-use crate::tree::joints::rules::free_axes;
 use crate::tree::mobility::following;
 use crate::tree::mobility::sweep::{Joint, Units, inward, moved_along};
 use crate::tree::names::shown;
@@ -181,5 +180,16 @@ fn and(names: &[String]) -> String {
     match names {
         [names @ .., last] if !names.is_empty() => format!("{} and {last}", names.join(", ")),
         _ => names.concat(),
+    }
+}
+
+/// The free coordinates as written.
+fn free_axes(body: &WrittenBody) -> Vec<Spanned<Axis>> {
+    match &body.joint.kind {
+        Some(kind) => match &kind.value {
+            JointKind::List(axes) => axes.clone(),
+            _ => Axis::ALL.map(|axis| Spanned::new(axis, kind.span)).to_vec(),
+        },
+        None => Vec::new(),
     }
 }

@@ -4,8 +4,8 @@ use crate::description::Axis;
 use crate::geometry::{self, cross};
 use crate::id::{BodyId, SpeedId};
 use crate::random::Random;
-use crate::tree::inertia::principal;
 use crate::tree::mobility::rows::{Twist, dot, join, project_out, triangle};
+use crate::tree::principal::principal;
 use crate::tree::{Coordinate, Orientation, Part, Tree};
 
 /// Part of what a column could move at most, below which it moves nothing.
@@ -52,7 +52,7 @@ impl Units {
         let attachments = tree.bodies.iter().map(|body| &body.joint.attachment);
         let lengths = attachments.chain(parts().map(|part| &part.mass_center));
         let length = or_one(largest(
-            &mut lengths.flat_map(|offset| offset.nominal(tree)),
+            &mut lengths.flat_map(|offset| offset.nominal(&tree.parameters)),
         ));
         let masses = largest(&mut parts().map(|part| tree.nominal(part.mass)));
         let inertias = parts().flat_map(|part| [part.inertia.xx, part.inertia.yy, part.inertia.zz]);
@@ -117,7 +117,7 @@ fn own_part(tree: &Tree, units: &Units, part: &Part) -> Beyond {
     let mass = tree.nominal(part.mass) / units.mass;
     let center = part
         .mass_center
-        .nominal(tree)
+        .nominal(&tree.parameters)
         .map(|part| part / units.length);
     let tensor = part.inertia;
     let tensor = [
@@ -185,7 +185,7 @@ pub(crate) fn geometry(
         0..3 => join(turns[motion], [0.0; 3]),
         _ => join([0.0; 3], turned.map(|row| row[motion - 3])),
     });
-    let attachment = joint.attachment.nominal(tree);
+    let attachment = joint.attachment.nominal(&tree.parameters);
     let shift = geometry::apply(&geometry::transposed(&joint.rotation), shift);
     let lever = std::array::from_fn(|i| attachment[i] / units.length + shift[i]);
     let mut carried = [[0.0; 6]; 6];

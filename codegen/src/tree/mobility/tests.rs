@@ -7,13 +7,14 @@ use crate::expr::Input;
 use crate::functions::{Formulation, Function};
 use crate::id::BodyId;
 use crate::random::Random;
-use crate::tree::Changes;
 use crate::tree::Tree;
-use crate::tree::assembly::assemble;
-use crate::tree::joints::{mimic, resolve};
+use crate::tree::assembly::{Settled, assemble};
+use crate::tree::joints;
 use crate::tree::mobility::following;
 use crate::tree::mobility::rows::{Twist, dot, project_out};
 use crate::tree::mobility::sweep::{Joint, Units, inward, moved_along, own};
+use crate::tree::numbering::outward;
+use crate::tree::rotations::exact;
 
 /// What joints a tree has.
 #[derive(Clone, Copy, PartialEq)]
@@ -143,13 +144,20 @@ fn framed(pick: &mut dyn FnMut(f64) -> f64, is_first: bool, list: &[&str]) -> (S
 /// The tree of a description, whatever moves no mass.
 fn built(text: &str) -> Tree {
     let description = crate::description::toml::parse(&crate::diagnostic::Source::new("s", text));
-    let places: Vec<usize> = (0..description.bodies.len()).collect();
-    let joints = resolve::joints(&description, 0.0);
-    let mut joints: Vec<_> = joints.into_iter().flatten().collect();
     let mut findings = Vec::new();
-    mimic::resolve(&description, &mut joints, &mut findings);
-    let changes = Changes::default();
-    assemble(&description, &places, &joints, &changes, &mut findings).unwrap()
+    let outward = outward(&description, &mut findings).unwrap();
+    let (rotations, _) = exact(&description, 0.0);
+    let joints = joints::joints(&description, &rotations);
+    let mut joints: Vec<_> = joints.into_iter().flatten().collect();
+    joints::follow(&description, &mut joints, &mut findings);
+    let settled = Settled {
+        description: &description,
+        outward: &outward,
+        joints: &joints,
+        rotations: &rotations,
+        snap: 1e-9,
+    };
+    assemble(settled, &mut findings).unwrap()
 }
 
 /// The most that the mass matrix has in rank in a few states.

@@ -1,82 +1,13 @@
-//! Names of bodies, and the Rust identifiers that stand for them in generated code.
+//! The Rust identifiers that stand for bodies and joints in generated code.
 //!
-//! In: names as the user wrote them. Out: one identifier a body, lower snake case, ASCII, unique, no keyword.
+//! In: names as the user wrote them. Out: one identifier a body or joint, lower snake case, ASCII, unique, no keyword.
 //! A name that is such an identifier stays as it is; others give way. Does not: know of other names of the output.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
-use crate::diagnostic::{Diagnostic, Spanned, is_unprintable};
-use crate::limits::NAME_CHARACTERS;
-use crate::tree::{Joint, Tree};
-
-/// "body `hub`", or "body 3" where it has no name.
-pub(crate) fn shown(description: &Description, body: usize) -> String {
-    match description
-        .bodies
-        .get(body)
-        .and_then(|body| body.name.as_ref())
-    {
-        Some(name) if !name.value.is_empty() => format!("body `{}`", name.value.escape_debug()),
-        _ => format!("body {}", body + 1),
-    }
-}
-
-/// Names that are empty, unprintable or given twice.
-pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
-    check_one(description.name.as_ref(), "the system's", findings);
-    let mut first: BTreeMap<&str, &Spanned<String>> = BTreeMap::new();
-    for (index, body) in description.bodies.iter().enumerate() {
-        check_one(
-            body.name.as_ref(),
-            &format!("body {}'s", index + 1),
-            findings,
-        );
-        let joint = format!("the joint of body {}:", index + 1);
-        check_one(body.joint.name.as_ref(), &joint, findings);
-        let Some(name) = body.name.as_ref().filter(|name| !name.value.is_empty()) else {
-            continue;
-        };
-        if let Some(first) = first.get(name.value.as_str()) {
-            let fault = Diagnostic::error(format!(
-                "two bodies have the name `{}`",
-                name.value.escape_debug()
-            ));
-            findings.push(
-                fault
-                    .at(name.span, "the second one")
-                    .at(first.span, "the first one"),
-            );
-        } else {
-            first.insert(&name.value, name);
-        }
-    }
-}
-
-fn check_one(name: Option<&Spanned<String>>, whose: &str, findings: &mut Vec<Diagnostic>) {
-    let Some(name) = name else { return };
-    if name.value.is_empty() {
-        findings.push(
-            Diagnostic::error(format!("{whose} name is empty")).at(name.span, "expected a name"),
-        );
-    }
-    let n_characters = name.value.chars().count();
-    if n_characters > NAME_CHARACTERS {
-        let fault = format!(
-            "{whose} name has {n_characters} characters; expected at most {NAME_CHARACTERS}"
-        );
-        findings.push(Diagnostic::error(fault).at(name.span, "too long"));
-    }
-    if let Some(character) = name
-        .value
-        .chars()
-        .find(|character| is_unprintable(*character))
-    {
-        let code = u32::from(character);
-        let fault = format!("{whose} name holds the character U+{code:04X}, which cannot be shown");
-        findings.push(Diagnostic::error(fault).at(name.span, "expected printable characters"));
-    }
-}
+use crate::diagnostic::{Diagnostic, Spanned};
+use crate::tree::names::keywords::is_keyword;
 
 /// The identifiers of bodies with these names, and for those that had to change a note.
 pub(crate) fn identifiers(
@@ -165,20 +96,6 @@ fn identifier(name: &str) -> String {
     }
 }
 
-/// True for a keyword of Rust.
-pub(crate) fn is_keyword(word: &str) -> bool {
-    KEYWORDS.contains(&word)
-}
-
-/// Strict and reserved keywords of Rust up to edition 2024.
-const KEYWORDS: [&str; 51] = [
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
-    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
-    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
-    "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
-    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
-
 /// The identifiers that stand before coordinates: of a joint's own name, or its body's.
 pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
     let bodies: Vec<Spanned<String>> = description
@@ -222,36 +139,4 @@ pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {
             unique_among(&plain, &mut taken, &mut next)
         })
         .collect()
-}
-
-/// The name of a joint's coordinate or component of an angular velocity, `kind`: where a joint has a name and only one,
-/// the joint's.
-pub(crate) fn of_coordinate(joint: &Joint, kind: &str, is_only: bool) -> String {
-    if joint.is_named && is_only {
-        joint.identifier.clone()
-    } else {
-        format!("{}_{kind}", joint.identifier)
-    }
-}
-
-/// Two coordinates with one name, which a joint's own name can make.
-pub(crate) fn check_coordinates(tree: &Tree, findings: &mut Vec<Diagnostic>) {
-    let mut known = BTreeSet::new();
-    for name in tree.coordinate_names() {
-        if let Some(name) = known.replace(name) {
-            findings.push(Diagnostic::error(format!(
-                "two coordinates are called `{name}`; give one of their joints another name"
-            )));
-        }
-    }
-}
-
-/// Tells in which order coordinates stand, where joints have names of their own by which a user will look for them.
-pub(crate) fn note_order(tree: &Tree, findings: &mut Vec<Diagnostic>) {
-    if tree.bodies.iter().any(|body| body.joint.is_named) {
-        findings.push(Diagnostic::note(format!(
-            "the coordinates, in order, are {}",
-            tree.coordinate_names().join(", ")
-        )));
-    }
 }

@@ -1,7 +1,7 @@
 //! The body-connection array: is it a tree, and in which order do its bodies count outward.
 //!
-//! In: the array as the user wrote it. Out: the bodies' places in the user's list, in the tree's order, so that
-//! every lower body (parent) comes before its bodies. Does not: keep anything of an array that is no tree.
+//! In: the array as the user wrote it. Out: the bodies' [`Outward`] order, in which every lower body (parent) comes
+//! before its bodies. Does not: keep anything of an array that is no tree.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -9,37 +9,53 @@ use std::collections::BinaryHeap;
 use crate::description::cycles::cycles;
 use crate::description::{Description, Given};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::tree::Body;
 use crate::tree::names::shown;
 
-/// The bodies in the tree's order: `order[k]` is the place of body `k` in the user's list.
+/// The written bodies from the inertial frame outward.
+#[derive(Clone, Debug)]
+pub(crate) struct Outward {
+    /// Of each its place in the user's list.
+    pub(crate) places: Vec<usize>,
+    /// Of each where its lower body stands in this order, which is before it; `None` is the inertial frame.
+    pub(crate) lowers: Vec<Option<usize>>,
+}
+
+/// The bodies outward.
 ///
 /// Again and again the lowest-numbered body whose lower body is placed: a list that runs outward stays as it is.
 /// `None` if the array is no tree, which is then among the findings.
-pub(crate) fn order(
+pub(crate) fn outward(
     description: &Description,
     findings: &mut Vec<Diagnostic>,
-) -> Option<Vec<usize>> {
+) -> Option<Outward> {
     let lower = lowers(description, findings)?;
     if !lower.contains(&None) {
         findings.push(no_root(description, &lower));
         return None;
     }
     let mut bodies_on: Vec<Vec<usize>> = vec![Vec::new(); lower.len()];
+    // Each with where its lower body stands outward.
     let mut ready = BinaryHeap::new();
     for (body, lower) in lower.iter().enumerate() {
         match lower {
             Some(lower) => bodies_on[*lower].push(body),
-            None => ready.push(Reverse(body)),
+            None => ready.push(Reverse((body, None))),
         }
     }
-    let mut order = Vec::with_capacity(lower.len());
-    while let Some(Reverse(body)) = ready.pop() {
-        order.push(body);
-        ready.extend(bodies_on[body].iter().copied().map(Reverse));
+    let mut places = Vec::with_capacity(lower.len());
+    let mut lowers = Vec::with_capacity(lower.len());
+    while let Some(Reverse((body, on))) = ready.pop() {
+        let here = places.len();
+        places.push(body);
+        lowers.push(on);
+        ready.extend(
+            bodies_on[body]
+                .iter()
+                .map(|&body| Reverse((body, Some(here)))),
+        );
     }
-    if order.len() == lower.len() {
-        return Some(order);
+    if places.len() == lower.len() {
+        return Some(Outward { places, lowers });
     }
     findings.extend(cycles(&lower).iter().map(|cycle| {
         let fault = Diagnostic::error(format!(
@@ -155,23 +171,22 @@ fn label(description: &Description, cycle: &[usize], fault: Diagnostic) -> Diagn
         })
 }
 
-/// Tells which bodies of the tree do not stand in the order of the user's list.
+/// Tells which bodies of the tree, at these places in the user's list, do not stand in its order.
 pub(crate) fn note_moved(
     description: &Description,
-    bodies: &[Body],
+    places: &[usize],
     findings: &mut Vec<Diagnostic>,
 ) {
-    let mut in_list: Vec<usize> = bodies.iter().map(|body| body.user_number).collect();
+    let mut in_list = places.to_vec();
     in_list.sort_unstable();
-    let moved: Vec<String> = bodies
+    let moved: Vec<String> = places
         .iter()
         .zip(in_list)
         .enumerate()
-        .filter(|(_, (body, in_list))| body.user_number != *in_list)
-        .map(|(new, (body, _))| {
-            let old = body.user_number;
-            let name = shown(description, old - 1);
-            format!("{name} from {old} to {}", new + 1)
+        .filter(|(_, (place, in_list))| *place != in_list)
+        .map(|(new, (&place, _))| {
+            let name = shown(description, place);
+            format!("{name} from {} to {}", place + 1, new + 1)
         })
         .collect();
     let Some(array) = description

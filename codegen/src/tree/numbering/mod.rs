@@ -1,4 +1,7 @@
-//! The numbers of bodies, and the places of coordinates in `q` and of speeds in `u`.
+//! The order of bodies, and the places of coordinates in `q` and of speeds in `u`.
 
-pub(crate) mod bodies;
-pub(crate) mod coordinates;
+mod bodies;
+mod coordinates;
+
+pub(crate) use bodies::{Outward, note_moved, outward};
+pub(crate) use coordinates::{JointCoordinates, number};

@@ -1,4 +1,10 @@
-//! What becomes of the constant rotations and axes of a description.
+//! The constant rotations and axes of a description: made orthonormal, and exact where they are nearly so.
 
-pub(crate) mod snap;
-pub(crate) mod snapping;
+mod alignment;
+mod exact;
+mod orthonormal;
+mod snap;
+
+pub(crate) use exact::{ConstantRotations, exact};
+pub(crate) use snap::snapped;
+pub use snap::snapped_sin_cos;

@@ -1,19 +1,19 @@
 //! Springs, dampers, rotors, friction and limits: from quantities as written to those of each motion.
 
-use crate::description::{self, Limits, PerCoordinate, Scalar};
+use crate::description::{PerCoordinate, Scalar, WrittenJoint};
 use crate::id::BodyId;
-use crate::tree::joints::resolve::{Freedom, Resolved};
+use crate::tree::joints::{Freedom, ResolvedJoint};
+use crate::tree::mechanics::Mechanics;
+use crate::tree::value::Value;
 use crate::tree::values::parameters::Parameters;
-use crate::tree::{Mechanics, Value};
 
 /// What acts along the six motions of the joint of a body, and how far they go.
-pub(crate) fn of(
+pub(super) fn of(
     parameters: &mut Parameters,
-    written: &description::WrittenJoint,
-    joint: &Resolved,
+    written: &WrittenJoint,
+    joint: &ResolvedJoint,
     body: BodyId,
 ) -> [Mechanics; 6] {
-    let mut mechanics = [Mechanics::default(); 6];
     let mut reader = Reader {
         parameters,
         joint,
@@ -23,24 +23,27 @@ pub(crate) fn of(
     let rest = reader.values("rest", &written.rest, ["rad", "m"]);
     let damping = reader.values("damping", &written.damping, ["N m s/rad", "N s/m"]);
     let armature = reader.values("armature", &written.armature, ["kg m^2", "kg"]);
-    for (motion, mechanics) in mechanics.iter_mut().enumerate() {
-        mechanics.stiffness = stiffness[motion];
-        mechanics.rest = rest[motion];
-        mechanics.damping = damping[motion];
-        mechanics.armature = armature[motion];
-        if let Some(friction) = at(&written.friction, motion) {
-            mechanics.friction = friction;
+    std::array::from_fn(|motion| {
+        let limits = at(&written.limits, motion).unwrap_or_default();
+        Mechanics {
+            stiffness: stiffness[motion],
+            rest: rest[motion],
+            damping: damping[motion],
+            armature: armature[motion],
+            friction: at(&written.friction, motion).unwrap_or(0.0),
+            range: [
+                limits.lower.map_or(f64::NEG_INFINITY, |limit| limit.value),
+                limits.upper.map_or(f64::INFINITY, |limit| limit.value),
+            ],
+            velocity: limits.velocity.map_or(f64::INFINITY, |limit| limit.value),
+            effort: limits.effort.map_or(f64::INFINITY, |limit| limit.value),
         }
-        if let Some(limits) = at(&written.limits, motion) {
-            limit(mechanics, &limits);
-        }
-    }
-    mechanics
+    })
 }
 
 struct Reader<'a> {
     parameters: &'a mut Parameters,
-    joint: &'a Resolved,
+    joint: &'a ResolvedJoint,
     body: BodyId,
 }
 
@@ -94,14 +97,4 @@ fn at<T: Copy>(quantity: &PerCoordinate<T>, motion: usize) -> Option<T> {
             .find(|(axis, _)| axis.value.index() == motion)
             .map(|(_, value)| value.value),
     }
-}
-
-fn limit(mechanics: &mut Mechanics, limits: &Limits) {
-    let [lower, upper] = mechanics.range;
-    mechanics.range = [
-        limits.lower.map_or(lower, |limit| limit.value),
-        limits.upper.map_or(upper, |limit| limit.value),
-    ];
-    mechanics.velocity = limits.velocity.map_or(f64::INFINITY, |limit| limit.value);
-    mechanics.effort = limits.effort.map_or(f64::INFINITY, |limit| limit.value);
 }

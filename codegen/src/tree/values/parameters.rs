@@ -1,10 +1,11 @@
-//! The numbers of a description, baked in or as parameters, which are listed as they are met.
+//! The values that are set at run time, listed as they are met.
 
 use std::collections::BTreeSet;
 
 use crate::description::{Given, INERTIA_COMPONENTS, Scalar};
 use crate::id::{BodyId, ParameterId};
-use crate::tree::{Inertia, Parameter, Value};
+use crate::tree::body::Inertia;
+use crate::tree::value::{Parameter, Value};
 
 /// The runtime values met so far.
 #[derive(Default)]
