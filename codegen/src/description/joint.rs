@@ -139,13 +139,13 @@ pub struct Mimic {
 }
 
 impl WrittenJoint {
-    /// A joint of which nothing is known yet.
-    pub fn unknown() -> Self {
+    /// A joint of this kind and in this place, with nothing beside.
+    pub fn new(kind: Given<JointKind>, attachment: [Given<Scalar>; 3]) -> Self {
         Self {
-            kind: None,
+            kind,
             name: None,
             axis: None,
-            attachment: [None; 3],
+            attachment,
             attachment_rotation: None,
             body_attachment: None,
             body_rotation: None,

@@ -7,8 +7,11 @@ use std::collections::BTreeMap;
 use crate::description::Axis;
 use crate::id::{BodyId, SpeedId};
 use crate::random::Random;
+use crate::tree::mobility::kinematics::{Kinematics, kinematics, rotor};
+use crate::tree::mobility::masses::own;
 use crate::tree::mobility::rows::{Twist, dot, project_out};
-use crate::tree::mobility::sweep::{Geometry, IDLE, SHARE, Units, geometry, own, rotor};
+use crate::tree::mobility::sweep::{IDLE, SHARE};
+use crate::tree::mobility::units::Units;
 use crate::tree::{Coordinate, Tree, is_translation};
 
 /// True where a coordinate follows another.
@@ -131,7 +134,7 @@ fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
     let mut moved: Vec<BTreeMap<SpeedId, Moved>> = Vec::with_capacity(tree.bodies.len());
     for body in tree.body_ids() {
         let joint = &tree.body(body).joint;
-        let geometry = geometry(tree, units, body, |coordinate, is_angle| {
+        let kinematics = kinematics(tree, units, body, |coordinate, is_angle| {
             let unit = if is_angle { 1.0 } else { units.length };
             let value = match coordinate {
                 Coordinate::Free { coordinate, .. } => q[coordinate.index()],
@@ -146,16 +149,16 @@ fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
             value / unit
         });
         let lower = tree.lower(body).map(|lower| &moved[lower.index()]);
-        let mut here = carried(&geometry, lower);
+        let mut here = carried(&kinematics, lower);
         for (motion, speed) in joint.motions().into_iter().enumerate() {
             let Some(speed_of) = speed else { continue };
             let unit = if motion < 3 { 1.0 } else { units.length };
             let rate = speed_of.factor / unit;
             let entry = here.entry(speed_of.speed).or_default();
-            for (entry, column) in entry.twist.iter_mut().zip(geometry.columns[motion]) {
+            for (entry, column) in entry.twist.iter_mut().zip(kinematics.columns[motion]) {
                 *entry += rate * column;
             }
-            let size = dot(&geometry.columns[motion], &geometry.columns[motion]).sqrt();
+            let size = dot(&kinematics.columns[motion], &kinematics.columns[motion]).sqrt();
             if motion < 3 {
                 entry.turning += (rate * size).abs();
             } else {
@@ -196,19 +199,19 @@ fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
 
 /// What the lower body's motion gives the body.
 fn carried(
-    geometry: &Geometry,
+    kinematics: &Kinematics,
     lower: Option<&BTreeMap<SpeedId, Moved>>,
 ) -> BTreeMap<SpeedId, Moved> {
     let carry = |(speed, moved): (&SpeedId, &Moved)| {
         let twist = std::array::from_fn(|row| {
             (0..6)
-                .map(|component| geometry.carried[component][row] * moved.twist[component])
+                .map(|component| kinematics.carried[component][row] * moved.twist[component])
                 .sum()
         });
         let moved = Moved {
             twist,
             turning: moved.turning,
-            shifting: moved.shifting + geometry.lever * moved.turning,
+            shifting: moved.shifting + kinematics.lever * moved.turning,
         };
         (*speed, moved)
     };

@@ -6,7 +6,9 @@ use crate::id::BodyId;
 use crate::random::Random;
 use crate::tree::Tree;
 use crate::tree::mobility::following;
-use crate::tree::mobility::sweep::{Joint, Units, inward, moved_along};
+use crate::tree::mobility::response::moved_along;
+use crate::tree::mobility::sweep::{SweptJoint, inward};
+use crate::tree::mobility::units::Units;
 use crate::tree::names::shown;
 
 /// The states that are tried.
@@ -17,11 +19,11 @@ const MOST_REPORTED: usize = 100;
 const MOST_NAMED: usize = 8;
 
 /// Coordinates that move together.
-type Motion = Vec<(BodyId, Axis)>;
+type Combination = Vec<(BodyId, Axis)>;
 
 /// Reports every free coordinate, or combination of free coordinates, that moves no mass.
 pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<Diagnostic>) {
-    let mut alone: Vec<Motion> = Vec::new();
+    let mut alone: Vec<Combination> = Vec::new();
     for motion in idle(tree).into_iter().take(MOST_REPORTED) {
         match alone.last_mut() {
             // Coordinates of one body that are each idle are one finding.
@@ -38,14 +40,15 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
 }
 
 /// The motions that move no mass in any of the states that are tried.
-fn idle(tree: &Tree) -> Vec<Motion> {
+fn idle(tree: &Tree) -> Vec<Combination> {
     let units = Units::of(tree);
     if following::has_followers(tree) {
         let tried = (1..=STATES).map(|seed| following::idle(tree, &units, &mut Random::new(seed)));
         return tried.min_by_key(Vec::len).unwrap_or_default();
     }
     let sweeps = (1..=STATES).map(|seed| inward(tree, &units, &mut Random::new(seed)));
-    let n_idle = |joints: &Vec<Joint>| joints.iter().map(|joint| joint.idle.len()).sum::<usize>();
+    let n_idle =
+        |joints: &Vec<SweptJoint>| joints.iter().map(|joint| joint.idle.len()).sum::<usize>();
     let joints = sweeps.min_by_key(n_idle).unwrap_or_default();
     let of_body = |body: BodyId| {
         let n_idle = joints.get(body.index()).map_or(0, |joint| joint.idle.len());
@@ -58,7 +61,7 @@ fn idle(tree: &Tree) -> Vec<Motion> {
 }
 
 /// Coordinates of one body, of which each by itself moves no mass.
-fn separately(tree: &Tree, description: &Description, motion: &Motion) -> Diagnostic {
+fn separately(tree: &Tree, description: &Description, motion: &Combination) -> Diagnostic {
     let (verb, them) = if motion.len() == 1 {
         ("moves", "it")
     } else {
@@ -101,7 +104,7 @@ fn beyond(tree: &Tree, description: &Description, first: BodyId) -> String {
 }
 
 /// Coordinates that move no mass if they move in a certain proportion.
-fn together(tree: &Tree, description: &Description, motion: &Motion) -> Diagnostic {
+fn together(tree: &Tree, description: &Description, motion: &Combination) -> Diagnostic {
     let fault = Diagnostic::error(format!(
         "a motion of {} moves no mass",
         named(tree, description, motion)
@@ -119,7 +122,7 @@ fn together(tree: &Tree, description: &Description, motion: &Motion) -> Diagnost
 }
 
 /// "`theta1` and `s2` of body `a` together with `s1` of body `b`".
-fn named(tree: &Tree, description: &Description, motion: &Motion) -> String {
+fn named(tree: &Tree, description: &Description, motion: &Combination) -> String {
     let mut groups = Vec::new();
     for coordinates in
         motion[..motion.len().min(MOST_NAMED)].chunk_by(|one, other| one.0 == other.0)
@@ -152,7 +155,7 @@ fn named(tree: &Tree, description: &Description, motion: &Motion) -> String {
 fn at_joints(
     tree: &Tree,
     description: &Description,
-    motion: &Motion,
+    motion: &Combination,
     fault: Diagnostic,
     label: &str,
 ) -> Diagnostic {

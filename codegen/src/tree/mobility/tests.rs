@@ -11,8 +11,11 @@ use crate::tree::Tree;
 use crate::tree::assembly::{Settled, assemble};
 use crate::tree::joints;
 use crate::tree::mobility::following;
+use crate::tree::mobility::masses::own;
+use crate::tree::mobility::response::moved_along;
 use crate::tree::mobility::rows::{Twist, dot, project_out};
-use crate::tree::mobility::sweep::{Joint, Units, inward, moved_along, own};
+use crate::tree::mobility::sweep::{SweptJoint, inward};
+use crate::tree::mobility::units::Units;
 use crate::tree::numbering::outward;
 use crate::tree::rotations::exact;
 
@@ -216,13 +219,18 @@ fn rank_of_energies(mut m: Vec<Vec<f64>>) -> usize {
 }
 
 /// For each free coordinate, body by body, the root of the mass times the velocity of everything.
-fn velocities(tree: &Tree, units: &Units, joints: &[Joint]) -> Vec<((BodyId, Axis), Vec<f64>)> {
+fn velocities(
+    tree: &Tree,
+    units: &Units,
+    joints: &[SweptJoint],
+) -> Vec<((BodyId, Axis), Vec<f64>)> {
     let mut columns = Vec::new();
     for moving in tree.body_ids() {
         for (axis, unit) in joints[moving.index()]
+            .free
             .axes
             .iter()
-            .zip(&joints[moving.index()].columns)
+            .zip(&joints[moving.index()].free.columns)
         {
             let mut twists: Vec<Twist> = Vec::new();
             let mut column = Vec::new();
@@ -230,7 +238,7 @@ fn velocities(tree: &Tree, units: &Units, joints: &[Joint]) -> Vec<((BodyId, Axi
                 let lower = tree
                     .lower(body)
                     .map_or([0.0; 6], |lower| twists[lower.index()]);
-                let carried = joints[body.index()].carried;
+                let carried = joints[body.index()].free.carried;
                 let mut twist: Twist =
                     std::array::from_fn(|row| (0..6).map(|i| carried[i][row] * lower[i]).sum());
                 if body == moving {
@@ -238,9 +246,10 @@ fn velocities(tree: &Tree, units: &Units, joints: &[Joint]) -> Vec<((BodyId, Axi
                 }
                 // Rotors move with their own speeds alone.
                 for (other, rotor) in joints[body.index()]
+                    .free
                     .axes
                     .iter()
-                    .zip(&joints[body.index()].rotors)
+                    .zip(&joints[body.index()].free.rotors)
                 {
                     let is_own = body == moving && other == axis;
                     column.push(if is_own { *rotor } else { 0.0 });

@@ -2,6 +2,15 @@
 //!
 //! As in MuJoCo 4.0, with some of earlier versions. Of other names there is a warning.
 
-mod elements;
+mod bodies;
+mod others;
+mod sections;
+mod settings;
 
-pub(super) use elements::*;
+pub(super) use bodies::{BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT};
+pub(super) use others::{ACTUATOR, EQUALITY, TENDON};
+pub(super) use sections::{
+    ACTUATORS, EQUALITIES, IGNORED_IN_BODY, IGNORED_SECTIONS, IN_BODY, SECTIONS,
+    UNSUPPORTED_IN_BODY,
+};
+pub(super) use settings::{COMPILER, DEFAULT, FLAG, OPTION};
