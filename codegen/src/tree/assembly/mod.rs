@@ -4,7 +4,10 @@
 //! nothing is missing. Does not: judge whether all coordinates move mass.
 
 mod assemble;
+mod bodies;
 mod merging;
 mod placing;
+mod settled;
 
-pub(crate) use assemble::{Settled, assemble};
+pub(crate) use assemble::assemble;
+pub(crate) use settled::Settled;

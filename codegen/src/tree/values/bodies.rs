@@ -38,7 +38,7 @@ pub(crate) struct BodyValues {
 }
 
 /// A written body and what is known of it already.
-pub(crate) struct Known<'a> {
+pub(crate) struct HostedBody<'a> {
     pub(crate) written: &'a WrittenBody,
     pub(crate) joint: &'a ResolvedJoint,
     pub(crate) identifier: &'a str,
@@ -49,7 +49,7 @@ pub(crate) struct Known<'a> {
 /// The values of all bodies; `None` where one is missing, or where there are too many parameters.
 pub(crate) fn values<'a>(
     description: &Description,
-    bodies: impl Iterator<Item = Known<'a>>,
+    bodies: impl Iterator<Item = HostedBody<'a>>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Values> {
     let mut parameters = Parameters::default();
@@ -73,8 +73,8 @@ pub(crate) fn values<'a>(
     })
 }
 
-fn of_body(parameters: &mut Parameters, body: &Known<'_>) -> Option<BodyValues> {
-    let &Known {
+fn of_body(parameters: &mut Parameters, body: &HostedBody<'_>) -> Option<BodyValues> {
+    let &HostedBody {
         written,
         joint,
         identifier,
