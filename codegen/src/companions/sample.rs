@@ -12,7 +12,7 @@ use crate::{
     options::companion::SCALES,
     random::Random,
     recursive::Plan,
-    tree::{Chart, Orientation, Tree, is_translation},
+    tree::{ChartCoordinates, Orientation, Tree, is_translation},
 };
 
 /// All that the equations are given in a state.
@@ -90,7 +90,7 @@ impl<'a> Sampler<'a> {
 fn normalize(tree: &Tree, q: &mut [f64]) {
     for body in &tree.bodies {
         if let Orientation::AngularVelocity {
-            chart: Chart::EulerParameters(parameters),
+            chart: ChartCoordinates::EulerParameters(parameters),
             ..
         } = body.joint.orientation
         {

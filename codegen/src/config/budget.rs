@@ -2,7 +2,7 @@
 
 use crate::{
     budget::{Budget, Kind},
-    description::read::{Item, Reader, Table, span},
+    description::toml_reader::{Item, Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
     functions::Request,
     options::Functions,

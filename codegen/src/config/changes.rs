@@ -3,7 +3,7 @@
 use crate::{
     description::{
         Base, Chart, Reading,
-        read::{Reader, Table},
+        toml_reader::{Reader, Table},
     },
     diagnostic::{Diagnostic, Spanned},
     options::SNAP_TOLERANCES,

@@ -1,7 +1,7 @@
 //! Functions that a `kane.toml` names, each of which is known.
 
 use crate::{
-    description::read::{Reader, Table, list, span},
+    description::toml_reader::{Reader, Table, list, span},
     diagnostic::{Diagnostic, Spanned, nearest},
     functions::{Request, RequestError},
     options::Functions,

@@ -16,7 +16,7 @@ pub use system::System;
 pub use crate::options::{Formulation, Functions};
 
 use crate::{
-    description::read::Reader,
+    description::toml_reader::Reader,
     diagnostic::{Diagnostics, Source},
 };
 

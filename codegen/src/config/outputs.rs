@@ -7,7 +7,7 @@ use std::{
 };
 
 use crate::{
-    description::read::{Reader, Table},
+    description::toml_reader::{Reader, Table},
     diagnostic::{Diagnostic, Spanned},
     options::companion::{self, Kind},
 };

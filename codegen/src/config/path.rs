@@ -3,7 +3,7 @@
 use std::path::{Component, Path, PathBuf};
 
 use crate::{
-    description::read::{Item, Reader},
+    description::toml_reader::{Item, Reader},
     diagnostic::{Diagnostic, Spanned},
 };
 

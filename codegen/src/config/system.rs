@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::{
     budget::Budget,
-    description::read::{Item, Reader, Table},
+    description::toml_reader::{Item, Reader, Table},
     diagnostic::Spanned,
     options::{
         Formulation, Functions, Options,

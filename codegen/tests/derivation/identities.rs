@@ -16,7 +16,7 @@ use kane_codegen::{
     passes::factor,
     program,
     recursive::{self, Plan, Regroup, Technique},
-    tree::{Body, Chart, Coordinate, Mechanics, Orientation, Tree, Value},
+    tree::{Body, ChartCoordinates, Coordinate, Mechanics, Orientation, Tree, Value},
 };
 use kane_test_support::{
     compare::{assert_within, distance, larger, largest, relative, relative_to},
@@ -151,10 +151,10 @@ fn random_joints_are_of_every_kind() {
         body.parts.iter().any(|part| part.axes != IDENTITY)
     });
     count("quaternions", &|_, body| {
-        matches!(chart(body), Some(Chart::EulerParameters(_)))
+        matches!(chart(body), Some(ChartCoordinates::EulerParameters(_)))
     });
     count("angles with angular velocities", &|_, body| {
-        matches!(chart(body), Some(Chart::Angles(_)))
+        matches!(chart(body), Some(ChartCoordinates::Angles(_)))
     });
     count("mimics", &|_, body| {
         (0..6).any(|motion| {
