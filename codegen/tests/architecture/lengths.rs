@@ -12,7 +12,7 @@ const FILE: usize = 500;
 const FUNCTION: usize = 80;
 
 /// Words that stand before `fn`.
-const BEFORE: [&str; 6] = ["pub", "const", "async", "unsafe", "extern", "default"];
+const BEFORE: [&str; 6] = ["pub", "const", "async", "unsafe", "extern", "\"C\""];
 
 /// What is longer than it may be, a line each.
 pub(crate) fn too_long(sources: &Sources) -> Vec<String> {
@@ -45,12 +45,12 @@ fn function(line: &str) -> Option<(&str, &str)> {
     let words = before.split_whitespace();
     let mut words = words.map(|word| word.split('(').next().unwrap_or(word));
     let is_begin = before.is_empty() || before.ends_with(' ');
-    let is_word = |word: &str| BEFORE.contains(&word) || word.starts_with('"') || word == "crate)";
     let indent = &line[..line.len() - line.trim_start().len()];
     let name = after
         .split(|c: char| !c.is_alphanumeric() && c != '_')
         .next()?;
-    (is_begin && words.all(is_word) && !name.is_empty()).then_some((indent, name))
+    (is_begin && words.all(|word| BEFORE.contains(&word)) && !name.is_empty())
+        .then_some((indent, name))
 }
 
 /// The place of the last line of the function that begins with the first.
