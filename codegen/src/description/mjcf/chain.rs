@@ -32,7 +32,7 @@ enum Weight {
     /// Nothing: it is there for a joint alone.
     Nothing,
     /// What the file says; `None` where that is faulty.
-    Given(Option<MassProperties>),
+    Given(Option<Box<MassProperties>>),
 }
 
 /// A body with its joints.
@@ -95,7 +95,7 @@ impl Bodies {
             joint,
             lower,
             wish: parts.wish,
-            weight: Weight::Given(parts.mass),
+            weight: Weight::Given(parts.mass.map(Box::new)),
         });
     }
 
@@ -135,7 +135,7 @@ impl ChainedBody {
             Weight::Nothing => Some(MassProperties::massless(self.span)),
             Weight::Given(mass) => mass.map(|mass| match factor {
                 Some(factor) => mass.scaled(factor),
-                None => mass,
+                None => *mass,
             }),
         };
         let mass = mass.map_or_else(WrittenMass::default, |mass| mass.written());

@@ -7,6 +7,7 @@
 mod body;
 mod joint;
 mod parse;
+mod text;
 mod value;
 mod write;
 

@@ -21,6 +21,7 @@ pub(crate) struct Numbered {
 }
 
 /// The six motions of a joint, with their places.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct JointCoordinates {
     /// About the three axes.
     pub(crate) orientation: Orientation,
@@ -28,7 +29,7 @@ pub(crate) struct JointCoordinates {
     pub(crate) translations: [Coordinate; 3],
 }
 
-/// Numbers the free coordinates and speeds of the bodies that move, `moving`, by their places in the user's list.
+/// Numbers the free coordinates and speeds of the bodies that move; `moving` holds their places in the user's list.
 pub(crate) fn number(joints: &[ResolvedJoint], moving: &[usize], order: Order) -> Numbered {
     let mut next = Next::default();
     let moving_joints = || moving.iter().map(|place| &joints[*place]);
