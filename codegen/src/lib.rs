@@ -34,10 +34,13 @@ pub mod tree;
 // From here on there are expressions, simplified as they are built.
 pub mod expr;
 pub mod partition;
-// The equations, as they stand and re-associated, and the solution of the linear system.
+// The solution of the linear system.
+pub mod solve;
+// What single bodies and joints give the equations.
+pub mod given;
+// The equations, as they stand and re-associated.
 pub mod kane;
 pub mod recursive;
-pub mod solve;
 // What a user can ask for.
 pub mod functions;
 // Fewer operations, the same values; then straight-line code.

@@ -11,7 +11,7 @@ use crate::{
     config::Formulation,
     error::Error,
     functions::{Argument, Request},
-    limits, recursive,
+    limits,
     recursive::Technique,
     solve,
     tree::Tree,
@@ -65,7 +65,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     }
     let is_factorised = options.formulation == Formulation::Notes
         || options.without.contains(&Technique::Articulated)
-        || recursive::has_followers(tree);
+        || !Technique::Articulated.is_possible(tree);
     if request.solves() && is_factorised {
         let updates = solve::operations(tree);
         bound(

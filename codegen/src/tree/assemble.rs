@@ -10,7 +10,7 @@ use crate::tree::snapping::Snapping;
 use crate::tree::values::Parameters;
 use crate::tree::{
     Body, Changes, Chart, Coordinate, Frame, Joint, Offset, Orientation, Part, Pose, Step, Tree,
-    Value, coupled, mechanics, names, numbering, places, rotation,
+    Value, mechanics, names, numbering, places, rotation,
 };
 
 /// Where a written body's own frame is: in which body of the tree, and where there.
@@ -94,7 +94,7 @@ pub(crate) fn assemble(
         n_speeds: numbers.speeds,
     };
     let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
-    if coupled::has_followers(&tree) && n_bodies.max(n_speeds) > FOLLOWING {
+    if tree.has_followers() && n_bodies.max(n_speeds) > FOLLOWING {
         findings.push(Diagnostic::error(format!(
             "the system, in which joints follow others, has {n_bodies} bodies that move and {n_speeds} speeds; \
             expected at most {FOLLOWING} of each"

@@ -51,7 +51,7 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
 /// The motions that move no mass in any of the states that are tried.
 fn idle(tree: &Tree) -> Vec<Motion> {
     let units = Units::of(tree);
-    if coupled::has_followers(tree) {
+    if tree.has_followers() {
         let tried = (1..=STATES).map(|seed| coupled::idle(tree, &units, &mut Random::new(seed)));
         return tried.min_by_key(Vec::len).unwrap_or_default();
     }

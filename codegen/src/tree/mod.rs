@@ -299,6 +299,15 @@ impl Tree {
         self.bodies.iter().map(|body| body.parts.len()).sum()
     }
 
+    /// True where a coordinate follows another: one speed then moves several joints.
+    pub fn has_followers(&self) -> bool {
+        let follows = |joint: &Joint, motion| {
+            matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }))
+        };
+        let mut joints = self.bodies.iter().map(|body| &body.joint);
+        joints.any(|joint| (0..6).any(|motion| follows(joint, motion)))
+    }
+
     /// True where some orientation is described by a quaternion.
     pub fn has_quaternions(&self) -> bool {
         let is_quaternion = |body: &Body| {
