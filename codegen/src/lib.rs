@@ -32,10 +32,12 @@ pub mod tree;
 // From here on there are expressions, simplified as they are built.
 pub mod expr;
 pub mod partition;
-// The equations, as they stand.
-pub mod kane;
 // The solution of the linear system.
 pub mod solve;
+// What single bodies and joints give the equations.
+pub mod given;
+// The equations, as they stand.
+pub mod kane;
 // The equations, re-associated.
 pub mod recursive;
 // What can be asked for.
