@@ -14,13 +14,17 @@ mod headers;
 #[allow(dead_code, reason = "other tests use the rest of these")]
 mod random;
 
+#[path = "../support/src/tool.rs"]
+mod tool;
+
 use std::{
     fs,
     path::{Path, PathBuf},
     process::Command,
 };
 
-const C: [&str; 2] = ["gcc", "clang"];
+/// The compiler by which Rust links is the one that is everywhere.
+const C: [&str; 2] = ["cc", "clang"];
 const CPP: [&str; 2] = ["g++", "clang++"];
 const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -36,7 +40,7 @@ fn folder(name: &str) -> PathBuf {
 fn run(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|error| {
         panic!(
-            "`{}` cannot be run ({error}); on Debian: apt-get install gcc g++ clang make",
+            "`{}` cannot be run: {error}",
             command.get_program().display()
         )
     });
