@@ -143,7 +143,11 @@ fn a_chain_of_64_revolute_bodies() {
     for function in FUNCTIONS {
         writeln!(text, "{function}: {}", count(&chain, function, &[])).unwrap();
     }
-    insta::assert_snapshot!(text, @"");
+    insta::assert_snapshot!(text, @"
+    inverse_dynamics: 7382 = 3696 mul + 3560 add + 0 div + 126 trig
+    mass_matrix: 40808 = 23939 mul + 16743 add + 0 div + 126 trig
+    forward_dynamics: 17910 = 8936 mul + 8785 add + 63 div + 126 trig
+    ");
 }
 
 /// How many per cent more operations there are without each technique.
