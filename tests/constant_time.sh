@@ -137,7 +137,7 @@ case ${1:-} in
         for name in solo12 talos; do generate $name --base free; done
         ;;
     trees)
-        KANE_TREES=${2:-50} KANE_TREES_FOLDER=$work cargo test --quiet --package kane-codegen --test object random_trees > "$work/trees.log" || { cat "$work/trees.log"; exit 1; }
+        KANE_TREES=${2:-50} KANE_TREES_FOLDER=$work cargo test --quiet --package kane-codegen --test compiled object::random_trees > "$work/trees.log" || { cat "$work/trees.log"; exit 1; }
         modules=("$work"/tree_*.rs)
         ;;
     *.rs) ;;
