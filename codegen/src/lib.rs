@@ -1,13 +1,13 @@
 //! Compiler from multibody systems to flat, allocation-free Rust.
 //!
 //! ```text
-//! description ──> tree ──> expressions on partitions ──> passes ──> program ──> source
+//! description ──> tree ──> expressions on partitions ──> passes ──> program ──> listing ──> source
 //! ```
 //!
 //! [`generate`](generate::generate) is that line in one screen. `kane` (the command) and
 //! [`build_script`] call it; nothing else does. Follow one quantity: [`functions`] names it and says how it
-//! is derived, [`kane`] and [`recursive`] hold its equations, [`passes`] and [`program`] make them flat, and
-//! [`emit`] writes them down.
+//! is derived, [`kane`] and [`recursive`] hold its equations, [`passes`] and [`program`] make them flat, [`listing`] says
+//! statement by statement what is done, and [`printers`] write it down.
 //!
 //! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
 //! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
@@ -47,6 +47,9 @@ pub mod program;
 pub mod search;
 pub mod size;
 mod threads;
+// What a module says and does, before any language.
+pub mod listing;
+mod words;
 // From here on there is text.
 pub mod build_script;
 pub mod companions;
@@ -55,7 +58,9 @@ pub mod generate;
 pub mod input;
 pub mod origin;
 pub mod output;
+pub mod printers;
 mod rust;
+mod samples;
 // What is known of a system, and what changed in a module, for people to read.
 pub mod report;
 // What is promised of a module's machine code.

@@ -4,25 +4,21 @@
 //! of its format, [`origin::SIGNS`](crate::origin::SIGNS), and follows from what the module follows from. Does not: change
 //! the module's own text.
 
-mod header;
-mod json;
-mod manifest;
-mod parameters;
-mod sample;
-mod self_test;
-
 use std::{
     collections::BTreeSet,
     path::{Path, PathBuf},
 };
 
 use crate::{
-    emit::{self, Module},
+    compile::Compiled,
     error::Error,
     functions::{Function, Request},
-    tree::is_keyword,
+    listing::Module,
+    printers::{c, json, rust},
+    samples::{self, SCALES},
+    tree::Tree,
+    words::is_rust_keyword,
 };
-use sample::SCALES;
 
 /// A file beside a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -107,13 +103,28 @@ impl Kind {
         matches!(self, Self::Abi(_))
     }
 
-    fn texts(self, module: &Module<'_>, name: &str) -> Result<Vec<String>, Error> {
+    fn texts(self, given: &Given<'_>, name: &str) -> Result<Vec<String>, Error> {
+        let module = given.module;
         Ok(match self {
-            Self::Manifest => vec![manifest::text(module)],
-            Self::Tests => vec![self_test::text(module)?],
-            Self::Abi(Abi::C) => vec![emit::interface(module, name), header::text(module, name)],
+            Self::Manifest => vec![json::manifest(module)],
+            Self::Tests => {
+                let (samples, values) = samples::of(given.tree, given.compiled, module)?;
+                vec![rust::self_tests(module, &samples, &values)]
+            }
+            Self::Abi(Abi::C) => vec![rust::interface(module, name), c::header(module, name)],
         })
     }
+}
+
+/// What files are made from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given<'a> {
+    /// The system.
+    pub(crate) tree: &'a Tree,
+    /// Its programs.
+    pub(crate) compiled: &'a Compiled,
+    /// Its module.
+    pub(crate) module: &'a Module,
 }
 
 /// What [`can_be_beside`] asks of a name.
@@ -130,18 +141,18 @@ fn is_of_c(name: &str) -> bool {
     let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
     name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(is_of_name)
-        && !is_keyword(name)
+        && !is_rust_keyword(name)
 }
 
 /// The files of these kinds, beside the module `name`, or why one of them cannot be.
 pub(crate) fn of(
-    module: &Module<'_>,
+    given: &Given<'_>,
     kinds: &BTreeSet<Kind>,
     name: &str,
 ) -> Result<Vec<Companion>, Error> {
     let mut companions = Vec::new();
     for kind in kinds {
-        let texts = kind.endings().iter().zip(kind.texts(module, name)?);
+        let texts = kind.endings().iter().zip(kind.texts(given, name)?);
         companions.extend(texts.map(|(&ending, text)| Companion { ending, text }));
     }
     Ok(companions)

@@ -31,7 +31,6 @@ pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
 pub(crate) use inertia::principal;
 pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation, is_translation};
-pub(crate) use names::is_keyword;
 pub use offset::{Offset, Step};
 pub use rotation::snapped_sin_cos;
 pub(crate) use sweep::Units;

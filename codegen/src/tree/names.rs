@@ -9,6 +9,7 @@ use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Spanned, is_unprintable};
 use crate::limits::NAME_CHARACTERS;
 use crate::tree::{Joint, Tree};
+use crate::words::is_rust_keyword;
 
 /// "body `hub`", or "body 3" where it has no name.
 pub(crate) fn shown(description: &Description, body: usize) -> String {
@@ -157,27 +158,13 @@ fn identifier(name: &str) -> String {
     if identifier.is_empty() {
         "body".to_owned()
     } else if identifier.starts_with(|first: char| first.is_ascii_digit())
-        || is_keyword(&identifier)
+        || is_rust_keyword(&identifier)
     {
         format!("body_{identifier}")
     } else {
         identifier
     }
 }
-
-/// True for a keyword of Rust.
-pub(crate) fn is_keyword(word: &str) -> bool {
-    KEYWORDS.contains(&word)
-}
-
-/// Strict and reserved keywords of Rust up to edition 2024.
-const KEYWORDS: [&str; 51] = [
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
-    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
-    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
-    "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
-    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
 
 /// The identifiers that stand before coordinates: of a joint's own name, or its body's.
 pub(crate) fn joint_identifiers(description: &Description) -> Vec<String> {

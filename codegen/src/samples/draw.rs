@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use super::sample::Sample;
 use crate::{
-    emit::Sample,
     expr::Input,
     functions::{Derived, Formulation, Function, Request},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
@@ -24,7 +24,7 @@ const POWERS: [f64; 25] = [
 ];
 
 /// The functions by which samples are scaled: where mass centres are, and what forces motions take.
-pub(super) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
+pub(crate) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
 
 /// What draws samples of a tree.
 pub(super) struct Sampler<'a> {
