@@ -11,19 +11,27 @@ extern crate std;
 // Generated text says `kane::Real`, here as in a user's crate.
 extern crate self as kane;
 
-// The scalar, and what the generated functions take and give.
+// Each module imports only from those that stand before it.
+
+// Sines and cosines, the same bits on every machine.
+mod sin_cos;
+
+// The scalar.
+mod real;
+
+// What the generated functions take and give.
 mod array;
 pub mod block;
 mod cost;
 mod joint;
 mod lanes;
 mod load;
-mod real;
-mod sin_cos;
 
 // A system as generic code sees it.
-pub mod functions;
 mod system;
+
+// Its functions, a trait each.
+pub mod functions;
 
 // What can be done with any system.
 pub mod batch;

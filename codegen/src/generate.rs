@@ -1,22 +1,22 @@
 //! The pipeline: a description's text in, a module's text out, with the files beside it.
 
+pub use crate::origin::OUTPUT_FORMAT;
+
 use std::path::{Path, PathBuf};
 
 use crate::{
     companions::{self, Companion, Given},
-    compile::{self, Options},
+    compile,
     description::{self, Include},
     diagnostic::{Diagnostics, Source},
     error::Error,
     listing::Module,
+    options::Options,
     origin::Origin,
     printers::rust,
     program::Operations,
     tree,
 };
-
-/// The version of the output's form: a change to the generator that changes what it writes raises it.
-pub const OUTPUT_FORMAT: u32 = 6;
 
 /// A generated module, and the files beside it.
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ pub fn generate(
     options: &Options,
     include: Include<'_>,
 ) -> Result<Generated, Error> {
-    options.check()?;
+    compile::check_options(options)?;
     let description = description::read(model, &options.reading, include);
     let checked = tree::build_with(&description, &options.changes)?;
     let tree = &checked.tree;

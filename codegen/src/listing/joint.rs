@@ -72,11 +72,11 @@ impl Joint {
         let chart = match joint.orientation {
             Orientation::Rates(_) => Chart::AngleRates,
             Orientation::AngularVelocity {
-                chart: tree::Chart::Angles(_),
+                chart: tree::ChartCoordinates::Angles(_),
                 ..
             } => Chart::Angles,
             Orientation::AngularVelocity {
-                chart: tree::Chart::EulerParameters(_),
+                chart: tree::ChartCoordinates::EulerParameters(_),
                 ..
             } => Chart::EulerParameters,
         };

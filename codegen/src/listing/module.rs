@@ -12,8 +12,7 @@ use super::{
     verify::{verify, verify_facts},
 };
 use crate::{
-    compile::Compiled,
-    emit::Emittable,
+    compile::{Compiled, Emittable},
     expr::Input,
     functions::{Argument, Request, Signature},
     origin::Origin,

@@ -8,6 +8,5 @@ mod parameters;
 mod sample;
 mod values;
 
-pub(crate) use draw::SCALES;
 pub(crate) use sample::{Sample, Sampled};
 pub(crate) use values::of;

@@ -1,6 +1,6 @@
 //! Values of our own format: numbers, vectors, rotations, coordinates, and what is given for each coordinate.
 
-use crate::description::read::{Item, Reader, Table, list, span};
+use crate::description::toml_reader::{Item, Reader, Table, list, span};
 use crate::description::{Axis, Given, Optional, PerCoordinate, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
 

@@ -5,13 +5,11 @@
 
 use std::fmt::Write as _;
 
-use crate::description::toml::ORDERS;
 use crate::description::{
-    Axis, Body, Chart, Description, Given, INERTIA_COMPONENTS, Joint, JointKind, Limits, Mimic,
-    PerCoordinate, Rotation, Scalar, Speeds,
+    Axis, Chart, Description, Given, INERTIA_COMPONENTS, JointKind, Limits, Mimic, Order,
+    PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Spanned};
-use crate::tree::Order;
 
 /// Writes a description, the same one always as the same text.
 ///
@@ -96,7 +94,10 @@ impl Writer {
         self.line("lower_bodies", lower_bodies);
         match description.order {
             Some(order) if order.value == Order::Body => {}
-            order => self.line("order", order.and_then(|order| name(&order.value, &ORDERS))),
+            order => self.line(
+                "order",
+                order.and_then(|order| name(&order.value, &Order::NAMED)),
+            ),
         }
         for (body, number) in description.bodies.iter().zip(1..) {
             self.owner = format!(" of body {number}");
@@ -105,7 +106,7 @@ impl Writer {
         }
     }
 
-    fn body(&mut self, body: &Body) {
+    fn body(&mut self, body: &WrittenBody) {
         self.line("name", body.name.as_ref().map(string));
         self.line("mass", scalar(body.mass));
         self.line("mass_center", vector(&body.mass_center));
@@ -120,7 +121,7 @@ impl Writer {
         self.joint(&body.joint);
     }
 
-    fn joint(&mut self, joint: &Joint) {
+    fn joint(&mut self, joint: &WrittenJoint) {
         self.line("attachment", vector(&joint.attachment));
         if let Some(rotation) = &joint.attachment_rotation {
             self.line("attachment_rotation", matrix(&rotation.value));
