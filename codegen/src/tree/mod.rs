@@ -44,7 +44,6 @@ pub use frames::Frame;
 pub use joint::{ChartCoordinates, Coordinate, Joint, Motion, Orientation, is_translation};
 pub use mechanics::Mechanics;
 pub(crate) use mobility::Units;
-pub(crate) use names::is_keyword;
 pub use offset::{Offset, Step};
 pub(crate) use principal::principal;
 pub use rotations::snapped_sin_cos;

@@ -1,11 +1,9 @@
 //! Names of bodies, joints and coordinates, and the Rust identifiers that stand for them in generated code.
 
 mod identifiers;
-mod keywords;
 mod rules;
 mod shown;
 
 pub(crate) use identifiers::{identifiers, joint_identifiers};
-pub(crate) use keywords::is_keyword;
 pub(crate) use rules::{check, check_coordinates, note_order};
 pub(crate) use shown::{joint_name, shown};

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use super::sample::Sample;
 use crate::{
-    emit::Sample,
     expr::Input,
     functions::{Derived, Formulation, Function, Request},
     id::{BodyId, CoordinateId, ParameterId, SpeedId},
