@@ -15,6 +15,7 @@ mod headers;
 mod random;
 
 #[path = "../support/src/tool.rs"]
+#[allow(unreachable_pub, reason = "written as for a crate")]
 mod tool;
 
 use std::{
