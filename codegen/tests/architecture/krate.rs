@@ -93,11 +93,10 @@ impl Crate {
                     let children = &mut self.modules[own].children;
                     children.extend(child.map(|child| (name, child)));
                 }
-                Item::Mod(_) => {}
                 Item::Use(item) if !imports::is_of_tests(&item.attrs) => {
                     self.modules[own].uses.extend(imports::of_use(&item));
                 }
-                Item::Use(_) => {}
+                Item::Mod(_) | Item::Use(_) => {}
                 item => {
                     if let Some((name, attributes)) = definition(&item) {
                         if imports::is_of_tests(attributes) {

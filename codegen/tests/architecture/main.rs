@@ -7,6 +7,7 @@
 //! file itself speaks of what it passes on. A path that ends at a module is an import of that module's file. What is compiled
 //! for tests alone is left out, and what a macro quotes.
 #![expect(
+    clippy::panic,
     clippy::unwrap_used,
     reason = "a test stops where it fails, its helpers too"
 )]
