@@ -3,7 +3,10 @@
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
-use std::{collections::BTreeSet, ops::Range};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ops::Range,
+};
 
 use crate::{
     companions,
@@ -11,7 +14,7 @@ use crate::{
     description::Reading,
     emit::Emittable,
     error::Error,
-    functions::{CATALOGUE, Derived, Formulation, Function, Request, RequestError},
+    functions::{CATALOGUE, Derived, Formulation, Function, Parsed, Request, RequestError},
     passes::{factor, hoist, hoist::Preparation, sines},
     program::{self, Operations, Program},
     recursive::{Plan, Technique},
@@ -85,7 +88,7 @@ impl Options {
         let Functions::Named(names) = &self.functions else {
             return Ok(());
         };
-        let fault = names.iter().find_map(|name| Request::parse(name).err());
+        let fault = names.iter().find_map(|name| Parsed::read(name).err());
         fault.map_or(Ok(()), |fault| {
             Err(match fault {
                 RequestError::Unknown { name } => {
@@ -108,14 +111,35 @@ impl Options {
     }
 
     /// What is to be generated, in the order of a module.
-    pub fn requests(&self, tree: &Tree) -> Vec<Request> {
+    ///
+    /// # Errors
+    /// What the model lacks, and two functions of one name.
+    pub fn requests(&self, tree: &Tree) -> Result<Vec<Request>, RequestError> {
         let catalogue = CATALOGUE.iter();
         let selected = catalogue.filter(|function| self.selects(tree, function));
         let mut requests: Vec<Request> = selected.map(Request::from).collect();
-        let named = self.functions.requests();
-        requests.extend(named.into_iter().filter(|named| named.alone().is_none()));
-        requests
+        let named = self.functions.requests().into_iter();
+        for named in named.filter(|named| named.alone().is_none()) {
+            requests.push(named.on(tree)?);
+        }
+        check_names(&requests)?;
+        Ok(requests)
     }
+}
+
+/// Refuses two functions of one name.
+fn check_names(requests: &[Request]) -> Result<(), RequestError> {
+    let mut known: BTreeMap<String, &Request> = BTreeMap::new();
+    for request in requests {
+        if let Some(first) = known.insert(request.name(), request) {
+            return Err(RequestError::SameName {
+                first: first.text(),
+                second: request.text(),
+                name: request.name(),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// Compiles the functions that the options select; no other is derived.
@@ -133,7 +157,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     }
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
-    let requests = options.requests(tree);
+    let requests = options.requests(tree).map_err(Error::Request)?;
     size::check(tree, &requests, options)?;
     let choices = threads::map(&requests, |function| choose(tree, function, options));
     for (function, choice) in requests.into_iter().zip(choices) {
@@ -186,21 +210,28 @@ pub struct Choice {
     pub derived: Derived,
 }
 
-/// The function in the formulation that is wanted, where it has it: what is emitted.
+/// The function in the formulation that is wanted, where it has it, else in that with the fewest operations: what is
+/// emitted.
 pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
-    let has_choice = function.formulations().len() > 1;
-    let notes = || of_formulation(tree, function, Formulation::Notes, &options.without);
-    if !has_choice || options.formulation == config::Formulation::Notes {
-        return notes();
+    let formulations = function.formulations();
+    let of = |formulation| of_formulation(tree, function, formulation, &options.without);
+    let wanted = match options.formulation {
+        config::Formulation::Cheapest => None,
+        config::Formulation::Notes => Some(Formulation::Notes),
+        config::Formulation::Recursive => Some(Formulation::Recursive),
+    };
+    let has = |wanted: &Formulation| formulations.contains(wanted);
+    let only = (formulations.len() == 1).then(|| formulations[0]);
+    if let Some(formulation) = wanted.filter(has).or(only) {
+        return of(formulation);
     }
-    let recursive = of_formulation(tree, function, Formulation::Recursive, &options.without);
-    // On a large tree the literal sums alone would take longer than all the rest.
+    let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
-    let is_wanted = options.formulation == config::Formulation::Recursive;
-    if is_wanted || count < function.literal_terms(tree) {
+    // On a large tree the literal sums alone would take longer than all the rest.
+    if count < function.literal_terms(tree) {
         return recursive;
     }
-    let notes = notes();
+    let notes = of(Formulation::Notes);
     if operations(&notes.derived).total() <= count {
         notes
     } else {
@@ -215,11 +246,10 @@ pub fn of_formulation(
     formulation: Formulation,
     without: &BTreeSet<Technique>,
 ) -> Choice {
-    let plan = match formulation {
-        Formulation::Notes => {
-            Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
-        }
-        Formulation::Recursive => search::cheapest(tree, function, without),
+    let plan = if function.takes_plan(formulation) {
+        search::cheapest(tree, function, without)
+    } else {
+        Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
     };
     Choice {
         formulation,

@@ -14,7 +14,7 @@ use crate::compile::SNAP_TOLERANCES;
 use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::{Base, Chart, Reading};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
-use crate::functions::{Function, Request, RequestError};
+use crate::functions::{Function, Parsed, RequestError};
 use crate::recursive::Technique;
 use crate::tree::Changes;
 
@@ -64,14 +64,14 @@ pub enum Functions {
 
 impl Functions {
     /// Those that are named, in the order in which a module holds them, each once; names that are none are left out.
-    pub fn requests(&self) -> Vec<Request> {
+    pub fn requests(&self) -> Vec<Parsed> {
         let names: &[String] = match self {
             Self::Default | Self::All => &[],
             Self::Named(names) => names,
         };
-        let requests = names.iter().filter_map(|name| Request::parse(name).ok());
-        let mut requests: Vec<Request> = requests.collect();
-        requests.sort_by_key(Request::place);
+        let requests = names.iter().filter_map(|name| Parsed::read(name).ok());
+        let mut requests: Vec<Parsed> = requests.collect();
+        requests.sort_by_key(Parsed::place);
         requests.dedup_by_key(|request| request.place());
         requests
     }
@@ -81,7 +81,11 @@ impl Functions {
         match self {
             Self::Default => function.is_default,
             Self::All => true,
-            Self::Named(names) => names.iter().any(|name| name == function.name),
+            Self::Named(names) => names.iter().any(|name| {
+                let named = Parsed::read(name).ok();
+                let named = named.and_then(|named| named.alone());
+                named.is_some_and(|named| named.name == function.name)
+            }),
         }
     }
 }
@@ -365,17 +369,16 @@ pub(crate) fn request_fault(
     known: &[&str],
 ) -> Option<Diagnostic> {
     let among = |part: &str| known.contains(&part);
-    let fault = match Request::parse(&name.value) {
+    let fault = match Parsed::read(&name.value) {
         Ok(request) => {
-            let mut parts = request.parts().iter().map(|part| part.name);
+            let mut parts = request.functions().map(|part| part.name);
             let name = parts.find(|part| !among(part))?.to_owned();
             RequestError::Unknown { name }
         }
         Err(fault) => fault,
     };
     let RequestError::Unknown { name: part } = fault else {
-        let fault = Diagnostic::error(format!("{what}: {fault}"));
-        return Some(fault.at(name.span, "cannot be joined"));
+        return Some(part_fault(name, what, &fault));
     };
     let whole = if part == name.value {
         String::new()
@@ -391,6 +394,23 @@ pub(crate) fn request_fault(
         None => format!("the functions are {}", list(known)),
     };
     Some(fault.at(name.span, "unknown function").help(help))
+}
+
+/// What is wrong with a request of known functions, with its place in the text where that stands there as it is.
+fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Diagnostic {
+    let shown = Diagnostic::error(format!("{what}: {fault}"));
+    let Some(place) = fault.place() else {
+        return shown.at(name.span, "cannot be joined");
+    };
+    // Between two quotes of one character each, and nothing escaped.
+    let is_plain = name.span.end - name.span.start == name.value.len() + 2;
+    let start = name.span.start + 1;
+    let span = if is_plain {
+        (start + place.start..start + place.end.max(place.start + 1)).into()
+    } else {
+        name.span
+    };
+    shown.at(span, "here")
 }
 
 fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulation> {

@@ -9,7 +9,7 @@ use crate::{
     compile::Options,
     config::{Formulation, Functions},
     description::{Base, Chart},
-    functions::Request,
+    functions::Parsed,
     generate::OUTPUT_FORMAT,
     recursive::Technique,
     tree::{self, Tree},
@@ -93,7 +93,7 @@ fn described(options: &Options) -> String {
         Functions::All => "all".to_owned(),
         Functions::Named(_) => {
             let named = options.functions.requests();
-            let named: Vec<String> = named.iter().map(Request::text).collect();
+            let named: Vec<String> = named.iter().map(Parsed::text).collect();
             named.join(", ")
         }
     };

@@ -13,7 +13,7 @@ use kane_codegen::{
     description::{Base, Reading, no_includes},
     diagnostic::Source,
     emit::Emittable,
-    functions::{Formulation, Request, RequestError},
+    functions::{Formulation, Parsed, Request, RequestError},
     generate::generate,
     program::Operations,
     tree::Tree,
@@ -200,7 +200,7 @@ fn what_cannot_be_joined_is_refused() {
 fn the_order_in_which_functions_are_listed_does_not_matter() {
     let names = |list: &[&str]| -> Vec<String> {
         let functions = Functions::Named(list.iter().map(ToString::to_string).collect());
-        functions.requests().iter().map(Request::text).collect()
+        functions.requests().iter().map(Parsed::text).collect()
     };
     let expected = [
         "mass_matrix",

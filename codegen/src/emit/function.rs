@@ -52,7 +52,8 @@ fn free_function(tree: &Tree, emittable: &Emittable, fields: &[String]) -> Item 
         ..
     } = emittable;
     let groups = Groups::of(program);
-    let outputs: Vec<String> = function.outputs().into_iter().map(|o| o.name).collect();
+    let outputs = function.outputs().into_iter();
+    let outputs: Vec<String> = outputs.map(|output| output.name.into_owned()).collect();
     let place = Place::Function {
         fields,
         outputs: &outputs,
@@ -194,13 +195,13 @@ fn trait_impl(emittable: &Emittable, function: &Function, trait_name: &str) -> I
     let output_type = arguments.clone().next_back();
     let output_type = output_type.map(|output| signature::held(output, "R"));
     let arguments = arguments.map(signature::declared);
-    let associated = match function.shape {
-        Shape::SpeedMatrix => quote!(type Matrix = #output_type;),
-        Shape::SpeedPairs => quote! {
+    let associated = match function.outputs[0].shape {
+        Shape::SPEED_MATRIX => quote!(type Matrix = #output_type;),
+        Shape::SPEED_PAIRS => quote! {
             type Entries = #output_type;
             const PLACES: &'static [[usize; 2]] = MASS_MATRIX_PACKED_PLACES;
         },
-        Shape::Columns => {
+        Shape::COLUMNS => {
             let columns = ident(&format!(
                 "{}Columns",
                 function.trait_name.expect("compact functions have traits")

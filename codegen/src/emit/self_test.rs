@@ -29,6 +29,20 @@ pub struct Sample {
     pub w_rel: Vec<f64>,
 }
 
+impl Sample {
+    /// The numbers of an argument, one after the other.
+    pub fn of(&self, argument: Argument) -> &[f64] {
+        match argument {
+            Argument::Q => &self.q,
+            Argument::U => &self.u,
+            Argument::UDot => &self.u_dot,
+            Argument::Tau => &self.tau,
+            Argument::Loads => &self.loads,
+            Argument::RelativeAngularVelocity => &self.w_rel,
+        }
+    }
+}
+
 /// What a function writes.
 #[derive(Clone, Debug)]
 pub struct Sampled {

@@ -121,8 +121,8 @@ struct Builder {
     snapping: Snapping,
     parameters: Parameters,
     bodies: Vec<Body>,
-    /// Names and poses of what is part of another body.
-    frames: Vec<(String, Placed)>,
+    /// Names, identifiers and poses of what is part of another body.
+    frames: Vec<(String, String, Placed)>,
 }
 
 impl Builder {
@@ -192,7 +192,7 @@ impl Builder {
                 self.bodies[lower.index()].uppers.push(id);
             }
         } else {
-            self.frames.push((new.name, placed.clone()));
+            self.frames.push((new.name, new.identifier, placed.clone()));
             if let Some(host) = host {
                 self.bodies[host.index()].parts.push(part);
             }
@@ -348,22 +348,24 @@ fn orientation(joint: &Resolved) -> Orientation {
 }
 
 /// The frames of bodies that are part of others, in the user's axes of those.
-fn frames(tree: &Tree, frames: &[(String, Placed)]) -> Vec<Frame> {
+fn frames(tree: &Tree, frames: &[(String, String, Placed)]) -> Vec<Frame> {
     let inertial = Pose {
         rotation: geometry::IDENTITY,
         origin: Offset::default(),
     };
     frames
         .iter()
-        .map(|(name, Placed { host, pose })| {
+        .map(|(name, identifier, Placed { host, pose })| {
             let base = host.map_or(&inertial, |host| &tree.body(host).pose);
             let from = pose.origin.clone().join(&base.origin, true).nominal(tree);
             let back = geometry::transposed(&base.rotation);
             Frame {
                 name: name.clone(),
+                identifier: identifier.clone(),
                 body: *host,
                 rotation: rotation::snapped(&geometry::then(&back, &pose.rotation), tree.snap).0,
                 position: geometry::apply(&base.rotation, from),
+                pose: pose.clone(),
             }
         })
         .collect()

@@ -16,6 +16,7 @@ mod joint_check;
 mod mechanics;
 mod mimic;
 mod mobility;
+mod named;
 mod names;
 mod numbering;
 mod offset;
@@ -31,6 +32,7 @@ pub use build::{Checked, build, build_with};
 pub use canonical::canonical;
 pub(crate) use inertia::principal;
 pub use joint::{Chart, Coordinate, Joint, Mechanics, Motion, Orientation, is_translation};
+pub use named::NamedFrame;
 pub(crate) use names::is_keyword;
 pub use offset::{Offset, Step};
 pub use rotation::snapped_sin_cos;
@@ -139,12 +141,16 @@ pub struct Pose {
 pub struct Frame {
     /// The name, as the user wrote it.
     pub name: String,
+    /// The Rust identifier that stands for the name in generated code: unique among bodies and frames.
+    pub identifier: String,
     /// The body of which it is part; `None` is the inertial frame.
     pub body: Option<BodyId>,
     /// From the user's axes of that body to the frame's.
     pub rotation: Rotation,
     /// From the user's origin of that body to the frame's, that body's axes, m; at the nominal values.
     pub position: [f64; 3],
+    /// Where it is in that body's internal frame.
+    pub pose: Pose,
 }
 
 /// Components of an inertia tensor, kg m²; `xy` is the tensor's component: minus the product of inertia integral.

@@ -12,7 +12,7 @@ use crate::dynamics::{
 };
 use kane_codegen::{
     expr::{Expr, ExprGraph, Input},
-    functions::{Block, Formulation, Function, Shape},
+    functions::{Block, Formulation, Function},
     passes::{factor, hoist},
     program::{self, Program},
     recursive::Plan,
@@ -82,7 +82,7 @@ impl Model for Evaluator {
             Input::Prepared(place) => flat.prepared[place],
             given => input(self.tree(), state, given),
         });
-        if Function::find(function).is_some_and(|function| function.shape == Shape::Columns) {
+        if Function::find(function).is_some_and(Function::is_compact) {
             dense(self.tree(), &flat.blocks, &values)
         } else {
             values
@@ -93,7 +93,7 @@ impl Model for Evaluator {
 /// Derives, factors, hoists and flattens.
 fn flat(tree: &Tree, function: &Function, formulation: Formulation, plan: &Plan) -> Flat {
     let derived = function.derive(tree, formulation, plan);
-    let (graph, roots) = if function.shape == Shape::Columns {
+    let (graph, roots) = if function.is_compact() {
         (derived.graph, derived.roots)
     } else {
         factor::run(&derived.graph, &derived.roots)
