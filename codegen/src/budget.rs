@@ -5,7 +5,7 @@
 
 use crate::{
     config::{self, Functions},
-    description::read::{Item, Reader, Table, span},
+    description::toml_reader::{Item, Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
     functions::Parsed,
     program::Operations,

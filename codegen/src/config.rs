@@ -11,7 +11,7 @@ use std::path::{Component, Path, PathBuf};
 use crate::budget::{self, Budget};
 use crate::companions::{self, Abi, Kind};
 use crate::compile::SNAP_TOLERANCES;
-use crate::description::read::{Item, Reader, Table, list, span};
+use crate::description::toml_reader::{Item, Reader, Table, list, span};
 use crate::description::{Base, Chart, Reading};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Spanned, nearest};
 use crate::functions::{Function, Parsed, RequestError};

@@ -26,7 +26,7 @@ use evaluator::Evaluator;
 use kane_codegen::{
     functions::Formulation,
     id::{BodyId, CoordinateId, SpeedId},
-    tree::{Body, Chart, Orientation, Tree},
+    tree::{Body, ChartCoordinates as Chart, Orientation, Tree},
 };
 
 const SEEDS: std::ops::RangeInclusive<u64> = 401..=440;

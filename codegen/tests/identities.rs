@@ -27,7 +27,7 @@ use kane_codegen::{
     passes::factor,
     program,
     recursive::{self, Plan, Regroup, Technique},
-    tree::{Body, Chart, Coordinate, Mechanics, Orientation, Tree, Value},
+    tree::{Body, ChartCoordinates as Chart, Coordinate, Mechanics, Orientation, Tree, Value},
 };
 
 const SEEDS: std::ops::RangeInclusive<u64> = 1..=60;

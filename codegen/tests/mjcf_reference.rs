@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use kane_codegen::description::{
-    Body, Description, JointKind, PerCoordinate, Reading, Rotation, Scalar, mjcf,
+    Description, JointKind, PerCoordinate, Reading, Rotation, Scalar, WrittenBody as Body, mjcf,
 };
 use kane_codegen::diagnostic::{Diagnostics, Severity, Source};
 use serde_json::Value;

@@ -6,8 +6,8 @@ use std::fs;
 use std::path::Path;
 
 use kane_codegen::description::{
-    Axis, Body, Chart, Description, Given, Joint, JointKind, Limits, Mimic, Optional,
-    PerCoordinate, Rotation, Scalar, Speeds, toml,
+    Axis, Chart, Description, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Rotation,
+    Scalar, Speeds, WrittenBody as Body, WrittenJoint as Joint, toml,
 };
 use kane_codegen::diagnostic::{Diagnostic, Source, Span, Spanned};
 use kane_codegen::tree::Order;

@@ -11,7 +11,7 @@ use crate::{
     number::Rounded,
     random::Random,
     recursive::Plan,
-    tree::{Chart, Orientation, Tree, is_translation},
+    tree::{ChartCoordinates, Orientation, Tree, is_translation},
 };
 
 /// All that the equations are given in a state.
@@ -92,7 +92,7 @@ impl<'a> Sampler<'a> {
 fn normalize(tree: &Tree, q: &mut [f64]) {
     for body in &tree.bodies {
         if let Orientation::AngularVelocity {
-            chart: Chart::EulerParameters(parameters),
+            chart: ChartCoordinates::EulerParameters(parameters),
             ..
         } = body.joint.orientation
         {

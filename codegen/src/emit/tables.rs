@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 use syn::{Item, parse_quote};
 
 use super::{allow_generated, doc, syntax};
-use crate::tree::{Chart, Coordinate, Frame, Joint, Mechanics, Orientation, Tree};
+use crate::tree::{ChartCoordinates, Coordinate, Frame, Joint, Mechanics, Orientation, Tree};
 
 /// `JOINTS`, `FRAMES`, and the limits.
 pub(super) fn of(tree: &Tree) -> Vec<Item> {
@@ -72,11 +72,11 @@ fn joint(joint: &Joint) -> TokenStream {
     let (chart, mut q) = match joint.orientation {
         Orientation::Rates(_) => (quote!(AngleRates), [None; 7]),
         Orientation::AngularVelocity {
-            chart: Chart::Angles(_),
+            chart: ChartCoordinates::Angles(_),
             ..
         } => (quote!(Angles), [None; 7]),
         Orientation::AngularVelocity {
-            chart: Chart::EulerParameters(_),
+            chart: ChartCoordinates::EulerParameters(_),
             ..
         } => (quote!(EulerParameters), [None; 7]),
     };

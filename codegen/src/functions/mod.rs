@@ -8,6 +8,7 @@ mod argument;
 mod candidate;
 mod catalogue;
 mod derive;
+mod derive_frame;
 mod derived;
 mod function;
 mod parsed;

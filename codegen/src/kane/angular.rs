@@ -5,7 +5,7 @@ use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector, negated},
     id::{BodyId, BodyMap, CoordinateId},
     partition::{Block, Partition, Row},
-    tree::{Chart, Coordinate, Orientation, Tree},
+    tree::{ChartCoordinates, Coordinate, Orientation, Tree},
 };
 
 /// `P_K`, Eq. (17): speeds of rotation to relative angular velocity, body components; where these are the speeds, the
@@ -123,11 +123,11 @@ pub fn coordinate_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
             plain = 3..6;
             let w = speeds.map(|speed| graph.input(Input::U(speed)));
             match chart {
-                Chart::EulerParameters(e) => {
+                ChartCoordinates::EulerParameters(e) => {
                     let own = parameter_rates(graph, e, w);
                     e.into_iter().zip(own).for_each(|(e, rate)| set(e, rate));
                 }
-                Chart::Angles(places) => {
+                ChartCoordinates::Angles(places) => {
                     let angles = joint.angles().expect("tree: the chart has angles");
                     let own = self::rates(graph, tree, angles, w);
                     places

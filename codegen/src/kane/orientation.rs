@@ -4,7 +4,7 @@ use super::given;
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector, transpose},
     id::BodyMap,
-    tree::{Chart, Coordinate, Joint, Orientation, Tree, snapped_sin_cos},
+    tree::{ChartCoordinates, Coordinate, Joint, Orientation, Tree, snapped_sin_cos},
 };
 
 /// Sine and cosine of a joint's three angles.
@@ -128,7 +128,7 @@ pub fn normalized(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
             coordinates[coordinate.index()] = graph.input(Input::Q(coordinate));
         }
         if let Orientation::AngularVelocity {
-            chart: Chart::EulerParameters(parameters),
+            chart: ChartCoordinates::EulerParameters(parameters),
             ..
         } = joint.orientation
         {

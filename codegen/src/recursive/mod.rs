@@ -10,6 +10,7 @@ pub mod axes;
 mod blocks;
 pub mod composite;
 pub mod forward_dynamics;
+pub mod frame;
 pub mod gravity;
 pub mod inertia;
 pub mod inverse_dynamics;

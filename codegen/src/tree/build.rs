@@ -2,10 +2,12 @@
 
 use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::tree::resolve::Resolved;
-use crate::tree::{
-    Changes, Tree, assemble, inertia, joint_check, mimic, mobility, names, numbering, resolve,
-};
+use crate::tree::assembly::{Settled, assemble};
+use crate::tree::changes::Changes;
+use crate::tree::joints::{self, ResolvedJoint};
+use crate::tree::rotations::{ConstantRotations, exact};
+use crate::tree::system::Tree;
+use crate::tree::{inertia, mobility, names, numbering};
 
 /// A tree, and what the user should know about it.
 #[derive(Clone, Debug)]
@@ -58,11 +60,22 @@ pub fn build(description: &Description) -> Result<Checked, Diagnostics> {
 pub fn build_with(description: &Description, changes: &Changes) -> Result<Checked, Diagnostics> {
     let mut findings = description.faults.clone();
     names::check(description, &mut findings);
-    let order = numbering::order(description, &mut findings);
-    let joints = joints(description, changes, &mut findings);
+    names::check_frames(description, &mut findings);
+    let outward = numbering::outward(description, &mut findings);
+    let (rotations, snapped) = exact(description, changes.snap);
+    let joints = joints_that_stand(description, &rotations, changes, &mut findings);
     let bodies_stand = inertia::check(description, &mut findings);
-    let tree = order.zip(joints.as_deref()).and_then(|(order, joints)| {
-        assemble::assemble(description, &order, joints, changes, &mut findings)
+    let tree = outward.as_ref().zip(joints.as_deref());
+    let tree = tree.and_then(|(outward, joints)| {
+        findings.extend(snapped.note(description, &outward.places));
+        let settled = Settled {
+            description,
+            outward,
+            joints,
+            rotations: &rotations,
+            snap: changes.snap,
+        };
+        assemble(settled, &mut findings)
     });
     // Whether anything moves no mass can be judged only where masses and joints are right.
     if let Some(tree) = tree.as_ref().filter(|_| bodies_stand) {
@@ -86,19 +99,20 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
 }
 
 /// The joints, if they stand.
-fn joints(
+fn joints_that_stand(
     description: &Description,
+    rotations: &[ConstantRotations],
     changes: &Changes,
     findings: &mut Vec<Diagnostic>,
-) -> Option<Vec<Resolved>> {
-    let joints = resolve::joints(description, changes.snap);
+) -> Option<Vec<ResolvedJoint>> {
+    let joints = joints::joints(description, rotations);
     let before = findings.len();
-    joint_check::check(description, &joints, findings);
-    let mut joints: Vec<Resolved> = joints.into_iter().collect::<Option<_>>()?;
+    joints::check(description, &joints, findings);
+    let mut joints: Vec<ResolvedJoint> = joints.into_iter().collect::<Option<_>>()?;
     if !findings[before..].iter().any(Diagnostic::is_error) {
-        resolve::change(description, &mut joints, changes, findings);
-        mimic::resolve(description, &mut joints, findings);
-        joint_check::check_motions(description, &joints, findings);
+        joints::change(description, &mut joints, changes, findings);
+        joints::follow(description, &mut joints, findings);
+        joints::check_motions(description, &joints, findings);
     }
     let stand = !findings[before..].iter().any(Diagnostic::is_error);
     stand.then_some(joints)

@@ -1,10 +1,9 @@
 //! A joint: which of a body's relative coordinates are free, and what they are called in `q` and `u`.
 
-use crate::{
-    description::Rotation,
-    id::{CoordinateId, SpeedId},
-    tree::{Offset, Value},
-};
+use crate::geometry::Rotation;
+use crate::id::{CoordinateId, SpeedId};
+use crate::tree::mechanics::Mechanics;
+use crate::tree::offset::Offset;
 
 /// The joint of a body with its lower body: an orientation and three translations between two constant frames.
 #[derive(Clone, Debug)]
@@ -36,7 +35,7 @@ pub enum Orientation {
     /// body's axes, rad/s, Eq. (8).
     AngularVelocity {
         /// The coordinates.
-        chart: Chart,
+        chart: ChartCoordinates,
         /// `w_1`, `w_2`, `w_3`.
         speeds: [SpeedId; 3],
     },
@@ -44,7 +43,7 @@ pub enum Orientation {
 
 /// Coordinates of an orientation that is free in all directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chart {
+pub enum ChartCoordinates {
     /// The three angles; singular at `cos(theta_2) = 0`.
     Angles([CoordinateId; 3]),
     /// Euler parameters, a unit quaternion: `e_0` is the scalar; `JR_K = C(e)^T` with Hamilton's product.
@@ -85,44 +84,6 @@ pub struct Motion {
     pub factor: f64,
 }
 
-/// What acts along one motion of a joint, and how far it goes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mechanics {
-    /// Stiffness of a spring, N m/rad, N/m.
-    pub stiffness: Value,
-    /// Where the spring is at rest, rad, m.
-    pub rest: Value,
-    /// Viscous damping, N m s/rad, N s/m.
-    pub damping: Value,
-    /// Inertia of a rotor as the joint feels it, kg m², kg.
-    pub armature: Value,
-    /// Coulomb friction, N m, N: data only.
-    pub friction: f64,
-    /// The least and the greatest value of the coordinate, rad, m: data only; infinite where there is no limit.
-    pub range: [f64; 2],
-    /// The greatest speed, rad/s, m/s: data only.
-    pub velocity: f64,
-    /// The greatest force, N m, N: data only.
-    pub effort: f64,
-}
-
-impl Default for Mechanics {
-    /// Nothing acts, and nothing is limited.
-    fn default() -> Self {
-        let zero = Value::Baked(0.0);
-        Self {
-            stiffness: zero,
-            rest: zero,
-            damping: zero,
-            armature: zero,
-            friction: 0.0,
-            range: [f64::NEG_INFINITY, f64::INFINITY],
-            velocity: f64::INFINITY,
-            effort: f64::INFINITY,
-        }
-    }
-}
-
 impl Joint {
     /// The angles, where the orientation has these coordinates; in the second kind of orientation their speeds are none
     /// of theirs.
@@ -130,14 +91,14 @@ impl Joint {
         match self.orientation {
             Orientation::Rates(angles) => Some(angles),
             Orientation::AngularVelocity {
-                chart: Chart::Angles(angles),
+                chart: ChartCoordinates::Angles(angles),
                 speeds,
             } => Some(std::array::from_fn(|i| Coordinate::Free {
                 coordinate: angles[i],
                 speed: speeds[i],
             })),
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(_),
+                chart: ChartCoordinates::EulerParameters(_),
                 ..
             } => None,
         }
@@ -150,7 +111,7 @@ impl Joint {
     pub fn euler_parameters(&self) -> [CoordinateId; 4] {
         match self.orientation {
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(parameters),
+                chart: ChartCoordinates::EulerParameters(parameters),
                 ..
             } => parameters,
             _ => unreachable!("tree: an orientation has angles or Euler parameters"),
@@ -194,16 +155,26 @@ impl Joint {
                 coordinates.extend(own(["theta1", "theta2", "theta3"], angles));
             }
             Orientation::AngularVelocity {
-                chart: Chart::Angles(angles),
+                chart: ChartCoordinates::Angles(angles),
                 ..
             } => coordinates.extend(["theta1", "theta2", "theta3"].into_iter().zip(angles)),
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(parameters),
+                chart: ChartCoordinates::EulerParameters(parameters),
                 ..
             } => coordinates.extend(["e0", "e1", "e2", "e3"].into_iter().zip(parameters)),
         }
         coordinates.extend(own(["s1", "s2", "s3"], self.translations));
         coordinates
+    }
+
+    /// The name of its coordinate or component of an angular velocity called `kind`: the joint's own name where it has one
+    /// and only this.
+    pub(crate) fn name_of(&self, kind: &str, is_only: bool) -> String {
+        if self.is_named && is_only {
+            self.identifier.clone()
+        } else {
+            format!("{}_{kind}", self.identifier)
+        }
     }
 
     /// The speeds that are the joint's own, each with the place of its motion among the six.

@@ -1,107 +1,41 @@
-//! Springs, dampers, rotors, friction and limits: from quantities as written to those of each motion.
+//! Springs, dampers, rotors, friction and limits of a motion.
 
-use crate::description::{self, Limits, PerCoordinate, Scalar};
-use crate::id::BodyId;
-use crate::tree::resolve::{Freedom, Resolved};
-use crate::tree::values::Parameters;
-use crate::tree::{Mechanics, Value};
+use crate::tree::value::Value;
 
-/// What acts along the six motions of the joint of a body, and how far they go.
-pub(crate) fn of(
-    parameters: &mut Parameters,
-    written: &description::Joint,
-    joint: &Resolved,
-    body: BodyId,
-) -> [Mechanics; 6] {
-    let mut mechanics = [Mechanics::default(); 6];
-    let mut reader = Reader {
-        parameters,
-        joint,
-        body,
-    };
-    let stiffness = reader.values("stiffness", &written.stiffness, ["N m/rad", "N/m"]);
-    let rest = reader.values("rest", &written.rest, ["rad", "m"]);
-    let damping = reader.values("damping", &written.damping, ["N m s/rad", "N s/m"]);
-    let armature = reader.values("armature", &written.armature, ["kg m^2", "kg"]);
-    for (motion, mechanics) in mechanics.iter_mut().enumerate() {
-        mechanics.stiffness = stiffness[motion];
-        mechanics.rest = rest[motion];
-        mechanics.damping = damping[motion];
-        mechanics.armature = armature[motion];
-        if let Some(friction) = at(&written.friction, motion) {
-            mechanics.friction = friction;
-        }
-        if let Some(limits) = at(&written.limits, motion) {
-            limit(mechanics, &limits);
+/// What acts along one motion of a joint, and how far it goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mechanics {
+    /// Stiffness of a spring, N m/rad, N/m.
+    pub stiffness: Value,
+    /// Where the spring is at rest, rad, m.
+    pub rest: Value,
+    /// Viscous damping, N m s/rad, N s/m.
+    pub damping: Value,
+    /// Inertia of a rotor as the joint feels it, kg m², kg.
+    pub armature: Value,
+    /// Coulomb friction, N m, N: data only.
+    pub friction: f64,
+    /// The least and the greatest value of the coordinate, rad, m: data only; infinite where there is no limit.
+    pub range: [f64; 2],
+    /// The greatest speed, rad/s, m/s: data only.
+    pub velocity: f64,
+    /// The greatest force, N m, N: data only.
+    pub effort: f64,
+}
+
+impl Default for Mechanics {
+    /// Nothing acts, and nothing is limited.
+    fn default() -> Self {
+        let zero = Value::Baked(0.0);
+        Self {
+            stiffness: zero,
+            rest: zero,
+            damping: zero,
+            armature: zero,
+            friction: 0.0,
+            range: [f64::NEG_INFINITY, f64::INFINITY],
+            velocity: f64::INFINITY,
+            effort: f64::INFINITY,
         }
     }
-    mechanics
-}
-
-struct Reader<'a> {
-    parameters: &'a mut Parameters,
-    joint: &'a Resolved,
-    body: BodyId,
-}
-
-impl Reader<'_> {
-    /// A quantity along the six motions; its unit differs between angles and translations.
-    fn values(
-        &mut self,
-        quantity: &str,
-        given: &PerCoordinate<Scalar>,
-        units: [&'static str; 2],
-    ) -> [Value; 6] {
-        let mut values = [Value::Baked(0.0); 6];
-        let prefix = self.joint.identifier.clone();
-        let mut value = |scalar, name, motion: usize| {
-            let unit = units[usize::from(motion >= 3)];
-            let value = self
-                .parameters
-                .value(Some(scalar), name, Some(self.body), unit);
-            value.unwrap_or(Value::Baked(0.0))
-        };
-        match given {
-            PerCoordinate::Absent => {}
-            PerCoordinate::Same(scalar) => {
-                let is_moving =
-                    |motion: &usize| !matches!(self.joint.motions[*motion], Freedom::Locked(_));
-                let moving: Vec<usize> = (0..6).filter(is_moving).collect();
-                if let Some(first) = moving.first() {
-                    let shared = value(*scalar, format!("{prefix}_{quantity}"), *first);
-                    for motion in moving {
-                        values[motion] = shared;
-                    }
-                }
-            }
-            PerCoordinate::Each(given) => {
-                for (axis, scalar) in given {
-                    let name = format!("{prefix}_{}_{quantity}", axis.value.name());
-                    values[axis.value.index()] = value(*scalar, name, axis.value.index());
-                }
-            }
-        }
-        values
-    }
-}
-
-fn at<T: Copy>(quantity: &PerCoordinate<T>, motion: usize) -> Option<T> {
-    match quantity {
-        PerCoordinate::Absent => None,
-        PerCoordinate::Same(value) => Some(value.value),
-        PerCoordinate::Each(values) => values
-            .iter()
-            .find(|(axis, _)| axis.value.index() == motion)
-            .map(|(_, value)| value.value),
-    }
-}
-
-fn limit(mechanics: &mut Mechanics, limits: &Limits) {
-    let [lower, upper] = mechanics.range;
-    mechanics.range = [
-        limits.lower.map_or(lower, |limit| limit.value),
-        limits.upper.map_or(upper, |limit| limit.value),
-    ];
-    mechanics.velocity = limits.velocity.map_or(f64::INFINITY, |limit| limit.value);
-    mechanics.effort = limits.effort.map_or(f64::INFINITY, |limit| limit.value);
 }

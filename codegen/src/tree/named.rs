@@ -1,10 +1,10 @@
 //! Frames that have names: every body, what is fixed to it and part of it, and what only marks a place.
 
-use crate::{
-    geometry::IDENTITY,
-    id::BodyId,
-    tree::{Frame, Offset, Pose, Tree},
-};
+use crate::id::BodyId;
+use crate::tree::body::Pose;
+use crate::tree::frames::Frame;
+use crate::tree::system::Tree;
+use crate::tree::value::Value;
 
 /// A frame of a [`Tree`] that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -13,13 +13,17 @@ pub enum NamedFrame {
     Body(BodyId),
     /// One of [`Tree::frames`].
     Fixed(usize),
+    /// One of [`Tree::markers`].
+    Marker(usize),
 }
 
 impl Tree {
-    /// All frames that have names: bodies, then what is fixed.
-    pub fn named_frames(&self) -> impl Iterator<Item = NamedFrame> {
+    /// All frames that have names: bodies, then what is fixed, then what only marks a place.
+    pub fn named_frames(&self) -> impl Iterator<Item = NamedFrame> + use<> {
         let bodies = self.body_ids().map(NamedFrame::Body);
-        bodies.chain((0..self.frames.len()).map(NamedFrame::Fixed))
+        let fixed = (0..self.frames.len()).map(NamedFrame::Fixed);
+        let markers = (0..self.markers.len()).map(NamedFrame::Marker);
+        bodies.chain(fixed).chain(markers)
     }
 
     /// The name, as the user wrote it.
@@ -54,20 +58,16 @@ impl Tree {
         }
     }
 
+    /// A rotation that is set at run time, from the axes of [`Self::frame_pose`] to the frame's.
+    pub fn frame_turn(&self, frame: NamedFrame) -> Option<&[[Value; 3]; 3]> {
+        self.fixed(frame).ok()?.turn.as_ref()
+    }
+
     fn fixed(&self, frame: NamedFrame) -> Result<&Frame, BodyId> {
         match frame {
             NamedFrame::Body(body) => Err(body),
             NamedFrame::Fixed(place) => Ok(&self.frames[place]),
-        }
-    }
-}
-
-impl Pose {
-    /// The inertial frame's own.
-    pub fn inertial() -> Self {
-        Self {
-            rotation: IDENTITY,
-            origin: Offset::default(),
+            NamedFrame::Marker(place) => Ok(&self.markers[place]),
         }
     }
 }

@@ -1,9 +1,7 @@
 //! Vectors between points fixed in a body, of which any part may be set at run time.
 
-use crate::{
-    geometry::{self, Rotation},
-    tree::{Tree, Value},
-};
+use crate::geometry::{self, Rotation};
+use crate::tree::value::{Parameter, Value};
 
 /// A vector fixed in a body: a sum of steps, each given in axes of its own.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -78,10 +76,10 @@ impl Offset {
         })
     }
 
-    /// The vector at the nominal values.
-    pub fn nominal(&self, tree: &Tree) -> [f64; 3] {
+    /// The vector at the nominal values of these parameters.
+    pub fn nominal(&self, parameters: &[Parameter]) -> [f64; 3] {
         self.steps.iter().fold([0.0; 3], |sum, step| {
-            let vector = step.vector.map(|value| tree.nominal(value));
+            let vector = step.vector.map(|value| value.nominal(parameters));
             let turned = signed(step, vector);
             std::array::from_fn(|i| sum[i] + turned[i])
         })

@@ -5,10 +5,13 @@
 //! generator's own axes, origins, merging or tracing of what follows what is used.
 
 use kane_codegen::{
-    description::{Body, Description, Joint, JointKind, PerCoordinate, Scalar, toml},
+    description::{
+        Description, JointKind, PerCoordinate, Scalar, WrittenBody as Body, WrittenJoint as Joint,
+        toml,
+    },
     diagnostic::{Source, Spanned},
     id::BodyId,
-    tree::{Chart, Frame, Orientation, Tree},
+    tree::{ChartCoordinates as Chart, Frame, Orientation, Tree},
 };
 
 use super::{

@@ -14,7 +14,7 @@ pub(crate) mod random;
 use kane_codegen::{
     functions::{Axis, Function, Shape},
     id::CoordinateId,
-    tree::{Body, Chart, Coordinate, Orientation, Tree},
+    tree::{Body, ChartCoordinates as Chart, Coordinate, Orientation, Tree},
 };
 
 use composition::{Composition, q_dot};

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use std::io;
 
 use kane_codegen::description::{
-    Body, Description, Joint, Limits, PerCoordinate, Reading, Rotation, Scalar, mjcf,
+    Description, Limits, PerCoordinate, Reading, Rotation, Scalar, WrittenBody as Body,
+    WrittenJoint as Joint, mjcf,
 };
 use kane_codegen::diagnostic::{Diagnostics, Source, Spanned};
 

@@ -8,8 +8,8 @@ mod text;
 use std::f64::consts::FRAC_PI_2;
 
 use kane_codegen::description::{
-    Base, Body, Chart, Description, Joint, JointKind, Limits, Mimic, PerCoordinate, Reading,
-    Rotation, Scalar, read, urdf,
+    Base, Chart, Description, JointKind, Limits, Mimic, PerCoordinate, Reading, Rotation, Scalar,
+    WrittenBody as Body, WrittenJoint as Joint, read, urdf,
 };
 use kane_codegen::diagnostic::{Severity, Source, Spanned};
 

@@ -16,7 +16,7 @@ use identities::{DIFFERENTIATED, EXACT};
 use kane_codegen::{
     functions::{CATALOGUE, Function},
     geometry::IDENTITY,
-    tree::{Body, Chart, Orientation},
+    tree::{Body, ChartCoordinates as Chart, Orientation},
 };
 use kane_test_systems::{
     BAKED_RUNTIME_CHANGED, Compiled, FRAMED, FRAMED_LIBM, RANDOM, REFERENCES, RENUMBERED_LIBM,

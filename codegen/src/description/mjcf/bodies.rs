@@ -1,18 +1,20 @@
 //! `worldbody`: the bodies, depth first, in the order of the file.
 
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::chain::{Bodies, Parts};
+use crate::description::mjcf::chain::{Bodies, Parts, Written};
 use crate::description::mjcf::contents::{Contents, Inside, child_class, gather};
-use crate::description::mjcf::defaults::{Class, Kind};
+use crate::description::mjcf::defaults::{Class, ElementKind};
 use crate::description::mjcf::finite;
 use crate::description::mjcf::geoms::{self, Moves};
 use crate::description::mjcf::inertial::{self, MassProperties};
-use crate::description::mjcf::joints::{self, Type};
-use crate::description::mjcf::names::{self, Wish};
+use crate::description::mjcf::joint_type::JointType;
+use crate::description::mjcf::joints::{self, JointElement};
+use crate::description::mjcf::known;
+use crate::description::mjcf::model::Model;
+use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::solid::together;
-use crate::description::mjcf::{Model, known};
 use crate::description::too_many;
 use crate::description::xml::{Element, Reader, shown};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
@@ -27,7 +29,7 @@ struct Pending<'d> {
 }
 
 /// Reads the bodies of all `worldbody` elements.
-pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, worlds: &[Element<'d>]) -> Bodies {
+pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, worlds: &[Element<'d>]) -> Written {
     let mut bodies = Bodies::default();
     let mut pending = Vec::new();
     for world in worlds.iter().rev() {
@@ -47,19 +49,18 @@ pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, worlds: &[Element
         push(&mut pending, contents.bodies, 0, Moves::No);
     }
     while let Some(next) = pending.pop() {
-        if let Some(fault) = too_many("the number of bodies is at least", bodies.list.len() + 1) {
+        if let Some(fault) = too_many("the number of bodies is at least", bodies.count() + 1) {
             let place = next.inside.element.span();
             reader.faults.push(fault.at(place, "one too many"));
             break;
         }
         let (contents, moves) = body(reader, model, &next, &mut bodies);
-        let number = bodies.list.len();
+        let number = bodies.count();
         push(&mut pending, contents.bodies, number, moves);
     }
-    bodies.weigh(model.settings.total_mass);
-    names::give(reader, &mut bodies.list, &bodies.wishes);
-    finite::check(reader, &bodies.list);
-    bodies
+    let written = bodies.written(reader, model.settings.total_mass);
+    finite::check(reader, &written.list);
+    written
 }
 
 /// The first comes out first.
@@ -104,7 +105,7 @@ fn body<'d>(
     let own = placement(reader, &given, &model.settings);
     let place = next.inside.frame.then(&own);
     unsupported(reader, &given);
-    let joints: Vec<joints::Read> = contents
+    let joints: Vec<JointElement> = contents
         .joints
         .iter()
         .take(BODIES + 1)
@@ -154,7 +155,7 @@ fn unsupported(reader: &mut Reader, given: &Attributes<'_>) {
     }
 }
 
-fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str) -> joints::Read {
+fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str) -> JointElement {
     let element = inside.element;
     let owner = owner(element, "joint", body);
     for child in model.files.children(element) {
@@ -164,9 +165,10 @@ fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str
         let given = Attributes::of(reader, element, &owner, &known::FREE_JOINT);
         return joints::read_free(reader, &given, model.reading.chart);
     }
-    let given = model
-        .defaults
-        .attributes(reader, element, &owner, Kind::Joint, inside.class);
+    let given =
+        model
+            .defaults
+            .attributes(reader, element, &owner, ElementKind::Joint, inside.class);
     joints::read(
         reader,
         &given,
@@ -180,12 +182,12 @@ fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str
 fn check_free(
     reader: &mut Reader,
     model: &Model<'_>,
-    joints: &[joints::Read],
+    joints: &[JointElement],
     next: &Pending<'_>,
     carries: &[Inside<'_>],
     owner: &str,
 ) {
-    let Some(free) = joints.iter().find(|joint| joint.kind == Type::Free) else {
+    let Some(free) = joints.iter().find(|joint| joint.kind == JointType::Free) else {
         return;
     };
     let mut refuse = |message: String, label: &str| {
@@ -230,7 +232,7 @@ fn geom_attributes<'d>(
     }
     model
         .defaults
-        .attributes(reader, geom.element, owner, Kind::Geom, geom.class)
+        .attributes(reader, geom.element, owner, ElementKind::Geom, geom.class)
 }
 
 /// The mass of a body; `None` where it is faulty.

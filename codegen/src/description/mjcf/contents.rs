@@ -1,9 +1,9 @@
 //! What stands in a body, be it inside frames, or in files that are included.
 
-use crate::description::mjcf::Model;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
+use crate::description::mjcf::model::Model;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::placement::Placement;
 use crate::description::xml::{Element, Reader};

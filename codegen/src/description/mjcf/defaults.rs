@@ -17,7 +17,7 @@ const MANY: usize = 1_000;
 
 /// Kinds of elements whose defaults matter to the dynamics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ElementKind {
     Joint,
     Geom,
     Tendon,
@@ -43,7 +43,7 @@ impl Class {
     pub(super) const MAIN: Self = Self(0);
 }
 
-impl Kind {
+impl ElementKind {
     /// The kind of the elements of this name in a `default`.
     fn named(name: &str) -> Option<Self> {
         match name {
@@ -120,7 +120,7 @@ impl<'d> Defaults<'d> {
         for child in files.children(element) {
             if child.name() == "default" {
                 inside.push(child);
-            } else if let Some(kind) = Kind::named(child.name()) {
+            } else if let Some(kind) = ElementKind::named(child.name()) {
                 let owner = format!("`{}` of {class_name}", child.name());
                 let mut given = Attributes::of(reader, child, &owner, kind.known());
                 given.forget("name");
@@ -183,7 +183,7 @@ impl<'d> Defaults<'d> {
         reader: &mut Reader,
         element: Element<'d>,
         owner: &str,
-        kind: Kind,
+        kind: ElementKind,
         around: Class,
     ) -> Attributes<'d> {
         let mut attributes = Attributes::of(reader, element, owner, kind.known());

@@ -1,11 +1,11 @@
 //! Numbers that were computed from others fit a float.
 
 use crate::description::xml::{Reader, shown};
-use crate::description::{Body, Given, Optional, Rotation, Scalar};
+use crate::description::{Given, Optional, Rotation, Scalar, WrittenBody};
 use crate::diagnostic::Diagnostic;
 
 /// Reports the bodies of which a number became infinite on the way.
-pub(super) fn check(reader: &mut Reader, bodies: &[Body]) {
+pub(super) fn check(reader: &mut Reader, bodies: &[WrittenBody]) {
     for body in bodies {
         let joint = &body.joint;
         let at_body = joint.body_attachment.unwrap_or([None; 3]);

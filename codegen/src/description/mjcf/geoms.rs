@@ -4,7 +4,7 @@ use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{Settings, TRUTH};
-use crate::description::mjcf::solid::{Amount, Shape, Solid};
+use crate::description::mjcf::solid::{Amount, Primitive, Solid};
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry::{IDENTITY, difference, length, scaled, sum};
@@ -14,7 +14,7 @@ const WATER: f64 = 1000.0;
 
 /// What a geom is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Type {
+enum GeomType {
     Sphere,
     Capsule,
     Cylinder,
@@ -26,16 +26,16 @@ enum Type {
     Mesh,
 }
 
-const TYPES: [(&str, Type); 9] = [
-    ("sphere", Type::Sphere),
-    ("capsule", Type::Capsule),
-    ("cylinder", Type::Cylinder),
-    ("ellipsoid", Type::Ellipsoid),
-    ("box", Type::Box),
-    ("plane", Type::Surface),
-    ("hfield", Type::Surface),
-    ("mesh", Type::Mesh),
-    ("sdf", Type::Mesh),
+const TYPES: [(&str, GeomType); 9] = [
+    ("sphere", GeomType::Sphere),
+    ("capsule", GeomType::Capsule),
+    ("cylinder", GeomType::Cylinder),
+    ("ellipsoid", GeomType::Ellipsoid),
+    ("box", GeomType::Box),
+    ("plane", GeomType::Surface),
+    ("hfield", GeomType::Surface),
+    ("mesh", GeomType::Mesh),
+    ("sdf", GeomType::Mesh),
 ];
 
 /// Whether it matters what mass a geom has.
@@ -61,12 +61,12 @@ pub(super) fn solid(
         return None;
     }
     let kind = geom.keyword(reader, "type", &TYPES);
-    let kind = kind.map_or(Type::Sphere, |kind| kind.value);
+    let kind = kind.map_or(GeomType::Sphere, |kind| kind.value);
     let amount = amount(reader, geom);
-    if kind == Type::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
+    if kind == GeomType::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
         return None;
     }
-    if kind == Type::Mesh || geom.has("mesh") {
+    if kind == GeomType::Mesh || geom.has("mesh") {
         reader.faults.push(mesh(geom, moves));
         return None;
     }
@@ -129,12 +129,12 @@ fn span_of(
     reader: &mut Reader,
     geom: &Attributes<'_>,
     settings: &Settings,
-    kind: Type,
+    kind: GeomType,
 ) -> Option<(Placement, Option<f64>)> {
     if !geom.has("fromto") {
         return Some((placement(reader, geom, settings), None));
     }
-    if kind == Type::Sphere {
+    if kind == GeomType::Sphere {
         let message = format!(
             "{} has `fromto`, but is a sphere; expected a capsule, cylinder, ellipsoid or box",
             geom.owner
@@ -171,13 +171,13 @@ fn span_of(
 fn shape(
     reader: &mut Reader,
     geom: &Attributes<'_>,
-    kind: Type,
+    kind: GeomType,
     half: Option<f64>,
-) -> Option<Shape> {
+) -> Option<Primitive> {
     let needed = match kind {
-        Type::Sphere => 1,
+        GeomType::Sphere => 1,
         _ if half.is_some() => 1,
-        Type::Capsule | Type::Cylinder => 2,
+        GeomType::Capsule | GeomType::Cylinder => 2,
         _ => 3,
     };
     let sizes = if geom.has("size") {
@@ -215,11 +215,11 @@ fn shape(
     };
     let (radius, half) = (size(0), half.unwrap_or(size(1)));
     match kind {
-        Type::Sphere => Some(Shape::Sphere { radius }),
-        Type::Capsule => Some(Shape::Capsule { radius, half }),
-        Type::Cylinder => Some(Shape::Cylinder { radius, half }),
-        Type::Ellipsoid => Some(Shape::Ellipsoid(three)),
-        Type::Box => Some(Shape::Box(three)),
-        Type::Surface | Type::Mesh => None,
+        GeomType::Sphere => Some(Primitive::Sphere { radius }),
+        GeomType::Capsule => Some(Primitive::Capsule { radius, half }),
+        GeomType::Cylinder => Some(Primitive::Cylinder { radius, half }),
+        GeomType::Ellipsoid => Some(Primitive::Ellipsoid(three)),
+        GeomType::Box => Some(Primitive::Box(three)),
+        GeomType::Surface | GeomType::Mesh => None,
     }
 }

@@ -6,7 +6,7 @@ use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::mjcf::solid::{Solid, Tensor, is_positive};
 use crate::description::xml::Reader;
-use crate::description::{Body, Rotation, Scalar};
+use crate::description::{Given, Optional, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::{IDENTITY, Vector, then};
 
@@ -18,6 +18,15 @@ pub(super) struct MassProperties {
     inertia: [Spanned<f64>; 6],
     /// From the body's axes to those of the inertia.
     rotation: Spanned<Rotation>,
+}
+
+/// Mass, mass centre and inertia as a description has them.
+#[derive(Debug, Default)]
+pub(super) struct WrittenMass {
+    pub(super) mass: Given<Scalar>,
+    pub(super) center: [Given<Scalar>; 3],
+    pub(super) inertia: [Given<Scalar>; 6],
+    pub(super) rotation: Optional<Rotation>,
 }
 
 impl MassProperties {
@@ -43,12 +52,14 @@ impl MassProperties {
         }
     }
 
-    /// Fills a body.
-    pub(super) fn fill(&self, body: &mut Body) {
-        body.mass = Some(baked(self.mass));
-        body.mass_center = self.center.map(|entry| Some(baked(entry)));
-        body.inertia = self.inertia.map(|entry| Some(baked(entry)));
-        body.inertia_rotation = (self.rotation.value != IDENTITY).then_some(self.rotation);
+    /// In the form of a description.
+    pub(super) fn written(&self) -> WrittenMass {
+        WrittenMass {
+            mass: Some(baked(self.mass)),
+            center: self.center.map(|entry| Some(baked(entry))),
+            inertia: self.inertia.map(|entry| Some(baked(entry))),
+            rotation: (self.rotation.value != IDENTITY).then_some(self.rotation),
+        }
     }
 
     /// The mass, kg.
@@ -57,11 +68,13 @@ impl MassProperties {
     }
 
     /// The same shape with another density.
-    pub(super) fn scale(&mut self, factor: f64) {
+    #[must_use]
+    pub(super) fn scaled(mut self, factor: f64) -> Self {
         self.mass.value *= factor;
         for entry in &mut self.inertia {
             entry.value *= factor;
         }
+        self
     }
 
     /// Raises the mass and the moments, and evens out the moments, where the settings ask for it.

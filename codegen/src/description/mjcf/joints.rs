@@ -1,36 +1,24 @@
 //! `joint` and `freejoint`: what a joint is, and what it has.
 
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::inertial::baked;
-use crate::description::mjcf::orientation::AngleUnit;
+use crate::description::mjcf::joint_dynamics::{Dynamics, dynamics, first};
+use crate::description::mjcf::joint_limits::limits;
+use crate::description::mjcf::joint_type::{JointType, TYPES, angle_unit};
 use crate::description::mjcf::placement::{Placement, unit};
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::xml::Reader;
-use crate::description::{Chart, Joint, JointKind, Limits, PerCoordinate};
+use crate::description::{
+    Chart, Given, JointKind, Limits, Optional, PerCoordinate, Scalar, WrittenJoint,
+};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::Vector;
 
-/// What a joint leaves free.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Type {
-    Hinge,
-    Slide,
-    Ball,
-    Free,
-}
-
-const TYPES: [(&str, Type); 4] = [
-    ("hinge", Type::Hinge),
-    ("slide", Type::Slide),
-    ("ball", Type::Ball),
-    ("free", Type::Free),
-];
-
 /// A joint as it stands in its body.
 #[derive(Debug)]
-pub(super) struct Read {
-    pub(super) kind: Type,
+pub(super) struct JointElement {
+    pub(super) kind: JointType,
     pub(super) span: Span,
+    pub(super) name: Optional<String>,
     /// Where it sits, body components, m.
     pub(super) anchor: Vector,
     /// Of length one, body components; `None` for ball and free joints, or where it is faulty.
@@ -41,55 +29,59 @@ pub(super) struct Read {
     pub(super) reference_turn: [f64; 2],
     /// Whether a free joint gets the axes of its body's inertia, where it says so.
     pub(super) align: Option<Switch>,
-    /// All but where it sits.
-    pub(super) joint: Joint,
+    /// The axis as written, body components.
+    written_axis: Optional<Vector>,
+    chart: Optional<Chart>,
+    limits: PerCoordinate<Limits>,
+    dynamics: Dynamics,
 }
 
-impl Read {
-    /// A joint of which only the kind and the name are known.
-    fn new(given: &Attributes<'_>, kind: Type) -> Self {
-        let mut joint = Joint::unknown();
-        let name = given.text("name").filter(|name| !name.value.is_empty());
-        joint.name = name.map(|name| Spanned::new(name.value.to_owned(), name.span));
-        let described = match kind {
-            Type::Hinge => JointKind::Revolute,
-            Type::Slide => JointKind::Prismatic,
-            Type::Ball => JointKind::Spherical,
-            Type::Free => JointKind::Free,
+impl JointElement {
+    /// The joint where it sits in the lower body.
+    pub(super) fn written(&self, attachment: [Given<Scalar>; 3]) -> WrittenJoint {
+        let kind = match self.kind {
+            JointType::Hinge => JointKind::Revolute,
+            JointType::Slide => JointKind::Prismatic,
+            JointType::Ball => JointKind::Spherical,
+            JointType::Free => JointKind::Free,
         };
-        joint.kind = Some(Spanned::new(described, given.span));
-        Self {
-            kind,
-            span: given.span,
-            anchor: [0.0; 3],
-            axis: None,
-            reference: 0.0,
-            reference_turn: [0.0, 1.0],
-            align: None,
-            joint,
+        WrittenJoint {
+            name: self.name.clone(),
+            axis: self.written_axis,
+            chart: self.chart,
+            stiffness: self.dynamics.stiffness.clone(),
+            rest: self.dynamics.rest.clone(),
+            damping: self.dynamics.damping.clone(),
+            armature: self.dynamics.armature.clone(),
+            friction: self.dynamics.friction.clone(),
+            limits: self.limits.clone(),
+            ..WrittenJoint::new(Some(Spanned::new(kind, self.span)), attachment)
         }
-    }
-
-    /// How the orientation is described; by a quaternion where the user says nothing.
-    fn describe(&mut self, chart: Option<Chart>) -> Chart {
-        let chart = chart.unwrap_or(Chart::Quaternion);
-        self.joint.chart = Some(Spanned::new(chart, self.span));
-        chart
     }
 }
 
 /// Reads a `freejoint`, which inherits nothing.
-pub(super) fn read_free(reader: &mut Reader, given: &Attributes<'_>, chart: Option<Chart>) -> Read {
-    let mut read = Read::new(given, Type::Free);
-    read.describe(chart);
+pub(super) fn read_free(
+    reader: &mut Reader,
+    given: &Attributes<'_>,
+    chart: Option<Chart>,
+) -> JointElement {
     let words = [
         ("true", Some(Switch::On)),
         ("false", Some(Switch::Off)),
         ("auto", None),
     ];
     let align = given.keyword(reader, "align", &words);
-    read.align = align.and_then(|align| align.value);
-    read
+    JointElement {
+        align: align.and_then(|align| align.value),
+        ..turning(
+            given,
+            JointType::Free,
+            [0.0; 3],
+            described(chart),
+            Dynamics::default(),
+        )
+    }
 }
 
 /// Reads a joint; `around` is the frame in which it is written.
@@ -99,132 +91,89 @@ pub(super) fn read(
     settings: &Settings,
     around: &Placement,
     chart: Option<Chart>,
-) -> Read {
+) -> JointElement {
     let kind = given.keyword(reader, "type", &TYPES);
-    let kind = kind.unwrap_or(Spanned::new(Type::Hinge, given.span));
-    let mut read = Read::new(given, kind.value);
-    if kind.value != Type::Free {
-        let anchor = given.vector(reader, "pos").unwrap_or_default();
-        read.anchor = around.point(anchor);
-    }
-    if matches!(kind.value, Type::Hinge | Type::Slide) {
-        scalar(reader, given, settings, around, &mut read);
+    let kind = kind.map_or(JointType::Hinge, |kind| kind.value);
+    let anchor = if kind == JointType::Free {
+        [0.0; 3]
     } else {
-        let chart = read.describe(chart);
-        rotating(reader, given, settings, chart, kind.value);
+        around.point(given.vector(reader, "pos").unwrap_or_default())
+    };
+    if matches!(kind, JointType::Hinge | JointType::Slide) {
+        return along_axis(reader, given, settings, around, kind, anchor);
     }
-    dynamics(reader, given, settings, &mut read);
-    read
+    let chart = described(chart);
+    rotating(reader, given, settings, chart, kind);
+    let dynamics = dynamics(reader, given, settings, kind);
+    turning(given, kind, anchor, chart, dynamics)
 }
 
-/// What hinges and slides alone have: an axis, a reference and limits.
-fn scalar(
+/// How the orientation is described; by a quaternion where the user says nothing.
+fn described(chart: Option<Chart>) -> Chart {
+    chart.unwrap_or(Chart::Quaternion)
+}
+
+fn name(given: &Attributes<'_>) -> Optional<String> {
+    let name = given.text("name").filter(|name| !name.value.is_empty());
+    name.map(|name| Spanned::new(name.value.to_owned(), name.span))
+}
+
+/// A ball or free joint.
+fn turning(
+    given: &Attributes<'_>,
+    kind: JointType,
+    anchor: Vector,
+    chart: Chart,
+    dynamics: Dynamics,
+) -> JointElement {
+    JointElement {
+        kind,
+        span: given.span,
+        name: name(given),
+        anchor,
+        axis: None,
+        reference: 0.0,
+        reference_turn: [0.0, 1.0],
+        align: None,
+        written_axis: None,
+        chart: Some(Spanned::new(chart, given.span)),
+        limits: PerCoordinate::Absent,
+        dynamics,
+    }
+}
+
+/// A hinge or a slide, which alone have an axis, a reference and limits.
+fn along_axis(
     reader: &mut Reader,
     given: &Attributes<'_>,
     settings: &Settings,
     around: &Placement,
-    read: &mut Read,
-) {
+    kind: JointType,
+    anchor: Vector,
+) -> JointElement {
     let axis = given.vector(reader, "axis").unwrap_or([0.0, 0.0, 1.0]);
-    read.axis = unit(axis);
-    if read.axis.is_none() {
+    let unit_axis = unit(axis);
+    if unit_axis.is_none() {
         let fault = Diagnostic::error(format!("{} is zero", given.what("axis")));
         let fault = fault.at(given.place("axis"), "expected an axis that is not zero");
         reader.faults.push(fault);
     }
-    read.joint.axis = Some(Spanned::new(around.vector(axis), given.place("axis")));
-    read.axis = read.axis.map(|axis| around.vector(axis));
-    let angle = angle_unit(read.kind, settings);
+    let angle = angle_unit(kind, settings);
     let reference = given.number(reader, "ref").map_or(0.0, |r| r.value);
-    read.reference = angle.radians(reference);
-    read.reference_turn = angle.sine_cosine(reference);
-    let range = limited(reader, given, settings, "limited", "range");
-    let effort = limited(
-        reader,
-        given,
-        settings,
-        "actuatorfrclimited",
-        "actuatorfrcrange",
-    );
-    let limits = Limits {
-        lower: range.map(|[lower, _]| Spanned::new(angle.radians(lower.value), lower.span)),
-        upper: range.map(|[_, upper]| Spanned::new(angle.radians(upper.value), upper.span)),
-        velocity: None,
-        effort: effort.map(|[lower, upper]| {
-            // Where the two differ, what holds in both directions.
-            let least = upper.value.abs().min(lower.value.abs());
-            Spanned::new(least, upper.span)
-        }),
-    };
-    if limits != Limits::default() {
-        read.joint.limits = PerCoordinate::Same(Spanned::new(limits, given.span));
+    JointElement {
+        kind,
+        span: given.span,
+        name: name(given),
+        anchor,
+        axis: unit_axis.map(|axis| around.vector(axis)),
+        reference: angle.radians(reference),
+        reference_turn: angle.sine_cosine(reference),
+        align: None,
+        written_axis: Some(Spanned::new(around.vector(axis), given.place("axis"))),
+        chart: None,
+        limits: limits(reader, given, settings, angle),
+        dynamics: dynamics(reader, given, settings, kind),
     }
-}
-
-/// Slides have lengths where hinges have angles.
-fn angle_unit(kind: Type, settings: &Settings) -> AngleUnit {
-    if kind == Type::Slide {
-        AngleUnit::Radian
-    } else {
-        settings.angle
-    }
-}
-
-/// A range that is in force.
-fn limited(
-    reader: &mut Reader,
-    given: &Attributes<'_>,
-    settings: &Settings,
-    switch: &str,
-    name: &str,
-) -> Option<[Spanned<f64>; 2]> {
-    let words = [
-        ("true", Some(Switch::On)),
-        ("false", Some(Switch::Off)),
-        ("auto", None),
-    ];
-    let found = given.keyword(reader, switch, &words);
-    let found = found.and_then(|found| found.value);
-    let range: Option<[_; 2]> = given.numbers(reader, name);
-    if found.is_none() && settings.auto_limits == Switch::Off && given.has(name) {
-        let message = format!(
-            "{} has `{name}`, but does not say whether it is in force",
-            given.owner
-        );
-        let fault = Diagnostic::error(message).at(given.place(name), "in force or not");
-        reader.faults.push(fault.help(format!(
-            "write `{switch}=\"true\"`, or `autolimits=\"true\"` at `compiler`"
-        )));
-        return None;
-    }
-    if found == Some(Switch::Off) {
-        return None;
-    }
-    let [lower, upper] = match range {
-        Some(range) => range,
-        None if found == Some(Switch::On) && !given.has(name) => {
-            let message = format!("{} is limited, but has no `{name}`", given.owner);
-            let fault = Diagnostic::error(message).at(given.place(switch), "no range");
-            reader.faults.push(fault);
-            return None;
-        }
-        None => return None,
-    };
-    if lower.value < upper.value {
-        return Some([lower, upper]);
-    }
-    // Without a word about it, MuJoCo takes a range that is none for no limit.
-    if found == Some(Switch::On) {
-        let message = format!(
-            "{} is from {} to {}; expected the second to be the larger",
-            given.what(name),
-            lower.value,
-            upper.value
-        );
-        let fault = Diagnostic::error(message).at(given.place(name), "empty range");
-        reader.faults.push(fault);
-    }
-    None
 }
 
 /// What ball and free joints cannot have.
@@ -233,9 +182,9 @@ fn rotating(
     given: &Attributes<'_>,
     settings: &Settings,
     chart: Chart,
-    kind: Type,
+    kind: JointType,
 ) {
-    if kind == Type::Ball && given.has("range") {
+    if kind == JointType::Ball && given.has("range") {
         let message = format!(
             "{} limits the angle of a ball joint; it is left out",
             given.what("range")
@@ -267,87 +216,5 @@ fn rotating(
                 .faults
                 .push(fault.help("describe the orientation by a quaternion"));
         }
-    }
-}
-
-/// The first of up to three coefficients, where it is not zero.
-fn first(reader: &mut Reader, given: &Attributes<'_>, name: &str) -> Option<Spanned<f64>> {
-    let coefficients = given.up_to(reader, name, 3)?;
-    coefficients
-        .first()
-        .copied()
-        .filter(|first| first.value != 0.0)
-}
-
-/// Spring, damper, rotor and friction.
-fn dynamics(reader: &mut Reader, given: &Attributes<'_>, settings: &Settings, read: &mut Read) {
-    for name in ["stiffness", "damping"] {
-        polynomial(reader, given, name);
-    }
-    spring_damper(reader, given);
-    let kind = read.kind;
-    let joint = &mut read.joint;
-    let same = |value| PerCoordinate::Same(baked(value));
-    if settings.springs == Switch::On
-        && matches!(kind, Type::Hinge | Type::Slide)
-        && let Some(stiffness) = first(reader, given, "stiffness")
-    {
-        joint.stiffness = same(stiffness);
-        let rest = given.number(reader, "springref");
-        let rest = rest.map(|rest| {
-            let angle = angle_unit(kind, settings).radians(rest.value);
-            Spanned::new(angle, rest.span)
-        });
-        joint.rest = rest.map_or(PerCoordinate::Absent, same);
-    }
-    if settings.dampers == Switch::On
-        && let Some(damping) = first(reader, given, "damping")
-    {
-        joint.damping = same(damping);
-    }
-    let armature = given.number(reader, "armature");
-    if let Some(armature) = armature.filter(|armature| armature.value != 0.0) {
-        joint.armature = same(armature);
-    }
-    let friction = given.number(reader, "frictionloss");
-    if let Some(friction) = friction.filter(|friction| friction.value != 0.0) {
-        joint.friction = PerCoordinate::Same(friction);
-    }
-}
-
-/// Coefficients after the first are those of squares and cubes.
-fn polynomial(reader: &mut Reader, given: &Attributes<'_>, name: &str) {
-    let coefficients = given.up_to(reader, name, 3).unwrap_or_default();
-    let other = coefficients.iter().skip(1).find(|c| c.value != 0.0);
-    if let Some(other) = other {
-        let message = format!(
-            "{} has the coefficient {} of a higher power; expected one that is linear",
-            given.what(name),
-            other.value
-        );
-        let fault = Diagnostic::error(message).at(other.span, "not supported");
-        reader.faults.push(fault);
-    }
-}
-
-/// Springs and dampers that MuJoCo computes from the inertia, and springs that yield.
-fn spring_damper(reader: &mut Reader, given: &Attributes<'_>) {
-    let pair: Option<[Spanned<f64>; 2]> = given.numbers(reader, "springdamper");
-    if pair.is_some_and(|pair| pair.iter().all(|entry| entry.value > 0.0)) {
-        let message = format!("{} is not supported", given.what("springdamper"));
-        let fault = Diagnostic::error(message).at(given.place("springdamper"), "not supported");
-        reader
-            .faults
-            .push(fault.help("give `stiffness` and `damping` as numbers"));
-    }
-    let threshold = given.number(reader, "springyield");
-    if let Some(threshold) = threshold.filter(|threshold| threshold.value > 0.0) {
-        let message = format!(
-            "{} is {}; a spring that yields is not supported",
-            given.what("springyield"),
-            threshold.value
-        );
-        let fault = Diagnostic::error(message).at(threshold.span, "expected 0");
-        reader.faults.push(fault);
     }
 }

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::Body;
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 
@@ -15,7 +14,7 @@ pub(super) enum Wish {
     None(Span),
     /// After the body whose joints it carries, and one of them.
     After {
-        /// The place of that body in the list.
+        /// The place of that body in the list, which is called after no other.
         body: usize,
         joint: String,
         span: Span,
@@ -25,37 +24,44 @@ pub(super) enum Wish {
 /// Names that are in use, each with the last number that was tried behind it.
 type Used = BTreeMap<String, usize>;
 
-/// Names the bodies, no two of them the same by our doing.
-pub(super) fn give(reader: &mut Reader, bodies: &mut [Body], wishes: &[Wish]) {
+/// The names of the bodies, no two of them the same by our doing.
+pub(super) fn give(reader: &mut Reader, wishes: &[Wish]) -> Vec<Spanned<String>> {
     let mut used = Used::new();
-    for (body, wish) in bodies.iter_mut().zip(wishes) {
+    // Of the bodies that are called after no other.
+    let mut own: BTreeMap<usize, Spanned<String>> = BTreeMap::new();
+    for (body, wish) in wishes.iter().enumerate() {
         if let Wish::Given(name) = wish {
             used.insert(name.value.clone(), 1);
-            body.name = Some(name.clone());
+            own.insert(body, name.clone());
         }
     }
     let mut number = 0;
-    for (body, wish) in bodies.iter_mut().zip(wishes) {
+    for (body, wish) in wishes.iter().enumerate() {
         if let Wish::None(span) = wish {
-            let name = loop {
-                number += 1;
-                let name = format!("body{number}");
-                if !used.contains_key(&name) {
-                    break name;
-                }
-            };
+            let name = invented(&mut used, &mut number);
             let note = Diagnostic::note(format!("a body without a name is called `{name}`"));
             reader.faults.push(note.at(*span, "no name"));
-            used.insert(name.clone(), 1);
-            body.name = Some(Spanned::new(name, *span));
+            own.insert(body, Spanned::new(name, *span));
         }
     }
-    for (index, wish) in wishes.iter().enumerate() {
-        if let Wish::After { body, joint, span } = wish {
-            let owner = bodies.get(*body).and_then(|body| body.name.as_ref());
-            let owner = owner.map_or("body", |name| name.value.as_str());
-            let name = free(&mut used, format!("{owner}_{joint}"));
-            bodies[index].name = Some(Spanned::new(name, *span));
+    let name = |(body, wish): (usize, &Wish)| match wish {
+        Wish::Given(_) | Wish::None(_) => own[&body].clone(),
+        Wish::After { body, joint, span } => {
+            let owner = &own[body].value;
+            Spanned::new(free(&mut used, format!("{owner}_{joint}")), *span)
+        }
+    };
+    wishes.iter().enumerate().map(name).collect()
+}
+
+/// The next name of ours that is not in use.
+fn invented(used: &mut Used, number: &mut usize) -> String {
+    loop {
+        *number += 1;
+        let name = format!("body{number}");
+        if !used.contains_key(&name) {
+            used.insert(name.clone(), 1);
+            return name;
         }
     }
 }

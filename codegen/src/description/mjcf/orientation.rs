@@ -1,94 +1,13 @@
 //! Orientations, in the five ways that MJCF has to write them.
 
 use crate::description::Rotation;
+use crate::description::mjcf::angles::euler;
 use crate::description::mjcf::attributes::{Attributes, ORIENTATION};
 use crate::description::mjcf::placement::{Placement, about, unit};
 use crate::description::mjcf::settings::Settings;
 use crate::description::xml::Reader;
 use crate::diagnostic::Diagnostic;
-use crate::geometry::{
-    IDENTITY, Vector, cross, difference, dot, length, of_quaternion, scaled, then,
-};
-
-/// In which unit angles are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum AngleUnit {
-    Degree,
-    Radian,
-}
-
-/// An axis of a sequence of rotations.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct EulerAxis {
-    axis: Vector,
-    /// In which axes it is given.
-    fixed: EulerFrame,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum EulerFrame {
-    /// Those turned so far.
-    Turned,
-    /// Those of the outer frame.
-    Outer,
-}
-
-/// One after the other about the body's x, y and z: MJCF's default.
-pub(super) const XYZ: [EulerAxis; 3] = [
-    EulerAxis::turned([1.0, 0.0, 0.0]),
-    EulerAxis::turned([0.0, 1.0, 0.0]),
-    EulerAxis::turned([0.0, 0.0, 1.0]),
-];
-
-impl EulerAxis {
-    const fn turned(axis: Vector) -> Self {
-        Self {
-            axis,
-            fixed: EulerFrame::Turned,
-        }
-    }
-
-    /// The axis of one letter of `eulerseq`.
-    pub(super) fn letter(letter: char) -> Option<Self> {
-        let axis = match letter.to_ascii_lowercase() {
-            'x' => IDENTITY[0],
-            'y' => IDENTITY[1],
-            'z' => IDENTITY[2],
-            _ => return None,
-        };
-        let fixed = if letter.is_ascii_uppercase() {
-            EulerFrame::Outer
-        } else {
-            EulerFrame::Turned
-        };
-        Some(Self { axis, fixed })
-    }
-}
-
-impl AngleUnit {
-    /// An angle in radians.
-    pub(super) fn radians(self, angle: f64) -> f64 {
-        match self {
-            Self::Degree => angle.to_radians(),
-            Self::Radian => angle,
-        }
-    }
-
-    /// Sine and cosine; exact for whole right angles in degrees, so that their zeros are zeros.
-    pub(super) fn sine_cosine(self, angle: f64) -> [f64; 2] {
-        if self == Self::Degree && angle % 90.0 == 0.0 {
-            return match (angle / 90.0).rem_euclid(4.0) {
-                1.0 => [1.0, 0.0],
-                2.0 => [0.0, -1.0],
-                3.0 => [-1.0, 0.0],
-                _ => [0.0, 1.0],
-            };
-        }
-        // Not std's, which differ from platform to platform.
-        let (sine, cosine) = libm::sincos(self.radians(angle));
-        [sine, cosine]
-    }
-}
+use crate::geometry::{IDENTITY, Vector, cross, difference, dot, length, of_quaternion, scaled};
 
 /// The frame that an element places with `pos` and an orientation.
 pub(super) fn placement(
@@ -134,9 +53,9 @@ pub(super) fn rotation(
             .map(|[x, y, z, angle]| Some(about(self::unit([x, y, z])?, unit.sine_cosine(angle)))),
         "xyaxes" => attributes.vector(reader, name).map(xy_axes),
         "zaxis" => attributes.vector(reader, name).map(z_axis),
-        _ => attributes
-            .vector(reader, name)
-            .map(|angles: Vector| Some(euler(angles.map(|a| unit.sine_cosine(a)), settings))),
+        _ => attributes.vector(reader, name).map(|angles: Vector| {
+            Some(euler(&settings.euler, angles.map(|a| unit.sine_cosine(a))))
+        }),
     };
     // Numbers that could not be read have their own faults.
     if rotation == Some(None) {
@@ -171,15 +90,4 @@ pub(super) fn z_axis(axis: Vector) -> Option<Rotation> {
         [-y / sine, x / sine, 0.0]
     };
     Some(about(about_axis, [sine, z]))
-}
-
-fn euler(angles: [[f64; 2]; 3], settings: &Settings) -> Rotation {
-    let turns = settings.euler.iter().zip(angles);
-    turns.fold(IDENTITY, |so_far, (letter, angle)| {
-        let turn = about(letter.axis, angle);
-        match letter.fixed {
-            EulerFrame::Turned => then(&so_far, &turn),
-            EulerFrame::Outer => then(&turn, &so_far),
-        }
-    })
 }

@@ -1,9 +1,10 @@
 //! Sections beside the bodies: what of them would change the dynamics is refused, the rest is left out.
 
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::defaults::{Class, Kind};
+use crate::description::mjcf::defaults::{Class, ElementKind};
+use crate::description::mjcf::known;
+use crate::description::mjcf::model::Model;
 use crate::description::mjcf::settings::{Switch, TRUTH};
-use crate::description::mjcf::{Model, known};
 use crate::description::xml::{Element, Reader, shown};
 use crate::diagnostic::Diagnostic;
 
@@ -59,10 +60,13 @@ fn actuators<'d>(
         reader.unknown_child(*element, "`actuator`", &known::ACTUATORS);
         if known::ACTUATORS.contains(&element.name()) {
             let owner = owner(*element, element.name());
-            let given =
-                model
-                    .defaults
-                    .attributes(reader, *element, &owner, Kind::Actuator, Class::MAIN);
+            let given = model.defaults.attributes(
+                reader,
+                *element,
+                &owner,
+                ElementKind::Actuator,
+                Class::MAIN,
+            );
             refuse_coefficients(reader, &given, &["damping", "armature"]);
         }
     }
@@ -82,10 +86,13 @@ fn tendons<'d>(
         reader.unknown_child(*element, "`tendon`", &["spatial", "fixed"]);
         if matches!(element.name(), "spatial" | "fixed") {
             let owner = owner(*element, &format!("{} tendon", element.name()));
-            let given =
-                model
-                    .defaults
-                    .attributes(reader, *element, &owner, Kind::Tendon, Class::MAIN);
+            let given = model.defaults.attributes(
+                reader,
+                *element,
+                &owner,
+                ElementKind::Tendon,
+                Class::MAIN,
+            );
             let names = ["stiffness", "damping", "armature", "frictionloss"];
             refuse_coefficients(reader, &given, &names);
         }
@@ -105,7 +112,7 @@ fn equalities<'d>(reader: &mut Reader, model: &Model<'d>, children: &[Element<'d
         let given =
             model
                 .defaults
-                .attributes(reader, *element, &owner, Kind::Equality, Class::MAIN);
+                .attributes(reader, *element, &owner, ElementKind::Equality, Class::MAIN);
         let active = given.keyword(reader, "active", &TRUTH);
         let active = active.map_or(Switch::On, |active| active.value);
         if active == Switch::On && model.settings.equalities == Switch::On {

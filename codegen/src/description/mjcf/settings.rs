@@ -1,9 +1,9 @@
 //! `compiler` and `option`: what holds for the whole model.
 
+use crate::description::mjcf::angles::{AngleUnit, EulerAxis, XYZ};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::known;
-use crate::description::mjcf::orientation::{AngleUnit, EulerAxis, XYZ};
 use crate::description::xml::{Element, Reader, shown};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 

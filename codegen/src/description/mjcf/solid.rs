@@ -20,7 +20,7 @@ pub(super) struct Solid {
 
 /// A shape of uniform density about its own origin and along its own axes; half the lengths, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum Primitive {
     Sphere {
         radius: f64,
     },
@@ -47,7 +47,7 @@ pub(super) enum Amount {
     Density(f64),
 }
 
-impl Shape {
+impl Primitive {
     /// m³.
     pub(super) fn volume(self) -> f64 {
         let pi = std::f64::consts::PI;

@@ -1,22 +1,14 @@
 //! A `[[body]]`: its own properties here, its joint's in [`joint`].
 
-use crate::description::read::{Item, Reader, span};
 use crate::description::toml::{joint, value};
-use crate::description::{Body, Given, INERTIA_COMPONENTS, Joint, Scalar};
+use crate::description::toml_reader::{Item, Reader, span};
+use crate::description::{Given, INERTIA_COMPONENTS, Scalar, WrittenBody, WrittenJoint};
+use crate::diagnostic::Span;
 
 const KEYS: [&str; 5] = ["name", "mass", "mass_center", "inertia", "inertia_rotation"];
 
 /// Reads a body, the `number`-th of the file.
-pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Body {
-    let mut body = Body {
-        span: span(item),
-        name: None,
-        mass: None,
-        mass_center: [None; 3],
-        inertia: [None; 6],
-        inertia_rotation: None,
-        joint: Joint::unknown(),
-    };
+pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> WrittenBody {
     let name = item
         .get_ref()
         .as_table()
@@ -28,25 +20,45 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Body 
     };
     let keys = [&KEYS[..], &joint::KEYS].concat();
     let Some(table) = reader.table(item, &owner, &keys) else {
-        return body;
+        return nothing(span(item));
     };
     let name = reader.required(&table, "name", "name = \"rod\"");
-    body.name = name.and_then(|item| reader.string(item, &table.what("name")));
+    let name = name.and_then(|item| reader.string(item, &table.what("name")));
     let mass = reader.required(&table, "mass", "mass = 1.0");
-    body.mass = mass.and_then(|item| value::scalar(reader, item, &table.what("mass")));
-    if let Some(item) = reader.required(&table, "mass_center", "mass_center = [0.0, 0.0, 0.0]") {
-        body.mass_center = value::vector(reader, item, &table.what("mass_center"));
-    }
-    if let Some(item) = reader.required(
+    let mass = mass.and_then(|item| value::scalar(reader, item, &table.what("mass")));
+    let center = reader.required(&table, "mass_center", "mass_center = [0.0, 0.0, 0.0]");
+    let mass_center = center.map_or([None; 3], |item| {
+        value::vector(reader, item, &table.what("mass_center"))
+    });
+    let inertia_item = reader.required(
         &table,
         "inertia",
         "inertia = { xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }",
-    ) {
-        body.inertia = inertia(reader, item, &table.what("inertia"));
+    );
+    WrittenBody {
+        span: span(item),
+        name,
+        mass,
+        mass_center,
+        inertia: inertia_item.map_or([None; 6], |item| {
+            inertia(reader, item, &table.what("inertia"))
+        }),
+        inertia_rotation: value::rotation(reader, &table, "inertia_rotation"),
+        joint: joint::read(reader, &table),
     }
-    body.inertia_rotation = value::rotation(reader, &table, "inertia_rotation");
-    body.joint = joint::read(reader, &table);
-    body
+}
+
+/// A body of which nothing can be read.
+fn nothing(span: Span) -> WrittenBody {
+    WrittenBody {
+        span,
+        name: None,
+        mass: None,
+        mass_center: [None; 3],
+        inertia: [None; 6],
+        inertia_rotation: None,
+        joint: WrittenJoint::new(None, [None; 3]),
+    }
 }
 
 fn inertia(reader: &mut Reader, item: &Item<'_>, what: &str) -> [Given<Scalar>; 6] {

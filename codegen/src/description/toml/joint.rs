@@ -1,9 +1,10 @@
 //! The joint of a `[[body]]` with its lower body.
 
-use crate::description::read::{Item, Reader, Table, list, span};
 use crate::description::toml::value;
+use crate::description::toml_reader::{Item, Reader, Table, list, span};
 use crate::description::{
-    Axis, Chart, Given, Joint, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, Speeds,
+    Axis, Chart, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, Speeds,
+    WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Spanned, nearest};
 
@@ -31,37 +32,41 @@ const LIMIT_KEYS: [&str; 4] = ["lower", "upper", "velocity", "effort"];
 const MIMIC_KEYS: [&str; 3] = ["joint", "multiplier", "offset"];
 
 /// Reads what a body's table says of its joint.
-pub(super) fn read(reader: &mut Reader, body: &Table<'_, '_>) -> Joint {
-    let mut joint = Joint::unknown();
-    if let Some(item) = reader.required(body, "attachment", "attachment = [0.0, 0.0, 0.0]") {
-        joint.attachment = value::vector(reader, item, &body.what("attachment"));
-    }
+pub(super) fn read(reader: &mut Reader, body: &Table<'_, '_>) -> WrittenJoint {
+    let attachment = reader.required(body, "attachment", "attachment = [0.0, 0.0, 0.0]");
+    let attachment = attachment.map_or([None; 3], |item| {
+        value::vector(reader, item, &body.what("attachment"))
+    });
     let kind_item = reader.required(body, "joint", "joint = [\"theta1\"]");
-    joint.kind = kind_item.and_then(|item| kind(reader, item, &body.what("joint")));
-    joint.axis = axis(reader, body, joint.kind.as_ref());
+    let kind = kind_item.and_then(|item| kind(reader, item, &body.what("joint")));
+    let axis = axis(reader, body, kind.as_ref());
     let name = body.get("joint_name");
-    joint.name = name.and_then(|item| reader.string(item, &body.what("joint_name")));
-    joint.attachment_rotation = value::rotation(reader, body, "attachment_rotation");
-    let attachment = body.get("body_attachment");
-    joint.body_attachment =
-        attachment.map(|item| value::vector(reader, item, &body.what("body_attachment")));
-    joint.body_rotation = value::rotation(reader, body, "body_rotation");
-    joint.locked = locked(reader, body);
-    joint.chart = choice(reader, body, "chart", &Chart::NAMED);
-    joint.speeds = choice(reader, body, "speeds", &Speeds::NAMED);
-    for (key, place) in [
-        ("stiffness", &mut joint.stiffness),
-        ("rest", &mut joint.rest),
-        ("damping", &mut joint.damping),
-        ("armature", &mut joint.armature),
-    ] {
-        *place = scalars(reader, body, key);
+    let name = name.and_then(|item| reader.string(item, &body.what("joint_name")));
+    let attachment_rotation = value::rotation(reader, body, "attachment_rotation");
+    let body_attachment = body.get("body_attachment");
+    let body_attachment =
+        body_attachment.map(|item| value::vector(reader, item, &body.what("body_attachment")));
+    WrittenJoint {
+        kind,
+        name,
+        axis,
+        attachment,
+        attachment_rotation,
+        body_attachment,
+        body_rotation: value::rotation(reader, body, "body_rotation"),
+        locked: locked(reader, body),
+        chart: choice(reader, body, "chart", &Chart::NAMED),
+        speeds: choice(reader, body, "speeds", &Speeds::NAMED),
+        stiffness: scalars(reader, body, "stiffness"),
+        rest: scalars(reader, body, "rest"),
+        damping: scalars(reader, body, "damping"),
+        armature: scalars(reader, body, "armature"),
+        friction: value::per_coordinate(reader, body, "friction", &[], value::constant),
+        limits: value::per_coordinate(reader, body, "limits", &LIMIT_KEYS, limits),
+        mimic: body
+            .get("mimic")
+            .and_then(|item| mimic(reader, item, &body.what("mimic"))),
     }
-    joint.friction = value::per_coordinate(reader, body, "friction", &[], value::constant);
-    joint.limits = value::per_coordinate(reader, body, "limits", &LIMIT_KEYS, limits);
-    let mimic_item = body.get("mimic");
-    joint.mimic = mimic_item.and_then(|item| mimic(reader, item, &body.what("mimic")));
-    joint
 }
 
 fn scalars(reader: &mut Reader, body: &Table<'_, '_>, key: &str) -> PerCoordinate<Scalar> {

@@ -5,13 +5,12 @@
 
 use std::fmt::Write as _;
 
-use crate::description::toml::ORDERS;
 use crate::description::{
-    Axis, Body, Chart, Description, Given, INERTIA_COMPONENTS, Joint, JointKind, Limits, Mimic,
-    PerCoordinate, Rotation, Scalar, Speeds,
+    Axis, Carrier, Chart, Description, FrameRotation, Given, INERTIA_COMPONENTS, JointKind, Limits,
+    Mimic, Order, PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Spanned};
-use crate::tree::Order;
+use crate::geometry::IDENTITY;
 
 /// Writes a description, the same one always as the same text.
 ///
@@ -96,16 +95,46 @@ impl Writer {
         self.line("lower_bodies", lower_bodies);
         match description.order {
             Some(order) if order.value == Order::Body => {}
-            order => self.line("order", order.and_then(|order| name(&order.value, &ORDERS))),
+            order => self.line(
+                "order",
+                order.and_then(|order| name(&order.value, &Order::NAMED)),
+            ),
         }
         for (body, number) in description.bodies.iter().zip(1..) {
             self.owner = format!(" of body {number}");
             self.text.push_str("\n[[body]]\n");
             self.body(body);
         }
+        for (frame, number) in description.frames.iter().zip(1..) {
+            self.owner = format!(" of frame {number}");
+            self.text.push_str("\n[[frame]]\n");
+            self.frame(frame);
+        }
     }
 
-    fn body(&mut self, body: &Body) {
+    fn frame(&mut self, frame: &WrittenFrame) {
+        self.line("name", frame.name.as_ref().map(string));
+        if let Carrier::Body(body) = &frame.body {
+            self.line("body", body.as_ref().map(string));
+        }
+        let zero = |component: &Given<Scalar>| {
+            component.is_some_and(|component| component.value == Scalar::Baked(0.0))
+        };
+        if !frame.position.iter().all(zero) {
+            self.line("position", vector(&frame.position));
+        }
+        match frame.rotation.map(|rotation| rotation.value) {
+            Some(FrameRotation::Baked(IDENTITY)) => {}
+            Some(FrameRotation::Baked(rotation)) => self.line("rotation", matrix(&rotation)),
+            Some(FrameRotation::Runtime(rows)) => {
+                let rows = list(rows.map(|row| list(row.map(number))));
+                self.line("rotation", table([("runtime", rows)]));
+            }
+            None => self.line("rotation", None),
+        }
+    }
+
+    fn body(&mut self, body: &WrittenBody) {
         self.line("name", body.name.as_ref().map(string));
         self.line("mass", scalar(body.mass));
         self.line("mass_center", vector(&body.mass_center));
@@ -120,7 +149,7 @@ impl Writer {
         self.joint(&body.joint);
     }
 
-    fn joint(&mut self, joint: &Joint) {
+    fn joint(&mut self, joint: &WrittenJoint) {
         self.line("attachment", vector(&joint.attachment));
         if let Some(rotation) = &joint.attachment_rotation {
             self.line("attachment_rotation", matrix(&rotation.value));

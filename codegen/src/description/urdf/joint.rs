@@ -1,9 +1,10 @@
 //! `joint`: a joint, and the two links that it joins.
 
-use crate::description::urdf::{IGNORED, named, origin};
+use crate::description::urdf::named::{IGNORED, Named};
+use crate::description::urdf::origin;
 use crate::description::xml::{Element, Known, Reader};
 use crate::description::{
-    Chart, Given, Joint, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar,
+    Chart, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Spanned};
 
@@ -28,17 +29,16 @@ pub(super) struct JointElement<'d> {
     /// The name of the link that it moves.
     pub(super) child: Given<&'d str>,
     /// The joint itself.
-    pub(super) joint: Joint,
+    pub(super) joint: WrittenJoint,
 }
 
-/// Reads a `joint`, the `number`-th of the file.
+/// Reads a `joint`.
 pub(super) fn read<'d>(
     reader: &mut Reader,
     element: Element<'d>,
-    number: usize,
+    Named { name, words }: Named<'d>,
     chart: Chart,
 ) -> JointElement<'d> {
-    let (name, words) = named(reader, element, "joint", number);
     let known = Known {
         attributes: &["name", "type"],
         children: &[
@@ -51,35 +51,53 @@ pub(super) fn read<'d>(
     let kind = reader
         .required(element, &words, "type")
         .and_then(|kind| reader.keyword(kind, &format!("`type` of {words}"), &TYPES));
-    let origin = origin::read(reader, element, &words);
-    let mut joint = Joint {
-        name: name.map(|name| Spanned::new(name.value.to_owned(), name.span)),
-        attachment: origin.position,
-        attachment_rotation: origin.rotation,
-        ..Joint::unknown()
+    let own_name = name.map(|name| Spanned::new(name.value.to_owned(), name.span));
+    let joint = WrittenJoint {
+        name: own_name,
+        ..read_motion(reader, element, &words, kind, chart)
     };
-    let what = kind.as_ref().map(|kind| &kind.value);
-    if what.is_none_or(JointKind::has_axis) {
-        joint.axis = axis(reader, element, &words);
-    }
-    if what != Some(&JointKind::Fixed) {
-        joint.mimic = mimic(reader, element, &words);
-        dynamics(reader, element, &words, &mut joint);
-    }
-    match &kind {
-        Some(kind) if kind.value == JointKind::Free => {
-            joint.chart = Some(Spanned::new(chart, kind.span));
-        }
-        Some(kind) if matches!(kind.value, JointKind::Fixed | JointKind::Planar) => {}
-        _ => joint.limits = limits(reader, element, &words, what),
-    }
-    joint.kind = kind;
     JointElement {
         parent: end(reader, element, &words, "parent"),
         child: end(reader, element, &words, "child"),
         name,
         words,
         joint,
+    }
+}
+
+/// The joint but for its name and the links that it joins.
+fn read_motion(
+    reader: &mut Reader,
+    element: Element<'_>,
+    words: &str,
+    kind: Given<JointKind>,
+    chart: Chart,
+) -> WrittenJoint {
+    let what = kind.as_ref().map(|kind| &kind.value);
+    let origin = origin::read(reader, element, words);
+    let has_axis = what.is_none_or(JointKind::has_axis);
+    let axis = has_axis.then(|| axis(reader, element, words)).flatten();
+    let moves = what != Some(&JointKind::Fixed);
+    let mimic = moves.then(|| mimic(reader, element, words)).flatten();
+    let dynamics = if moves {
+        dynamics(reader, element, words)
+    } else {
+        Dynamics::default()
+    };
+    let limits = match what {
+        Some(JointKind::Free | JointKind::Fixed | JointKind::Planar) => PerCoordinate::Absent,
+        _ => limits(reader, element, words, what),
+    };
+    let is_free = kind.as_ref().filter(|kind| kind.value == JointKind::Free);
+    WrittenJoint {
+        axis,
+        attachment_rotation: origin.rotation,
+        chart: is_free.map(|kind| Spanned::new(chart, kind.span)),
+        damping: dynamics.damping,
+        friction: dynamics.friction,
+        limits,
+        mimic,
+        ..WrittenJoint::new(kind, origin.position)
     }
 }
 
@@ -171,9 +189,16 @@ fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str) {
     }
 }
 
-fn dynamics(reader: &mut Reader, element: Element<'_>, words: &str, joint: &mut Joint) {
-    let Some(element) = reader.child(element, words, "dynamics") else {
-        return;
+/// What a `dynamics` says.
+#[derive(Default)]
+struct Dynamics {
+    damping: PerCoordinate<Scalar>,
+    friction: PerCoordinate<f64>,
+}
+
+fn dynamics(reader: &mut Reader, joint: Element<'_>, words: &str) -> Dynamics {
+    let Some(element) = reader.child(joint, words, "dynamics") else {
+        return Dynamics::default();
     };
     let owner = format!("`dynamics` of {words}");
     let known = Known {
@@ -181,12 +206,12 @@ fn dynamics(reader: &mut Reader, element: Element<'_>, words: &str, joint: &mut 
         ..Known::NONE
     };
     reader.unknown(element, &owner, &known);
-    if let Some(damping) = reader.optional_number(element, &owner, "damping") {
-        let value = Scalar::Baked(damping.value);
-        joint.damping = PerCoordinate::Same(Spanned::new(value, damping.span));
-    }
-    if let Some(friction) = reader.optional_number(element, &owner, "friction") {
-        joint.friction = PerCoordinate::Same(friction);
+    let damping = reader.optional_number(element, &owner, "damping");
+    let damping = damping.map(|damping| Spanned::new(Scalar::Baked(damping.value), damping.span));
+    let friction = reader.optional_number(element, &owner, "friction");
+    Dynamics {
+        damping: damping.map_or(PerCoordinate::Absent, PerCoordinate::Same),
+        friction: friction.map_or(PerCoordinate::Absent, PerCoordinate::Same),
     }
 }
 

@@ -1,52 +1,88 @@
 //! `link`: a body's name and inertia.
 
-use crate::description::urdf::{IGNORED, named, origin};
+use crate::description::urdf::named::{IGNORED, Named};
+use crate::description::urdf::origin;
 use crate::description::xml::{Element, Known, Reader};
-use crate::description::{Body, Given, INERTIA_COMPONENTS, Joint, Scalar};
+use crate::description::{
+    Given, INERTIA_COMPONENTS, Optional, Rotation, Scalar, WrittenBody, WrittenJoint,
+};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 
-/// A link, with a joint of which nothing is known yet.
-pub(super) struct Link<'d> {
+/// A link: a body but for its joint.
+pub(super) struct LinkElement<'d> {
     /// The name.
     pub(super) name: Given<&'d str>,
-    /// All but the joint.
-    pub(super) body: Body,
+    /// Where it is written.
+    element: Span,
+    inertial: Inertial,
 }
 
-impl Link<'_> {
+/// What a link weighs.
+struct Inertial {
+    mass: Given<Scalar>,
+    mass_center: [Given<Scalar>; 3],
+    inertia: [Given<Scalar>; 6],
+    rotation: Optional<Rotation>,
+}
+
+impl LinkElement<'_> {
     /// The place of the name, or of the whole link.
     pub(super) fn span(&self) -> Span {
-        self.name.map_or(self.body.span, |name| name.span)
+        self.name.map_or(self.element, |name| name.span)
+    }
+
+    /// The body that hangs by this joint.
+    pub(super) fn body(&self, joint: WrittenJoint) -> WrittenBody {
+        let inertial = &self.inertial;
+        WrittenBody {
+            span: self.element,
+            name: self
+                .name
+                .map(|name| Spanned::new(name.value.to_owned(), name.span)),
+            mass: inertial.mass,
+            mass_center: inertial.mass_center,
+            inertia: inertial.inertia,
+            inertia_rotation: inertial.rotation,
+            joint,
+        }
     }
 }
 
-/// Reads a `link`, the `number`-th of the file.
-pub(super) fn read<'d>(reader: &mut Reader, element: Element<'d>, number: usize) -> Link<'d> {
-    let (name, owner) = named(reader, element, "link", number);
+/// Reads a `link`.
+pub(super) fn read<'d>(
+    reader: &mut Reader,
+    element: Element<'d>,
+    Named { name, words }: Named<'d>,
+) -> LinkElement<'d> {
     let known = Known {
         attributes: &["name"],
         children: &["inertial"],
         ignored_children: &IGNORED,
         ..Known::NONE
     };
-    reader.unknown(element, &owner, &known);
-    let zero = Some(Spanned::new(Scalar::Baked(0.0), element.span()));
-    let mut body = Body {
-        span: element.span(),
-        name: name.map(|name| Spanned::new(name.value.to_owned(), name.span)),
+    reader.unknown(element, &words, &known);
+    let inertial = reader.child(element, &words, "inertial");
+    LinkElement {
+        name,
+        element: element.span(),
+        inertial: match inertial {
+            Some(inertial) => read_inertial(reader, inertial, &words),
+            None => massless(element.span()),
+        },
+    }
+}
+
+fn massless(span: Span) -> Inertial {
+    let zero = Some(Spanned::new(Scalar::Baked(0.0), span));
+    Inertial {
         mass: zero,
         mass_center: [zero; 3],
         inertia: [zero; 6],
-        inertia_rotation: None,
-        joint: Joint::unknown(),
-    };
-    if let Some(inertial) = reader.child(element, &owner, "inertial") {
-        read_inertial(reader, inertial, &owner, &mut body);
+        rotation: None,
     }
-    Link { name, body }
 }
 
-fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str, body: &mut Body) {
+fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str) -> Inertial {
     let owner = format!("`inertial` of {link}");
     let known = Known {
         children: &["origin", "mass", "inertia"],
@@ -54,14 +90,18 @@ fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str, body: &
     };
     reader.unknown(inertial, &owner, &known);
     let origin = origin::read(reader, inertial, &owner);
-    body.mass_center = origin.position;
-    body.inertia_rotation = origin.rotation;
-    body.mass = reader
+    let mass = reader
         .required_child(inertial, &owner, "mass")
         .and_then(|mass| read_mass(reader, mass, link));
-    body.inertia = reader
+    let inertia = reader
         .required_child(inertial, &owner, "inertia")
         .map_or([None; 6], |inertia| read_inertia(reader, inertia, link));
+    Inertial {
+        mass,
+        mass_center: origin.position,
+        inertia,
+        rotation: origin.rotation,
+    }
 }
 
 fn read_mass(reader: &mut Reader, mass: Element<'_>, link: &str) -> Given<Scalar> {

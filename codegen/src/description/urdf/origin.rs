@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry;
 
 /// A frame in another one.
-pub(super) struct Origin {
+pub(super) struct OriginElement {
     /// Its origin, in components of the other, m.
     pub(super) position: [Given<Scalar>; 3],
     /// From the other's axes to its own; absent: the same.
@@ -14,8 +14,8 @@ pub(super) struct Origin {
 }
 
 /// The `origin` of an element, at zero where there is none; `owner` is the words for the element.
-pub(super) fn read(reader: &mut Reader, element: Element<'_>, owner: &str) -> Origin {
-    let mut origin = Origin {
+pub(super) fn read(reader: &mut Reader, element: Element<'_>, owner: &str) -> OriginElement {
+    let mut origin = OriginElement {
         position: [Some(Spanned::new(Scalar::Baked(0.0), element.span())); 3],
         rotation: None,
     };

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::description::cycles::cycles;
 use crate::description::urdf::joint::JointElement;
-use crate::description::urdf::link::Link;
+use crate::description::urdf::link::LinkElement;
 use crate::description::xml::{Reader, shown};
 use crate::diagnostic::{Diagnostic, Spanned, nearest};
 
@@ -22,61 +22,23 @@ pub(super) struct Hung {
     /// Of each link the place of the joint by which it hangs; `None` for a root.
     pub(super) joint_of: Vec<Option<usize>>,
     /// The links depth first; `None` where they form no tree.
-    pub(super) order: Option<Vec<Place>>,
+    pub(super) order: Option<Vec<HungLink>>,
 }
 
 /// A link among the bodies.
-pub(super) struct Place {
+pub(super) struct HungLink {
     /// The place in the file.
     pub(super) link: usize,
     /// The number of the lower body from 1, or 0 for the inertial frame.
     pub(super) lower: usize,
 }
 
-/// Reports names that are given twice, and takes them from all but the first.
-pub(super) fn unique_names(
-    reader: &mut Reader,
-    links: &mut [Link<'_>],
-    joints: &mut [JointElement<'_>],
-) {
-    let mut first: BTreeMap<&str, Spanned<&str>> = BTreeMap::new();
-    for link in links {
-        if is_repeated(reader, "links", link.name, &mut first) {
-            link.name = None;
-            link.body.name = None;
-        }
-    }
-    first.clear();
-    for joint in joints {
-        if is_repeated(reader, "joints", joint.name, &mut first) {
-            joint.name = None;
-            joint.joint.name = None;
-        }
-    }
-}
-
-fn is_repeated<'d>(
-    reader: &mut Reader,
-    what: &str,
-    name: Option<Spanned<&'d str>>,
-    first: &mut BTreeMap<&'d str, Spanned<&'d str>>,
-) -> bool {
-    let Some(name) = name else { return false };
-    let Some(first) = first.get(name.value) else {
-        first.insert(name.value, name);
-        return false;
-    };
-    let fault = Diagnostic::error(format!("two {what} have the name `{}`", shown(name.value)));
-    reader.faults.push(
-        fault
-            .at(name.span, "the second one")
-            .at(first.span, "the first one"),
-    );
-    true
-}
-
 /// Hangs the links from one another by the joints.
-pub(super) fn hang(reader: &mut Reader, links: &[Link<'_>], joints: &[JointElement<'_>]) -> Hung {
+pub(super) fn hang(
+    reader: &mut Reader,
+    links: &[LinkElement<'_>],
+    joints: &[JointElement<'_>],
+) -> Hung {
     let mut ends = Ends::new(links);
     let mut joint_of: Vec<Option<usize>> = vec![None; links.len()];
     let mut lower_of: Vec<Option<usize>> = vec![None; links.len()];
@@ -137,7 +99,7 @@ struct Ends<'d> {
 }
 
 impl<'d> Ends<'d> {
-    fn new(links: &[Link<'d>]) -> Self {
+    fn new(links: &[LinkElement<'d>]) -> Self {
         let names = links.iter().map(|link| link.name);
         let places = names.enumerate();
         let places = places.filter_map(|(place, name)| Some((name?.value, place)));
@@ -202,7 +164,7 @@ fn two_parents(first: &JointElement<'_>, second: &JointElement<'_>) -> Diagnosti
 
 fn hang_in_a_cycle(
     cycle: &[usize],
-    links: &[Link<'_>],
+    links: &[LinkElement<'_>],
     joints: &[JointElement<'_>],
     joint_of: &[Option<usize>],
 ) -> Diagnostic {
@@ -228,7 +190,7 @@ fn hang_in_a_cycle(
     fault.help("closed loops are not supported: every link hangs from one root link")
 }
 
-fn several_roots(roots: &[usize], links: &[Link<'_>]) -> Diagnostic {
+fn several_roots(roots: &[usize], links: &[LinkElement<'_>]) -> Diagnostic {
     let named = roots.iter().take(MOST_NAMED).map(|root| &links[*root]);
     let mut names: Vec<String> = named
         .clone()
@@ -253,13 +215,13 @@ fn depth_first(
     lower_of: &[Option<usize>],
     joints_on: &[Vec<usize>],
     child_of: &[Option<usize>],
-) -> Vec<Place> {
+) -> Vec<HungLink> {
     let mut numbers = vec![0; lower_of.len()];
     let mut order = Vec::with_capacity(lower_of.len());
     let mut waiting = vec![root];
     while let Some(link) = waiting.pop() {
         let lower = lower_of[link].map_or(0, |lower| numbers[lower]);
-        order.push(Place { link, lower });
+        order.push(HungLink { link, lower });
         numbers[link] = order.len();
         waiting.extend(
             joints_on[link]

@@ -3,6 +3,7 @@
 mod coordinates;
 mod dynamics;
 mod energy;
+mod frames;
 mod kinematics;
 
 use super::function::{FrameFunction, Function};
@@ -45,7 +46,7 @@ pub static CATALOGUE: [Function; 33] = [
 ];
 
 /// Every function of a frame, in the order in which a module holds them.
-pub static OF_FRAMES: [FrameFunction; 0] = [];
+pub static OF_FRAMES: [FrameFunction; 2] = [frames::POSE, frames::VELOCITY];
 
 impl Function {
     /// The function of the catalogue with this name.

@@ -1,0 +1,28 @@
+//! A body, as the user wrote it.
+
+use crate::description::joint::WrittenJoint;
+use crate::description::value::{Given, Optional, Scalar};
+use crate::diagnostic::Span;
+use crate::geometry::Rotation;
+
+/// A body, as the user wrote it.
+#[derive(Clone, Debug)]
+pub struct WrittenBody {
+    /// Where the body begins in the file.
+    pub span: Span,
+    /// The name.
+    pub name: Given<String>,
+    /// Mass, kg.
+    pub mass: Given<Scalar>,
+    /// From the body's origin to its mass centre, body components, m.
+    pub mass_center: [Given<Scalar>; 3],
+    /// Inertia about the mass centre: xx, yy, zz, xy, xz, yz of the tensor, kg m².
+    pub inertia: [Given<Scalar>; 6],
+    /// From the body's axes to those in which the inertia is given; absent: the same.
+    pub inertia_rotation: Optional<Rotation>,
+    /// The joint with its lower body.
+    pub joint: WrittenJoint,
+}
+
+/// Names of the components of [`WrittenBody::inertia`], in its order.
+pub const INERTIA_COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];

@@ -1,0 +1,16 @@
+//! Names of elements and attributes: those that are read, and those without influence on the dynamics of the tree.
+//!
+//! As in MuJoCo 4.0, with some of earlier versions. Of other names there is a warning.
+
+mod bodies;
+mod others;
+mod sections;
+mod settings;
+
+pub(super) use bodies::{BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT};
+pub(super) use others::{ACTUATOR, EQUALITY, TENDON};
+pub(super) use sections::{
+    ACTUATORS, EQUALITIES, IGNORED_IN_BODY, IGNORED_SECTIONS, IN_BODY, SECTIONS,
+    UNSUPPORTED_IN_BODY,
+};
+pub(super) use settings::{COMPILER, DEFAULT, FLAG, OPTION};

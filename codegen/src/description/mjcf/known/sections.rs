@@ -1,0 +1,66 @@
+//! Elements, by where they stand.
+
+/// Sections of the root.
+pub(in crate::description::mjcf) const SECTIONS: [&str; 10] = [
+    "compiler",
+    "option",
+    "default",
+    "worldbody",
+    "actuator",
+    "contact",
+    "deformable",
+    "equality",
+    "tendon",
+    "include",
+];
+
+/// Sections that say nothing about the dynamics of the tree.
+pub(in crate::description::mjcf) const IGNORED_SECTIONS: [&str; 8] = [
+    "size",
+    "statistic",
+    "visual",
+    "extension",
+    "custom",
+    "asset",
+    "sensor",
+    "keyframe",
+];
+
+/// Elements of `actuator`.
+pub(in crate::description::mjcf) const ACTUATORS: [&str; 13] = [
+    "general",
+    "motor",
+    "position",
+    "velocity",
+    "intvelocity",
+    "orientation",
+    "pid",
+    "damper",
+    "cylinder",
+    "muscle",
+    "adhesion",
+    "dcmotor",
+    "plugin",
+];
+
+/// Elements of `equality`.
+pub(in crate::description::mjcf) const EQUALITIES: [&str; 6] =
+    ["connect", "weld", "joint", "tendon", "flex", "flexstrain"];
+
+/// Elements that stand in a body.
+pub(in crate::description::mjcf) const IN_BODY: [&str; 7] = [
+    "body",
+    "inertial",
+    "joint",
+    "freejoint",
+    "geom",
+    "frame",
+    "include",
+];
+
+/// Elements in a body that only others than the dynamics look at.
+pub(in crate::description::mjcf) const IGNORED_IN_BODY: [&str; 3] = ["site", "camera", "light"];
+
+/// Elements in a body that make others, or forces of their own.
+pub(in crate::description::mjcf) const UNSUPPORTED_IN_BODY: [&str; 5] =
+    ["replicate", "attach", "composite", "flexcomp", "plugin"];

@@ -1,0 +1,175 @@
+//! Springs, dampers, rotors, friction and limits: of coordinates that can have them, and of the right sign.
+
+use crate::description::{Limits, PerCoordinate, Scalar, WrittenBody};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
+
+/// Quantities of coordinates that are not free, or that no spring, damper or rotor has.
+pub(super) fn mechanics(
+    body: &WrittenBody,
+    joint: &ResolvedJoint,
+    name: &str,
+    findings: &mut Vec<Diagnostic>,
+) {
+    let written = &body.joint;
+    let has_axis = written
+        .kind
+        .as_ref()
+        .is_some_and(|kind| kind.value.has_axis());
+    let mut check = Check {
+        joint,
+        name,
+        has_axis,
+        findings,
+    };
+    check.coordinates("stiffness", &written.stiffness);
+    check.coordinates("rest", &written.rest);
+    check.coordinates("damping", &written.damping);
+    check.coordinates("armature", &written.armature);
+    check.coordinates("friction", &written.friction);
+    check.coordinates("limits", &written.limits);
+    check.not_negative("damping", &written.damping, |value| value.nominal());
+    check.not_negative("armature", &written.armature, |value| value.nominal());
+    check.not_negative("friction", &written.friction, |value| *value);
+    check.springs(&written.stiffness);
+    check.springs(&written.rest);
+    check.isotropic_armature(&written.armature);
+    for limits in values(&written.limits) {
+        check.limits(&limits.value);
+    }
+}
+
+struct Check<'a> {
+    joint: &'a ResolvedJoint,
+    name: &'a str,
+    has_axis: bool,
+    findings: &'a mut Vec<Diagnostic>,
+}
+
+fn values<T>(quantity: &PerCoordinate<T>) -> Vec<&Spanned<T>> {
+    match quantity {
+        PerCoordinate::Absent => Vec::new(),
+        PerCoordinate::Same(value) => vec![value],
+        PerCoordinate::Each(values) => values.iter().map(|(_, value)| value).collect(),
+    }
+}
+
+impl Check<'_> {
+    fn fault(&mut self, message: String, span: Span, label: &str) {
+        self.findings
+            .push(Diagnostic::error(message).at(span, label));
+    }
+
+    /// Every coordinate that a quantity names is free.
+    fn coordinates<T>(&mut self, quantity: &str, values: &PerCoordinate<T>) {
+        let PerCoordinate::Each(values) = values else {
+            return;
+        };
+        for (axis, _) in values {
+            let (name, kind) = (self.name, axis.value.name());
+            if self.has_axis {
+                let message = format!(
+                    "`{quantity}` of {name} names `{kind}`, but its joint has an axis of its own"
+                );
+                self.fault(message, axis.span, "expected a number alone");
+            } else if matches!(self.joint.motions[axis.value.index()], Freedom::Locked(_)) {
+                let message = format!("`{quantity}` of {name} names `{kind}`, which is not free");
+                self.fault(message, axis.span, "not free");
+            }
+        }
+    }
+
+    fn not_negative<T>(
+        &mut self,
+        quantity: &str,
+        quantities: &PerCoordinate<T>,
+        number: impl Fn(&T) -> f64,
+    ) {
+        for value in values(quantities) {
+            let found = number(&value.value);
+            if found < 0.0 {
+                let message = format!(
+                    "`{quantity}` of {} is {found:?}; expected zero or more",
+                    self.name
+                );
+                self.fault(message, value.span, "negative");
+            }
+        }
+    }
+
+    /// A spring has no potential in components of an angular velocity.
+    fn springs(&mut self, quantity: &PerCoordinate<Scalar>) {
+        if !self.joint.has_angular_velocity() {
+            return;
+        }
+        let spans: Vec<Span> = match quantity {
+            PerCoordinate::Absent => vec![],
+            PerCoordinate::Same(value) => vec![value.span],
+            PerCoordinate::Each(values) => {
+                let turns = values.iter().filter(|(axis, _)| axis.value.is_angle());
+                turns.map(|(_, value)| value.span).collect()
+            }
+        };
+        for span in spans {
+            let message = format!(
+                "a spring acts on a coordinate, but the speeds of {} are components of an angular velocity",
+                self.name
+            );
+            self.fault(message, span, "no spring can act here");
+        }
+    }
+
+    /// A rotor about each axis of a body that turns has an energy without gyroscopic terms only if all are equal.
+    fn isotropic_armature(&mut self, quantity: &PerCoordinate<Scalar>) {
+        let PerCoordinate::Each(values) = quantity else {
+            return;
+        };
+        if !self.joint.has_angular_velocity() {
+            return;
+        }
+        let turns: Vec<_> = values
+            .iter()
+            .filter(|(axis, _)| axis.value.is_angle())
+            .collect();
+        let differs = |value: &Scalar| {
+            turns
+                .first()
+                .is_some_and(|(_, first)| first.value != *value)
+        };
+        if let Some((_, value)) = turns
+            .iter()
+            .find(|(_, value)| turns.len() < 3 || differs(&value.value))
+        {
+            let message = format!(
+                "`armature` of {} must be one for its three components of angular velocity",
+                self.name
+            );
+            self.fault(message, value.span, "expected one number for the three");
+        }
+    }
+
+    fn limits(&mut self, limits: &Limits) {
+        if let (Some(lower), Some(upper)) = (limits.lower, limits.upper)
+            && lower.value > upper.value
+        {
+            let message = format!(
+                "the limits of {} are from {:?} to {:?}, which is no range",
+                self.name, lower.value, upper.value
+            );
+            self.findings.push(
+                Diagnostic::warning(message)
+                    .at(lower.span, "above the upper limit")
+                    .at(upper.span, "the upper limit"),
+            );
+        }
+        for (what, limit) in [("velocity", limits.velocity), ("effort", limits.effort)] {
+            if let Some(limit) = limit.filter(|limit| limit.value < 0.0) {
+                let message = format!(
+                    "the `{what}` limit of {} is {:?}; expected zero or more",
+                    self.name, limit.value
+                );
+                self.fault(message, limit.span, "negative");
+            }
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Coordinates that follow others: each is traced to the free coordinate at the end of its chain.
+
+use std::collections::BTreeMap;
+
+use crate::description::{Description, JointKind, Mimic};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
+use crate::tree::names::{joint_name, shown};
+
+/// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
+const MOST_COMPARED: (usize, usize) = (20, 5000);
+
+/// Makes every mimicking coordinate follow a free one, or hold where that one is held.
+pub(crate) fn follow(
+    description: &Description,
+    joints: &mut [ResolvedJoint],
+    findings: &mut Vec<Diagnostic>,
+) {
+    let mut links: Vec<Option<Mimicking>> = Vec::with_capacity(joints.len());
+    let mut names = JointNames::of(description);
+    for body in 0..joints.len() {
+        links.push(link(description, joints, body, &mut names, findings));
+    }
+    // From which body a joint was last reached, for chains that run in a circle.
+    let mut reached_from: Vec<Option<usize>> = vec![None; joints.len()];
+    let mut on_cycle = vec![false; joints.len()];
+    for body in 0..joints.len() {
+        let Some(link) = links[body] else { continue };
+        if on_cycle[body] {
+            continue;
+        }
+        let (mut multiplier, mut offset, mut leader) = (link.multiplier, link.offset, link.leader);
+        let mut chain = vec![body];
+        reached_from[body] = Some(body);
+        while let Some(next) = links[leader] {
+            if reached_from[leader] == Some(body) {
+                break;
+            }
+            reached_from[leader] = Some(body);
+            chain.push(leader);
+            offset += multiplier * next.offset;
+            multiplier *= next.multiplier;
+            leader = next.leader;
+        }
+        if links[leader].is_some() {
+            let start = chain.iter().position(|link| *link == leader).unwrap_or(0);
+            for body in &chain[start..] {
+                on_cycle[*body] = true;
+            }
+            if start == 0 {
+                findings.push(cycle(description, &chain));
+            }
+            continue;
+        }
+        let Some(leading) = joints[leader].leading else {
+            continue;
+        };
+        let span = match joints[body].motions[link.motion] {
+            Freedom::Free(span) | Freedom::Follows { span, .. } => span,
+            Freedom::Locked(_) => continue,
+        };
+        joints[body].motions[link.motion] = match joints[leader].motions[leading] {
+            Freedom::Locked(value) => Freedom::Locked(multiplier * value + offset + 0.0),
+            _ if multiplier == 0.0 => Freedom::Locked(offset),
+            _ => Freedom::Follows {
+                body: leader,
+                motion: leading,
+                multiplier,
+                offset,
+                span,
+            },
+        };
+    }
+}
+
+/// The names by which joints can be followed.
+struct JointNames<'d> {
+    /// Of each name the first body whose joint has it.
+    places: BTreeMap<&'d str, usize>,
+    /// How many were looked up and are none.
+    n_missing: usize,
+}
+
+impl<'d> JointNames<'d> {
+    fn of(description: &'d Description) -> Self {
+        let mut places = BTreeMap::new();
+        for body in 0..description.bodies.len() {
+            if let Some(name) = joint_name(description, body) {
+                places.entry(name).or_insert(body);
+            }
+        }
+        Self {
+            places,
+            n_missing: 0,
+        }
+    }
+
+    /// The name that was probably meant by one that is none.
+    fn near(&mut self, name: &str) -> Option<&'d str> {
+        self.n_missing += 1;
+        let (most_missing, most_joints) = MOST_COMPARED;
+        if self.n_missing > most_missing || self.places.len() > most_joints {
+            return None;
+        }
+        let known: Vec<&str> = self.places.keys().copied().collect();
+        nearest(name, &known)
+    }
+}
+
+/// A coordinate and the joint that it names.
+#[derive(Clone, Copy)]
+struct Mimicking {
+    motion: usize,
+    leader: usize,
+    multiplier: f64,
+    offset: f64,
+}
+
+/// What the joint of a body follows, if it can.
+fn link(
+    description: &Description,
+    joints: &[ResolvedJoint],
+    body: usize,
+    names: &mut JointNames<'_>,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Mimicking> {
+    let mimic = description.bodies[body].joint.mimic.as_ref()?;
+    let Mimic {
+        joint,
+        multiplier,
+        offset,
+    } = &mimic.value;
+    if joints[body].is_fixed() {
+        return None;
+    }
+    let name = shown(description, body);
+    let Some(motion) = joints[body].leading else {
+        let fault =
+            format!("the joint of {name} mimics another, but has more than one free coordinate");
+        findings
+            .push(Diagnostic::error(fault).at(mimic.span, "one coordinate can follow one other"));
+        return None;
+    };
+    let Some(&leader) = names.places.get(joint.value.as_str()) else {
+        let fault = format!(
+            "the joint of {name} mimics `{}`, which is no joint",
+            joint.value.escape_debug()
+        );
+        let fault = Diagnostic::error(fault).at(joint.span, "unknown joint");
+        findings.push(match names.near(&joint.value) {
+            Some(near) => fault.help(format!("did you mean `{near}`?")),
+            None => fault,
+        });
+        return None;
+    };
+    let is_fixed = match &description.bodies[leader].joint.kind {
+        Some(kind) => match &kind.value {
+            JointKind::Fixed => true,
+            JointKind::List(axes) => axes.is_empty(),
+            _ => false,
+        },
+        None => false,
+    };
+    if joints[leader].leading.is_none() {
+        let has = if is_fixed {
+            "no coordinate"
+        } else {
+            "more than one coordinate"
+        };
+        let fault = format!(
+            "the joint of {name} mimics `{}`, which has {has}",
+            joint.value.escape_debug()
+        );
+        findings.push(
+            Diagnostic::error(fault).at(joint.span, "expected a joint with one free coordinate"),
+        );
+        return None;
+    }
+    Some(Mimicking {
+        motion,
+        leader,
+        multiplier: *multiplier,
+        offset: *offset,
+    })
+}
+
+fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {
+    let name = |body: &usize| {
+        joint_name(description, *body)
+            .map_or_else(String::new, |name| format!("`{}`", name.escape_debug()))
+    };
+    let [first, rest @ ..] = chain else {
+        return Diagnostic::error("joints mimic one another");
+    };
+    let others: Vec<String> = rest.iter().chain([first]).map(name).collect();
+    let fault = format!(
+        "joints mimic one another: {} mimics {}",
+        name(first),
+        others.join(", that ")
+    );
+    let places = chain.iter().filter_map(|body| {
+        let mimic = description.bodies[*body].joint.mimic.as_ref()?;
+        Some((mimic.value.joint.span, *body))
+    });
+    let fault = places.fold(Diagnostic::error(fault), |fault, (span, body)| {
+        fault.at(span, format!("mimicked by {}", name(&body)))
+    });
+    fault.help("one joint of the cycle must be free")
+}

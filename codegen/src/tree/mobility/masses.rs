@@ -1,0 +1,64 @@
+//! What masses do with a twist: rows whose squares on it sum to twice the energy.
+
+use crate::geometry::{self, cross};
+use crate::id::BodyId;
+use crate::tree::body::Part;
+use crate::tree::mobility::rows::{Twist, dot};
+use crate::tree::mobility::units::Units;
+use crate::tree::principal::principal;
+use crate::tree::system::Tree;
+
+/// The mass of a body, and of what is beyond it: rows K whose squares on the twist sum to twice the energy, and bounds of them.
+#[derive(Clone, Default)]
+pub(crate) struct Masses {
+    pub(crate) rows: Vec<Twist>,
+    pub(super) mass: f64,
+    /// The most that a unit angular velocity about the origin could move.
+    pub(super) turning: f64,
+}
+
+/// The rows of a body's own mass and inertia.
+pub(crate) fn own(tree: &Tree, units: &Units, body: BodyId) -> Masses {
+    let mut all = Masses::default();
+    for part in &tree.body(body).parts {
+        let one = own_part(tree, units, part);
+        all.rows.extend(one.rows);
+        all.mass += one.mass;
+        all.turning = (all.turning * all.turning + one.turning * one.turning).sqrt();
+    }
+    all
+}
+
+fn own_part(tree: &Tree, units: &Units, part: &Part) -> Masses {
+    let mass = tree.nominal(part.mass) / units.mass;
+    let center = part
+        .mass_center
+        .nominal(&tree.parameters)
+        .map(|part| part / units.length);
+    let tensor = part.inertia;
+    let tensor = [
+        tensor.xx, tensor.yy, tensor.zz, tensor.xy, tensor.xz, tensor.yz,
+    ];
+    let tensor = tensor.map(|value| tree.nominal(value) / units.mass / units.length / units.length);
+    let mut rows = Vec::with_capacity(6);
+    for axis in 0..3 {
+        // Component `axis` of v + w x r, which is v + r . (axis x w).
+        let mut unit = [0.0; 3];
+        unit[axis] = mass.sqrt();
+        let [wx, wy, wz] = cross(center, unit);
+        rows.push([wx, wy, wz, unit[0], unit[1], unit[2]]);
+    }
+    let (moments, axes) = principal(tensor);
+    let back = geometry::transposed(&part.axes);
+    for (moment, axis) in moments.into_iter().zip(axes) {
+        let [x, y, z] = geometry::apply(&back, axis);
+        let root = moment.max(0.0).sqrt();
+        rows.push([root * x, root * y, root * z, 0.0, 0.0, 0.0]);
+    }
+    let trace: f64 = moments.iter().map(|moment| moment.max(0.0)).sum();
+    Masses {
+        rows,
+        mass,
+        turning: (trace + mass * dot(&center, &center)).sqrt(),
+    }
+}

@@ -1,0 +1,22 @@
+//! How messages call what a description names.
+
+use crate::description::Description;
+
+/// "body `hub`", or "body 3" where it has no name.
+pub(crate) fn shown(description: &Description, body: usize) -> String {
+    match description
+        .bodies
+        .get(body)
+        .and_then(|body| body.name.as_ref())
+    {
+        Some(name) if !name.value.is_empty() => format!("body `{}`", name.value.escape_debug()),
+        _ => format!("body {}", body + 1),
+    }
+}
+
+/// The name of a joint as written: its own, or its body's.
+pub(crate) fn joint_name(description: &Description, body: usize) -> Option<&str> {
+    let body = description.bodies.get(body)?;
+    let name = body.joint.name.as_ref().or(body.name.as_ref())?;
+    Some(&name.value)
+}

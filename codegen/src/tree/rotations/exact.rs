@@ -1,0 +1,109 @@
+//! The constant rotations and axes of a description, made exact.
+//!
+//! In: rotations and axes as written. Out: those of every body, by its place in the user's list, and which of them were
+//! changed. Afterwards: rotations are orthonormal, and entries near 0, 1 and -1 are exact.
+
+use crate::description::{Description, Optional, WrittenBody, WrittenJoint};
+use crate::diagnostic::Diagnostic;
+use crate::geometry::{IDENTITY, Rotation};
+use crate::tree::rotations::alignment::Alignment;
+use crate::tree::rotations::orthonormal::orthonormal;
+use crate::tree::rotations::snap::snapped;
+
+/// The constant rotations of a body and its joint.
+#[derive(Clone, Debug)]
+pub(crate) struct ConstantRotations {
+    /// From the body's axes to those of its inertia.
+    pub(crate) inertia: Rotation,
+    /// Axes with the joint's axis among them, where it has one.
+    pub(crate) axis: Option<Alignment>,
+    /// From the lower body's axes to the joint's, as written.
+    pub(crate) attachment: Rotation,
+    /// From the joint's axes, as written and moved, to the body's.
+    pub(crate) body: Rotation,
+}
+
+/// What was changed.
+#[derive(Clone, Debug)]
+pub(crate) struct Snapped {
+    tolerance: f64,
+    /// For each body, by its place in the user's list, what of it.
+    changed: Vec<Vec<&'static str>>,
+    /// The largest change of an entry.
+    most: f64,
+}
+
+/// Makes all constant rotations and axes exact where they are within `tolerance`.
+pub(crate) fn exact(
+    description: &Description,
+    tolerance: f64,
+) -> (Vec<ConstantRotations>, Snapped) {
+    let mut snapped = Snapped {
+        tolerance,
+        changed: Vec::with_capacity(description.bodies.len()),
+        most: 0.0,
+    };
+    let bodies = description.bodies.iter();
+    let rotations = bodies.map(|body| snapped.body(body)).collect();
+    (rotations, snapped)
+}
+
+impl Snapped {
+    fn body(&mut self, written: &WrittenBody) -> ConstantRotations {
+        self.changed.push(Vec::new());
+        let joint = &written.joint;
+        ConstantRotations {
+            inertia: self.rotation(&written.inertia_rotation, "inertia_rotation"),
+            axis: self.axis(joint),
+            attachment: self.rotation(&joint.attachment_rotation, "attachment_rotation"),
+            body: self.rotation(&joint.body_rotation, "body_rotation"),
+        }
+    }
+
+    fn rotation(&mut self, written: &Optional<Rotation>, what: &'static str) -> Rotation {
+        let Some(written) = written else {
+            return IDENTITY;
+        };
+        let (rotation, change) = snapped(&orthonormal(&written.value), self.tolerance);
+        self.note_change(what, change);
+        rotation
+    }
+
+    fn axis(&mut self, joint: &WrittenJoint) -> Option<Alignment> {
+        let has_axis = joint.kind.as_ref()?.value.has_axis();
+        let axis = joint.axis.filter(|_| has_axis)?;
+        let (alignment, change) = Alignment::of(axis.value, self.tolerance);
+        self.note_change("axis", change);
+        Some(alignment)
+    }
+
+    /// An entry of what the last body says was changed by this much.
+    fn note_change(&mut self, what: &'static str, change: f64) {
+        if change > 0.0 {
+            self.changed
+                .last_mut()
+                .expect("a body is being read")
+                .push(what);
+            self.most = self.most.max(change);
+        }
+    }
+
+    /// Tells what was changed, body by body in this order of places in the user's list.
+    pub(crate) fn note(&self, description: &Description, order: &[usize]) -> Option<Diagnostic> {
+        let of_body = |&place: &usize| {
+            let name = description.bodies[place].name.as_ref();
+            let name = name.map_or_else(String::new, |name| name.value.escape_debug().to_string());
+            let changed = self.changed[place].iter();
+            changed.map(move |what| format!("`{what}` of `{name}`"))
+        };
+        let changed: Vec<String> = order.iter().flat_map(of_body).collect();
+        (!changed.is_empty()).then(|| {
+            Diagnostic::note(format!(
+                "entries of constant rotations and axes nearer than {:?} to 0, 1 or -1 were made exact, which changed none by more than {:.1e}: {}",
+                self.tolerance,
+                self.most,
+                changed.join(", ")
+            ))
+        })
+    }
+}

@@ -1,0 +1,161 @@
+//! The checked, numbered tree of a multibody system, and what follows from its structure alone.
+
+use std::collections::BTreeSet;
+
+use crate::description::Order;
+use crate::id::BodyId;
+use crate::tree::body::Body;
+use crate::tree::frames::Frame;
+use crate::tree::joint::{ChartCoordinates, Orientation};
+use crate::tree::value::{Parameter, Value};
+
+/// A tree of rigid bodies that obeys every rule a description can break.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// The system's name, as the user wrote it.
+    pub name: String,
+    /// Gravity, inertial components, m/s².
+    pub gravity: [Value; 3],
+    /// The order of coordinates and speeds.
+    pub order: Order,
+    /// The bodies; `bodies[k]` is `BodyId::new(k)`.
+    pub bodies: Vec<Body>,
+    /// The bodies that are part of others, in the order of the description.
+    pub frames: Vec<Frame>,
+    /// Frames without mass, in the order of the description: functions may be of them, and nothing else depends on them.
+    pub markers: Vec<Frame>,
+    /// How near to 0, 1 or -1 entries of constant rotations are made exact.
+    pub snap: f64,
+    /// The values that the user sets at run time: gravity's, then body by body.
+    pub parameters: Vec<Parameter>,
+    /// The number of generalized coordinates, the length of `q`.
+    pub n_coordinates: usize,
+    /// The number of generalized speeds, the length of `u`.
+    pub n_speeds: usize,
+}
+
+impl Tree {
+    /// The ids of all bodies, from the inertial frame outward.
+    pub fn body_ids(&self) -> impl DoubleEndedIterator<Item = BodyId> + ExactSizeIterator + use<> {
+        (0..self.bodies.len()).map(BodyId::new)
+    }
+
+    /// The body with this id.
+    pub fn body(&self, body: BodyId) -> &Body {
+        &self.bodies[body.index()]
+    }
+
+    /// The lower body (parent), one step toward the inertial frame, which is `None`.
+    pub fn lower(&self, body: BodyId) -> Option<BodyId> {
+        self.body(body).lower
+    }
+
+    /// The bodies whose lower body this one is, in their order.
+    pub fn uppers(&self, body: BodyId) -> &[BodyId] {
+        &self.body(body).uppers
+    }
+
+    /// The body, its lower body, and so on down to its root.
+    pub fn path(&self, body: BodyId) -> impl Iterator<Item = BodyId> + '_ {
+        std::iter::successors(Some(body), |&body| self.lower(body))
+    }
+
+    /// The name of every coordinate, in the order of `q`: `hub_theta1`; that of its joint where that has one name and one
+    /// coordinate.
+    pub fn coordinate_names(&self) -> Vec<String> {
+        let mut names = vec![String::new(); self.n_coordinates];
+        for body in &self.bodies {
+            let coordinates = body.joint.coordinates();
+            let is_only = coordinates.len() == 1;
+            for (kind, coordinate) in coordinates {
+                names[coordinate.index()] = body.joint.name_of(kind, is_only);
+            }
+        }
+        names
+    }
+
+    /// The name of every speed, in the order of `u`: that of its coordinate with `_dot`, or `hub_w1` for a component of
+    /// an angular velocity.
+    pub fn speed_names(&self) -> Vec<String> {
+        self.along_speeds("_dot", "")
+    }
+
+    /// For every speed the name of its coordinate with `of_rate`, or of its component of an angular velocity with
+    /// `of_component`.
+    pub fn along_speeds(&self, of_rate: &str, of_component: &str) -> Vec<String> {
+        let mut names = vec![String::new(); self.n_speeds];
+        for body in &self.bodies {
+            let joint = &body.joint;
+            let speeds = joint.speeds();
+            let is_only = speeds.len() == 1;
+            let kinds = joint.motion_names();
+            for (motion, speed) in speeds {
+                let suffix = if joint.coordinate_of(motion).is_some() {
+                    of_rate
+                } else {
+                    of_component
+                };
+                names[speed.index()] = joint.name_of(kinds[motion], is_only) + suffix;
+            }
+        }
+        names
+    }
+
+    /// The body whose joint a speed belongs to, for every speed.
+    pub fn speed_bodies(&self) -> Vec<BodyId> {
+        let mut bodies = vec![BodyId::new(0); self.n_speeds];
+        for body in self.body_ids() {
+            for (_, speed) in self.body(body).joint.speeds() {
+                bodies[speed.index()] = body;
+            }
+        }
+        bodies
+    }
+
+    /// The pairs of speeds that move one body or more, `[row, column]` with `column <= row`, row after row: the entries on
+    /// and below the diagonal of a mass matrix that the tree does not make zero.
+    pub fn coupled_speeds(&self) -> BTreeSet<[usize; 2]> {
+        let mut pairs = BTreeSet::new();
+        let mut moving: Vec<BTreeSet<usize>> = Vec::with_capacity(self.bodies.len());
+        for body in &self.bodies {
+            let mut speeds = body
+                .lower
+                .map_or_else(BTreeSet::new, |lower| moving[lower.index()].clone());
+            let own = body.joint.motions().into_iter().flatten();
+            for speed in own.map(|motion| motion.speed.index()) {
+                speeds.insert(speed);
+                pairs.extend(
+                    speeds
+                        .iter()
+                        .map(|&other| [speed.max(other), speed.min(other)]),
+                );
+            }
+            moving.push(speeds);
+        }
+        pairs
+    }
+
+    /// How many bodies it has with all that is fixed to them.
+    pub fn n_parts(&self) -> usize {
+        self.bodies.iter().map(|body| body.parts.len()).sum()
+    }
+
+    /// True where some orientation is described by a quaternion.
+    pub fn has_quaternions(&self) -> bool {
+        let is_quaternion = |body: &Body| {
+            matches!(
+                body.joint.orientation,
+                Orientation::AngularVelocity {
+                    chart: ChartCoordinates::EulerParameters(_),
+                    ..
+                }
+            )
+        };
+        self.bodies.iter().any(is_quaternion)
+    }
+
+    /// The nominal value of a number of the description.
+    pub fn nominal(&self, value: Value) -> f64 {
+        value.nominal(&self.parameters)
+    }
+}

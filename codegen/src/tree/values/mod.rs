@@ -1,0 +1,12 @@
+//! The numbers of a description become values: baked in, or parameters that the user sets at run time.
+//!
+//! In: numbers as written, and the body of the tree to which each belongs. Out: values, of which none is missing.
+//! Afterwards: every parameter has a name of its own. Does not: move anything into other axes.
+
+mod bodies;
+mod frames;
+mod mechanics;
+mod parameters;
+
+pub(crate) use bodies::{BodyValues, Known, values};
+pub(crate) use frames::{FrameValues, KnownFrame};
