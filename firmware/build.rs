@@ -3,14 +3,7 @@
 use std::{env, error::Error, fmt::Write as _, fs, path::Path};
 
 use kane_codegen::build_script::Build;
-
-#[path = "../codegen/tests/dynamics/random/mod.rs"]
-#[allow(
-    dead_code,
-    clippy::pedantic,
-    reason = "the tests use the rest of these, with lints of their own"
-)]
-mod random;
+use kane_test_support::systems::trees;
 
 #[expect(
     clippy::disallowed_methods,
@@ -18,7 +11,6 @@ mod random;
 )]
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=../codegen/tests/dynamics/random");
     println!("cargo::rerun-if-env-changed=FIRMWARE_TREES");
     let trees = env::var("FIRMWARE_TREES").unwrap_or_default();
     let bounds = trees.split_whitespace().map(str::parse);
@@ -49,7 +41,7 @@ fn generate_trees(bounds: &[usize]) -> Result<(), Box<dyn Error>> {
     let out = env::var("OUT_DIR")?;
     let [first, end] = bounds.try_into().unwrap_or([0, 0]);
     let (mut modules, mut calls) = (String::new(), String::new());
-    for system in random::trees::first(end as u64).skip(first) {
+    for system in trees::first(end as u64).skip(first) {
         let name = &system.name;
         let model = Path::new(&out).join(format!("{name}.toml"));
         fs::write(&model, system.toml())?;

@@ -1,15 +1,8 @@
 //! Budgets: how many operations a function may need.
 //!
-//! In: limits, as `kane.toml` writes them, and functions with their operations. Out: what goes beyond its limit. Does not:
-//! decide what follows from that.
+//! In: limits, and functions with their operations. Out: what goes beyond its limit. Does not: decide what follows from that.
 
-use crate::{
-    config::{self, Functions},
-    description::toml_reader::{Item, Reader, Table, span},
-    diagnostic::{Diagnostic, Spanned},
-    functions::Parsed,
-    program::Operations,
-};
+use crate::program::Operations;
 
 /// A limit of one function's operations.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,103 +76,4 @@ pub fn exceeded<'a>(budgets: &'a [Budget], functions: &[(String, Operations)]) -
         (count > budget.limit).then_some(Excess { budget, count })
     };
     budgets.iter().filter_map(excess).collect()
-}
-
-/// Reads `budget` of a system: for each function a number, of all operations, or a table by kind.
-pub(crate) fn read(
-    reader: &mut Reader,
-    system: &Table<'_, '_>,
-    functions: Option<&Functions>,
-    known: &[&str],
-) -> Vec<Budget> {
-    let what = system.what("budget");
-    let table = system.get("budget");
-    let table = table.and_then(|item| reader.any_table(item, &what));
-    let mut budgets = Vec::new();
-    for (name, item) in table.iter().flat_map(Table::entries) {
-        let name = Spanned::new(name.value.to_owned(), name.span);
-        match generated(&name, &what, functions, known) {
-            Ok(function) => budgets.extend(limits(reader, &name, item, &what, &function)),
-            Err(fault) => reader.faults.push(fault),
-        }
-    }
-    budgets
-}
-
-/// The function that is limited, where it is one that is generated.
-fn generated(
-    name: &Spanned<String>,
-    what: &str,
-    functions: Option<&Functions>,
-    known: &[&str],
-) -> Result<String, Diagnostic> {
-    if let Some(fault) = config::request_fault(name, what, known) {
-        return Err(fault);
-    }
-    let request = Parsed::read(&name.value).expect("config: a request without fault");
-    // Every module has it.
-    let is_always = name.value == "q_dot";
-    let is_asked_for = |functions: &Functions| {
-        let alone = request.alone();
-        let mut joined = functions.requests().into_iter();
-        alone.is_some_and(|function| functions.names(function))
-            || joined.any(|one| one.place() == request.place())
-    };
-    if is_always || functions.is_none_or(is_asked_for) {
-        // Of a frame the model says how it is called; what is asked for says which it is.
-        let known = request.of_any_model().map(|request| request.name());
-        return Ok(known.unwrap_or_else(|_| request.text()));
-    }
-    let fault = format!(
-        "{what} limits `{}`, which is not among the functions",
-        name.value.escape_debug()
-    );
-    Err(Diagnostic::error(fault)
-        .at(name.span, "not generated")
-        .help("add it to `functions`, or take its limit away"))
-}
-
-fn limits(
-    reader: &mut Reader,
-    name: &Spanned<String>,
-    item: &Item<'_>,
-    what: &str,
-    function: &str,
-) -> Vec<Budget> {
-    let what = format!("`{}` of {what}", name.value.escape_debug());
-    let limit = |reader: &mut Reader, item: &Item<'_>, what: &str, kind: Kind| {
-        let limit = reader.integer(item, what)?;
-        let number = usize::try_from(limit.value).ok();
-        if number.is_none() {
-            let fault = format!("{what} is {}; expected 0 or more", limit.value);
-            let fault = Diagnostic::error(fault).at(limit.span, "negative");
-            reader.faults.push(fault);
-        }
-        Some(Budget {
-            function: function.to_owned(),
-            kind,
-            limit: number?,
-        })
-    };
-    if !item.get_ref().is_table() {
-        return limit(reader, item, &what, Kind::Total)
-            .into_iter()
-            .collect();
-    }
-    let names = Kind::ALL.map(|(name, _)| name);
-    let Some(table) = reader.table(item, &what, &names) else {
-        return Vec::new();
-    };
-    if table.entries().next().is_none() {
-        let fault = Diagnostic::error(format!("{what} is empty"));
-        reader
-            .faults
-            .push(fault.at(span(item), "expected a limit, such as `total = 500`"));
-    }
-    let mut limits = Vec::new();
-    for (name, kind) in Kind::ALL {
-        let item = table.get(name);
-        limits.extend(item.and_then(|item| limit(reader, item, &table.what(name), kind)));
-    }
-    limits
 }

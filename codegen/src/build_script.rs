@@ -14,17 +14,21 @@
 //! }
 //! ```
 
-use std::path::{Path, PathBuf};
+use std::{
+    ffi::OsString,
+    path::{Path, PathBuf},
+};
 
 use crate::{
-    companions::{Abi, Kind},
-    compile::Options,
-    config::{Formulation, Functions},
     description::{Base, Chart},
     diagnostic::{Diagnostics, Severity, Source},
     error::Error,
     generate::generate,
     input,
+    options::{
+        Formulation, Functions, Options,
+        companion::{Abi, Kind},
+    },
     output::{self, Overwrite},
     recursive::Technique,
 };
@@ -33,17 +37,26 @@ use crate::{
 #[derive(Clone, Debug)]
 pub struct Build {
     model: PathBuf,
-    name: Option<String>,
+    /// The name of the module's file.
+    file: OsString,
     options: Options,
 }
 
 impl Build {
     /// Generates `model`, a path relative to the package, into `OUT_DIR` under its own name with the ending `rs`.
     pub fn new(model: impl Into<PathBuf>) -> Self {
+        let model = model.into();
+        let module = model.file_stem().unwrap_or(model.as_os_str());
+        let mut file = module.to_owned();
+        file.push(".rs");
+        let options = Options {
+            module: module.to_string_lossy().into_owned(),
+            ..Options::default()
+        };
         Self {
-            model: model.into(),
-            name: None,
-            options: Options::default(),
+            model,
+            file,
+            options,
         }
     }
 
@@ -62,7 +75,8 @@ impl Build {
     /// Names the file `NAME.rs` in place of the model's own name: for several modules of one model.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into());
+        self.options.module = name.into();
+        self.file = format!("{}.rs", self.options.module).into();
         self
     }
 
@@ -173,22 +187,14 @@ impl Build {
             source,
         })?;
         let model_folder = self.model.parent().unwrap_or(Path::new(""));
-        let own = self.model.file_stem().unwrap_or(self.model.as_os_str());
-        let module = self.name.as_ref().map_or(own, |name| name.as_ref());
-        let options = Options {
-            module: module.to_string_lossy().into_owned(),
-            ..self.options.clone()
-        };
         let generated = generate(
             &Source::new(&*name, text),
             &shown_path(&self.model),
-            &options,
+            &self.options,
             &|path| read(&model_folder.join(path)),
         )?;
         report(&generated.warnings);
-        let mut file = module.to_owned();
-        file.push(".rs");
-        let path = folder.join(file);
+        let path = folder.join(&self.file);
         output::write(&generated.files(&path), Overwrite::Generated)?;
         Ok(path)
     }

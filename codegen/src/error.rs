@@ -3,8 +3,9 @@
 use std::{error, fmt, path::PathBuf};
 
 use crate::{
-    companions::EXPECTED_NAME, compile::SNAP_TOLERANCES, diagnostic::Diagnostics,
+    diagnostic::Diagnostics,
     functions::RequestError,
+    options::{SNAP_TOLERANCES, companion::EXPECTED_NAME},
 };
 
 /// Why nothing was generated.

@@ -1,21 +1,21 @@
 //! The pipeline: a description's text in, a module's text out, with the files beside it.
 
+pub use crate::origin::OUTPUT_FORMAT;
+
 use std::path::{Path, PathBuf};
 
 use crate::{
     companions::{self, Companion},
-    compile::{self, Options},
+    compile,
     description::{self, Include},
     diagnostic::{Diagnostics, Source},
     emit::{self, Module},
     error::Error,
+    options::Options,
     origin::Origin,
     program::Operations,
     tree,
 };
-
-/// The version of the output's form: a change to the generator that changes what it writes raises it.
-pub const OUTPUT_FORMAT: u32 = 6;
 
 /// A generated module, and the files beside it.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ pub fn generate(
     options: &Options,
     include: Include<'_>,
 ) -> Result<Generated, Error> {
-    options.check()?;
+    compile::check_options(options)?;
     let description = description::read(model, &options.reading, include);
     let checked = tree::build_with(&description, &options.changes)?;
     let tree = &checked.tree;

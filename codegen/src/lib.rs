@@ -14,47 +14,58 @@
 //! same bytes everywhere; files are touched only by the command line, [`input`], [`output`], [`build_script`] and `object`,
 //! which reads what rustc makes of a module.
 
-// Indexes that cannot be mixed up.
-pub mod id;
-// Vectors and rotations as numbers.
+// Each module imports only from those that stand before it.
+
+// Indexes that cannot be mixed up, vectors and rotations as numbers, numbers with their rounding, how large things may be.
 pub mod geometry;
-// Numbers, and numbers with their rounding.
+pub mod id;
+pub mod limits;
 pub mod number;
 mod random;
-// What can be wrong, and how it is said.
+mod threads;
+// What can be wrong, and how it is shown.
 pub mod diagnostic;
-pub mod error;
-pub mod limits;
-// What the user wrote; `kane.toml`.
-pub mod budget;
-pub mod config;
+// What the user wrote.
 pub mod description;
 // From here on the system is numbered and right.
 pub mod tree;
 // From here on there are expressions, simplified as they are built.
 pub mod expr;
 pub mod partition;
-// The equations, as they stand and re-associated, and the solution of the linear system.
+// The equations, as they stand.
 pub mod kane;
-pub mod recursive;
+// The solution of the linear system.
 pub mod solve;
-// What a user can ask for.
+// The equations, re-associated.
+pub mod recursive;
+// What can be asked for.
 pub mod functions;
 // Fewer operations, the same values; then straight-line code.
-pub mod compile;
 pub mod passes;
 pub mod program;
-pub mod search;
-pub mod size;
-mod threads;
-// From here on there is text.
-pub mod build_script;
-pub mod companions;
-pub mod emit;
-pub mod generate;
-pub mod input;
+// What is asked for of one system.
+pub mod options;
+// Why it cannot be had.
+pub mod error;
+// Its programs.
+pub mod compile;
+// Where a module comes from, in hashes and words.
 pub mod origin;
+// From here on there is text: of the module.
+pub mod emit;
+// Of the files beside it.
+pub mod companions;
+// From a description's text to these.
+pub mod generate;
+// What is asked for of all systems of a repository: `kane.toml`.
+pub mod budget;
+pub mod config;
+// Files.
+pub mod input;
 pub mod output;
+// Cargo.
+pub mod build_script;
+// Rust of any depth, read or refused.
 mod rust;
 // What is known of a system, and what changed in a module, for people to read.
 pub mod report;

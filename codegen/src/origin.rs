@@ -6,14 +6,12 @@
 use sha2::{Digest, Sha256};
 
 use crate::{
-    compile::Options,
-    config::{Formulation, Functions},
-    description::{Base, Chart},
-    functions::Parsed,
-    generate::OUTPUT_FORMAT,
-    recursive::Technique,
+    options::Options,
     tree::{self, Tree},
 };
+
+/// The version of the output's form: a change to the generator that changes what it writes raises it.
+pub const OUTPUT_FORMAT: u32 = 6;
 
 /// The words with which every generated file begins, those of its format: one that begins otherwise is not ours to
 /// overwrite.
@@ -50,7 +48,7 @@ pub struct Origin {
 impl Origin {
     /// The origin of a module with this tree.
     pub fn new(tree: &Tree, model: &str, options: &Options) -> Self {
-        let options = described(options);
+        let options = options.in_words();
         let tree = tree::canonical(tree);
         Self {
             model: model.to_owned(),
@@ -84,53 +82,4 @@ fn hash(text: &str) -> u64 {
     let hash = Sha256::digest(text);
     let (hash, _) = hash.split_first_chunk().expect("a SHA-256 has 32 bytes");
     u64::from_be_bytes(*hash)
-}
-
-/// The options in words: all that can influence the output, the same for the same options however they were given.
-fn described(options: &Options) -> String {
-    let functions = match &options.functions {
-        Functions::Default => "default".to_owned(),
-        Functions::All => "all".to_owned(),
-        Functions::Named(_) => {
-            let named = options.functions.requests();
-            let named: Vec<String> = named.iter().map(Parsed::text).collect();
-            named.join(", ")
-        }
-    };
-    let formulation = name_of(&options.formulation, &Formulation::ALL);
-    let changes = &options.changes;
-    let mut parts = vec![
-        format!("functions: {functions}"),
-        format!("formulation: {formulation}"),
-        format!("snap: {:?}", changes.snap + 0.0),
-    ];
-    let base = options.reading.base;
-    parts.extend(base.map(|base| format!("base: {}", name_of(&base, &Base::NAMED))));
-    let chart = options.reading.chart;
-    parts.extend(chart.map(|chart| format!("chart: {}", name_of(&chart, &Chart::NAMED))));
-    // Quoted with their escapes, so that no name leaves the comment or imitates another option.
-    let locked = changes.lock.iter();
-    let locked = locked.map(|(name, value)| format!("{name:?} = {:?}", value + 0.0));
-    parts.extend(listed("lock", locked.collect()));
-    let removed = changes.remove.iter().map(|name| format!("{name:?}"));
-    parts.extend(listed("remove", removed.collect()));
-    let without = Technique::ALL.iter();
-    let without = without.filter(|(_, technique)| options.without.contains(technique));
-    parts.extend(listed(
-        "without",
-        without.map(|(name, _)| (*name).to_owned()).collect(),
-    ));
-    parts.extend(options.fma.then(|| "fma: true".to_owned()));
-    parts.join("; ")
-}
-
-/// A part that lists something, in an order of its own; none where the list is empty.
-fn listed(part: &str, mut list: Vec<String>) -> Option<String> {
-    list.sort();
-    (!list.is_empty()).then(|| format!("{part}: {}", list.join(", ")))
-}
-
-fn name_of<T: PartialEq>(value: &T, choices: &[(&'static str, T)]) -> &'static str {
-    let found = choices.iter().find(|(_, choice)| choice == value);
-    found.expect("generate: every option has a name").0
 }

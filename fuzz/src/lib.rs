@@ -1,8 +1,6 @@
 //! What is done with each invention of the fuzzer: bytes to a model, the model to where it leads, with everything asserted that
 //! holds of any model.
 
-#[path = "../../codegen/tests/support/promises.rs"]
-mod promises;
 mod tree;
 
 use std::collections::BTreeSet;
@@ -15,7 +13,7 @@ use kane_codegen::description::{Base, Chart, Reading};
 use kane_codegen::functions::CATALOGUE;
 use kane_codegen::recursive::Technique;
 use kane_codegen::tree::Changes;
-use promises::Files;
+use kane_test_support::promises::{self, Files};
 
 /// The names of models, by their format.
 const MODELS: [&str; 3] = ["model.toml", "model.urdf", "model.xml"];

@@ -10,10 +10,9 @@ use std::{
 
 use kane_codegen::{build_script::Build, description::Base};
 
-mod calls;
-mod mutant;
+use kane_test_support::mutant::{Mutant, mutant};
 
-use mutant::{Mutant, mutant};
+mod calls;
 
 /// How many mutants a module has: ten, and some more, for there are those that change no value.
 const MUTANTS: usize = 12;
@@ -30,7 +29,7 @@ struct System {
 }
 
 fn main() -> Result<(), Failure> {
-    for file in ["build.rs", "calls.rs", "mutant.rs"] {
+    for file in ["build.rs", "calls.rs"] {
         println!("cargo::rerun-if-changed={file}");
     }
     let robots = Path::new("../robots");

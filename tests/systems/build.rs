@@ -4,11 +4,7 @@ use std::{env, error::Error, fs, path::Path, time::SystemTime};
 
 use kane_codegen::{build_script::Build, config::Formulation, functions::CATALOGUE};
 
-#[path = "../../codegen/tests/dynamics/random/mod.rs"]
-#[allow(dead_code, reason = "the tests of both packages use the rest of these")]
-mod random;
-
-use random::{RandomSystem, Sizes, Style, tree};
+use kane_test_support::systems::{RandomSystem, Sizes, Style, tree};
 
 /// The systems with reference values that `kane` does not bundle.
 const REFERENCES: [&str; 5] = ["one_body", "chain3", "star5", "two_roots", "tree12"];
@@ -30,7 +26,6 @@ const FRAMED: [(usize, usize); 3] = [(4, 8), (6, 10), (7, 10)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=../../codegen/tests/dynamics/random");
     for name in REFERENCES {
         all(&format!("../reference/{name}.toml"), Formulation::Recursive)?;
         notes(&format!("../reference/{name}.toml"), name)?;

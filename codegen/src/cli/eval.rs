@@ -8,14 +8,13 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    compile::{self, Options},
-    config,
+    compile,
     diagnostic::Source,
     error::Error,
     functions::{Block, Request},
     input,
+    options::{Formulation, Options},
     recursive::Technique,
-    size,
     tree::Tree,
 };
 use serde_json::{Map, Value, json};
@@ -65,8 +64,8 @@ pub(crate) struct Arguments {
     state: PathBuf,
 
     /// How sums over bodies are associated
-    #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = parse::one_of(config::Formulation::ALL))]
-    formulation: config::Formulation,
+    #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = parse::one_of(Formulation::ALL))]
+    formulation: Formulation,
 
     /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = parse::one_of(Technique::ALL))]
@@ -97,7 +96,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         without: arguments.without.iter().copied().collect(),
         ..Options::default()
     };
-    size::check(tree, slice::from_ref(&function), &options)?;
+    compile::check_size(tree, slice::from_ref(&function), &options)?;
     let derived = compile::choose(tree, &function, &options).derived;
     let numbers = derived.graph.evaluate(&derived.roots, |input| {
         *inputs.get(&input).unwrap_or_else(|| {

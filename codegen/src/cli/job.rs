@@ -9,12 +9,12 @@ use std::{
 use kane_codegen::{
     budget::{self, Budget, Excess},
     companions,
-    compile::Options,
     description::{self, Reading},
     diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
     generate::{self, Generated},
     input,
+    options::Options,
     output::Staged,
     tree::{self, Changes, Checked},
 };
@@ -130,6 +130,17 @@ impl Target {
         }
     }
 
+    /// The module's name: that of its file, without the ending.
+    pub(crate) fn module(&self) -> String {
+        match self {
+            Self::StandardOutput => String::new(),
+            Self::File(module) => {
+                let name = module.file_stem().unwrap_or_default();
+                name.to_string_lossy().into_owned()
+            }
+        }
+    }
+
     /// True where the target is the file to which `path` leads.
     pub(crate) fn is_same_file(&self, path: &Path) -> bool {
         let place = |path: &Path| {
@@ -220,15 +231,8 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
     job.check_files()?;
     let source = read(&job.model).map_err(|error| job.unreadable(error))?;
     let include = include(&job.model);
-    let mut options = job.options.clone();
-    match &job.target {
-        Target::StandardOutput => options.companions.clear(),
-        Target::File(module) => {
-            let name = module.file_stem().unwrap_or_default();
-            options.module = name.to_string_lossy().into_owned();
-        }
-    }
-    generate::generate(&source, &job.shown, &options, &include).map_err(|error| match error {
+    let generated = generate::generate(&source, &job.shown, &job.options, &include);
+    generated.map_err(|error| match error {
         Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }

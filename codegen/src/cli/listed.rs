@@ -10,7 +10,6 @@ use std::{
 };
 
 use kane_codegen::{
-    compile::Options,
     config::{self, Config, System},
     diagnostic::Source,
     error::Error,
@@ -72,16 +71,7 @@ impl Listed {
         Ok(Job {
             shown,
             target: Target::File(place(&system.output)),
-            options: Options {
-                functions: system.functions.clone(),
-                formulation: system.formulation,
-                fma: system.fma,
-                without: system.without.clone(),
-                companions: system.companions.clone(),
-                module: String::new(),
-                reading: system.reading,
-                changes: system.changes.clone(),
-            },
+            options: system.options.clone(),
             budget: system.budget.clone(),
             listing: Some(Listing {
                 config: Arc::clone(&self.source),

@@ -2,12 +2,13 @@
 //!
 //! In: arguments. Out: what they ask for, read, to stand above what `kane.toml` says.
 
+use std::mem;
+
 use clap::Args;
 use kane_codegen::{
-    compile::Options,
-    config::{Formulation, Functions},
     diagnostic::nearest,
     functions::{CATALOGUE, Parsed, RequestError, split},
+    options::{Formulation, Functions, Options},
     recursive::Technique,
 };
 
@@ -105,18 +106,26 @@ impl Asked<'_> {
     /// Sets what is asked for, above what was said before.
     pub(crate) fn set(&self, options: &mut Options) {
         let arguments = self.arguments;
-        if let Some(functions) = &self.functions {
-            options.functions = functions.clone();
+        let Options {
+            reading,
+            changes,
+            functions,
+            formulation,
+            fma,
+            without,
+            companions: _,
+            module: _,
+        } = options;
+        if let Some(asked) = &self.functions {
+            functions.clone_from(asked);
         }
-        if let Some(formulation) = arguments.formulation {
-            options.formulation = formulation;
-        }
-        options.fma = arguments.fma.unwrap_or(options.fma);
+        *formulation = arguments.formulation.unwrap_or(*formulation);
+        *fma = arguments.fma.unwrap_or(*fma);
         if !arguments.without.is_empty() {
-            options.without = arguments.without.iter().copied().collect();
+            *without = arguments.without.iter().copied().collect();
         }
-        options.reading = arguments.changes.reading_above(options.reading);
-        options.changes = arguments.changes.above(options.changes.clone());
+        *reading = arguments.changes.reading_above(*reading);
+        *changes = arguments.changes.above(mem::take(changes));
     }
 }
 
@@ -164,7 +173,6 @@ fn functions(lists: &[String]) -> Result<Functions, Failures> {
         }
     }
     failures.none()?;
-    Ok(Functions::Named(
-        names.into_iter().map(str::to_owned).collect(),
-    ))
+    let names = names.into_iter().map(str::to_owned);
+    Ok(Functions::Named(names.collect()))
 }

@@ -1,7 +1,7 @@
 //! Values of arguments, read and written.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use kane_codegen::compile::SNAP_TOLERANCES;
+use kane_codegen::options::SNAP_TOLERANCES;
 
 /// Reads the name of one of these choices.
 pub(crate) fn one_of<T: Clone + Send + Sync + 'static, const N: usize>(

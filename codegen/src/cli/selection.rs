@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kane_codegen::{
     companions::{Abi, Kind},
-    compile::Options,
     error::Error,
+    options::Options,
 };
 
 use super::{
@@ -191,11 +191,15 @@ impl Selection {
         if let Some(output) = output {
             jobs.retain(|job| job.target.is_same_file(&output));
             if jobs.is_empty() {
+                let target = Target::new(&output);
                 jobs.push(Job {
                     model: model.to_owned(),
                     shown: listed::shown_model(model, listed.as_ref())?,
-                    target: Target::new(&output),
-                    options: Options::default(),
+                    options: Options {
+                        module: target.module(),
+                        ..Options::default()
+                    },
+                    target,
                     budget: Vec::new(),
                     listing: None,
                 });
@@ -219,6 +223,10 @@ impl Selection {
                 };
             }
             options.companions.extend(self.abi.map(Kind::Abi));
+            // There the module stands alone.
+            if job.target == Target::StandardOutput {
+                options.companions.clear();
+            }
         }
         Ok(jobs)
     }

@@ -6,7 +6,7 @@ use super::json::{list, object, string, strings};
 use crate::{
     emit::{Emittable, Module},
     functions::{Argument, Request},
-    generate::OUTPUT_FORMAT,
+    origin::OUTPUT_FORMAT,
     program::Operations,
 };
 

@@ -9,6 +9,7 @@ use crate::{
     functions::{Argument, Derived, Formulation, Function, Request},
     id::{CoordinateId, ParameterId},
     number::Rounded,
+    options::companion::SCALES,
     random::Random,
     recursive::Plan,
     tree::{ChartCoordinates, Orientation, Tree, is_translation},
@@ -22,9 +23,6 @@ const POWERS: [f64; 25] = [
     1e12, 1e11, 1e10, 1e9, 1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0, 1e-1, 1e-2, 1e-3, 1e-4,
     1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12,
 ];
-
-/// The functions by which samples are scaled: where mass centres are, and what forces motions take.
-pub(super) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
 
 /// What draws samples of a tree.
 pub(super) struct Sampler<'a> {

@@ -25,28 +25,15 @@ use syn::{File, Item};
 
 pub use self_test::{Sample, Sampled, self_tests};
 
+pub use crate::compile::Emittable;
+
 use crate::{
-    functions::{Block, Formulation, Request, Signature},
+    functions::{Request, Signature},
     origin::Origin,
     program::{Operations, Program},
     threads,
     tree::Tree,
 };
-
-/// A function ready to be emitted.
-#[derive(Clone, Debug)]
-pub struct Emittable {
-    /// What was asked for.
-    pub function: Request,
-    /// How the sums over bodies are associated.
-    pub formulation: Formulation,
-    /// The program; its inputs may be prepared values.
-    pub program: Program,
-    /// Its operations.
-    pub operations: Operations,
-    /// For compact outputs: the non-zero partitions.
-    pub blocks: Vec<Block>,
-}
 
 /// A module ready to be emitted.
 #[derive(Clone, Debug)]

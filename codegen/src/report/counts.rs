@@ -3,12 +3,11 @@
 use std::{collections::BTreeSet, slice};
 
 use crate::{
-    compile::{self, Options},
-    config,
+    compile,
     functions::{Formulation, Request},
+    options::{self, Options},
     program::Operations,
     recursive::Technique,
-    size,
     tree::Tree,
 };
 
@@ -33,13 +32,13 @@ pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> C
         .filter(|&&formulation| {
             let options = Options {
                 formulation: match formulation {
-                    Formulation::Notes if is_choice => config::Formulation::Notes,
-                    _ => config::Formulation::Cheapest,
+                    Formulation::Notes if is_choice => options::Formulation::Notes,
+                    _ => options::Formulation::Cheapest,
                 },
                 without: without.clone(),
                 ..Options::default()
             };
-            size::check(tree, slice::from_ref(&function), &options).is_ok()
+            compile::check_size(tree, slice::from_ref(&function), &options).is_ok()
         })
         .map(|&formulation| {
             let choice = compile::of_formulation(tree, &function, formulation, without);

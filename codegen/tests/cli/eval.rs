@@ -1,11 +1,15 @@
 //! `kane eval`.
 
+use kane_test_support::{
+    compare::{Tolerance, assert_close},
+    json::flat,
+};
 use serde_json::{Value, json};
 
 use super::project::{Project, Ran, model, repository};
 
-/// The largest error relative to the largest entry; see `reference.rs`.
-const TOLERANCE: f64 = 1e-12;
+/// Relative to the largest entry; see `derivation/reference.rs`.
+const TOLERANCE: Tolerance = Tolerance::relative(1e-12);
 
 const SYSTEMS: [&str; 3] = ["eight_body", "two_roots", "tree12"];
 
@@ -20,13 +24,6 @@ fn reference(name: &str) -> (String, Value) {
         model.to_str().unwrap().to_owned(),
         values["cases"][0].clone(),
     )
-}
-
-fn flat(value: &Value) -> Vec<f64> {
-    match value {
-        Value::Array(items) => items.iter().flat_map(flat).collect(),
-        number => vec![number.as_f64().unwrap()],
-    }
 }
 
 /// The reference's state in the order of Eq. (1).
@@ -62,19 +59,6 @@ fn evaluated_with(model: &str, function: &str, options: &[&str], state: &Value) 
     serde_json::from_str(&ran.out).unwrap()
 }
 
-fn assert_close(found: &[f64], expected: &[f64]) {
-    assert_eq!(found.len(), expected.len());
-    let largest = expected
-        .iter()
-        .fold(0.0_f64, |largest, value| largest.max(value.abs()));
-    for (found, expected) in found.iter().zip(expected) {
-        assert!(
-            (found - expected).abs() <= TOLERANCE * largest,
-            "{found} is not {expected}"
-        );
-    }
-}
-
 #[test]
 fn mass_matrix_and_forcing_are_those_of_the_reference() {
     for name in SYSTEMS {
@@ -85,9 +69,19 @@ fn mass_matrix_and_forcing_are_those_of_the_reference() {
                 matrix.as_array().unwrap().len(),
                 matrix[0].as_array().unwrap().len()
             );
-            assert_close(&flat(&matrix), &flat(&case["expect"]["A"]));
+            assert_close(
+                "output",
+                &flat(&matrix),
+                &flat(&case["expect"]["A"]),
+                TOLERANCE,
+            );
             let forcing = evaluated(&model, "forcing", formulation, &state(&case));
-            assert_close(&flat(&forcing), &flat(&case["expect"]["f"]));
+            assert_close(
+                "output",
+                &flat(&forcing),
+                &flat(&case["expect"]["f"]),
+                TOLERANCE,
+            );
         }
     }
 }
@@ -107,7 +101,7 @@ fn techniques_are_left_out_and_the_values_stay() {
         ))
     };
     let (all, some) = (bias(&[]), bias(&["--without", "turn,slide,regroup"]));
-    assert_close(&some, &all);
+    assert_close("output", &some, &all, TOLERANCE);
     // Other operations round otherwise.
     assert_ne!(some, all);
 }
@@ -121,7 +115,7 @@ fn functions_that_are_given_sines_have_the_values_of_those_that_compute_them() {
             assert_eq!(ran.code, 0, "{ran:?}");
             flat(&serde_json::from_str(&ran.out).unwrap())
         });
-        assert_close(&given, &plain);
+        assert_close("output", &given, &plain, TOLERANCE);
     }
 }
 
@@ -147,7 +141,7 @@ fn partial_velocity_is_that_of_the_reference() {
             }
         }
         for (found, body) in dense.iter().zip(bodies) {
-            assert_close(found, &flat(&body["v_G_y"]));
+            assert_close("output", found, &flat(&body["v_G_y"]), TOLERANCE);
         }
     }
 }

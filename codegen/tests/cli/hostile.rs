@@ -3,7 +3,7 @@
 use std::{fs::File, process::Command};
 
 use super::project::{Project, model, system};
-use super::shown::steers;
+use kane_test_support::shown::steers;
 
 /// The commands that read this file, as a model or a module.
 fn readers(path: &str) -> [Vec<&str>; 7] {

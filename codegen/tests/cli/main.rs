@@ -21,7 +21,4 @@ mod interface;
 #[cfg(unix)]
 mod kills;
 mod project;
-#[cfg(unix)]
-#[path = "../support/shown.rs"]
-mod shown;
 mod verify;

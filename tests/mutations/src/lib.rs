@@ -35,20 +35,7 @@ pub struct Mutant {
     pub functions: Functions,
 }
 
-/// `SplitMix64`.
-#[derive(Debug)]
-pub struct Random(pub u64);
-
-impl Random {
-    /// Between -1 and 1.
-    fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut word = self.0;
-        word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (word ^ (word >> 31)) as f64 / 2_f64.powi(63) - 1.0
-    }
-}
+pub use kane_test_support::random::Random;
 
 /// What functions read and write: numbers in some shape.
 trait Numbers {
@@ -58,7 +45,7 @@ trait Numbers {
 
 impl Numbers for f64 {
     fn draw(random: &mut Random) -> Self {
-        random.number()
+        random.symmetric()
     }
 
     fn list(&self, numbers: &mut Vec<f64>) {

@@ -32,7 +32,7 @@ fn changed(module: &Module, mutant: &Mutant) -> Vec<&'static str> {
     let names = mutant.functions.iter().map(|(name, _)| *name);
     let changed = names.filter(|name| {
         let (right, wrong) = (of(module.functions, name), of(mutant.functions, name));
-        (0..STATES).any(|seed| differ(&right(Random(seed)), &wrong(Random(seed))))
+        (0..STATES).any(|seed| differ(&right(Random::new(seed)), &wrong(Random::new(seed))))
     });
     changed.collect()
 }

@@ -3,13 +3,14 @@
 //! With `q_full = G q + h`, `G` constant, is `u_full = G u` and `u_dot_full = G u_dot`, and equal power gives `tau = G^T tau_full`:
 //! `M = G^T M_full G`, `bias = G^T bias_full`.
 
-mod common;
-
-use common::{
-    Errors, Random,
-    numeric::{Matrix, condition, distance, largest, relative},
-    placements, robot,
+use kane_test_support::{
+    compare::{distance, largest, relative},
+    errors::Errors,
+    numeric::{Matrix, condition},
+    random::Random,
 };
+
+use crate::common::{placements, robot};
 use kane_test_robots::{
     Dynamics, GRIPPER, GRIPPER_FREE, GRIPPER_FREE_NOTES, GRIPPER_NOTES, PANDA_HELD, Robot,
 };
@@ -80,7 +81,7 @@ fn check_dynamics(
     errors: &mut Errors,
 ) {
     for seed in 0..STATES {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let [q, u, u_dot, tau] = [(); 4].map(|()| random.numbers(projection.n_reduced));
         let q_full = projection.coordinates(&q);
         let [u_full, u_dot_full] = [&u, &u_dot].map(|speeds| projection.speeds(speeds));
@@ -107,7 +108,7 @@ fn check_dynamics(
 
 fn check_rest(reduced: &dyn Robot, full: &dyn Robot, projection: &Projection, errors: &mut Errors) {
     for seed in 0..STATES {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let [q, u] = [(); 2].map(|()| random.numbers(projection.n_reduced));
         let (q_full, u_full) = (projection.coordinates(&q), projection.speeds(&u));
         let mut compare = |what, found: &[f64], expected: &[f64]| {

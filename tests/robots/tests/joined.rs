@@ -5,6 +5,8 @@
     reason = "the platform's sines are what ours are held against"
 )]
 
+use kane_test_support::compare::{Tolerance, assert_close};
+
 /// Entries between -1 and 1 without a pattern.
 fn numbers<const N: usize>(kind: u16, seed: u16) -> [f64; N] {
     std::array::from_fn(|place| {
@@ -14,19 +16,17 @@ fn numbers<const N: usize>(kind: u16, seed: u16) -> [f64; N] {
     })
 }
 
-fn assert_close(found: &[f64], expected: &[f64]) {
-    let scale = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
-    for (found, expected) in found.iter().zip(expected) {
-        let error = (found - expected).abs() / scale;
-        // Sums of some hundred products in another order; NaN fails.
-        assert!(error < 1e-13, "{found} is not {expected}: {error:e}");
-    }
+/// Sums of some hundred products in another order.
+#[track_caller]
+fn assert_same(found: &[f64], expected: &[f64]) {
+    let tolerance = Tolerance::relative_beyond(1.0, 1e-13);
+    assert_close("in another order", found, expected, tolerance);
 }
 
 macro_rules! robots {
     ($($robot:ident)+) => {$(
         mod $robot {
-            use super::{assert_close, numbers};
+            use super::{assert_same, numbers};
             use kane::functions::{MassMatrixPacked, unpack};
             use kane_test_robots::$robot::{
                 ANGLE_NAMES, COORDINATE_NAMES, MASS_MATRIX_PACKED_LEN, NA, NQ, NU, Prepared, SinCos, bias, gravity_forces, inverse_dynamics,
@@ -51,13 +51,13 @@ macro_rules! robots {
                     gravity_forces(&system, &q, &mut expected.2);
                     let mut found = ([[f64::NAN; NU]; NU], [f64::NAN; NU], [f64::NAN; NU]);
                     mass_matrix_and_bias_and_gravity_forces(&system, &q, &u, &mut found.0, &mut found.1, &mut found.2);
-                    assert_close(found.0.as_flattened(), expected.0.as_flattened());
-                    assert_close(&found.1, &expected.1);
-                    assert_close(&found.2, &expected.2);
+                    assert_same(found.0.as_flattened(), expected.0.as_flattened());
+                    assert_same(&found.1, &expected.1);
+                    assert_same(&found.2, &expected.2);
                     let mut found = ([[f64::NAN; NU]; NU], [f64::NAN; NU]);
                     mass_matrix_and_bias_at_sin_cos(&system, &q, &given(&system, &q), &u, &mut found.0, &mut found.1);
-                    assert_close(found.0.as_flattened(), expected.0.as_flattened());
-                    assert_close(&found.1, &expected.1);
+                    assert_same(found.0.as_flattened(), expected.0.as_flattened());
+                    assert_same(&found.1, &expected.1);
                 }
             }
 
@@ -71,7 +71,7 @@ macro_rules! robots {
                     let mut entries = [f64::NAN; MASS_MATRIX_PACKED_LEN];
                     system.mass_matrix_packed(&q, &mut entries);
                     unpack(&entries, Prepared::<f64>::PLACES, &mut found);
-                    assert_close(found.as_flattened(), expected.as_flattened());
+                    assert_same(found.as_flattened(), expected.as_flattened());
                 }
             }
 
@@ -83,7 +83,7 @@ macro_rules! robots {
                     let (mut expected, mut found) = ([f64::NAN; NU], [f64::NAN; NU]);
                     inverse_dynamics(&system, &q, &u, &u_dot, &mut expected);
                     inverse_dynamics_at_sin_cos(&system, &q, &given(&system, &q), &u, &u_dot, &mut found);
-                    assert_close(&found, &expected);
+                    assert_same(&found, &expected);
                 }
             }
 

@@ -2,15 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
-mod common;
-
-use common::Random;
 use kane::{
     Array, Lanes, Real,
     batch::Batch,
     functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix},
     wide::{f32x4, f64x8},
 };
+use kane_test_support::random::Random;
 
 /// The four dynamics functions of a batch, row by row, against those of each state.
 fn check<L, S, O>(lanes: &S, single: &O)
@@ -25,7 +23,7 @@ where
 {
     let n = L::LANES + 3;
     let zero = L::Scalar::from_f64(0.0);
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let mut rows = |rows: usize| -> Vec<L::Scalar> {
         let numbers = random.numbers(rows * n).into_iter();
         numbers.map(L::Scalar::from_f64).collect()

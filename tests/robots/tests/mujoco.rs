@@ -6,12 +6,13 @@
 use std::fs;
 
 use kane_test_robots::{Dynamics, mjcf};
+use kane_test_support::compare::{Tolerance, assert_close};
 use serde_json::Value;
 
 /// The largest error relative to the largest entry of a quantity, where nothing is solved: a hundred roundings.
-const EXACT: f64 = 2e-14;
+const EXACT: Tolerance = Tolerance::relative(2e-14);
 /// The same of forward dynamics: times the condition of the mass matrices, up to a hundred here.
-const SOLVED: f64 = 1e-12;
+const SOLVED: Tolerance = Tolerance::relative(1e-12);
 
 /// What MuJoCo has, and where it has each of our coordinates and speeds.
 struct Reference {
@@ -54,20 +55,9 @@ fn picked(value: &Value, places: &[usize]) -> Vec<f64> {
     places.iter().map(number).collect()
 }
 
-fn close(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
-    assert_eq!(found.len(), expected.len(), "{what}");
-    let largest = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let pairs = found.iter().zip(expected);
-    let worst = pairs.fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
-    assert!(
-        worst <= tolerance * largest,
-        "{what}: off by {worst:e}, largest entry {largest:e}"
-    );
-}
-
 fn check(name: &str, model: &dyn Dynamics, reference: &Reference, state: &Value) {
     let close = |what: &str, found: &[f64], expected: &[f64], tolerance| {
-        close(&format!("{what} of {name}"), found, expected, tolerance);
+        assert_close(format!("{what} of {name}"), found, expected, tolerance);
     };
     let speeds = |value: &Value| picked(value, &reference.qvel);
     let (q, u) = (

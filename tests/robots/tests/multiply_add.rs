@@ -1,9 +1,11 @@
 //! Fused multiply-add: the bits of the functions without it where the hardware does not fuse, and nearly those elsewhere.
 
-mod common;
-
-use common::{Random, robot};
+use crate::common::robot;
 use kane_test_robots::{Dynamics, MakeDynamics, PANDA_FUSED, SOLO12_FUSED};
+use kane_test_support::{
+    compare::{Tolerance, assert_close},
+    random::Random,
+};
 
 /// Where the hardware fuses, relative to a quantity's largest entry: one rounding of 1e-16 less in each of some hundred
 /// operations, and for a solution the condition number of the mass matrix, below 1e5.
@@ -15,7 +17,7 @@ fn check(name: &str, fused: MakeDynamics) {
     let (plain, fused) = ((robot(name).plain)(), fused());
     let n_speeds = plain.limits().effort.len();
     let n_coordinates = plain.coordinate_names().len();
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     for state in 0..20 {
         let q = plain.normalize(&random.numbers(n_coordinates));
         let [u, third] = [(); 2].map(|()| random.numbers(n_speeds));
@@ -29,12 +31,8 @@ fn check(name: &str, fused: MakeDynamics) {
         };
         let (plain, fused) = (of(&*plain), of(&*fused));
         for (plain, fused) in plain.iter().zip(&fused) {
-            let largest = plain.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            for (one, other) in plain.iter().zip(fused) {
-                let error = (one - other).abs();
-                let allowed = if FUSED { TOLERANCE * largest } else { 0.0 };
-                assert!(error <= allowed, "state {state}: {one} is not {other}");
-            }
+            let tolerance = Tolerance::relative(if FUSED { TOLERANCE } else { 0.0 });
+            assert_close(format!("{name}, state {state}"), fused, plain, tolerance);
         }
     }
 }

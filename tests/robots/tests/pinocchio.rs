@@ -1,12 +1,15 @@
 //! Every robot, compiled, against Pinocchio's values for the same file in the same 20 states.
 
-mod common;
+use kane_test_support::{
+    compare::{relative, relative_to},
+    errors::Errors,
+    numeric::{Matrix, condition},
+};
 
-use common::{
-    Errors, cross,
+use crate::common::{
+    cross,
     mass::{mass_center, masses},
     motion::Motion,
-    numeric::{Matrix, condition, relative, relative_to},
     placements,
     reference::{Reference, Sample, index, number, text},
     robot,

@@ -4,12 +4,6 @@
     reason = "the largest errors and the operations found, shown with --nocapture"
 )]
 
-mod common;
-
-use common::{
-    CompiledModel,
-    dynamics::{Model, State, identities},
-};
 use kane::{
     System,
     functions::{
@@ -24,20 +18,22 @@ use kane_codegen::{
     diagnostic::Source,
     generate::generate,
 };
+use kane_test_support::{
+    compare::{assert_within, relative},
+    dynamics::{Model, State, agreement::disagreement, quantities::EXACT},
+};
 use kane_test_systems::{
     BAKED_RUNTIME_CHANGED, Compiled, RUNTIME_GIVEN_CHANGED, baked, changed_parameters, runtime,
 };
 
+use crate::common::CompiledModel;
+
 fn assert_agree(a: &CompiledModel, b: &CompiledModel) {
     for seed in 1..=5 {
         let state = State::random(a.tree(), seed);
-        let (error, function) = identities::disagreement(a, b, |_| true, &state);
+        let (error, function) = disagreement(a, b, |_| true, &state);
         println!("{error:e} in {function}");
-        assert!(
-            error <= identities::EXACT,
-            "{function}, state of seed {seed}: off by {error:e}, {:e} allowed",
-            identities::EXACT
-        );
+        assert_within(format!("{function}, state of seed {seed}"), error, EXACT);
     }
 }
 
@@ -64,7 +60,7 @@ fn other_runtime_values_are_as_good_as_a_model_with_those_baked() {
             baked.evaluate(function, &state),
             given.evaluate(function, &state),
         );
-        let moved = common::dynamics::numeric::relative(&new, &old);
+        let moved = relative(&new, &old);
         assert!(
             moved > 1e-3,
             "{function}: the other values change it by {moved:e} only"

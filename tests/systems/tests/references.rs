@@ -6,11 +6,14 @@
     reason = "the largest errors found, shown with --nocapture"
 )]
 
-mod common;
-
 use std::{collections::BTreeMap, fs};
 
-use common::dynamics::numeric::{Matrix, condition, relative};
+use kane_test_support::{
+    compare::{largest, relative, relative_to},
+    errors::Errors,
+    json::flat,
+    numeric::{Matrix, condition},
+};
 use kane_test_systems::{Call, REFERENCES, Reference, call::State};
 use serde_json::Value;
 
@@ -44,14 +47,6 @@ const PER_BODY: [(&str, &str); 14] = [
     ("partial_velocity", "v_G_y"),
     ("partial_velocity_dot", "v_G_y_dot"),
 ];
-
-/// The numbers of a nested list, row-major.
-fn flat(value: &Value) -> Vec<f64> {
-    match value {
-        Value::Array(items) => items.iter().flat_map(flat).collect(),
-        number => vec![number.as_f64().expect("a number")],
-    }
-}
 
 fn cases(name: &str) -> Vec<Value> {
     let path = format!("{}/../reference/{name}.json", env!("CARGO_MANIFEST_DIR"));
@@ -92,27 +87,6 @@ fn per_body(case: &Value, key: &str) -> Vec<f64> {
     bodies.iter().flat_map(|body| flat(&body[key])).collect()
 }
 
-/// The largest errors of a system, by function.
-#[derive(Default)]
-struct Errors(BTreeMap<String, f64>);
-
-impl Errors {
-    fn add(&mut self, what: String, error: f64, tolerance: f64) {
-        assert!(
-            error <= tolerance,
-            "{what}: off by {error:e}, {tolerance:e} allowed"
-        );
-        let most = self.0.entry(what).or_default();
-        *most = most.max(error);
-    }
-
-    fn show(&self) {
-        for (what, error) in &self.0 {
-            println!("{what}: {error:.1e}");
-        }
-    }
-}
-
 fn check(name: &str) {
     let reference = REFERENCES
         .into_iter()
@@ -122,7 +96,7 @@ fn check(name: &str) {
     for case in cases(name) {
         check_case(reference, &case, &mut errors);
     }
-    errors.show();
+    errors.show(name);
 }
 
 fn check_case(reference: Reference, case: &Value, errors: &mut Errors) {
@@ -169,7 +143,7 @@ fn check_case(reference: Reference, case: &Value, errors: &mut Errors) {
                 .collect();
             // Sums of terms of the size of A y_dot.
             let scale = relative_scale(&flat(&expect["A"]), &state.u_dot);
-            let error = common::dynamics::numeric::relative_to(scale, &tau, &loads);
+            let error = relative_to(scale, &tau, &loads);
             errors.add(
                 format!("{name} inverse_dynamics {formulation} {scalar}"),
                 error,
@@ -196,7 +170,7 @@ fn check_case(reference: Reference, case: &Value, errors: &mut Errors) {
 /// The largest sum of magnitudes in `A y_dot`.
 fn relative_scale(a: &[f64], y_dot: &[f64]) -> f64 {
     let sum = |row: &[f64]| row.iter().zip(y_dot).map(|(a, y)| (a * y).abs()).sum();
-    a.chunks_exact(y_dot.len()).map(sum).fold(0.0, f64::max)
+    largest(&a.chunks_exact(y_dot.len()).map(sum).collect::<Vec<f64>>())
 }
 
 macro_rules! agrees {

@@ -12,7 +12,7 @@ use std::{
 };
 
 use clap::{Args, ValueEnum};
-use kane_codegen::compile::Options;
+use kane_codegen::options::Options;
 
 use super::{
     Failures, Outcome, json,

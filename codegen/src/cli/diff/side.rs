@@ -7,7 +7,7 @@ use std::{
 };
 
 use kane_codegen::{
-    compile::Options, description, diagnostic::Source, error::Error, generate, report::Outline,
+    description, diagnostic::Source, error::Error, generate, options::Options, report::Outline,
     tree,
 };
 

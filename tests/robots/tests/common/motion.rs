@@ -15,9 +15,10 @@
 
 use kane::{Chart, Joint, Real, chart::Turning};
 
+use kane_test_support::numeric::{Matrix, dot};
+
 use super::{
     cross,
-    numeric::{Matrix, dot},
     reference::{Sample, index},
     times, transposed,
 };

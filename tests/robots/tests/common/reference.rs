@@ -2,6 +2,7 @@
 
 use std::{fs, path::PathBuf};
 
+use kane_test_support::json::flat;
 use serde_json::Value;
 
 /// The path of a robot's URDF or reference.
@@ -80,11 +81,4 @@ pub(crate) fn number(value: &Value) -> f64 {
 
 pub(crate) fn index(value: &Value) -> usize {
     usize::try_from(value.as_u64().expect("it is a whole number")).expect("it is small")
-}
-
-fn flat(value: &Value) -> Vec<f64> {
-    match value {
-        Value::Array(items) => items.iter().flat_map(flat).collect(),
-        value => vec![number(value)],
-    }
 }

@@ -1,10 +1,9 @@
 //! Compiled systems as models of which the identities can be asked.
-#![allow(dead_code, reason = "each test file uses its part of these")]
 
-#[path = "../../../../codegen/tests/dynamics/mod.rs"]
-pub(crate) mod dynamics;
-
-use dynamics::{Model, State, composition::Composition};
+use kane_test_support::{
+    dynamics::{Model, State, composition::Composition},
+    systems::tree,
+};
 use kane_test_systems::{Call, Compiled, call};
 
 /// A compiled system, and the tree that its description makes.
@@ -16,7 +15,7 @@ pub(crate) struct CompiledModel {
 
 impl CompiledModel {
     pub(crate) fn new(compiled: Compiled) -> Self {
-        let tree = dynamics::random::tree(compiled.model).expect("what was generated is accepted");
+        let tree = tree(compiled.model).expect("what was generated is accepted");
         Self {
             name: compiled.name,
             composition: Composition::new(compiled.model, &tree),

@@ -1,0 +1,73 @@
+//! The formulation in which a function is emitted.
+//!
+//! In: a tree, a function, options. Out: a [`Choice`]. Afterwards: it is the formulation that was asked for, where the
+//! function has it, or the one with fewer operations; of equals the notes'.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    functions::{Derived, Formulation, Request},
+    options::{self, Options},
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+
+use super::{
+    candidate::{candidate, operations},
+    search,
+};
+
+/// A function in one formulation.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// The formulation.
+    pub formulation: Formulation,
+    /// The expressions that are emitted.
+    pub derived: Derived,
+}
+
+/// The function in the formulation that is wanted, where it has it, else in that with the fewest operations: what is
+/// emitted.
+pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
+    let formulations = function.formulations();
+    let of = |formulation| of_formulation(tree, function, formulation, &options.without);
+    let wanted = match options.formulation {
+        options::Formulation::Cheapest => None,
+        options::Formulation::Notes => Some(Formulation::Notes),
+        options::Formulation::Recursive => Some(Formulation::Recursive),
+    };
+    let wanted = wanted.filter(|wanted| formulations.contains(wanted));
+    if let Some(only) = wanted.or((formulations.len() == 1).then(|| formulations[0])) {
+        return of(only);
+    }
+    let recursive = of(Formulation::Recursive);
+    let count = operations(&recursive.derived).total();
+    // On a large tree the literal sums alone would take longer than all the rest.
+    if count < function.literal_terms(tree) {
+        return recursive;
+    }
+    let notes = of(Formulation::Notes);
+    if operations(&notes.derived).total() <= count {
+        notes
+    } else {
+        recursive
+    }
+}
+
+/// The function in this formulation, by its cheapest plan without some techniques.
+pub fn of_formulation(
+    tree: &Tree,
+    function: &Request,
+    formulation: Formulation,
+    without: &BTreeSet<Technique>,
+) -> Choice {
+    let plan = if function.takes_plan(formulation) {
+        search::cheapest(tree, function, without)
+    } else {
+        Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
+    };
+    Choice {
+        formulation,
+        derived: candidate(tree, function, formulation, &plan),
+    }
+}

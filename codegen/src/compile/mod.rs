@@ -1,0 +1,121 @@
+//! From a checked tree to programs: refuse, derive, pass, count, choose.
+//!
+//! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
+//! was asked for, or in the one with fewer operations, and its program is verified.
+
+mod candidate;
+mod choose;
+mod option_check;
+mod search;
+mod size_check;
+
+pub use candidate::{candidate, operations};
+pub use choose::{Choice, choose, of_formulation};
+pub(crate) use option_check::check as check_options;
+pub use search::cheapest;
+pub use size_check::check as check_size;
+
+pub use crate::options::Options;
+
+use crate::{
+    error::Error,
+    functions::{Block, Formulation, Request},
+    passes::{hoist, hoist::Preparation},
+    program::{self, Operations, Program},
+    threads,
+    tree::Tree,
+};
+
+/// A module's programs.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// What depends on parameters alone: one store for each of `fields`.
+    pub preparation: Program,
+    /// The fields of `Prepared`.
+    pub fields: Vec<String>,
+    /// The functions, in the order of the catalogue, then the others.
+    pub functions: Vec<Emittable>,
+}
+
+/// A function that was compiled.
+#[derive(Clone, Debug)]
+pub struct Emittable {
+    /// What was asked for.
+    pub function: Request,
+    /// How the sums over bodies are associated.
+    pub formulation: Formulation,
+    /// The program; its inputs may be prepared values.
+    pub program: Program,
+    /// Its operations.
+    pub operations: Operations,
+    /// For compact outputs: the non-zero partitions.
+    pub blocks: Vec<Block>,
+}
+
+/// Compiles the functions that the options select; no other is derived.
+///
+/// # Errors
+/// Options that cannot be; [`Error::TooLarge`]; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
+pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
+    check_options(options)?;
+    let numbers = tree.frames.iter();
+    let mut numbers = numbers.flat_map(|frame| frame.rotation.iter().chain([&frame.position]));
+    if !numbers.all(|vector| vector.iter().all(|entry| entry.is_finite())) {
+        return Err(Error::Unrepresentable {
+            function: "FRAMES".to_owned(),
+        });
+    }
+    let mut preparation = Preparation::default();
+    let mut functions = Vec::new();
+    let requests = options.requests(tree).map_err(Error::Request)?;
+    check_size(tree, &requests, options)?;
+    let choices = threads::map(&requests, |function| choose(tree, function, options));
+    for (function, choice) in requests.into_iter().zip(choices) {
+        let Choice {
+            formulation,
+            derived,
+        } = choice;
+        let name = function.name();
+        let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &name, &mut preparation);
+        if derived.graph.overflowed() || graph.overflowed() {
+            return Err(Error::Unrepresentable { function: name });
+        }
+        let program = program::flatten(&graph, &roots);
+        let program = if options.fma {
+            program::fuse(program)
+        } else {
+            program
+        };
+        verify(&program, &name)?;
+        let operations = program.operations();
+        functions.push(Emittable {
+            function,
+            formulation,
+            program,
+            operations,
+            blocks: derived.blocks,
+        });
+    }
+    if preparation.graph.overflowed() {
+        return Err(Error::Unrepresentable {
+            function: "Prepared::new".to_owned(),
+        });
+    }
+    let fields = program::prepared_fields(&preparation, tree);
+    let preparation = program::flatten(&preparation.graph, &preparation.roots());
+    verify(&preparation, "Prepared::new")?;
+    Ok(Compiled {
+        preparation,
+        fields,
+        functions,
+    })
+}
+
+fn verify(program: &Program, name: &str) -> Result<(), Error> {
+    program::verify(program).map_err(|error| match error {
+        program::VerifyError::NotFinite => Error::Unrepresentable {
+            function: name.to_owned(),
+        },
+        bug => unreachable!("program: `{name}` breaks a promise: {bug}"),
+    })
+}

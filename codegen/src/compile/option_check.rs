@@ -1,0 +1,47 @@
+//! What no description can make right: options that cannot be.
+
+use crate::{
+    error::Error,
+    functions::{CATALOGUE, Parsed, RequestError},
+    options::{Functions, Options, SNAP_TOLERANCES, companion},
+};
+
+/// Refuses options that cannot be.
+pub(crate) fn check(options: &Options) -> Result<(), Error> {
+    let tolerance = options.changes.snap;
+    if !SNAP_TOLERANCES.contains(&tolerance) {
+        return Err(Error::SnapTolerance { tolerance });
+    }
+    let mut locked = options.changes.lock.iter();
+    if let Some((name, value)) = locked.find(|(_, value)| !value.is_finite()) {
+        return Err(Error::LockedValue {
+            name: name.clone(),
+            value: *value,
+        });
+    }
+    let names: Vec<&String> = options.changes.lock.iter().map(|(name, _)| name).collect();
+    let twice = (1..names.len()).find(|&place| names[..place].contains(&names[place]));
+    if let Some(place) = twice {
+        return Err(Error::LockedTwice {
+            name: names[place].clone(),
+        });
+    }
+    if !companion::can_be_beside(&options.companions, &options.module) {
+        return Err(Error::ModuleName {
+            name: options.module.clone(),
+        });
+    }
+    let Functions::Named(names) = &options.functions else {
+        return Ok(());
+    };
+    let fault = names.iter().find_map(|name| Parsed::read(name).err());
+    fault.map_or(Ok(()), |fault| {
+        Err(match fault {
+            RequestError::Unknown { name } => {
+                let known = CATALOGUE.iter().map(|function| function.name).collect();
+                Error::UnknownFunction { name, known }
+            }
+            fault => Error::Request(fault),
+        })
+    })
+}

@@ -1,0 +1,255 @@
+//! The cheapest plan of the recursion, by count.
+//!
+//! In: a tree, a function, the techniques that may be used. Out: a [`Plan`]. Afterwards: for a function of up to
+//! `MOST_EXACT` nodes no single technique left out would lower the count; of larger ones each was tried once, before
+//! factoring. Choices link by link are tried until `MOST_NODES` were built. The same choices are tried in the same order on
+//! every machine.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    expr::{Binding, Node, NodeId},
+    functions::{Derived, Formulation, Request},
+    id::BodyId,
+    recursive::{self, Plan, Regroup, Technique},
+    solve,
+    tree::Tree,
+};
+
+use super::candidate::{candidate, given_sines, operations};
+
+/// How many nodes may be built to try other choices link by link: a tenth of a second's work.
+const MOST_NODES: usize = 400_000;
+
+/// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
+const MOST_EXACT: usize = 4_000;
+
+/// What a sine costs above other operations: a plan that needs one angle more must save that much.
+const SINE: usize = 10;
+
+/// In a function that does several things no angle is worth another one: there is one sine and one cosine a joint.
+const SINE_OF_SEVERAL: usize = 1_000_000;
+
+/// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
+const MOST_STARTS: usize = 1_500;
+
+/// The cheapest plan that was found for the function, without the techniques in `without`.
+pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+    let mut best: Option<Search<'_>> = None;
+    // Which way inertias are best regrouped depends most on these two.
+    let starts: [&[Technique]; 4] = [
+        &[],
+        &[Technique::Balance],
+        &[Technique::Slide],
+        &[Technique::Balance, Technique::Slide],
+    ];
+    for left_out in starts {
+        let search = from(tree, function, without, left_out);
+        let is_small = search.n_first <= MOST_STARTS;
+        if best.as_ref().is_none_or(|best| search.least < best.least) {
+            best = Some(search);
+        }
+        if !is_small {
+            break;
+        }
+    }
+    best.expect("search: one start is made").plan
+}
+
+/// The search that starts with all techniques but those of `left_out`.
+fn from<'a>(
+    tree: &'a Tree,
+    function: &'a Request,
+    without: &BTreeSet<Technique>,
+    left_out: &[Technique],
+) -> Search<'a> {
+    let mut plan = Plan::full(tree).with_parallel(None, false);
+    for &technique in without.iter().chain(left_out) {
+        plan.set(technique, false);
+    }
+    let mut search = Search {
+        tree,
+        function,
+        least: usize::MAX,
+        plan: plan.clone(),
+        n_nodes: 0,
+        n_first: 0,
+        is_exact: true,
+        sine: if function.parts().len() == 1 {
+            SINE
+        } else {
+            SINE_OF_SEVERAL
+        },
+    };
+    search.try_all(&plan);
+    search.try_solving_by_factors();
+    search.try_none(without);
+    search.try_parallel_axes();
+    search.try_regrouping();
+    search.try_single_techniques(without);
+    search
+}
+
+struct Search<'a> {
+    tree: &'a Tree,
+    function: &'a Request,
+    /// The count of `plan`.
+    least: usize,
+    plan: Plan,
+    /// How many nodes were built, for all plans and for the first.
+    n_nodes: usize,
+    n_first: usize,
+    /// True while plans are compared by what is left after factoring.
+    is_exact: bool,
+    /// What a sine costs above other operations.
+    sine: usize,
+}
+
+impl Search<'_> {
+    /// Takes a plan if it is cheaper than the best.
+    fn try_one(&mut self, plan: Plan) {
+        if plan == self.plan && self.least != usize::MAX {
+            return;
+        }
+        let was_exact = self.is_exact;
+        let mut count = self.count(&plan);
+        if was_exact && !self.is_exact {
+            // Counts of two kinds do not compare: the best so far is counted anew.
+            if self.least != usize::MAX {
+                let best = self.plan.clone();
+                self.least = self.count(&best);
+            }
+            count = self.count(&plan);
+        }
+        if count < self.least {
+            (self.least, self.plan) = (count, plan);
+        }
+        if self.n_first == 0 {
+            self.n_first = self.n_nodes;
+        }
+    }
+
+    fn count(&mut self, plan: &Plan) -> usize {
+        if self.is_exact {
+            let derived = candidate(self.tree, self.function, Formulation::Recursive, plan);
+            self.n_nodes += derived.graph.len();
+            self.is_exact = derived.graph.len() <= MOST_EXACT;
+            let operations = operations(&derived);
+            operations.total() + self.sine * operations.trig
+        } else {
+            let derived = self
+                .function
+                .derive(self.tree, Formulation::Recursive, plan);
+            self.n_nodes += derived.graph.len();
+            let derived = given_sines(self.tree, self.function, derived);
+            self.cost(&derived)
+        }
+    }
+
+    /// The plan, with each way to regroup all links.
+    fn try_all(&mut self, plan: &Plan) {
+        let choices = if plan.uses(Technique::Regroup) {
+            &Regroup::ALL[..]
+        } else {
+            &[Regroup::None]
+        };
+        for &choice in choices {
+            // The two axes across the joint's are alike where nothing is zero, as in most of what is large.
+            if choice != Regroup::Last || self.is_exact {
+                self.try_one(plan.with_regroup(None, choice));
+            }
+        }
+    }
+
+    /// `L^T D L` in place of articulated bodies, where that has a chance.
+    fn try_solving_by_factors(&mut self) {
+        if self.plan.uses(Technique::Articulated) && self.factors_have_a_chance() {
+            self.try_all(&self.plan.with(Technique::Articulated, false));
+        }
+    }
+
+    /// No technique at all: on a small tree each may cost something before the others save more.
+    fn try_none(&mut self, without: &BTreeSet<Technique>) {
+        if self.is_exact {
+            let factor = !without.contains(&Technique::Factor);
+            self.try_one(Plan::plain(self.tree).with(Technique::Factor, factor));
+        }
+    }
+
+    /// All links with parallel axes merged, then single ones that are not, or are.
+    fn try_parallel_axes(&mut self) {
+        if !self.plan.uses(Technique::Parallel) {
+            return;
+        }
+        self.try_one(self.plan.with_parallel(None, true));
+        for body in recursive::parallel_axes(self.tree, &self.plan) {
+            if self.n_nodes > MOST_NODES {
+                return;
+            }
+            let merged = self.plan.parallel(body);
+            self.try_one(self.plan.with_parallel(Some(body), !merged));
+        }
+    }
+
+    /// Other choices for single links: where neither the link's numbers nor those of its lower link have zeros, there is
+    /// nothing that regrouping could fill.
+    fn try_regrouping(&mut self) {
+        if !self.plan.uses(Technique::Regroup) {
+            return;
+        }
+        let sparse = recursive::sparse_inertias(self.tree);
+        let bodies: Vec<BodyId> = self.tree.body_ids().rev().collect();
+        for body in bodies {
+            let lower = self.tree.lower(body);
+            if !sparse[body] && lower.is_none_or(|lower| !sparse[lower]) {
+                continue;
+            }
+            for choice in Regroup::ALL {
+                if self.n_nodes > MOST_NODES {
+                    return;
+                }
+                self.try_one(self.plan.with_regroup(Some(body), choice));
+            }
+        }
+    }
+
+    /// One technique after the other, left out or used, until no change pays.
+    fn try_single_techniques(&mut self, without: &BTreeSet<Technique>) {
+        let mut before = usize::MAX;
+        // What is large is gone through once.
+        while self.least < before && (self.is_exact || before == usize::MAX) {
+            before = self.least;
+            for (_, technique) in Technique::ALL {
+                let says_something = match technique {
+                    Technique::Articulated => {
+                        self.factors_have_a_chance() && !recursive::has_followers(self.tree)
+                    }
+                    Technique::LinkAxes | Technique::Fall => self.function.solves(),
+                    _ => true,
+                };
+                if says_something && !without.contains(&technique) {
+                    let used = self.plan.uses(technique);
+                    self.try_one(self.plan.with(technique, !used));
+                }
+            }
+        }
+    }
+
+    /// Where accelerations are solved for, and `L^T D L` would not alone need twice as much.
+    fn factors_have_a_chance(&self) -> bool {
+        self.function.solves() && solve::operations(self.tree) <= 2 * self.least
+    }
+
+    /// What the operations in the loop cost before factoring.
+    fn cost(&self, derived: &Derived) -> usize {
+        let graph = &derived.graph;
+        let uses = graph.uses(&derived.roots);
+        let in_loop = |id: &_| uses[NodeId::index(*id)] > 0 && graph.binding(*id) == Binding::State;
+        let of_node = |id| match graph.node(id) {
+            Node::Number(_) | Node::Input(_) | Node::Abs(_) => 0,
+            Node::Add(..) | Node::Mul(..) | Node::Div(..) => 1,
+            Node::Sin(_) | Node::Cos(_) => 1 + self.sine,
+        };
+        graph.ids().filter(in_loop).map(of_node).sum()
+    }
+}

@@ -1,0 +1,104 @@
+//! How large a module would be, told before any of its functions is derived.
+//!
+//! In: a tree, functions, options. Out: an error where deriving or writing them would take more time or memory than
+//! [`crate::limits`] allow.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    error::Error,
+    functions::{Argument, Request},
+    limits,
+    options::{Formulation, Options, companion::Kind},
+    recursive::{self, Technique},
+    solve,
+    tree::Tree,
+};
+
+/// How many terms of a mass matrix take the memory of one of forces.
+const ACCELERATION: usize = 8;
+
+/// Refuses what would be too large.
+///
+/// # Errors
+/// [`Error::TooLarge`], for the first limit that is passed.
+pub fn check(tree: &Tree, requests: &[Request], options: &Options) -> Result<(), Error> {
+    bound("the system has", tree.n_speeds, "speeds", limits::SPEEDS)?;
+    bound("the bodies have", tree.n_parts(), "parts", limits::PARTS)?;
+    let n_numbers = |request: &Request| request.n_numbers(tree);
+    bound_sum("write", requests, n_numbers, "numbers", limits::NUMBERS)?;
+    for request in requests {
+        check_derivation(tree, request, options)?;
+    }
+    check_companions(tree, requests, &options.companions)
+}
+
+/// Refuses files beside the module for which too much would be evaluated.
+fn check_companions(
+    tree: &Tree,
+    requests: &[Request],
+    companions: &BTreeSet<Kind>,
+) -> Result<(), Error> {
+    let evaluated = companions.iter().flat_map(|kind| kind.evaluated(requests));
+    let evaluated: Vec<Request> = evaluated.collect();
+    let terms = |request: &Request| {
+        let is_of_forces = request.arguments().contains(&Argument::U) && !request.solves();
+        request.literal_terms(tree) * if is_of_forces { ACCELERATION } else { 1 }
+    };
+    let verb = "have for the tests";
+    bound_sum(verb, &evaluated, terms, "terms", limits::EVALUATED_TERMS)
+}
+
+/// Refuses a function whose derivation alone would be too large.
+fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result<(), Error> {
+    let terms = request.literal_terms(tree);
+    let name = request.text();
+    if options.formulation == Formulation::Notes {
+        bound(
+            &format!("the notes' sums for `{name}` have"),
+            terms,
+            "terms",
+            limits::TERMS,
+        )?;
+    }
+    let is_factorised = options.formulation == Formulation::Notes
+        || options.without.contains(&Technique::Articulated)
+        || recursive::has_followers(tree);
+    if request.solves() && is_factorised {
+        let updates = solve::operations(tree);
+        bound(
+            &format!("factorising for `{name}` takes"),
+            updates,
+            "updates",
+            limits::UPDATES,
+        )?;
+    }
+    Ok(())
+}
+
+/// Refuses what functions have together.
+fn bound_sum(
+    verb: &str,
+    requests: &[Request],
+    size: impl Fn(&Request) -> usize,
+    unit: &'static str,
+    most: usize,
+) -> Result<(), Error> {
+    let largest = requests.iter().max_by_key(|request| size(request));
+    let largest = largest.map_or_else(String::new, Request::text);
+    let what = format!("the functions, `{largest}` most of all, {verb}");
+    bound(&what, requests.iter().map(size).sum(), unit, most)
+}
+
+fn bound(what: &str, found: usize, unit: &'static str, most: usize) -> Result<(), Error> {
+    if found <= most {
+        return Ok(());
+    }
+    let what = what.to_owned();
+    Err(Error::TooLarge {
+        what,
+        found,
+        unit,
+        most,
+    })
+}

@@ -1,0 +1,93 @@
+//! How a `kane.toml` says a model is read, and what it changes of it.
+
+use crate::{
+    description::{
+        Base, Chart, Reading,
+        toml_reader::{Reader, Table},
+    },
+    diagnostic::{Diagnostic, Spanned},
+    options::SNAP_TOLERANCES,
+    tree::Changes,
+};
+
+/// What a URDF or MJCF leaves to the user.
+pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
+    let base = system.get("base");
+    let base = base
+        .and_then(|item| reader.choice(item, &system.what("base"), &Base::NAMED, "unknown base"));
+    let chart = system.get("chart");
+    let chart = chart.and_then(|item| {
+        reader.choice(item, &system.what("chart"), &Chart::NAMED, "unknown chart")
+    });
+    Reading {
+        base: base.map(|base| base.value),
+        chart: chart.map(|chart| chart.value),
+    }
+}
+
+/// What is changed of the model.
+pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> Changes {
+    let before = Changes::default();
+    Changes {
+        snap: snap(reader, system).unwrap_or(before.snap),
+        lock: lock(reader, system),
+        remove: remove(reader, system),
+    }
+}
+
+fn snap(reader: &mut Reader, system: &Table<'_, '_>) -> Option<f64> {
+    let what = system.what("snap");
+    let snap = reader.number(system.get("snap")?, &what)?;
+    if SNAP_TOLERANCES.contains(&snap.value) {
+        return Some(snap.value);
+    }
+    let fault = format!(
+        "{what} is {:?}; expected at least {} and less than {}",
+        snap.value, SNAP_TOLERANCES.start, SNAP_TOLERANCES.end
+    );
+    let fault = Diagnostic::error(fault);
+    reader.faults.push(fault.at(snap.span, "no tolerance"));
+    None
+}
+
+/// In the order of the names.
+fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(String, f64)> {
+    let what = system.what("lock");
+    let table = system.get("lock");
+    let table = table.and_then(|item| reader.any_table(item, &what));
+    let entries = table.iter().flat_map(Table::entries);
+    let locked = entries.filter_map(|(name, item)| {
+        let what = format!("`{}` of {what}", name.value.escape_debug());
+        let value = reader.number(item, &what)?;
+        Some((name.value.to_owned(), value.value))
+    });
+    let mut locked: Vec<(String, f64)> = locked.collect();
+    locked.sort_by(|(one, _), (other, _)| one.cmp(other));
+    locked
+}
+
+/// Names, none of them twice.
+fn remove(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<String> {
+    let Some(item) = system.get("remove") else {
+        return Vec::new();
+    };
+    let what = system.what("remove");
+    let mut names: Vec<Spanned<String>> = Vec::new();
+    let entries = reader.list(item, &what, "names").unwrap_or_default();
+    for (index, entry) in entries.into_iter().enumerate() {
+        let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
+            continue;
+        };
+        if let Some(first) = names.iter().find(|first| first.value == name.value) {
+            let fault = format!("{what} names `{}` twice", name.value.escape_debug());
+            reader.faults.push(
+                Diagnostic::error(fault)
+                    .at(name.span, "the second one")
+                    .at(first.span, "the first one"),
+            );
+        } else {
+            names.push(name);
+        }
+    }
+    names.into_iter().map(|name| name.value).collect()
+}

@@ -1,0 +1,113 @@
+//! Functions that a `kane.toml` names, each of which is known.
+
+use crate::{
+    description::toml_reader::{Reader, Table, list, span},
+    diagnostic::{Diagnostic, Spanned, nearest},
+    functions::{Parsed, RequestError},
+    options::Functions,
+};
+
+/// Reads `functions` of a system.
+pub(super) fn read(
+    reader: &mut Reader,
+    system: &Table<'_, '_>,
+    known: &[&str],
+) -> Option<Functions> {
+    let Some(item) = system.get("functions") else {
+        return Some(Functions::Default);
+    };
+    let what = system.what("functions");
+    let entries = reader.list(item, &what, "names")?;
+    if entries.is_empty() {
+        let fault = Diagnostic::error(format!("{what} is empty"))
+            .at(span(item), "expected names, or \"all\"");
+        reader
+            .faults
+            .push(fault.help("leave `functions` out for the default set"));
+        return None;
+    }
+    let mut names: Vec<Spanned<String>> = Vec::new();
+    for (index, entry) in entries.iter().enumerate() {
+        let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
+            continue;
+        };
+        let all = name.value == "all";
+        if let Some(fault) = (!all).then(|| request_fault(&name, &what, known)).flatten() {
+            reader.faults.push(fault);
+        } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
+            let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
+            reader.faults.push(
+                fault
+                    .at(name.span, "the second one")
+                    .at(first.span, "the first one"),
+            );
+        } else {
+            names.push(name);
+        }
+    }
+    let all = names.iter().find(|name| name.value == "all");
+    match all {
+        Some(_) if entries.len() == 1 => Some(Functions::All),
+        Some(all) => {
+            let fault = Diagnostic::error(format!("{what} names functions beside `all`"));
+            reader
+                .faults
+                .push(fault.at(all.span, "this names them all"));
+            None
+        }
+        None => Some(Functions::Named(
+            names.into_iter().map(|name| name.value).collect(),
+        )),
+    }
+}
+
+/// What is wrong with the name of a function in a list or table.
+pub(super) fn request_fault(
+    name: &Spanned<String>,
+    what: &str,
+    known: &[&str],
+) -> Option<Diagnostic> {
+    let among = |part: &str| known.contains(&part);
+    let fault = match Parsed::read(&name.value) {
+        Ok(request) => {
+            let mut parts = request.functions().map(|part| part.name);
+            let name = parts.find(|part| !among(part))?.to_owned();
+            RequestError::Unknown { name }
+        }
+        Err(fault) => fault,
+    };
+    let RequestError::Unknown { name: part } = fault else {
+        return Some(part_fault(name, what, &fault));
+    };
+    let whole = if part == name.value {
+        String::new()
+    } else {
+        format!(" in `{}`", name.value.escape_debug())
+    };
+    let fault = Diagnostic::error(format!(
+        "{what} names `{}`{whole}, which is no function",
+        part.escape_debug()
+    ));
+    let help = match nearest(&part, known) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("the functions are {}", list(known)),
+    };
+    Some(fault.at(name.span, "unknown function").help(help))
+}
+
+/// What is wrong with a request of known functions, with its place in the text where that stands there as it is.
+fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Diagnostic {
+    let shown = Diagnostic::error(format!("{what}: {fault}"));
+    let Some(place) = fault.place() else {
+        return shown.at(name.span, "cannot be joined");
+    };
+    // Between two quotes of one character each, and nothing escaped.
+    let is_plain = name.span.end - name.span.start == name.value.len() + 2;
+    let start = name.span.start + 1;
+    let span = if is_plain {
+        (start + place.start..start + place.end.max(place.start + 1)).into()
+    } else {
+        name.span
+    };
+    shown.at(span, "here")
+}

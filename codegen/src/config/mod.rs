@@ -1,0 +1,62 @@
+//! `kane.toml`: which systems a repository generates.
+//!
+//! In: the file. Out: a [`Config`], every fault reported at once otherwise. Afterwards: paths are relative to the
+//! file, with `/` between folders, no two systems write one file, and every function named is known.
+//! Does not: open the files.
+
+mod budget;
+mod changes;
+mod functions;
+mod outputs;
+mod path;
+mod system;
+
+pub use system::System;
+
+pub use crate::options::{Formulation, Functions};
+
+use crate::{
+    description::toml_reader::Reader,
+    diagnostic::{Diagnostics, Source},
+};
+
+/// What a `kane.toml` asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Config {
+    /// The systems, in the order of the file.
+    pub systems: Vec<System>,
+}
+
+/// Reads a `kane.toml`; `known` are the names of the functions that can be generated.
+///
+/// ```
+/// use kane_codegen::config::{self, Functions};
+/// use kane_codegen::diagnostic::Source;
+///
+/// let text = "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"generated/arm.rs\"\nfunctions = [\"bias\"]\n";
+/// let config = config::parse(&Source::new("kane.toml", text), &["mass_matrix", "bias"]).unwrap();
+/// assert_eq!(config.systems[0].options.functions, Functions::Named(vec!["bias".to_owned()]));
+/// ```
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn parse(source: &Source, known: &[&str]) -> Result<Config, Diagnostics> {
+    let mut reader = Reader::default();
+    let document = reader.document(source);
+    let (mut systems, mut outputs) = (Vec::new(), Vec::new());
+    if !(document.is_empty() && reader.has_faults()) {
+        let root = reader.root(&document, &["system"]);
+        let item = reader.required(&root, "system", "[[system]]");
+        let items = item.and_then(|item| reader.list(item, "`system`", "tables, `[[system]]`"));
+        for (index, item) in items.unwrap_or_default().into_iter().enumerate() {
+            let (system, output) = system::read(&mut reader, item, index + 1, known);
+            systems.extend(system);
+            outputs.extend(output);
+        }
+        outputs::check(&mut reader, &outputs);
+    }
+    if reader.has_faults() {
+        return Err(Diagnostics::new(source.clone(), reader.faults.into_told()));
+    }
+    Ok(Config { systems })
+}

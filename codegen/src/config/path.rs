@@ -1,0 +1,63 @@
+//! Paths, as a `kane.toml` writes them.
+
+use std::path::{Component, Path, PathBuf};
+
+use crate::{
+    description::toml_reader::{Item, Reader},
+    diagnostic::{Diagnostic, Spanned},
+};
+
+/// A path that means the same on every machine: relative, and written with `/`.
+pub(super) fn read(reader: &mut Reader, item: &Item<'_>, what: &str) -> Option<Spanned<String>> {
+    let path = reader.string(item, what)?;
+    let fault = if path.value.is_empty() {
+        Some((format!("{what} is empty"), "expected a path"))
+    } else if path.value.chars().any(char::is_control) {
+        Some((
+            format!("{what} holds a character that cannot be shown"),
+            "expected printable characters",
+        ))
+    } else if path.value.contains('\\') {
+        Some((
+            format!("{what} holds a backslash; expected `/` between folders"),
+            "backslash",
+        ))
+    } else if path.value.starts_with('/') || path.value.chars().nth(1) == Some(':') {
+        Some((
+            format!("{what} is an absolute path; expected one relative to this file"),
+            "absolute path",
+        ))
+    } else {
+        None
+    };
+    match fault {
+        Some((fault, label)) => {
+            reader
+                .faults
+                .push(Diagnostic::error(fault).at(path.span, label));
+            None
+        }
+        None => Some(path),
+    }
+}
+
+/// The path, where `./` and `folder/../` make no difference.
+pub(super) fn clean(path: &Path) -> PathBuf {
+    let mut clean = PathBuf::new();
+    for part in path.components() {
+        let is_below = || {
+            clean
+                .components()
+                .next_back()
+                .is_some_and(|last| last != Component::ParentDir)
+        };
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if is_below() => {
+                clean.pop();
+            }
+            part => clean.push(part),
+        }
+    }
+    clean
+}

@@ -1,0 +1,148 @@
+//! One `[[system]]` of a `kane.toml`.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    budget::Budget,
+    description::toml_reader::{Item, Reader, Table},
+    diagnostic::Spanned,
+    options::{
+        Formulation, Functions, Options,
+        companion::{Abi, Kind},
+    },
+    recursive::Technique,
+};
+
+use super::{
+    budget, changes, functions,
+    outputs::{self, Output},
+    path,
+};
+
+/// One system to generate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    /// The description's path, relative to `kane.toml`.
+    pub model: Spanned<String>,
+    /// The generated file's path, relative to `kane.toml`.
+    pub output: String,
+    /// What is generated, and how.
+    pub options: Options,
+    /// How many operations its functions may need.
+    pub budget: Vec<Budget>,
+}
+
+const KEYS: [&str; 15] = [
+    "model",
+    "output",
+    "manifest",
+    "tests",
+    "abi",
+    "functions",
+    "formulation",
+    "fma",
+    "without",
+    "budget",
+    "base",
+    "chart",
+    "snap",
+    "lock",
+    "remove",
+];
+
+/// Reads a system, as far as it has no fault, and what it writes.
+pub(super) fn read(
+    reader: &mut Reader,
+    item: &Item<'_>,
+    number: usize,
+    known: &[&str],
+) -> (Option<System>, Option<Output>) {
+    let Some(table) = reader.table(item, &format!("system {number}"), &KEYS) else {
+        return (None, None);
+    };
+    let model = reader.required(&table, "model", "model = \"models/pendulum.toml\"");
+    let model = model.and_then(|item| path::read(reader, item, &table.what("model")));
+    let output = outputs::module(reader, &table);
+    let companions = companions(reader, &table);
+    let output = output.map(|module| Output::new(reader, &table, module, &companions));
+    let functions = functions::read(reader, &table, known);
+    let budget = budget::read(reader, &table, functions.as_ref(), known);
+    let options = options(reader, &table, functions, companions, output.as_ref());
+    let system = || {
+        Some(System {
+            model: model?,
+            output: output.as_ref()?.module.value.clone(),
+            options: options?,
+            budget,
+        })
+    };
+    (system(), output)
+}
+
+/// Reads the options, as far as none has a fault.
+fn options(
+    reader: &mut Reader,
+    system: &Table<'_, '_>,
+    functions: Option<Functions>,
+    companions: BTreeSet<Kind>,
+    output: Option<&Output>,
+) -> Option<Options> {
+    let reading = changes::reading(reader, system);
+    let changes = changes::changes(reader, system);
+    let formulation = formulation(reader, system);
+    let fma = truth(reader, system, "fma");
+    let without = without(reader, system);
+    Some(Options {
+        reading,
+        changes,
+        functions: functions?,
+        formulation: formulation?,
+        fma,
+        without,
+        companions,
+        module: output?.name.clone(),
+    })
+}
+
+/// False where the key is absent.
+fn truth(reader: &mut Reader, system: &Table<'_, '_>, key: &str) -> bool {
+    let item = system.get(key);
+    let value = item.and_then(|item| reader.truth(item, &system.what(key)));
+    value.unwrap_or_default()
+}
+
+fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Kind> {
+    let mut companions = BTreeSet::new();
+    for (key, kind) in [("manifest", Kind::Manifest), ("tests", Kind::Tests)] {
+        if truth(reader, system, key) {
+            companions.insert(kind);
+        }
+    }
+    let abi = system.get("abi");
+    let abi =
+        abi.and_then(|item| reader.choice(item, &system.what("abi"), &Abi::ALL, "unknown ABI"));
+    let abi = abi.map(|abi| Kind::Abi(abi.value));
+    companions.extend(abi);
+    companions
+}
+
+fn formulation(reader: &mut Reader, system: &Table<'_, '_>) -> Option<Formulation> {
+    let Some(item) = system.get("formulation") else {
+        return Some(Formulation::default());
+    };
+    let what = system.what("formulation");
+    let found = reader.choice(item, &what, &Formulation::ALL, "unknown formulation");
+    found.map(|found| found.value)
+}
+
+fn without(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Technique> {
+    let what = system.what("without");
+    let item = system.get("without");
+    let entries = item.and_then(|item| reader.list(item, &what, "names"));
+    let entries = entries.unwrap_or_default().into_iter().enumerate();
+    let names = entries.filter_map(|(index, entry)| {
+        let what = format!("entry {} of {what}", index + 1);
+        reader.choice(entry, &what, &Technique::ALL, "unknown technique")
+    });
+    names.map(|technique| technique.value).collect()
+}

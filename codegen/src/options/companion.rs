@@ -1,0 +1,108 @@
+//! What can stand beside a module, for those who ask for it: how its files are called, and what it asks of the module.
+//!
+//! Does not: write any of it; that is [`companions`](crate::companions).
+
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
+
+use crate::{
+    functions::{Function, Request},
+    tree::is_keyword,
+};
+
+/// What can stand beside a module: a file, or several that belong together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// What the module holds, for programs: sizes, names, functions with their operations.
+    Manifest,
+    /// Tests of the module.
+    Tests,
+    /// Its functions for programs in other languages.
+    Abi(Abi),
+}
+
+/// How programs in other languages call functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Abi {
+    /// As C does: `extern "C"` functions, and a header that declares them.
+    C,
+}
+
+/// The functions by which the states of tests are scaled: where mass centres are, and what forces motions take.
+pub(crate) const SCALES: [&str; 2] = ["mass_center_position", "inverse_dynamics"];
+
+/// What [`can_be_beside`] asks of a name.
+pub const EXPECTED_NAME: &str =
+    "expected ASCII letters, digits and `_`, a letter first, and no keyword of Rust";
+
+impl Abi {
+    /// All of them, with the names that they have in `kane.toml`.
+    pub const ALL: [(&str, Self); 1] = [("c", Self::C)];
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Manifest, Self::Tests, Self::Abi(Abi::C)];
+
+    /// The endings of its files.
+    pub fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Manifest => &[".json"],
+            Self::Tests => &["_tests.rs"],
+            Self::Abi(Abi::C) => &["_c.rs", ".h"],
+        }
+    }
+
+    /// What asks for it in `kane.toml`.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Manifest => "manifest = true",
+            Self::Tests => "tests = true",
+            Self::Abi(Abi::C) => "abi = \"c\"",
+        }
+    }
+
+    /// The paths of its files, where the module goes to `module`.
+    pub fn beside(self, module: &Path) -> impl Iterator<Item = PathBuf> {
+        self.endings().iter().map(|ending| beside(module, ending))
+    }
+
+    /// What is evaluated for it by the notes' equations, beside a module with these functions.
+    pub(crate) fn evaluated(self, functions: &[Request]) -> Vec<Request> {
+        match self {
+            Self::Tests => {
+                let scales = SCALES.iter().copied().filter_map(Function::find);
+                let own = functions.iter().cloned();
+                own.chain(scales.map(Request::from)).collect()
+            }
+            Self::Manifest | Self::Abi(_) => Vec::new(),
+        }
+    }
+
+    /// True where its files know the module by its name, with which names in C begin.
+    fn names_module(self) -> bool {
+        matches!(self, Self::Abi(_))
+    }
+}
+
+/// The path of a file with this ending, where the module goes to `module`.
+pub(crate) fn beside(module: &Path, ending: &str) -> PathBuf {
+    let mut name = module.file_stem().unwrap_or_default().to_owned();
+    name.push(ending);
+    module.with_file_name(name)
+}
+
+/// True where files of these kinds can stand beside a module of this name.
+pub fn can_be_beside(kinds: &BTreeSet<Kind>, name: &str) -> bool {
+    !kinds.iter().any(|kind| kind.names_module()) || is_of_c(name)
+}
+
+/// True for a name with which those in C can begin.
+fn is_of_c(name: &str) -> bool {
+    let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    name.starts_with(|first: char| first.is_ascii_alphabetic())
+        && name.chars().all(is_of_name)
+        && !is_keyword(name)
+}

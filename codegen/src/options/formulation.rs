@@ -1,0 +1,22 @@
+//! Which of the equations' forms is asked for.
+
+/// Which of the equations' forms to generate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Formulation {
+    /// For each function whichever needs fewer operations.
+    #[default]
+    Cheapest,
+    /// The notes' equations as they stand.
+    Notes,
+    /// Sums over bodies re-associated along the tree.
+    Recursive,
+}
+
+impl Formulation {
+    /// All of them, with the names that they have in `kane.toml`.
+    pub const ALL: [(&str, Self); 3] = [
+        ("cheapest", Self::Cheapest),
+        ("notes", Self::Notes),
+        ("recursive", Self::Recursive),
+    ];
+}

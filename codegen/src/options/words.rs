@@ -1,0 +1,72 @@
+//! Options in words, as they stand in the banner.
+//!
+//! Afterwards: options with the same words give the same module, and the same options have the same words however they were
+//! given.
+
+use crate::{
+    description::{Base, Chart, Reading},
+    functions::Parsed,
+    recursive::Technique,
+    tree::Changes,
+};
+
+use super::{Formulation, Functions, Options};
+
+impl Options {
+    /// All that can influence the module. What is written beside it cannot.
+    pub(crate) fn in_words(&self) -> String {
+        let Self {
+            reading: Reading { base, chart },
+            changes: Changes { snap, lock, remove },
+            functions,
+            formulation,
+            fma,
+            without,
+            companions: _,
+            module: _,
+        } = self;
+        let mut parts = vec![
+            format!("functions: {}", functions_in_words(functions)),
+            format!("formulation: {}", name_of(formulation, &Formulation::ALL)),
+            format!("snap: {:?}", snap + 0.0),
+        ];
+        let base = base.map(|base| name_of(&base, &Base::NAMED));
+        parts.extend(base.map(|base| format!("base: {base}")));
+        let chart = chart.map(|chart| name_of(&chart, &Chart::NAMED));
+        parts.extend(chart.map(|chart| format!("chart: {chart}")));
+        // Quoted with their escapes, so that no name leaves the comment or imitates another option.
+        let locked = lock.iter();
+        let locked = locked.map(|(name, value)| format!("{name:?} = {:?}", value + 0.0));
+        parts.extend(listed("lock", locked.collect()));
+        let removed = remove.iter().map(|name| format!("{name:?}"));
+        parts.extend(listed("remove", removed.collect()));
+        let without = without.iter();
+        let without = without.map(|one| name_of(one, &Technique::ALL).to_owned());
+        parts.extend(listed("without", without.collect()));
+        parts.extend(fma.then(|| "fma: true".to_owned()));
+        parts.join("; ")
+    }
+}
+
+fn functions_in_words(functions: &Functions) -> String {
+    match functions {
+        Functions::Default => "default".to_owned(),
+        Functions::All => "all".to_owned(),
+        Functions::Named(_) => {
+            let named = functions.requests();
+            let named: Vec<String> = named.iter().map(Parsed::text).collect();
+            named.join(", ")
+        }
+    }
+}
+
+/// A part that lists something, in an order of its own; none where the list is empty.
+fn listed(part: &str, mut list: Vec<String>) -> Option<String> {
+    list.sort();
+    (!list.is_empty()).then(|| format!("{part}: {}", list.join(", ")))
+}
+
+fn name_of<T: PartialEq>(value: &T, choices: &[(&'static str, T)]) -> &'static str {
+    let found = choices.iter().find(|(_, choice)| choice == value);
+    found.expect("options: every choice has a name").0
+}

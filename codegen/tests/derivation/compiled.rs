@@ -1,0 +1,69 @@
+//! Models of this repository, compiled, and their functions evaluated.
+#![allow(
+    clippy::unwrap_used,
+    reason = "functions of tests, which clippy takes for others"
+)]
+
+use std::{collections::BTreeMap, fs};
+
+use kane_codegen::{
+    compile::{self, Options},
+    config::Functions,
+    description::{self, Reading, no_includes},
+    diagnostic::Source,
+    emit::Emittable,
+    expr::Input,
+    passes::sines,
+    tree::{self, Tree},
+};
+
+/// The model at a path of the repository.
+pub(crate) fn read(path: &str, reading: &Reading) -> Tree {
+    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    built(path, text, reading)
+}
+
+/// The model that a text describes.
+pub(crate) fn built(name: &str, text: String, reading: &Reading) -> Tree {
+    let description = description::read(&Source::new(name, text), reading, &no_includes);
+    tree::build(&description).unwrap().tree
+}
+
+/// Numbers between -1 and 1 without a pattern; quaternions need not be of length one for what is compared.
+pub(crate) fn input(tree: &Tree, given: Input) -> f64 {
+    let (kind, place) = match given {
+        Input::Q(id) => (1.0, id.index()),
+        Input::U(id) => (2.0, id.index()),
+        Input::UDot(id) => (3.0, id.index()),
+        Input::Tau(id) => (4.0, id.index()),
+        Input::Sine(place) => {
+            let angle = sines::angles(tree)[place].coordinate;
+            return libm::sin(input(tree, Input::Q(angle)));
+        }
+        Input::Cosine(place) => {
+            let angle = sines::angles(tree)[place].coordinate;
+            return libm::cos(input(tree, Input::Q(angle)));
+        }
+        Input::Parameter(id) => return tree.parameters[id.index()].nominal,
+        other => unreachable!("{other:?} is no argument of these functions"),
+    };
+    libm::sin(12.9 * f64::from(u32::try_from(place).unwrap()) + 7.3 * kind + 0.4)
+}
+
+/// The functions of a module that is asked for these, as they are asked for, with their values.
+pub(crate) fn compiled(tree: &Tree, names: &[&str]) -> BTreeMap<String, (Emittable, Vec<f64>)> {
+    let options = Options {
+        functions: Functions::Named(names.iter().map(ToString::to_string).collect()),
+        ..Options::default()
+    };
+    let compiled = compile::compile(tree, &options).unwrap();
+    let prepared = compiled.preparation.evaluate(|given| input(tree, given));
+    let evaluated = compiled.functions.into_iter().map(|emittable| {
+        let values = emittable.program.evaluate(|given| match given {
+            Input::Prepared(place) => prepared[place],
+            given => input(tree, given),
+        });
+        (emittable.function.text(), (emittable, values))
+    });
+    evaluated.collect()
+}

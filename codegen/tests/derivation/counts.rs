@@ -1,0 +1,254 @@
+//! Operation counts, pinned: a change that raises one explains itself.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::{fmt::Write as _, fs};
+
+use crate::compiled::read;
+use kane_codegen::{
+    compile::{self, Options},
+    config::{Formulation, Functions},
+    description::{Base, Chart, Reading, toml},
+    diagnostic::Source,
+    functions::CATALOGUE,
+    program::Operations,
+    tree::{self, Tree},
+};
+
+const NAMED: [&str; 6] = [
+    "generalized_forces",
+    "mass_matrix",
+    "forcing",
+    "bias",
+    "inverse_dynamics",
+    "forward_dynamics",
+];
+
+fn model(path: &str) -> Tree {
+    read(path, &Reading::default())
+}
+
+fn counts(
+    tree: &Tree,
+    functions: Functions,
+    formulation: Formulation,
+) -> Vec<(String, Operations)> {
+    let compiled = compile::compile(
+        tree,
+        &Options {
+            functions,
+            formulation,
+            ..Options::default()
+        },
+    )
+    .unwrap();
+    compiled
+        .functions
+        .iter()
+        .map(|emittable| (emittable.function.name(), emittable.operations))
+        .collect()
+}
+
+fn dynamics(tree: &Tree, formulation: Formulation) -> Vec<(String, Operations)> {
+    let names = NAMED.iter().map(ToString::to_string).collect();
+    let mut counts = counts(tree, Functions::Named(names), formulation);
+    counts.retain(|(name, _)| name != "q_dot");
+    counts
+}
+
+fn table(counts: &[(String, Operations)]) -> String {
+    counts
+        .iter()
+        .fold(String::new(), |mut text, (name, operations)| {
+            writeln!(text, "{name}: {operations}").unwrap();
+            text
+        })
+}
+
+#[test]
+fn robots() {
+    let mut text = String::new();
+    let mut robot = |name: &str, base: Option<Base>, chart: Option<Chart>| {
+        let path = format!("tests/robots/{name}/{name}.urdf");
+        let tree = read(&path, &Reading { base, chart });
+        let chart = match chart {
+            Some(Chart::Angles) => ", floating by angles",
+            Some(Chart::Quaternion) => ", floating by a quaternion",
+            None => "",
+        };
+        let counts = dynamics(&tree, Formulation::Cheapest);
+        write!(text, "{name}{chart}\n{}", table(&counts)).unwrap();
+    };
+    for name in ["double_pendulum", "ur5", "panda"] {
+        robot(name, None, None);
+    }
+    for name in ["solo12", "talos"] {
+        for chart in [Chart::Quaternion, Chart::Angles] {
+            robot(name, Some(Base::Free), Some(chart));
+        }
+    }
+    insta::assert_snapshot!(text);
+}
+
+/// A chain of free bodies with all numbers different from one another and from zero.
+fn chain(n: usize) -> Tree {
+    let lower: Vec<String> = (0..n).map(|k| k.to_string()).collect();
+    let mut text = format!(
+        "name = \"chain\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = [{}]\n",
+        lower.join(", ")
+    );
+    for k in 1..=n {
+        write!(
+            text,
+            "[[body]]\nname = \"b{k}\"\nmass = {k}.5\nmass_center = [0.1{k}, 0.2{k}, 0.3{k}]\n\
+             inertia = {{ xx = 1.1{k}, yy = 1.2{k}, zz = 1.3{k}, xy = 0.01{k}, xz = 0.02{k}, yz = 0.03{k} }}\n\
+             attachment = [0.4{k}, 0.5{k}, 0.6{k}]\njoint = \"free\"\n"
+        )
+        .unwrap();
+    }
+    tree::build(&toml::parse(&Source::new("chain.toml", text)))
+        .unwrap()
+        .tree
+}
+
+#[test]
+fn eight_free_bodies_literally() {
+    insta::assert_snapshot!(table(&dynamics(
+        &model("models/eight_body.toml"),
+        Formulation::Notes
+    )));
+}
+
+#[test]
+fn eight_free_bodies_along_the_tree() {
+    insta::assert_snapshot!(table(&dynamics(
+        &model("models/eight_body.toml"),
+        Formulation::Recursive
+    )));
+}
+
+#[test]
+fn eight_free_bodies_every_function() {
+    insta::assert_snapshot!(table(&counts(
+        &model("models/eight_body.toml"),
+        Functions::All,
+        Formulation::Cheapest
+    )));
+}
+
+#[test]
+fn the_smallest_systems() {
+    for name in ["pendulum", "cart_pole"] {
+        let tree = model(&format!("codegen/tests/models/{name}.toml"));
+        insta::assert_snapshot!(name, table(&dynamics(&tree, Formulation::Cheapest)));
+    }
+}
+
+#[test]
+fn eight_free_bodies_stay_below_their_limits() {
+    let tree = model("models/eight_body.toml");
+    let limits = [
+        (Formulation::Notes, "mass_matrix", 9500),
+        (Formulation::Notes, "forcing", 5300),
+        (Formulation::Recursive, "mass_matrix", 4200),
+        (Formulation::Recursive, "bias", 2500),
+        (Formulation::Recursive, "inverse_dynamics", 2600),
+        (Formulation::Recursive, "forward_dynamics", 15500),
+    ];
+    for (formulation, function, limit) in limits {
+        let counts = dynamics(&tree, formulation);
+        let (_, operations) = counts.iter().find(|(name, _)| *name == function).unwrap();
+        assert!(
+            operations.total() <= limit,
+            "{function} {formulation:?}: {operations}"
+        );
+    }
+}
+
+#[test]
+fn the_cheapest_is_never_dearer_than_either_formulation() {
+    for path in [
+        "models/eight_body.toml",
+        "codegen/tests/models/pendulum.toml",
+        "codegen/tests/models/cart_pole.toml",
+    ] {
+        let tree = model(path);
+        let cheapest = dynamics(&tree, Formulation::Cheapest);
+        for formulation in [Formulation::Notes, Formulation::Recursive] {
+            for ((name, best), (_, other)) in cheapest.iter().zip(dynamics(&tree, formulation)) {
+                assert!(
+                    best.total() <= other.total(),
+                    "{path} {name}: {best} against {other}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn bias_and_inverse_dynamics_are_linear_in_the_bodies_of_a_chain() {
+    for function in ["bias", "inverse_dynamics"] {
+        let count = |n| {
+            let functions = Functions::Named(vec![function.to_owned()]);
+            let counts = counts(&chain(n), functions, Formulation::Recursive);
+            counts
+                .iter()
+                .find(|(name, _)| *name == function)
+                .unwrap()
+                .1
+                .total()
+        };
+        let per_body = count(5) - count(4);
+        for n in [2, 3, 4, 8, 16, 32] {
+            assert_eq!(
+                count(n + 1) - count(n),
+                per_body,
+                "{function}: body {} of a chain",
+                n + 1
+            );
+        }
+    }
+}
+
+#[test]
+fn runtime_parameters_leave_the_loop_nearly_as_it_is() {
+    let text = fs::read_to_string(format!(
+        "{}/../models/eight_body.toml",
+        env!("CARGO_MANIFEST_DIR")
+    ))
+    .unwrap();
+    let runtime = |line: &str| {
+        let is_parameter = ["mass", "inertia", "attachment"]
+            .iter()
+            .any(|key| line.starts_with(key));
+        if !is_parameter {
+            return line.to_owned();
+        }
+        let mut out = String::new();
+        for word in line.split_inclusive([' ', ',', ']']) {
+            let number = word
+                .trim_start_matches('[')
+                .trim_end_matches([' ', ',', ']']);
+            if number.parse::<f64>().is_ok() {
+                out.push_str(&word.replace(number, &format!("{{ runtime = {number} }}")));
+            } else {
+                out.push_str(word);
+            }
+        }
+        out
+    };
+    let text: Vec<String> = text.lines().map(runtime).collect();
+    let tree = tree::build(&toml::parse(&Source::new("runtime.toml", text.join("\n"))))
+        .unwrap()
+        .tree;
+    assert_eq!(tree.parameters.len(), 8 * (1 + 3 + 6 + 3));
+    insta::assert_snapshot!(table(&dynamics(&tree, Formulation::Recursive)));
+}
+
+#[test]
+fn the_catalogue_names_each_function_once() {
+    let mut names: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), CATALOGUE.len());
+}

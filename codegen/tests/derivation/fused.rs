@@ -1,0 +1,215 @@
+//! Several functions in one: the same numbers, with the work that they share done once.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::{fmt::Write as _, fs};
+
+use kane_codegen::{
+    compile::{self, Options},
+    config::{self, Functions},
+    description::{Base, Reading, no_includes},
+    diagnostic::Source,
+    emit::Emittable,
+    functions::{Formulation, Parsed, Request, RequestError},
+    generate::generate,
+    program::Operations,
+    tree::Tree,
+};
+use kane_test_support::compare::{Tolerance, assert_close};
+
+use crate::compiled::{compiled, input, read};
+
+/// What control loops ask for together.
+const JOINED: [&str; 5] = [
+    "mass_matrix+bias",
+    "mass_matrix+bias+gravity_forces",
+    "inverse_dynamics+forward_dynamics",
+    "rotation+mass_center_position+mass_matrix+bias",
+    "kinetic_energy+potential_energy",
+];
+
+/// Models with hinges and sliders, joints of several angles, quaternions, followers, runtime values.
+fn models() -> Vec<(&'static str, Tree)> {
+    let robot = |path: &'static str, base| {
+        let reading = Reading {
+            base: Some(base),
+            chart: None,
+        };
+        (path, read(path, &reading))
+    };
+    let own = |path: &'static str| (path, read(path, &Reading::default()));
+    vec![
+        own("codegen/tests/models/cart_pole.toml"),
+        own("codegen/tests/models/pendulum.toml"),
+        own("models/eight_body.toml"),
+        own("tests/robots/gripper/gripper.urdf"),
+        robot("tests/robots/panda/panda.urdf", Base::Fixed),
+        robot("tests/robots/solo12/solo12.urdf", Base::Free),
+    ]
+}
+
+/// One function alone, with its values.
+fn alone(tree: &Tree, name: &str) -> (Emittable, Vec<f64>) {
+    compiled(tree, &[name]).remove(name).unwrap()
+}
+
+#[test]
+fn outputs_are_those_of_the_separate_functions_in_the_order_asked_for() {
+    for (model, tree) in models() {
+        for joined in JOINED {
+            let (_, found) = alone(&tree, joined);
+            let parts = joined.split('+');
+            let expected: Vec<f64> = parts.flat_map(|part| alone(&tree, part).1).collect();
+            let at = format!("{model} {joined}");
+            assert_close(
+                at,
+                &found,
+                &expected,
+                Tolerance::relative_beyond(1.0, 1e-12),
+            );
+        }
+    }
+}
+
+#[test]
+fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
+    for (model, tree) in models() {
+        for formulation in [Formulation::Notes, Formulation::Recursive] {
+            for joined in JOINED {
+                let evaluated = |text: &str| {
+                    let derived = Request::parse(text).unwrap().derive(
+                        &tree,
+                        formulation,
+                        &kane_codegen::recursive::Plan::full(&tree),
+                    );
+                    derived
+                        .graph
+                        .evaluate(&derived.roots, |given| input(&tree, given))
+                };
+                let expected: Vec<f64> = joined.split('+').flat_map(evaluated).collect();
+                assert_eq!(evaluated(joined), expected, "{model} {joined}");
+            }
+        }
+    }
+}
+
+#[test]
+fn shared_work_is_done_once() {
+    for (model, tree) in models() {
+        for joined in JOINED {
+            let whole = alone(&tree, joined).0.operations;
+            let (mut sum, mut most) = (Operations::default(), Operations::default());
+            for part in joined.split('+') {
+                let part = alone(&tree, part).0.operations;
+                sum += part;
+                most.trig = most.trig.max(part.trig);
+            }
+            // A sine costs more than another operation; alone, a part may take one more to save others.
+            let cost = |operations: Operations| operations.total() + 10 * operations.trig;
+            let shares = sum.trig > most.trig;
+            assert!(
+                cost(whole) < cost(sum) || !shares,
+                "{model} {joined}: {whole} of {sum}"
+            );
+            assert!(cost(whole) <= cost(sum), "{model} {joined}");
+            assert_eq!(whole.trig, most.trig, "{model} {joined}: one sine an angle");
+        }
+    }
+}
+
+#[test]
+fn operations_of_robots() {
+    let mut text = String::new();
+    for (model, tree) in models().into_iter().skip(2) {
+        for joined in JOINED {
+            let whole = alone(&tree, joined).0.operations;
+            let separate = joined.split('+').map(|part| {
+                let (emittable, _) = alone(&tree, part);
+                emittable.operations.total()
+            });
+            let separate: usize = separate.sum();
+            let name = model.rsplit('/').next().unwrap();
+            writeln!(text, "{name} {joined}: {whole}; apart {separate}").unwrap();
+        }
+    }
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn a_cart_pole_s_mass_matrix_and_bias_in_one() {
+    let path = format!("{}/tests/models/cart_pole.toml", env!("CARGO_MANIFEST_DIR"));
+    let source = Source::new("cart_pole.toml", fs::read_to_string(path).unwrap());
+    let options = Options {
+        functions: Functions::Named(vec!["mass_matrix+bias".to_owned()]),
+        ..Options::default()
+    };
+    let module = generate(&source, "models/cart_pole.toml", &options, &no_includes).unwrap();
+    let names: Vec<&str> = module.functions.iter().map(|(name, _)| &**name).collect();
+    assert_eq!(names, ["q_dot", "mass_matrix_and_bias"]);
+    assert!(module.source.contains("functions: mass_matrix+bias;"));
+    let start = module.source.find("/// `mass_matrix`").unwrap();
+    insta::assert_snapshot!(module.source[start..]);
+}
+
+#[test]
+fn outputs_that_share_a_name_with_one_another_or_an_argument_go_by_their_functions() {
+    let names = |text: &str| -> Vec<String> {
+        let outputs = Request::parse(text).unwrap().outputs();
+        outputs.into_iter().map(|output| output.name).collect()
+    };
+    assert_eq!(names("mass_matrix+bias"), ["m", "bias"]);
+    assert_eq!(
+        names("kinetic_energy+potential_energy"),
+        ["kinetic_energy", "potential_energy"]
+    );
+    assert_eq!(
+        names("inverse_dynamics+forward_dynamics"),
+        ["inverse_dynamics", "forward_dynamics"]
+    );
+    assert_eq!(
+        names("q_dot+bias+gravity_forces+generalized_forces"),
+        ["q_dot", "bias", "gravity_forces", "generalized_forces"]
+    );
+}
+
+#[test]
+fn arguments_are_those_of_all_parts_in_the_order_of_every_function() {
+    let request = Request::parse("forward_dynamics+inverse_dynamics+forcing").unwrap();
+    let names: Vec<&str> = request.arguments().iter().map(|a| a.name()).collect();
+    assert_eq!(names, ["q", "u", "u_dot", "tau", "loads"]);
+}
+
+#[test]
+fn what_cannot_be_joined_is_refused() {
+    let error = |text: &str| Request::parse(text).unwrap_err();
+    assert!(matches!(error("mass+bias"), RequestError::Unknown { name } if name == "mass"));
+    assert!(matches!(error("bias+"), RequestError::Unknown { name } if name.is_empty()));
+    assert!(matches!(error("bias+bias"), RequestError::Repeated { name, .. } if name == "bias"));
+    let compact = error("bias+partial_velocity");
+    assert!(matches!(compact, RequestError::Compact { name, .. } if name == "partial_velocity"));
+    let options = Options {
+        functions: Functions::Named(vec!["bias+bias".to_owned()]),
+        ..Options::default()
+    };
+    let tree = read("models/cart_pole.toml", &Reading::default());
+    let error = compile::compile(&tree, &options).unwrap_err();
+    assert_eq!(error.to_string(), "`bias+bias` names `bias` twice");
+}
+
+#[test]
+fn the_order_in_which_functions_are_listed_does_not_matter() {
+    let names = |list: &[&str]| -> Vec<String> {
+        let functions = Functions::Named(list.iter().map(ToString::to_string).collect());
+        functions.requests().iter().map(Parsed::text).collect()
+    };
+    let expected = [
+        "mass_matrix",
+        "bias",
+        "mass_matrix+bias",
+        "bias+mass_matrix",
+    ];
+    let reversed: Vec<&str> = expected.into_iter().rev().collect();
+    assert_eq!(names(&reversed), expected);
+    assert_eq!(names(&expected), expected);
+    assert!(config::Functions::Default.requests().is_empty());
+}

@@ -1,0 +1,333 @@
+//! What each technique of the recursion is worth: limits that counts stay below, the gain of each technique on each system,
+//! and on random trees that none costs more than it saves.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::{collections::BTreeSet, fmt::Write as _, fs, thread};
+
+use crate::compiled::read;
+use kane_codegen::{
+    compile,
+    description::{Base, Reading, toml},
+    diagnostic::Source,
+    expr::Input,
+    functions::{Formulation, Request},
+    geometry,
+    program::Operations,
+    recursive::{Plan, Technique},
+    tree::{self, Tree},
+};
+use kane_test_support::compare::{Tolerance, assert_close};
+use kane_test_support::systems::{self, RandomSystem, Sizes, Style};
+
+const FUNCTIONS: [&str; 3] = ["inverse_dynamics", "mass_matrix", "forward_dynamics"];
+
+fn robot(name: &str, base: Base) -> Tree {
+    read(
+        &format!("tests/robots/{name}/{name}.urdf"),
+        &Reading {
+            base: Some(base),
+            chart: None,
+        },
+    )
+}
+
+fn eight_bodies() -> Tree {
+    read("models/eight_body.toml", &Reading::default())
+}
+
+/// A row of modified Denavit-Hartenberg parameters: alpha, d, r of `Rx(alpha) Tx(d) Rz(theta) Tz(r)`, rad, m.
+type Row = [f64; 3];
+
+const RIGHT: f64 = std::f64::consts::FRAC_PI_2;
+
+const RX_90: [Row; 6] = [
+    [0.0, 0.0, 0.0],
+    [RIGHT, 0.0, 0.0],
+    [0.0, 0.45, 0.0],
+    [-RIGHT, 0.0, 0.45],
+    [RIGHT, 0.0, 0.0],
+    [-RIGHT, 0.0, 0.0],
+];
+
+const PUMA_560: [Row; 6] = [
+    [0.0, 0.0, 0.0],
+    [-RIGHT, 0.0, 0.2435],
+    [0.0, 0.4318, -0.0934],
+    [RIGHT, -0.0203, 0.4331],
+    [-RIGHT, 0.0, 0.0],
+    [RIGHT, 0.0, 0.0],
+];
+
+fn generic_6r() -> [Row; 6] {
+    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(|i| [0.3 + 0.1 * i, 0.2 + 0.01 * i, 0.3])
+}
+
+/// Neighbouring axes at right angles to one another, and none in one point.
+fn chain_of_64() -> Vec<Row> {
+    let row = |k: u32| {
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        [sign * RIGHT, 0.2 + 0.01 * f64::from(k), 0.3]
+    };
+    let first = [[0.0; 3]];
+    first.into_iter().chain((1..64).map(row)).collect()
+}
+
+/// Revolute bodies of ten inertial parameters each, no two alike.
+fn arm(rows: &[Row]) -> Tree {
+    let lower: Vec<String> = (0..rows.len()).map(|k| k.to_string()).collect();
+    let mut text = format!(
+        "name = \"arm\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [{}]\n",
+        lower.join(", ")
+    );
+    for (k, [alpha, d, r]) in rows.iter().enumerate() {
+        let axes = geometry::body_fixed_123([*alpha, 0.0, 0.0]);
+        let [x, y, z] = axes[2].map(|along| along * r);
+        let attachment = [x + d, y, z];
+        let vary = |base: f64, step: f64| base + step * ((k * 7 + 3) % 11) as f64;
+        write!(
+            text,
+            "[[body]]\nname = \"b{k}\"\nmass = {:?}\nmass_center = {:?}\n\
+             inertia = {{ xx = {:?}, yy = {:?}, zz = {:?}, xy = {:?}, xz = {:?}, yz = {:?} }}\n\
+             attachment = {attachment:?}\nattachment_rotation = {axes:?}\njoint = [\"theta3\"]\n",
+            vary(1.5, 0.13),
+            [vary(0.05, 0.007), vary(-0.08, 0.011), vary(0.11, -0.004)],
+            vary(0.31, 0.017),
+            vary(0.37, 0.013),
+            vary(0.29, 0.019),
+            vary(0.021, 0.001),
+            vary(-0.017, 0.0015),
+            vary(0.013, -0.0011),
+        )
+        .unwrap();
+    }
+    tree::build(&toml::parse(&Source::new("arm.toml", text)))
+        .unwrap()
+        .tree
+}
+
+fn request(name: &str) -> Request {
+    Request::parse(name).unwrap()
+}
+
+fn count(tree: &Tree, function: &str, without: &[Technique]) -> Operations {
+    let without: BTreeSet<Technique> = without.iter().copied().collect();
+    let formulation = Formulation::Recursive;
+    let choice = compile::of_formulation(tree, &request(function), formulation, &without);
+    compile::operations(&choice.derived)
+}
+
+/// The most multiplications and additions of inverse dynamics with base parameters: what is known of other generators, or
+/// better.
+#[test]
+fn arms_of_dense_bodies_stay_below_their_limits() {
+    for (name, rows, mul, add) in [
+        ("RX-90", RX_90, 243, 225),
+        ("PUMA 560", PUMA_560, 269, 253),
+        ("generic 6R", generic_6r(), 412, 347),
+    ] {
+        let counted = count(&arm(&rows), "inverse_dynamics", &[]);
+        assert!(
+            counted.mul <= mul && counted.add <= add,
+            "{name}: {counted}"
+        );
+    }
+}
+
+#[test]
+fn systems_stay_below_their_limits() {
+    let limits = [
+        ("panda", robot("panda", Base::Fixed), [600, 345, 1150]),
+        ("ur5", robot("ur5", Base::Fixed), [375, 180, 645]),
+        ("solo12", robot("solo12", Base::Free), [1250, 820, 3000]),
+        ("talos", robot("talos", Base::Free), [3650, 3500, 8000]),
+        ("eight free bodies", eight_bodies(), [1950, 3400, 5000]),
+    ];
+    for (name, tree, limits) in limits {
+        for (function, limit) in FUNCTIONS.into_iter().zip(limits) {
+            let counted = count(&tree, function, &[]);
+            assert!(counted.total() <= limit, "{name}, {function}: {counted}");
+        }
+    }
+    let chain = arm(&chain_of_64());
+    for (function, limit) in [("inverse_dynamics", 7400), ("forward_dynamics", 18_700)] {
+        let counted = count(&chain, function, &[]);
+        assert!(
+            counted.total() <= limit,
+            "chain of 64, {function}: {counted}"
+        );
+    }
+}
+
+/// How many per cent more operations there are without each technique.
+#[test]
+fn every_technique_has_its_gain() {
+    let systems = [
+        ("RX-90", arm(&RX_90)),
+        ("PUMA 560", arm(&PUMA_560)),
+        ("generic 6R", arm(&generic_6r())),
+        ("ur5", robot("ur5", Base::Fixed)),
+        ("panda", robot("panda", Base::Fixed)),
+        ("solo12", robot("solo12", Base::Free)),
+        ("talos", robot("talos", Base::Free)),
+        ("eight_body", eight_bodies()),
+    ];
+    let mut text = String::new();
+    for function in FUNCTIONS {
+        let rows: Vec<String> = thread::scope(|scope| {
+            let counted = systems.iter().map(|(name, tree)| {
+                scope.spawn(move || format!("| {name} {}", gains(tree, function)))
+            });
+            let counted: Vec<_> = counted.collect();
+            counted.into_iter().map(|row| row.join().unwrap()).collect()
+        });
+        let names: Vec<&str> = Technique::ALL.iter().map(|(name, _)| *name).collect();
+        writeln!(
+            text,
+            "{function}\n\n| | all | none | {} |\n|---|---|---|{}\n{}\n",
+            names.join(" | "),
+            "---|".repeat(names.len()),
+            rows.join("\n")
+        )
+        .unwrap();
+    }
+    let all: BTreeSet<Technique> = Technique::ALL.iter().map(|(_, one)| *one).collect();
+    assert_eq!(all.len(), Technique::ALL.len());
+    let page = format!("{}/../docs/performance.md", env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(page).unwrap();
+    for row in text.lines().filter(|line| line.starts_with("| ")) {
+        assert!(page.contains(row), "docs/performance.md has not: {row}");
+    }
+    for (name, tree) in &systems {
+        let counts = FUNCTIONS.map(|function| count(tree, function, &[]).total().to_string());
+        let rows = page
+            .lines()
+            .map(|line| line.split('|').map(str::trim).collect::<Vec<_>>());
+        // Ours stand before each of CasADi's.
+        let mut compared = rows.filter(|cells| cells.len() == 9 && cells[1] == *name);
+        let shows = compared.any(|cells| counts == [cells[2], cells[4], cells[6]]);
+        assert!(
+            shows,
+            "docs/performance.md does not compare {name}: {counts:?}"
+        );
+    }
+    insta::assert_snapshot!(text);
+}
+
+fn gains(tree: &Tree, function: &str) -> String {
+    let all = count(tree, function, &[]).total();
+    let every = Technique::ALL.map(|(_, technique)| technique);
+    let none = count(tree, function, &every).total();
+    let mut row = format!("| {all} | {none} ");
+    for technique in every {
+        let more = count(tree, function, &[technique]).total() as f64 / all as f64 - 1.0;
+        let shown = if more == 0.0 {
+            String::new()
+        } else {
+            format!("{:+.1} %", 100.0 * more)
+        };
+        write!(row, "| {shown} ").unwrap();
+    }
+    row + "|"
+}
+
+/// Angles so small, beside a right one or alone, that their cosine rounds to one and their sine does not vanish.
+#[test]
+fn axes_that_lean_by_less_than_a_cosine_shows_are_not_taken_for_upright() {
+    for lean in [5e-9, 4.9e-12] {
+        let around = [
+            geometry::body_fixed_123([0.7, 0.0, RIGHT - lean]),
+            geometry::body_fixed_123([lean, 0.0, 0.0]),
+            geometry::body_fixed_123([0.0, lean, 0.0]),
+        ];
+        for (rotation, joint) in around.into_iter().zip(["s2", "theta3", "theta3"]) {
+            let mut text = String::from(
+                "name = \"leaning\"\ngravity = [0.3, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n",
+            );
+            for (k, joint) in ["theta3", joint, "theta3"].into_iter().enumerate() {
+                write!(
+                    text,
+                    "[[body]]\nname = \"b{k}\"\nmass = 1.5\nmass_center = [0.1, 0.2, 0.3]\n\
+                     inertia = {{ xx = 0.15, yy = 0.06, zz = 0.17, xy = 0.01, xz = 0.02, yz = 0.0 }}\n\
+                     attachment = [0.3, 0.1, 0.2]\nattachment_rotation = {rotation:?}\njoint = [\"{joint}\"]\n"
+                )
+                .unwrap();
+            }
+            let description = toml::parse(&Source::new("leaning.toml", text));
+            let changes = tree::Changes {
+                snap: 0.0,
+                ..tree::Changes::default()
+            };
+            let tree = tree::build_with(&description, &changes).unwrap().tree;
+            agrees_with_the_notes(&tree);
+        }
+    }
+}
+
+fn agrees_with_the_notes(tree: &Tree) {
+    for function in ["mass_matrix", "bias", "forward_dynamics", "gravity_forces"] {
+        let request = request(function);
+        let state = |input: Input| match input {
+            Input::Q(id) => 0.3 + 0.4 * id.index() as f64,
+            Input::U(id) => 1.0 - 0.3 * id.index() as f64,
+            Input::Tau(id) => 0.2 + 0.5 * id.index() as f64,
+            other => unreachable!("{other:?} is no input of these"),
+        };
+        let values = |formulation, plan: &Plan| {
+            let derived = request.derive(tree, formulation, plan);
+            derived.graph.evaluate(&derived.roots, state)
+        };
+        let expected = values(Formulation::Notes, &Plan::plain(tree));
+        for plan in [Plan::plain(tree), Plan::full(tree)] {
+            let found = values(Formulation::Recursive, &plan);
+            // Some hundred roundings, and a condition below a thousand.
+            assert_close(function, &found, &expected, Tolerance::relative(1e-12));
+        }
+    }
+}
+
+/// Of two hundred trees.
+#[test]
+fn no_technique_raises_a_count_that_it_is_meant_to_lower() {
+    let check = |seed: u64| {
+        let sizes = Sizes {
+            bodies: usize::try_from(seed % 5 + 1).unwrap(),
+            speeds: 10,
+        };
+        let style = if seed.is_multiple_of(2) {
+            Style::Plain
+        } else {
+            Style::Framed
+        };
+        let system = RandomSystem::new(1000 + seed, sizes, style);
+        let tree = systems::tree(&system.toml()).unwrap();
+        for function in FUNCTIONS {
+            let request = request(function);
+            let best = compile::cheapest(&tree, &request, &BTreeSet::new());
+            let count = |plan: &Plan| {
+                let derived = compile::candidate(&tree, &request, Formulation::Recursive, plan);
+                compile::operations(&derived).total()
+            };
+            let least = count(&best);
+            for (name, technique) in Technique::ALL {
+                if best.uses(technique) {
+                    let without = count(&best.with(technique, false));
+                    assert!(
+                        least <= without,
+                        "seed {seed}, {function}: {least} with `{name}`, {without} without"
+                    );
+                }
+            }
+            let plain = count(&Plan::plain(&tree));
+            assert!(
+                least <= plain,
+                "seed {seed}, {function}: {least}, plain {plain}"
+            );
+        }
+    };
+    thread::scope(|scope| {
+        for first in 0..4 {
+            scope.spawn(move || (first..200).step_by(4).for_each(check));
+        }
+    });
+}

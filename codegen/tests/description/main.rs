@@ -1,0 +1,17 @@
+//! Reading: from the text of a model or of `kane.toml` to a tree, or to what is wrong with it.
+
+mod config;
+mod converted;
+mod diagnostic;
+mod invalid;
+mod invalid_mjcf;
+mod mass;
+mod mjcf;
+mod mjcf_files;
+mod mjcf_geometry;
+mod mjcf_reference;
+mod mjcf_support;
+mod snapping;
+mod toml;
+mod tree;
+mod urdf;

@@ -1,0 +1,252 @@
+//! MJCF becomes the description that MuJoCo means: orientations, and masses of shapes, against formulas of their own.
+
+use std::f64::consts::PI;
+
+use crate::mjcf_support::{
+    SAME, Vector, attachment_rotation, close, elementary, number, only, oriented, product,
+    transposed, vector,
+};
+
+#[test]
+fn axis_and_angle_turn_as_rodrigues_says() {
+    let body = only("", "<body axisangle=\"2 -1 2 40\"/>");
+    let [x, y, z] = [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0];
+    let (s, c) = libm::sincos(40.0 * PI / 180.0);
+    let cross = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
+    let square = product(&cross, &cross);
+    let expected = [0, 1, 2]
+        .map(|i| [0, 1, 2].map(|j| SAME[i][j] + s * cross[i][j] + (1.0 - c) * square[i][j]));
+    oriented(&body, &expected);
+    let radian = only(
+        "<compiler angle=\"radian\"/>",
+        "<body axisangle=\"2 -1 2 0.6981317007977318\"/>",
+    );
+    oriented(&radian, &expected);
+    // The same as a quaternion, three times as long.
+    let (s, c) = libm::sincos(20.0 * PI / 180.0);
+    let [x, y, z] = [x, y, z].map(|entry| 3.0 * s * entry);
+    oriented(
+        &only("", &format!("<body quat=\"{} {x} {y} {z}\"/>", 3.0 * c)),
+        &expected,
+    );
+}
+
+#[test]
+fn euler_angles_turn_in_any_sequence() {
+    let [a, b, c] = [0.3, -0.8, 1.9];
+    for sequence in ["xyz", "zyx", "XYZ", "ZXY", "zXz", "xYx", "XyZ", "zzX"] {
+        let mut expected = SAME;
+        for (letter, angle) in sequence.chars().zip([a, b, c]) {
+            let turn = elementary(letter.to_ascii_lowercase(), angle);
+            expected = if letter.is_ascii_lowercase() {
+                product(&expected, &turn)
+            } else {
+                product(&turn, &expected)
+            };
+        }
+        let compiler = format!("<compiler angle=\"radian\" eulerseq=\"{sequence}\"/>");
+        let body = only(&compiler, &format!("<body euler=\"{a} {b} {c}\"/>"));
+        oriented(&body, &expected);
+    }
+}
+
+#[test]
+fn two_axes_are_made_orthogonal() {
+    let body = only("", "<body xyaxes=\"0 2 0 3 1 0\"/>");
+    let [x, y, z] = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]];
+    assert_eq!(attachment_rotation(&body), [x, y, z]);
+}
+
+#[test]
+fn z_axis_is_reached_by_the_least_rotation() {
+    let body = only("", "<body zaxis=\"1 2 -2\"/>");
+    let rotation = attachment_rotation(&body);
+    close(&rotation[2], &[1.0 / 3.0, 2.0 / 3.0, -2.0 / 3.0]);
+    // The angle of a rotation follows from the trace; here it is that between the two axes.
+    let trace = rotation[0][0] + rotation[1][1] + rotation[2][2];
+    close(&[(trace - 1.0) / 2.0], &[-2.0 / 3.0]);
+    close(
+        product(&rotation, &transposed(&rotation)).as_flattened(),
+        SAME.as_flattened(),
+    );
+    let down = attachment_rotation(&only("", "<body zaxis=\"0 0 -2\"/>"));
+    assert_eq!(down, [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]);
+}
+
+#[test]
+fn right_angles_leave_no_crumbs() {
+    let quarter = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    for orientation in [
+        "euler=\"0 0 90\"",
+        "euler=\"0 0 -270\"",
+        "euler=\"0 0 450\"",
+        "axisangle=\"0 0 3 90\"",
+        "quat=\"0.707107 0 0 0.707107\"",
+        "xyaxes=\"0 7 0 -3 0 0\"",
+    ] {
+        let body = only("", &format!("<body {orientation}/>"));
+        assert_eq!(attachment_rotation(&body), quarter, "{orientation}");
+    }
+    let none = only("", "<body euler=\"0 0 360\"/>");
+    assert_eq!(none.joint.attachment_rotation, None);
+}
+
+#[test]
+fn geom_has_the_mass_of_its_shape() {
+    let geom = |attributes: &str| {
+        let body = only("", &format!("<body><geom {attributes}/></body>"));
+        let mut numbers = vec![number(body.mass)];
+        numbers.extend(vector(body.mass_center));
+        numbers.extend(body.inertia.map(number));
+        assert_eq!(body.inertia_rotation, None);
+        numbers
+    };
+    let about = |mass: f64, moments: Vector| {
+        let mut numbers = vec![mass, 0.0, 0.0, 0.0];
+        numbers.extend(moments.map(|moment| mass * moment));
+        numbers.extend([0.0; 3]);
+        numbers
+    };
+    let sphere = 4.0 / 3.0 * PI * 8.0 * 1000.0;
+    close(&geom("size=\"2\""), &about(sphere, [1.6; 3]));
+    close(
+        &geom("size=\"2\" mass=\"3\" density=\"7\""),
+        &about(3.0, [1.6; 3]),
+    );
+    close(
+        &geom("type=\"box\" size=\"1 2 3\" density=\"2\""),
+        &about(96.0, [13.0 / 3.0, 10.0 / 3.0, 5.0 / 3.0]),
+    );
+    close(
+        &geom("type=\"ellipsoid\" size=\"1 2 3\" density=\"1\""),
+        &about(8.0 * PI, [13.0 / 5.0, 10.0 / 5.0, 5.0 / 5.0]),
+    );
+    close(
+        &geom("type=\"cylinder\" size=\"1 2\" density=\"1\""),
+        &about(4.0 * PI, [(3.0 + 16.0) / 12.0, (3.0 + 16.0) / 12.0, 0.5]),
+    );
+    // Turned by a right angle, and at a place: the tensor follows, and no corner of it is left over.
+    let mut turned = about(96.0, [5.0 / 3.0, 10.0 / 3.0, 13.0 / 3.0]);
+    turned[1..4].copy_from_slice(&[4.0, 5.0, 6.0]);
+    close(
+        &geom("type=\"box\" size=\"1 2 3\" density=\"2\" pos=\"4 5 6\" euler=\"0 90 0\""),
+        &turned,
+    );
+}
+
+#[test]
+fn capsule_is_the_sum_of_its_slices() {
+    let (radius, half): (f64, f64) = (0.3, 0.7);
+    let body = only(
+        "",
+        "<body><geom type=\"capsule\" size=\"0.3 0.7\" density=\"1\"/></body>",
+    );
+    let (mut mass, mut along, mut across) = (0.0, 0.0, 0.0);
+    let slices = 200_000;
+    let height = 2.0 * (half + radius) / f64::from(slices);
+    for slice in 0..slices {
+        let z = (f64::from(slice) + 0.5) * height - half - radius;
+        let beyond = (z.abs() - half).max(0.0);
+        let square = radius * radius - beyond * beyond;
+        let disc = PI * square * height;
+        mass += disc;
+        along += disc * square / 2.0;
+        across += disc * (square / 4.0 + z * z);
+    }
+    let found = [
+        number(body.mass),
+        number(body.inertia[0]),
+        number(body.inertia[2]),
+    ];
+    for (found, expected) in found.iter().zip([mass, across, along]) {
+        assert!(
+            (found / expected - 1.0).abs() < 1e-8,
+            "{found}, expected {expected}"
+        );
+    }
+}
+
+#[test]
+fn geoms_of_a_body_are_one_solid() {
+    // Two points, nearly, at 1 and 4 on a line: a mass of 3 at 3, with 1 · 2² + 2 · 1² about it.
+    let body = only(
+        "",
+        "<body>
+           <geom size=\"1e-9\" pos=\"1 0 0\" mass=\"1\"/>
+           <geom size=\"1e-9\" pos=\"4 0 0\" mass=\"2\"/>
+           <geom size=\"9\" mass=\"0\"/>
+         </body>",
+    );
+    assert_eq!(number(body.mass), 3.0);
+    assert_eq!(vector(body.mass_center), [3.0, 0.0, 0.0]);
+    close(&body.inertia.map(number), &[0.0, 6.0, 6.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn segment_places_a_geom() {
+    let body = only(
+        "",
+        "<body><geom type=\"cylinder\" size=\"0.1 9\" fromto=\"1 0 1 1 4 1\" pos=\"9 9 9\" mass=\"12\"/></body>",
+    );
+    assert_eq!(vector(body.mass_center), [1.0, 2.0, 1.0]);
+    let across = 3.0 * 0.01 + 16.0;
+    close(
+        &body.inertia.map(number),
+        &[across, 0.06, across, 0.0, 0.0, 0.0],
+    );
+}
+
+#[test]
+fn inertial_keeps_its_own_axes() {
+    let body = only(
+        "",
+        "<body>
+           <inertial pos=\"1 2 3\" euler=\"90 0 0\" mass=\"4\" diaginertia=\"5 6 7\"/>
+           <geom size=\"1\"/>
+         </body>",
+    );
+    assert_eq!(number(body.mass), 4.0);
+    assert_eq!(vector(body.mass_center), [1.0, 2.0, 3.0]);
+    assert_eq!(body.inertia.map(number), [5.0, 6.0, 7.0, 0.0, 0.0, 0.0]);
+    let axes = body.inertia_rotation.unwrap().value;
+    assert_eq!(axes, [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]);
+    let full = only(
+        "",
+        "<body><inertial pos=\"0 0 0\" mass=\"1\" fullinertia=\"5 6 7 0.1 0.2 0.3\"/></body>",
+    );
+    assert_eq!(full.inertia.map(number), [5.0, 6.0, 7.0, 0.1, 0.2, 0.3]);
+}
+
+#[test]
+fn settings_say_when_geoms_count() {
+    let body = "<body>
+        <inertial pos=\"0 0 0\" mass=\"4\" diaginertia=\"5 6 7\"/>
+        <geom size=\"1\" mass=\"2\" group=\"1\"/>
+        <geom size=\"1\" mass=\"1\" group=\"3\"/>
+      </body>";
+    let mass = |compiler: &str| number(only(compiler, body).mass);
+    assert_eq!(mass(""), 4.0);
+    assert_eq!(mass("<compiler inertiafromgeom=\"true\"/>"), 3.0);
+    assert_eq!(
+        mass("<compiler inertiafromgeom=\"true\" inertiagrouprange=\"0 2\"/>"),
+        2.0
+    );
+    assert_eq!(
+        mass("<compiler inertiafromgeom=\"true\" inertiagrouprange=\"4 5\"/>"),
+        4.0
+    );
+    let bare = only(
+        "<compiler inertiafromgeom=\"false\"/>",
+        "<body><geom size=\"1\"/></body>",
+    );
+    assert_eq!(number(bare.mass), 0.0);
+}
+
+#[test]
+fn own_orientation_stands_for_the_inherited_one() {
+    let body = only(
+        "<default><geom type=\"box\" size=\"1 2 3\" mass=\"3\" euler=\"90 0 0\"/></default>",
+        "<body><geom zaxis=\"0 0 1\"/></body>",
+    );
+    close(&body.inertia.map(number), &[13.0, 10.0, 5.0, 0.0, 0.0, 0.0]);
+}

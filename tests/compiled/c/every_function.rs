@@ -1,0 +1,286 @@
+//! Every function, in both precisions, called from C and from Rust by programs written from the manifest.
+
+use std::{fmt::Write as _, fs, process::Command};
+
+use kane_test_support::systems::trees;
+use serde_json::Value;
+
+use super::{C, WARNINGS, bits, folder, headers, run};
+
+const MANIFEST: &str = r#"
+[workspace]
+
+[package]
+name = "every"
+version = "0.0.0"
+edition = "2021"
+
+[lib]
+crate-type = ["staticlib", "rlib"]
+
+[dependencies]
+kane = { path = "KANE", default-features = false }
+"#;
+
+/// Both programs fill arguments without a pattern, and without rounding in either precision.
+const RUST: &str = r#"
+use every::claw::{self, NB, NQ, NU, Parameters, Prepared, SinCos};
+use kane::{Load, Real};
+
+trait Numbers { fn print(&self); }
+impl Numbers for f64 { fn print(&self) { print!(" {self:?}") } }
+impl Numbers for f32 { fn print(&self) { print!(" {:?}", f64::from(*self)) } }
+impl<T: Numbers, const N: usize> Numbers for [T; N] {
+    fn print(&self) { self.iter().for_each(Numbers::print) }
+}
+
+fn entries<R: Real, const N: usize>(kind: usize) -> [R; N] {
+    core::array::from_fn(|place| entry(kind as i64, place as i64))
+}
+
+fn entry<R: Real>(kind: i64, place: i64) -> R {
+    R::from_f64(((7 * place + 5 * kind) % 17 - 8) as f64 / 8.0)
+}
+
+fn all<R: Real + Numbers>() {
+    let p = Prepared::new(&CHANGED);
+    let (q, u, u_dot, tau): ([R; NQ], [R; NU], [R; NU], [R; NU]) = (entries(0), entries(1), entries(2), entries(3));
+    let w_rel: [[R; 3]; NB] = core::array::from_fn(|body| core::array::from_fn(|i| entry(4, (3 * body + i) as i64)));
+    let loads: [Load<R>; NB] = core::array::from_fn(|body| Load {
+        force: core::array::from_fn(|i| entry(5, (3 * body + i) as i64)),
+        moment: core::array::from_fn(|i| entry(6, (3 * body + i) as i64)),
+    });
+    let zero = R::from_f64(0.0);
+    let mut sin_cos = SinCos { sines: [zero; claw::NA], cosines: [zero; claw::NA] };
+    claw::sin_cos(&p, &q, &mut sin_cos);
+CALLS}
+
+fn main() {
+    all::<f64>();
+    all::<f32>();
+}
+"#;
+
+const C_BEGINNING: &str = r#"
+#include <stdio.h>
+#include "claw.h"
+
+static double entry(long kind, long place)
+{
+    return ((7 * place + 5 * kind) % 17 - 8) / 8.0;
+}
+"#;
+
+/// `SCALAR` and `REAL` are the names of a precision.
+const C_ALL: &str = r#"
+static void fill_SCALAR(long kind, long n, REAL *entries)
+{
+    for (long place = 0; place < n; place++) {
+        entries[place] = (REAL)entry(kind, place);
+    }
+}
+
+static void print_SCALAR(long n, const REAL *values)
+{
+    for (long i = 0; i < n; i++) {
+        printf(" %.17g", (double)values[i]);
+    }
+}
+
+static void all_SCALAR(void)
+{
+    claw_parameters_SCALAR parameters;
+    claw_nominal_SCALAR(&parameters);
+    CHANGED
+    claw_prepared_SCALAR p;
+    claw_prepare_SCALAR(&parameters, &p);
+    REAL q[CLAW_NQ], u[CLAW_NU], u_dot[CLAW_NU], tau[CLAW_NU], w_rel[3 * CLAW_NB];
+    fill_SCALAR(0, CLAW_NQ, q);
+    fill_SCALAR(1, CLAW_NU, u);
+    fill_SCALAR(2, CLAW_NU, u_dot);
+    fill_SCALAR(3, CLAW_NU, tau);
+    fill_SCALAR(4, 3 * CLAW_NB, w_rel);
+    kane_load_SCALAR loads[CLAW_NB];
+    for (long place = 0; place < 3 * CLAW_NB; place++) {
+        loads[place / 3].force[place % 3] = (REAL)entry(5, place);
+        loads[place / 3].moment[place % 3] = (REAL)entry(6, place);
+    }
+    claw_sines_cosines_SCALAR sin_cos;
+    claw_sin_cos_SCALAR(&p, q, &sin_cos);
+CALLS}
+"#;
+
+const C_MAIN: &str = r"
+int main(void)
+{
+    all_f64();
+    all_f32();
+    return 0;
+}
+";
+
+#[test]
+fn every_function_gives_c_the_bits_of_rust() {
+    compare("every_function", headers::CLAW, Some("int_mass"));
+}
+
+#[test]
+#[expect(
+    clippy::print_stdout,
+    reason = "what was compared, for `tests/trees.sh`"
+)]
+fn every_function_of_random_trees_gives_c_the_bits_of_rust() {
+    let (mut n_trees, mut n_numbers) = (0, 0);
+    for system in trees::first(trees::count(2)) {
+        n_numbers += compare("random", &system.toml(), None);
+        n_trees += 1;
+    }
+    println!("{n_trees} trees from C: {n_numbers} numbers of each compiler have the bits of Rust");
+}
+
+/// Compiles and runs both programs for a model, one parameter of it changed where it is named. Returns how many numbers are
+/// the same.
+fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
+    let folder = folder(name);
+    let source = folder.join("src");
+    fs::create_dir_all(&source).unwrap();
+    let generated = headers::module("claw", model);
+    let files = generated.files(&source.join("claw.rs"));
+    for (path, text) in &files {
+        fs::write(path, text).unwrap();
+    }
+    let manifest = files.iter().find(|(path, _)| path.ends_with("claw.json"));
+    let manifest: Value = serde_json::from_str(manifest.unwrap().1).unwrap();
+    let functions = manifest["functions"].as_array().unwrap().iter();
+    let functions: Vec<Function<'_>> = functions.map(Function::read).collect();
+    let kane = env!("CARGO_MANIFEST_DIR").replace('\\', "/");
+    fs::write(folder.join("Cargo.toml"), MANIFEST.replace("KANE", &kane)).unwrap();
+    fs::write(source.join("lib.rs"), "pub mod claw;\npub mod claw_c;\n").unwrap();
+    fs::write(source.join("main.rs"), rust_program(&functions, changed)).unwrap();
+    fs::write(source.join("main.c"), c_program(&functions, changed)).unwrap();
+
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--offline"]).current_dir(&folder);
+    // Beside the folder, which is emptied: the runtime is compiled once.
+    let target = folder.with_extension("target");
+    run(cargo
+        .env("CARGO_TARGET_DIR", &target)
+        .env("CARGO_PROFILE_DEV_DEBUG", "0")
+        .env("RUSTFLAGS", "--deny warnings"));
+    let expected = run(&mut Command::new(target.join("debug/every")));
+    let expected: Vec<_> = expected.lines().map(bits).collect();
+    // Of the joined functions one has three outputs and one two.
+    assert_eq!(expected.len(), 2 * (functions.len() + 3));
+    for compiler in C {
+        let program = folder.join(compiler);
+        let mut command = Command::new(compiler);
+        command.args(WARNINGS).args(["-std=c99", "-o"]);
+        command.args([
+            &program,
+            &source.join("main.c"),
+            &target.join("debug/libevery.a"),
+        ]);
+        run(command.args(["-lm", "-lpthread", "-ldl"]));
+        let printed = run(&mut Command::new(program));
+        let printed: Vec<_> = printed.lines().map(bits).collect();
+        for (printed, expected) in printed.iter().zip(&expected) {
+            assert_eq!(printed, expected, "{compiler}");
+        }
+        assert_eq!(printed.len(), expected.len());
+    }
+    expected.iter().map(|(_, numbers)| numbers.len()).sum()
+}
+
+/// A function as the manifest has it.
+struct Function<'a> {
+    name: &'a str,
+    arguments: Vec<&'a str>,
+    outputs: Vec<(&'a str, Vec<u64>)>,
+}
+
+impl<'a> Function<'a> {
+    fn read(function: &'a Value) -> Self {
+        let list = |value: &'a Value| value.as_array().unwrap().iter();
+        let outputs = list(&function["outputs"]).map(|output| {
+            let shape = list(&output["shape"]).map(|length| length.as_u64().unwrap());
+            (output["name"].as_str().unwrap(), shape.collect())
+        });
+        let arguments = list(&function["arguments"]).map(|name| name.as_str().unwrap());
+        Self {
+            name: function["name"].as_str().unwrap(),
+            arguments: arguments.collect(),
+            outputs: outputs.collect(),
+        }
+    }
+}
+
+fn rust_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
+    let mut calls = String::new();
+    for Function {
+        name,
+        arguments,
+        outputs,
+    } in functions
+    {
+        let mut passed: Vec<String> = arguments.iter().map(|name| format!("&{name}")).collect();
+        let (mut declared, mut printed) = (String::new(), String::new());
+        for (output, shape) in outputs {
+            let zeros = shape.iter().rev().fold("zero".to_owned(), |zeros, length| {
+                format!("[{zeros}; {length}]")
+            });
+            write!(declared, "let mut {output}_ = {zeros}; ").unwrap();
+            write!(
+                printed,
+                "print!(\"{name}.{output}\"); {output}_.print(); println!(); "
+            )
+            .unwrap();
+            passed.push(format!("&mut {output}_"));
+        }
+        let passed = passed.join(", ");
+        writeln!(calls, "    {declared}claw::{name}({passed}); {printed}").unwrap();
+    }
+    let nominal = "Parameters::default()".to_owned();
+    let changed = changed.map_or(nominal, |name| {
+        format!("Parameters {{ {name}: R::from_f64(2.5), ..Parameters::default() }}")
+    });
+    RUST.replace("CALLS", &calls).replace("CHANGED", &changed)
+}
+
+fn c_program(functions: &[Function<'_>], changed: Option<&str>) -> String {
+    let mut calls = String::new();
+    for Function {
+        name,
+        arguments,
+        outputs,
+    } in functions
+    {
+        let passed = arguments.iter().map(|name| match *name {
+            "p" | "sin_cos" => format!("&{name}"),
+            array => array.to_owned(),
+        });
+        let mut passed: Vec<String> = passed.collect();
+        let (mut declared, mut printed) = (String::new(), String::new());
+        for (output, shape) in outputs {
+            let size: u64 = shape.iter().product();
+            // C has no array without entries.
+            write!(declared, "REAL {output}_[{}]; ", size.max(1)).unwrap();
+            write!(
+                printed,
+                "printf(\"{name}.{output}\"); print_SCALAR({size}, {output}_); printf(\"\\n\"); "
+            )
+            .unwrap();
+            passed.push(format!("{output}_"));
+        }
+        let passed = passed.join(", ");
+        writeln!(
+            calls,
+            "    {{ {declared}claw_{name}_SCALAR({passed}); {printed}}}"
+        )
+        .unwrap();
+    }
+    let changed = changed.map_or_else(String::new, |name| format!("parameters.{name} = 2.5;"));
+    let all = C_ALL.replace("CALLS", &calls).replace("CHANGED", &changed);
+    let [double, single] = [("f64", "double"), ("f32", "float")]
+        .map(|(scalar, real)| all.replace("SCALAR", scalar).replace("REAL", real));
+    [C_BEGINNING, &double, &single, C_MAIN].concat()
+}

@@ -1,0 +1,10 @@
+//! Robots, compiled, against other software and against one another.
+
+mod changes;
+mod charts;
+mod common;
+mod joined;
+mod lanes;
+mod mujoco;
+mod multiply_add;
+mod pinocchio;

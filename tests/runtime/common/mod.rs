@@ -1,0 +1,11 @@
+//! Systems small enough to write by hand.
+
+mod cart_pole;
+mod gimbal;
+mod oscillator;
+mod pendulum;
+
+pub(crate) use cart_pole::CartPole;
+pub(crate) use gimbal::Gimbal;
+pub(crate) use oscillator::Oscillator;
+pub(crate) use pendulum::Pendulum;

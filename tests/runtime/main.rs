@@ -1,0 +1,15 @@
+//! The runtime: the scalar and its lanes, batches, integration, checks, charts, and the traits of systems.
+
+#[cfg(feature = "eight_body")]
+mod batch;
+#[cfg(feature = "std")]
+mod chart;
+mod checked;
+mod common;
+mod integrate;
+#[cfg(feature = "wide")]
+mod lanes;
+mod real;
+#[cfg(feature = "simulate")]
+mod simulate;
+mod system;

@@ -1,0 +1,66 @@
+//! How far two models of one system differ.
+
+use kane_codegen::functions::{CATALOGUE, Function};
+
+use super::{
+    model::Model,
+    numbering::renumbered_output,
+    quantities::{mass_matrix, worst},
+    state::State,
+    topology::has_mimics,
+};
+use crate::{
+    compare::{larger, largest, relative, relative_to, size_of},
+    numeric::{Matrix, condition},
+};
+
+/// The largest difference of pivots, each relative to itself and to the condition number: a pivot is the reciprocal of a
+/// diagonal entry of a leading block's inverse, which rounding of the block moves by its condition.
+pub fn pivot_error(m: &Matrix, found: &[f64], expected: &[f64]) -> f64 {
+    let error = |(found, expected): (&f64, &f64)| (found - expected) / expected;
+    worst(found.iter().zip(expected).map(error)) / condition(m)
+}
+
+/// The largest relative difference of two models of one system, over all functions that `both` have; with its function.
+///
+/// Forward dynamics is compared through the mass matrix (see [`forward_dynamics_undoes_inverse_dynamics`](super::forces::forward_dynamics_undoes_inverse_dynamics)), bias and inverse
+/// dynamics relative to the mass matrix as well, for theirs are sums of terms of its size, and the forces of loads relative to
+/// the loads' largest moment arm, which is that of the partial velocities.
+pub fn disagreement(
+    a: &dyn Model,
+    b: &dyn Model,
+    both: impl Fn(&Function) -> bool,
+    state: &State,
+) -> (f64, &'static str) {
+    let other = state.renumbered(a.tree(), b.tree());
+    let m = mass_matrix(a, state);
+    let mut most = (0.0, "no function");
+    for function in CATALOGUE.iter().filter(|function| both(function)) {
+        let expected = a.evaluate(function.name, state);
+        let found = b.evaluate(function.name, &other);
+        let found = renumbered_output(function, &found, b.tree(), a.tree());
+        let error = match function.name {
+            "forward_dynamics" => {
+                let left: Vec<f64> = expected.iter().zip(&found).map(|(a, b)| a - b).collect();
+                size_of(m.norm() * larger(largest(&expected), 1.0), &m.times(&left))
+            }
+            // Joints that follow one another couple branches, whose order is then that of elimination: only the product of
+            // all pivots does not depend on it.
+            "forward_dynamics_pivots" if has_mimics(a.tree()) => {
+                let logarithm = |pivots: &[f64]| pivots.iter().map(|pivot| pivot.ln()).sum::<f64>();
+                (logarithm(&found) - logarithm(&expected)).abs() / condition(&m)
+            }
+            "forward_dynamics_pivots" => pivot_error(&m, &found, &expected),
+            // Sums of terms of the mass matrix's size.
+            "bias" | "gravity_forces" | "inverse_dynamics" | "forcing" | "linear_momentum"
+            | "angular_momentum" | "potential_energy" => {
+                relative_to(larger(largest(&expected), m.norm()), &found, &expected)
+            }
+            _ => relative(&found, &expected),
+        };
+        if error > most.0 || error.is_nan() {
+            most = (error, function.name);
+        }
+    }
+    most
+}

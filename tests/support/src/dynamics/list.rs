@@ -1,0 +1,47 @@
+//! The identities with their tolerances, each as a test.
+
+/// A test for every identity. Where it stands, `EXACT` and `DIFFERENTIATED` are its
+/// tolerances, and `hold(tolerance, identity)` tries an identity on all systems.
+#[macro_export]
+macro_rules! test_every_identity {
+    () => {
+        $crate::test_every_identity! {
+            forces,
+            mass_matrix_is_symmetric: 0.0;
+            packed_mass_matrix_is_the_lower_triangle: EXACT;
+            mass_matrix_is_positive_definite: EXACT;
+            inverse_dynamics_is_linear: EXACT;
+            forward_dynamics_undoes_inverse_dynamics: EXACT;
+            forcing_is_loads_less_bias: EXACT;
+            generalized_forces_are_projected_loads: EXACT;
+            inverse_dynamics_is_newton_euler: EXACT;
+            gravity_forces_hold_the_weight: EXACT;
+        }
+        $crate::test_every_identity! {
+            energies,
+            power_is_the_rate_of_energy: DIFFERENTIATED;
+            bias_follows_from_the_energies: DIFFERENTIATED;
+            bias_at_rest_is_the_gradient_of_potential_energy: DIFFERENTIATED;
+            energies_and_momenta_are_sums_over_bodies: EXACT;
+            momenta_of_a_floating_tree_change_by_external_loads: DIFFERENTIATED;
+        }
+        $crate::test_every_identity! {
+            kinematics,
+            velocities_are_rates_of_positions: DIFFERENTIATED;
+            accelerations_are_rates_of_velocities: DIFFERENTIATED;
+            partial_velocities_make_velocities: DIFFERENTIATED;
+            rotations_are_rotations: EXACT;
+            positions_are_those_of_the_description: EXACT;
+            angle_rates_undo_relative_angular_velocity: EXACT;
+            singularity_is_the_cosine_of_the_second_angle: EXACT;
+            rates_of_coordinates_follow_from_the_speeds: EXACT;
+            normalized_quaternions_have_length_one: EXACT;
+        }
+    };
+    ($module:ident, $($name:ident: $tolerance:expr;)+) => {$(
+        #[test]
+        fn $name() {
+            hold($tolerance, $crate::dynamics::$module::$name);
+        }
+    )+};
+}

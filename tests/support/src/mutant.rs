@@ -1,0 +1,69 @@
+//! Modules with one token changed.
+
+/// What a token becomes: a sign, or another operation.
+const CHANGES: [(&str, &str); 4] = [
+    (" + ", " - "),
+    (" - ", " + "),
+    (" * ", " + "),
+    ("= -", "= "),
+];
+
+/// A module that is wrong in one place.
+#[derive(Clone, Debug)]
+pub struct Mutant {
+    pub module: String,
+    /// The line that is wrong.
+    pub line: String,
+    /// Where in the module its token begins.
+    pub place: usize,
+}
+
+impl Mutant {
+    /// The function that is wrong, alone: its name and text.
+    pub fn function(&self) -> (&str, &str) {
+        const BEGINNING: &str = "\npub fn ";
+        const END: &str = "\n}\n";
+        let start = self.module[..self.place].rfind(BEGINNING).unwrap_or(0);
+        let end = self.module[self.place..].find(END).unwrap_or(0);
+        let text = &self.module[start..self.place + end + END.len()];
+        let name = text[BEGINNING.len()..].split('<').next();
+        (name.unwrap_or_default(), text)
+    }
+}
+
+/// The module with one token of one function changed.
+pub fn mutant(module: &str, seed: u64) -> Mutant {
+    let start = module.find("pub fn ").unwrap_or(0);
+    let places: Vec<(usize, &str, &str)> = CHANGES
+        .iter()
+        .flat_map(|&(from, to)| {
+            let found = module.match_indices(from);
+            found.map(move |(place, _)| (place, from, to))
+        })
+        .filter(|&(place, ..)| place > start && is_statement(line_at(module, place)))
+        .collect();
+    let chosen = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 33;
+    let chosen = usize::try_from(chosen).unwrap_or(0) % places.len();
+    let (place, from, to) = places[chosen];
+    let mut text = module.to_owned();
+    text.replace_range(place..place + from.len(), to);
+    let line = line_at(&text, place).trim().to_owned();
+    Mutant {
+        module: text,
+        line,
+        place,
+    }
+}
+
+fn line_at(text: &str, place: usize) -> &str {
+    let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
+    let end = text[place..]
+        .find('\n')
+        .map_or(text.len(), |end| place + end);
+    &text[start..end]
+}
+
+/// True for a line of a function's body.
+fn is_statement(line: &str) -> bool {
+    line.starts_with("    ") && !line.trim_start().starts_with("//")
+}

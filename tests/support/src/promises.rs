@@ -1,0 +1,147 @@
+//! What holds of any text whatever that is given to a reader, and of what is generated from it.
+//!
+//! Fuzzing asserts it of what it invents, tests of what fuzzing found.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "what asserts stops where something does not hold"
+)]
+
+use std::io;
+
+use kane_codegen::compile::Options;
+use kane_codegen::description::{self, Description, Reading, toml};
+use kane_codegen::diagnostic::{Diagnostic, Diagnostics, Source, SourceFile};
+use kane_codegen::error::Error;
+use kane_codegen::generate::{Generated, generate};
+use kane_codegen::tree::{self, Changes, canonical};
+
+use crate::shown::steers;
+
+/// Stands between the files of one text: the model, then those that it may include, as `1.xml`, `2.xml` and so on.
+pub const BETWEEN_FILES: char = '\0';
+
+/// A text as a model and the files that it may include.
+#[derive(Debug)]
+pub struct Files<'t> {
+    pub model: Source,
+    others: Vec<&'t str>,
+}
+
+impl<'t> Files<'t> {
+    pub fn new(name: &str, text: &'t str) -> Self {
+        let mut files = text.split(BETWEEN_FILES);
+        Self {
+            model: Source::new(name, files.next().unwrap_or_default()),
+            others: files.collect(),
+        }
+    }
+
+    fn include(&self, path: &str) -> io::Result<String> {
+        let number = path.strip_suffix(".xml").and_then(|path| path.parse().ok());
+        let number = number.and_then(|number: usize| number.checked_sub(1));
+        let file = number.and_then(|number| self.others.get(number));
+        let file = file.ok_or(io::ErrorKind::NotFound)?;
+        Ok((*file).to_owned())
+    }
+}
+
+/// A model is read and checked, or told what is wrong with it, in places that it has, in characters that can be shown; a
+/// model that is right is the same when it is written in our own format and read again.
+pub fn reading(files: &Files<'_>, reading: Reading) {
+    let description = description::read(&files.model, &reading, &|path| files.include(path));
+    places_lie_in_the_files(&description.source, &description.faults);
+    match tree::build_with(&description, &Changes::default()) {
+        Ok(checked) => {
+            assert!(!checked.warnings.has_error());
+            can_be_shown(&checked.warnings);
+            is_the_same_written(&description, &canonical(&checked.tree));
+        }
+        Err(faults) => {
+            assert!(faults.has_error());
+            can_be_shown(&faults);
+        }
+    }
+}
+
+fn places_lie_in_the_files(source: &Source, faults: &[Diagnostic]) {
+    for (span, _) in faults.iter().flat_map(|fault| &fault.labels) {
+        let lies_in = |file: &SourceFile| {
+            let place = |at: usize| at.checked_sub(file.base());
+            let (start, end) = (place(span.start), place(span.end));
+            // The end of a file is a place, too; of what is missing there.
+            start.zip(end).is_some_and(|(start, end)| {
+                start <= end && start <= file.text().len() && end <= file.text().len() + 1
+            })
+        };
+        assert!(source.files().any(lies_in), "{span:?} lies in no file");
+    }
+}
+
+fn can_be_shown(findings: &Diagnostics) {
+    places_lie_in_the_files(findings.source(), findings.list());
+    let text = findings.to_string();
+    assert!(findings.is_empty() || !text.is_empty());
+    assert_eq!(text.chars().find(|c| steers(*c)), None, "{text:?}");
+}
+
+fn is_the_same_written(description: &Description, tree: &str) {
+    let text = toml::write(description).unwrap();
+    let again = toml::parse(&Source::new("written.toml", text.clone()));
+    assert_eq!(toml::write(&again).unwrap(), text);
+    let built = tree::build(&again).unwrap_or_else(|faults| panic!("{faults}"));
+    assert_eq!(canonical(&built.tree), tree);
+}
+
+/// A module is generated, and each of its files is what it should be; or it is told why not.
+pub fn generating(files: &Files<'_>, options: &Options) {
+    let include = |path: &str| files.include(path);
+    match generate(&files.model, "model", options, &include) {
+        Ok(generated) => is_code(&generated, options),
+        Err(Error::Invalid(faults)) => can_be_shown(&faults),
+        Err(error) => {
+            let text = error.to_string();
+            assert!(!text.contains(|c| c == '\n' || steers(c)), "{text:?}");
+        }
+    }
+}
+
+/// The functions asked for, in texts that can be parsed.
+fn is_code(generated: &Generated, options: &Options) {
+    can_be_shown(&generated.warnings);
+    let names: Vec<&str> = generated
+        .functions
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
+    let asked = options.functions.requests();
+    // How functions of frames are called, the model says.
+    let asked = asked.iter().filter_map(|asked| asked.of_any_model().ok());
+    let missing = asked
+        .map(|asked| asked.name())
+        .find(|name| !names.contains(&name.as_str()));
+    assert_eq!(missing, None);
+    let module = syn::parse_file(&generated.source).unwrap();
+    let functions = module.items.iter().filter_map(|item| match item {
+        syn::Item::Fn(function) => Some(function.sig.ident.to_string()),
+        _ => None,
+    });
+    let functions: Vec<String> = functions.collect();
+    let missing = names
+        .iter()
+        .find(|name| !functions.iter().any(|found| found == **name));
+    assert_eq!(missing, None);
+    for companion in &generated.companions {
+        match companion.ending {
+            ".json" => drop(serde_json::from_str::<serde_json::Value>(&companion.text).unwrap()),
+            ".h" => assert!(!companion.text.contains(steers)),
+            _ => drop(syn::parse_file(&companion.text).unwrap()),
+        }
+    }
+}
+
+/// The bodies of a model, as far as they can be read.
+pub fn n_bodies(files: &Files<'_>, reading: Reading) -> usize {
+    let description = description::read(&files.model, &reading, &|path| files.include(path));
+    description.bodies.len()
+}
