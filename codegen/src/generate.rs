@@ -5,14 +5,15 @@ pub use crate::origin::OUTPUT_FORMAT;
 use std::path::{Path, PathBuf};
 
 use crate::{
-    companions::{self, Companion},
+    companions::{self, Companion, Given},
     compile,
     description::{self, Include},
     diagnostic::{Diagnostics, Source},
-    emit::{self, Module},
     error::Error,
+    listing::Module,
     options::Options,
     origin::Origin,
+    printers::rust,
     program::Operations,
     tree,
 };
@@ -54,16 +55,16 @@ pub fn generate(
         .iter()
         .map(|emittable| (emittable.function.name(), emittable.operations))
         .collect();
-    let module = Module {
+    let origin = Origin::new(tree, shown_path, options);
+    let module = Module::new(tree, origin, &compiled);
+    let given = Given {
         tree,
-        origin: Origin::new(tree, shown_path, options),
-        preparation: compiled.preparation,
-        fields: compiled.fields,
-        functions: compiled.functions,
+        compiled: &compiled,
+        module: &module,
     };
     Ok(Generated {
-        source: emit::source(&module),
-        companions: companions::of(&module, &options.companions, &options.module)?,
+        source: rust::source(&module),
+        companions: companions::of(&given, &options.companions, &options.module)?,
         functions,
         warnings: checked.warnings,
     })

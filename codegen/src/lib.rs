@@ -1,13 +1,13 @@
 //! Compiler from multibody systems to flat, allocation-free Rust.
 //!
 //! ```text
-//! description ──> tree ──> expressions on partitions ──> passes ──> program ──> source
+//! description ──> tree ──> expressions on partitions ──> passes ──> program ──> listing ──> source
 //! ```
 //!
 //! [`generate`](generate::generate) is that line in one screen. `kane` (the command) and
 //! [`build_script`] call it; nothing else does. Follow one quantity: [`functions`] names it and says how it
-//! is derived, [`kane`] and [`recursive`] hold its equations, [`passes`] and [`program`] make them flat, and
-//! [`emit`] writes them down.
+//! is derived, [`kane`] and [`recursive`] hold its equations, [`passes`] and [`program`] make them flat, [`listing`] says
+//! statement by statement what is done, and [`printers`] write it down.
 //!
 //! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
 //! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
@@ -23,6 +23,7 @@ pub mod limits;
 pub mod number;
 mod random;
 mod threads;
+mod words;
 // What can be wrong, and how it is shown.
 pub mod diagnostic;
 // What the user wrote.
@@ -51,11 +52,15 @@ pub mod error;
 pub mod compile;
 // Where a module comes from, in hashes and words.
 pub mod origin;
-// From here on there is text: of the module.
-pub mod emit;
-// Of the files beside it.
+// What a module says and does, before any language.
+pub mod listing;
+// States in which functions are tested, and what they give there.
+mod samples;
+// From here on there is text: of the module, and of the files beside it.
+pub mod printers;
+// These files.
 pub mod companions;
-// From a description's text to these.
+// From a description's text to all of these.
 pub mod generate;
 // What is asked for of all systems of a repository: `kane.toml`.
 pub mod budget;

@@ -4,13 +4,6 @@
 //! of its format, [`origin::SIGNS`](crate::origin::SIGNS), and follows from what the module follows from. Does not: change
 //! the module's own text.
 
-mod header;
-mod json;
-mod manifest;
-mod parameters;
-mod sample;
-mod self_test;
-
 use std::{
     collections::BTreeSet,
     path::{Path, PathBuf},
@@ -19,9 +12,13 @@ use std::{
 pub use crate::options::companion::{Abi, Kind, can_be_beside};
 
 use crate::{
-    emit::{self, Module},
+    compile::Compiled,
     error::Error,
+    listing::Module,
     options::companion::beside,
+    printers::{c, json, rust},
+    samples,
+    tree::Tree,
 };
 
 /// A file beside a module.
@@ -40,25 +37,40 @@ impl Companion {
     }
 }
 
+/// What files are made from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given<'a> {
+    /// The system.
+    pub(crate) tree: &'a Tree,
+    /// Its programs.
+    pub(crate) compiled: &'a Compiled,
+    /// Its module.
+    pub(crate) module: &'a Module,
+}
+
 /// The files of these kinds, beside the module `name`, or why one of them cannot be.
 pub(crate) fn of(
-    module: &Module<'_>,
+    given: &Given<'_>,
     kinds: &BTreeSet<Kind>,
     name: &str,
 ) -> Result<Vec<Companion>, Error> {
     let mut companions = Vec::new();
     for kind in kinds {
-        let texts = kind.endings().iter().zip(texts(*kind, module, name)?);
+        let texts = kind.endings().iter().zip(texts(*kind, given, name)?);
         companions.extend(texts.map(|(&ending, text)| Companion { ending, text }));
     }
     Ok(companions)
 }
 
 /// The texts of the files of one kind.
-fn texts(kind: Kind, module: &Module<'_>, name: &str) -> Result<Vec<String>, Error> {
+fn texts(kind: Kind, given: &Given<'_>, name: &str) -> Result<Vec<String>, Error> {
+    let module = given.module;
     Ok(match kind {
-        Kind::Manifest => vec![manifest::text(module)],
-        Kind::Tests => vec![self_test::text(module)?],
-        Kind::Abi(Abi::C) => vec![emit::interface(module, name), header::text(module, name)],
+        Kind::Manifest => vec![json::manifest(module)],
+        Kind::Tests => {
+            let (samples, values) = samples::of(given.tree, given.compiled, module)?;
+            vec![rust::self_tests(module, &samples, &values)]
+        }
+        Kind::Abi(Abi::C) => vec![rust::interface(module, name), c::header(module, name)],
     })
 }

@@ -9,7 +9,7 @@ use std::{
 
 use crate::{
     functions::{Function, Request},
-    tree::is_keyword,
+    words::is_rust_keyword,
 };
 
 /// What can stand beside a module: a file, or several that belong together.
@@ -104,5 +104,5 @@ fn is_of_c(name: &str) -> bool {
     let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
     name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(is_of_name)
-        && !is_keyword(name)
+        && !is_rust_keyword(name)
 }

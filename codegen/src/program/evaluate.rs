@@ -1,6 +1,6 @@
 //! The meaning of a program: what it stores. Flattening is tested against the graph's own meaning.
 
-use super::{Instruction, Operand, Operation, Origin, Program};
+use super::{Definition, Instruction, Operand, Operation, Program};
 use crate::{expr::Input, number::Number};
 
 impl Program {
@@ -8,7 +8,7 @@ impl Program {
     pub fn evaluate<N: Number>(&self, mut input: impl FnMut(Input) -> N) -> Vec<N> {
         let mut values = vec![N::constant(f64::NAN); self.values.len()];
         for (value, slot) in self.values.iter().zip(&mut values) {
-            if let Origin::Input(given) = value.origin {
+            if let Definition::Input(given) = value.definition {
                 *slot = input(given);
             }
         }

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Instruction, Operand, Operation, Origin, Program, Value, ValueId};
+use super::{Definition, Instruction, Operand, Operation, Program, Value, ValueId};
 use crate::{
     expr::{Expr, ExprGraph, Node, NodeId},
     id::BodyId,
@@ -63,7 +63,7 @@ impl Flattening<'_> {
     }
 
     /// A new value that is the node or, where `negative`, its negative, under the node's label.
-    fn value(&mut self, origin: Origin, id: NodeId, negative: bool) -> ValueId {
+    fn value(&mut self, definition: Definition, id: NodeId, negative: bool) -> ValueId {
         let label = self.graph.label(id).map(|label| {
             let same = label.negative == negative;
             if same {
@@ -72,14 +72,14 @@ impl Flattening<'_> {
                 format!("minus_{}", label.text)
             }
         });
-        self.labelled(origin, id, label)
+        self.labelled(definition, id, label)
     }
 
-    fn labelled(&mut self, origin: Origin, id: NodeId, label: Option<String>) -> ValueId {
+    fn labelled(&mut self, definition: Definition, id: NodeId, label: Option<String>) -> ValueId {
         let value =
             u32::try_from(self.program.values.len()).expect("program: fewer than 2^32 values");
         self.program.values.push(Value {
-            origin,
+            definition,
             scope: self.graph.scope(id),
             label,
         });
@@ -99,7 +99,7 @@ impl Flattening<'_> {
         match self.graph.node(id) {
             Node::Number(bits) => Operand::Number(f64::from_bits(bits)),
             Node::Input(input) => Operand::Value {
-                id: self.value(Origin::Input(input), id, false),
+                id: self.value(Definition::Input(input), id, false),
                 negative: false,
             },
             Node::Sin(angle) | Node::Cos(angle) => {
@@ -164,7 +164,7 @@ impl Flattening<'_> {
         let meant = self.stored[id.index()].map(|root| label.unwrap_or(root));
         if meant == Some(!negative) {
             // A store would take the minus; taken here, the name means what it says to all who use it.
-            let inner = self.labelled(Origin::Instruction, id, None);
+            let inner = self.labelled(Definition::Instruction, id, None);
             self.program.instructions.push(Instruction::Compute {
                 result: inner,
                 operation,
@@ -179,7 +179,7 @@ impl Flattening<'_> {
     }
 
     fn assign(&mut self, id: NodeId, operation: Operation, negative: bool) -> Operand {
-        let result = self.value(Origin::Instruction, id, negative);
+        let result = self.value(Definition::Instruction, id, negative);
         self.program
             .instructions
             .push(Instruction::Compute { result, operation });
@@ -219,7 +219,7 @@ impl Flattening<'_> {
                 let is_sine = matches!(self.graph.node(id), Node::Sin(_));
                 // sin(-x) = -sin(x).
                 let negative = is_sine && operand.is_negative();
-                let result = self.value(Origin::Instruction, id, negative);
+                let result = self.value(Definition::Instruction, id, negative);
                 *(if is_sine { &mut sine } else { &mut cosine }) = Some(result);
                 self.operands[id.index()] = Some(Operand::Value {
                     id: result,

@@ -4,7 +4,7 @@
 //! use is a sum, but for those of sums of two products, of which one is fused. Keeps: what is computed, in which order,
 //! and how many multiplications and additions there are. Does not: re-associate sums.
 
-use super::{Instruction, Operand, Operation, Program, ValueId, group::uses};
+use super::{Instruction, Operand, Operation, Program, ValueId};
 
 /// The program with its products fused into sums.
 pub fn fuse(program: Program) -> Program {
@@ -41,7 +41,7 @@ pub fn fuse(program: Program) -> Program {
 
 /// The factors of each value that is a product and is used once.
 fn lone_products(program: &Program) -> Vec<Option<(Operand, Operand)>> {
-    let uses = uses(program);
+    let uses = program.uses();
     let mut products = vec![None; program.values.len()];
     for instruction in &program.instructions {
         if let Instruction::Compute { result, operation } = instruction

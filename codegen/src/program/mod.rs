@@ -9,15 +9,14 @@ mod cost;
 mod evaluate;
 mod flatten;
 mod fuse;
-mod group;
 mod name;
 mod verify;
 
 pub use cost::Operations;
 pub use flatten::flatten;
 pub use fuse::fuse;
-pub use group::Groups;
-pub use name::{Place, RESERVED, names, prepared_fields};
+pub(crate) use name::InputNames;
+pub use name::prepared_fields;
 pub use verify::{VerifyError, verify};
 
 use crate::{expr::Input, id::BodyId};
@@ -41,7 +40,7 @@ pub struct Program {
 #[derive(Clone, Debug)]
 pub struct Value {
     /// Where it comes from.
-    pub origin: Origin,
+    pub definition: Definition,
     /// The body that it belongs to.
     pub scope: Option<BodyId>,
     /// The quantity and component, where a reader would know them.
@@ -50,7 +49,7 @@ pub struct Value {
 
 /// Where a value comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
+pub enum Definition {
     /// The function is given it.
     Input(Input),
     /// An instruction assigns it.
@@ -121,6 +120,17 @@ impl Program {
     /// The ids of the values.
     pub fn ids(&self) -> impl Iterator<Item = ValueId> + use<> {
         (0..u32::try_from(self.values.len()).expect("program: value ids are u32")).map(ValueId)
+    }
+
+    /// How often each value is used.
+    pub(crate) fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.values.len()];
+        let operands = self.instructions.iter().flat_map(Instruction::operands);
+        let operands = operands.chain(self.stores.iter().copied());
+        for id in operands.filter_map(Operand::value) {
+            uses[id.index()] += 1;
+        }
+        uses
     }
 
     /// The value with this id.

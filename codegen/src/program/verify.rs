@@ -1,6 +1,6 @@
 //! What every program must hold; a breach is a bug of a pass, but for a number too large for f64.
 
-use super::{Instruction, Operand, Operation, Origin, Program};
+use super::{Definition, Instruction, Operand, Operation, Program};
 
 /// A broken promise of a program.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -38,7 +38,7 @@ pub fn verify(program: &Program) -> Result<(), VerifyError> {
     let mut assigned: Vec<bool> = program
         .values
         .iter()
-        .map(|value| matches!(value.origin, Origin::Input(_)))
+        .map(|value| matches!(value.definition, Definition::Input(_)))
         .collect();
     let mut used = vec![false; program.values.len()];
     let mut read = |operand: Operand, assigned: &[bool]| match operand {

@@ -7,16 +7,7 @@ use std::collections::BTreeMap;
 
 use syn::{Attribute, Expr, ExprLit, File, ImplItem, Item, Lit, Meta};
 
-use crate::{program::Operations, rust};
-
-/// What a function states about itself.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Counted {
-    /// Its operations.
-    pub operations: Operations,
-    /// Its formulation, where it has more than one.
-    pub formulation: Option<String>,
-}
+use crate::{listing::Counted, rust};
 
 /// A function that both modules hold, with other operations or in another formulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -114,36 +105,9 @@ fn stated(attributes: &[Attribute]) -> Option<Counted> {
             Expr::Lit(ExprLit {
                 lit: Lit::Str(text),
                 ..
-            }) if pair.path.is_ident("doc") => parse(&text.value()),
+            }) if pair.path.is_ident("doc") => Counted::read(&text.value()),
             _ => None,
         }
-    })
-}
-
-/// Reads `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig; formulation: notes.`
-fn parse(line: &str) -> Option<Counted> {
-    let line = line.trim().strip_prefix("Operations: ")?;
-    let line = line.strip_suffix('.').unwrap_or(line);
-    let (counts, formulation) = match line.split_once("; formulation: ") {
-        Some((counts, formulation)) => (counts, Some(formulation.to_owned())),
-        None => (line, None),
-    };
-    let (_, terms) = counts.split_once(" = ")?;
-    let mut operations = Operations::default();
-    for term in terms.split(" + ") {
-        let (number, kind) = term.split_once(' ')?;
-        let count = match kind {
-            "mul" => &mut operations.mul,
-            "add" => &mut operations.add,
-            "div" => &mut operations.div,
-            "trig" => &mut operations.trig,
-            _ => return None,
-        };
-        *count = number.parse().ok()?;
-    }
-    Some(Counted {
-        operations,
-        formulation,
     })
 }
 

@@ -10,7 +10,8 @@ mod outline;
 mod partitions;
 mod picture;
 
-pub use compare::{Change, Comparison, Counted, compare, counted, differs_in_layout_only};
+pub use crate::listing::Counted;
+pub use compare::{Change, Comparison, compare, counted, differs_in_layout_only};
 pub use counts::{Counts, count};
 pub use differences::{Differences, LayoutChange, ValueChange, differences};
 pub use outline::{Body, Layout, ModuleError, Outline, Values};

@@ -46,7 +46,6 @@ pub use joint::{ChartCoordinates, Coordinate, Joint, Motion, Orientation, is_tra
 pub use mechanics::Mechanics;
 pub(crate) use mobility::Units;
 pub use named::NamedFrame;
-pub(crate) use names::is_keyword;
 pub use offset::{Offset, Step};
 pub(crate) use principal::principal;
 pub use rotations::snapped_sin_cos;

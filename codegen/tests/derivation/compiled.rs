@@ -7,11 +7,10 @@
 use std::{collections::BTreeMap, fs};
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile::{self, Emittable, Options},
     config::Functions,
     description::{self, Reading, no_includes},
     diagnostic::Source,
-    emit::Emittable,
     expr::Input,
     passes::sines,
     tree::{self, Tree},

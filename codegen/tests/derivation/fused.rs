@@ -5,11 +5,10 @@
 use std::{fmt::Write as _, fs};
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile::{self, Emittable, Options},
     config::{self, Functions},
     description::{Base, Reading, no_includes},
     diagnostic::Source,
-    emit::Emittable,
     functions::{Formulation, Parsed, Request, RequestError},
     generate::generate,
     program::Operations,

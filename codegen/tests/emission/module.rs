@@ -12,7 +12,8 @@ use kane_codegen::{
     error::Error,
     functions::CATALOGUE,
     generate::{self, Generated, OUTPUT_FORMAT},
-    program::{Operations, RESERVED},
+    listing::RESERVED,
+    program::Operations,
     report,
     tree::Changes,
 };

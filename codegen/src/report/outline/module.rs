@@ -2,9 +2,12 @@
 
 use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta, ext::IdentExt};
 
-use crate::rust;
+use crate::{
+    listing::{Chart, constants, read_nominal},
+    rust,
+};
 
-use super::{Body, INERTIAL, LOWER, Layout, Outline, Values};
+use super::system::{Body, INERTIAL, LOWER, Layout, Outline, Values};
 
 /// Why a text has no outline.
 #[derive(Debug, thiserror::Error)]
@@ -18,13 +21,22 @@ pub enum ModuleError {
     Missing(&'static str),
 }
 
-pub(super) fn outline(text: &str) -> Result<Outline, ModuleError> {
-    rust::read(text, |file| of_file(&file))?
+impl Outline {
+    /// The outline of a generated module, of any age.
+    ///
+    /// # Errors
+    /// A text that is no Rust, or no generated module.
+    pub fn of_module(text: &str) -> Result<Self, ModuleError> {
+        rust::read(text, |file| of_file(&file))?
+    }
 }
 
 fn of_file(file: &File) -> Result<Outline, ModuleError> {
-    let body_names = strings(file, "BODY_NAMES")?;
-    let (lower_bodies, joints) = (list(file, "LOWER_BODIES"), list(file, "JOINTS"));
+    let body_names = strings(file, constants::BODY_NAMES)?;
+    let (lower_bodies, joints) = (
+        list(file, constants::LOWER_BODIES),
+        list(file, constants::JOINTS),
+    );
     let mut bodies = Vec::new();
     for (place, name) in body_names.iter().enumerate() {
         let mut values = Values::new();
@@ -40,7 +52,7 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
         let name = name.clone();
         bodies.push(Body { name, values });
     }
-    for frame in list(file, "FRAMES") {
+    for frame in list(file, constants::FRAMES) {
         let place = field(frame, "body").and_then(some).and_then(integer);
         let values = [
             (LOWER.to_owned(), below(place, &body_names)),
@@ -52,16 +64,19 @@ fn of_file(file: &File) -> Result<Outline, ModuleError> {
         }));
     }
     let mut values = nominal_values(file);
-    let name = constant(file, "NAME").and_then(string);
+    let name = constant(file, constants::NAME).and_then(string);
     values.extend(name.map(|name| ("name".to_owned(), name)));
     Ok(Outline {
-        fingerprint: constant(file, "FINGERPRINT").and_then(integer),
+        fingerprint: constant(file, constants::FINGERPRINT).and_then(integer),
         values,
         bodies,
         layouts: vec![
             (Layout::Bodies, body_names),
-            (Layout::Coordinates, strings(file, "COORDINATE_NAMES")?),
-            (Layout::Speeds, strings(file, "SPEED_NAMES")?),
+            (
+                Layout::Coordinates,
+                strings(file, constants::COORDINATE_NAMES)?,
+            ),
+            (Layout::Speeds, strings(file, constants::SPEED_NAMES)?),
             (Layout::Parameters, fields(file, "Parameters")),
         ],
     })
@@ -151,19 +166,13 @@ fn some(value: &Expr) -> Option<&Expr> {
 
 /// The kinds of a joint's coordinates, of an entry of `JOINTS`.
 fn kinds(joint: &Expr) -> String {
-    let is_quaternion = |chart: &Expr| {
-        let Expr::Path(path) = chart else {
-            return false;
-        };
-        let last = path.path.segments.last();
-        last.is_some_and(|last| last.ident == "EulerParameters")
+    let name = |chart: &Expr| match chart {
+        Expr::Path(path) => path.path.segments.last().map(|last| last.ident.to_string()),
+        _ => None,
     };
-    let turning = if field(joint, "chart").is_some_and(is_quaternion) {
-        ["e0", "e1", "e2", "e3"]
-    } else {
-        ["theta1", "theta2", "theta3", ""]
-    };
-    let names = turning.into_iter().chain(["s1", "s2", "s3"]);
+    let chart = field(joint, "chart").and_then(name);
+    let chart = chart.and_then(|name| Chart::named(&name));
+    let names = chart.unwrap_or(Chart::Angles).coordinates().into_iter();
     let places = field(joint, "q").map_or_else(Vec::new, entries);
     let free = names.zip(places).filter(|(_, place)| some(place).is_some());
     let names: Vec<&str> = free.map(|(name, _)| name).collect();
@@ -179,10 +188,7 @@ fn nominal_values(file: &File) -> Values {
     let fields = parameters.into_iter().flat_map(|item| &item.fields);
     let documented = fields.filter_map(|field| {
         let mut lines = field.attrs.iter().filter_map(doc);
-        let nominal = lines.find_map(|line| {
-            let value = line.trim().strip_prefix("Nominal value ")?;
-            Some(value.trim_end_matches('.').to_owned())
-        });
+        let nominal = lines.find_map(|line| read_nominal(&line).map(str::to_owned));
         let name = field.ident.as_ref()?;
         Some((format!("parameter {name}"), nominal?))
     });

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Spanned};
-use crate::tree::names::keywords::is_keyword;
+use crate::words::is_rust_keyword;
 
 /// The identifiers of bodies with these names, and for those that had to change a note.
 pub(crate) fn identifiers(
@@ -99,7 +99,7 @@ fn identifier(name: &str) -> String {
     if identifier.is_empty() {
         "body".to_owned()
     } else if identifier.starts_with(|first: char| first.is_ascii_digit())
-        || is_keyword(&identifier)
+        || is_rust_keyword(&identifier)
     {
         format!("body_{identifier}")
     } else {

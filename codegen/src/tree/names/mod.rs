@@ -2,12 +2,10 @@
 
 mod frames;
 mod identifiers;
-mod keywords;
 mod rules;
 mod shown;
 
 pub(crate) use frames::check_frames;
 pub(crate) use identifiers::{frame_identifiers, identifiers, joint_identifiers};
-pub(crate) use keywords::is_keyword;
 pub(crate) use rules::{check, check_coordinates, note_order};
 pub(crate) use shown::{joint_name, shown};

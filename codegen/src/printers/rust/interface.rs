@@ -5,29 +5,20 @@ use std::collections::BTreeSet;
 use quote::quote;
 use syn::{Item, parse_quote};
 
-use super::{Module, doc, ident, printed, signature};
-use crate::functions::{Access, Element, Length, Signature};
-
-/// The scalars of C, as Rust names them.
-pub(crate) const SCALARS: [&str; 2] = ["f64", "f32"];
-
-/// What callers have to keep to.
-pub(crate) const RULES: [&str; 9] = [
-    "No function allocates, keeps state, fails, or checks what it is given. Several threads may call them at once, with the same",
-    "prepared parameters too. Matrices are row after row, and what bodies have is body after body. Units are kg, m, s, rad and N.",
-    "A matrix is one array, `double m[N * N]`; of two dimensions it is passed as `(double *)m`.",
-    "",
-    "The behaviour is undefined where",
-    "- a pointer is null, not aligned as its type is, or leads to fewer elements than are declared;",
-    "- something is read that holds no value yet, or prepared parameters that `prepare` did not write for the same scalar;",
-    "- something is written to which another argument leads as well.",
-    "What is only read may overlap, and what is written may hold anything before.",
-];
+use super::{
+    signature,
+    text::{banner, doc, ident, printed},
+};
+use crate::{
+    functions::{Access, Element, Length, Signature},
+    listing::Module,
+    printers::c::rules::{RULES, SCALARS},
+};
 
 /// The text of the file beside the module `name`.
-pub(crate) fn source(module: &Module<'_>, name: &str) -> String {
-    let signatures = module.signatures();
-    let mut text = module.origin.banner();
+pub(crate) fn source(module: &Module, name: &str) -> String {
+    let signatures: Vec<_> = module.all().map(|function| &function.signature).collect();
+    let mut text = banner(&module.facts.origin.lines());
     let what = format!(
         "The functions of the module `{name}` for C; `{name}.h` declares them. In the crate: `mod {name}; mod {name}_c;`."
     );
@@ -43,7 +34,7 @@ pub(crate) fn source(module: &Module<'_>, name: &str) -> String {
 }
 
 /// The constants and types of the module that the functions name.
-fn imports(signatures: &[Signature], name: &str) -> Item {
+fn imports(signatures: &[&Signature], name: &str) -> Item {
     let arguments = signatures.iter().flat_map(|one| &one.arguments);
     let named = arguments.flat_map(|argument| {
         let constants = argument.lengths.iter().filter_map(|length| match length {

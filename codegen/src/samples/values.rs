@@ -1,18 +1,21 @@
-//! The tests beside a module: states, and what the equations give there.
+//! What functions give in states that are drawn.
 //!
 //! Values are those of the notes' formulation, evaluated as a graph: they share neither the recursion, nor the passes, nor the
 //! emission with what they test. How far a function may be from them is what rounding can do, to them and to the program
 //! that was emitted.
 
+use super::{
+    draw::{self, Inputs, Sampler},
+    parameters,
+    sample::{Sample, Sampled},
+};
 use crate::{
-    companions::{
-        parameters,
-        sample::{self, Inputs, Sampler},
-    },
-    emit::{self, Emittable, Module, Sample, Sampled},
+    compile::Compiled,
+    compile::Emittable,
     error::Error,
     expr::Input,
     functions::Formulation,
+    listing::{Facts, Function, Module},
     number::{Number, Rounded},
     passes::sines,
     recursive::Plan,
@@ -37,9 +40,12 @@ const MOST_TOLERANCE: f64 = 1e300;
 /// is no zero, and the bound takes it for a number with all its digits.
 const CRUMBS: f64 = 8.0 * f64::EPSILON;
 
-/// The text, or which function has a value in it that f64 does not hold.
-pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
-    let tree = module.tree;
+/// States, and what each function of the module gives there, or which function has a value in it that f64 does not hold.
+pub(crate) fn of(
+    tree: &Tree,
+    compiled: &Compiled,
+    module: &Module,
+) -> Result<(Vec<Sample>, Vec<Sampled>), Error> {
     let sampler = Sampler::new(tree);
     // The first state has the nominal parameters, each other one its own.
     let samples = (0..STATES).map(|seed| {
@@ -51,12 +57,14 @@ pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
     });
     let samples: Vec<Sample> = samples.collect();
     drop(sampler);
-    let inputs = samples.iter().map(|sample| inputs(module, sample));
+    let inputs = samples.iter().map(|sample| inputs(tree, compiled, sample));
     let inputs: Vec<Inputs> = inputs.collect();
-    let functions = threads::map(&module.functions, |emittable| {
-        sampled(tree, emittable, &inputs)
+    let both: Vec<_> = compiled.functions.iter().zip(&module.functions).collect();
+    let functions = threads::map(&both, |(emittable, function)| {
+        let lengths = lengths(&module.facts, function);
+        sampled(tree, emittable, lengths, &inputs)
     });
-    for (emittable, sampled) in module.functions.iter().zip(&functions) {
+    for (emittable, sampled) in compiled.functions.iter().zip(&functions) {
         let mut numbers = sampled.values.iter().flatten().flatten();
         if numbers.any(|(number, tolerance)| !(number.is_finite() && *tolerance < MOST_TOLERANCE)) {
             return Err(Error::Unrepresentable {
@@ -64,18 +72,26 @@ pub(super) fn text(module: &Module<'_>) -> Result<String, Error> {
             });
         }
     }
-    Ok(emit::self_tests(module, &samples, &functions))
+    Ok((samples, functions))
+}
+
+/// The lengths of every output's nested arrays.
+fn lengths(facts: &Facts, function: &Function) -> Vec<Vec<usize>> {
+    let outputs = function.outputs();
+    outputs
+        .map(|output| facts.extent(output).lengths().to_vec())
+        .collect()
 }
 
 /// What a function writes in every state.
-fn sampled(tree: &Tree, emittable: &Emittable, states: &[Inputs]) -> Sampled {
+fn sampled(
+    tree: &Tree,
+    emittable: &Emittable,
+    lengths: Vec<Vec<usize>>,
+    states: &[Inputs],
+) -> Sampled {
     let function = &emittable.function;
     let derived = function.derive(tree, Formulation::Notes, &Plan::full(tree));
-    let n_columns = derived.roots.len() / 3;
-    let outputs = function.outputs().into_iter();
-    let lengths: Vec<Vec<usize>> = outputs
-        .map(|output| output.shape.lengths(tree, n_columns))
-        .collect();
     let entries = |lengths: &Vec<usize>| {
         let count: usize = lengths.iter().product();
         count.div_ceil(MOST_NUMBERS).max(1)
@@ -139,14 +155,14 @@ fn sum(entries: &[Rounded]) -> Rounded {
 }
 
 /// All that a program of the module reads.
-fn inputs(module: &Module<'_>, sample: &Sample) -> Inputs {
-    let mut inputs = sample::inputs(module.tree, sample);
-    for (place, angle) in sines::angles(module.tree).iter().enumerate() {
+fn inputs(tree: &Tree, compiled: &Compiled, sample: &Sample) -> Inputs {
+    let mut inputs = draw::inputs(tree, sample);
+    for (place, angle) in sines::angles(tree).iter().enumerate() {
         let (sine, cosine) = inputs[&Input::Q(angle.coordinate)].sin_cos();
         inputs.insert(Input::Sine(place), sine);
         inputs.insert(Input::Cosine(place), cosine);
     }
-    let prepared = module.preparation.evaluate(|input| inputs[&input]);
+    let prepared = compiled.preparation.evaluate(|input| inputs[&input]);
     for (place, value) in prepared.into_iter().enumerate() {
         inputs.insert(Input::Prepared(place), value);
     }

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use super::sample::Sample;
 use crate::{
-    emit::Sample,
     expr::Input,
     functions::{Argument, Derived, Formulation, Function, Request},
     id::{CoordinateId, ParameterId},

@@ -4,72 +4,33 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Item, parse_quote};
 
-use super::{Emittable, Module, ident, printed, syntax};
+use super::{
+    syntax,
+    text::{banner, ident, printed},
+};
 use crate::{
-    functions::{Argument, Request},
-    tree::{Parameter, Tree},
+    functions::{Argument, Declared, Element},
+    listing::{Facts, Function, Module},
+    samples::{Sample, Sampled},
+    tree::Parameter,
 };
 
-/// A state, and what else functions are given there.
-#[derive(Clone, Debug)]
-pub struct Sample {
-    /// Values of the parameters.
-    pub parameters: Vec<f64>,
-    /// Coordinates.
-    pub q: Vec<f64>,
-    /// Speeds.
-    pub u: Vec<f64>,
-    /// Their derivatives.
-    pub u_dot: Vec<f64>,
-    /// Generalized forces.
-    pub tau: Vec<f64>,
-    /// Force and moment of each body.
-    pub loads: Vec<f64>,
-    /// The relative angular velocity of each body.
-    pub w_rel: Vec<f64>,
-}
-
-impl Sample {
-    /// The numbers of an argument, one after the other.
-    pub fn of(&self, argument: Argument) -> &[f64] {
-        match argument {
-            Argument::Q => &self.q,
-            Argument::U => &self.u,
-            Argument::UDot => &self.u_dot,
-            Argument::Tau => &self.tau,
-            Argument::Loads => &self.loads,
-            Argument::RelativeAngularVelocity => &self.w_rel,
-        }
-    }
-}
-
-/// What a function writes.
-#[derive(Clone, Debug)]
-pub struct Sampled {
-    /// For every state the numbers of every output, each with how far from it a function may be.
-    pub values: Vec<Vec<Vec<(f64, f64)>>>,
-    /// The lengths of every output's nested arrays.
-    pub lengths: Vec<Vec<usize>>,
-    /// How many entries of an output are summed to one number.
-    pub entries: Vec<usize>,
-}
-
 /// The text of the tests.
-pub fn self_tests(module: &Module<'_>, samples: &[Sample], functions: &[Sampled]) -> String {
-    let mut text = module.origin.banner();
+pub(crate) fn self_tests(module: &Module, samples: &[Sample], functions: &[Sampled]) -> String {
+    let mut text = banner(&module.facts.origin.lines());
     text.push_str(
         "// Stands where the module's names are known:\n\
          //     #[cfg(test)] mod tests { use super::module::*; include!(\"module_tests.rs\"); }\n",
     );
     let mut items = states(module, samples);
     let sampled = module.functions.iter().zip(functions);
-    items.extend(sampled.map(|(emittable, sampled)| values(emittable, sampled)));
+    items.extend(sampled.map(|(function, sampled)| values(function, sampled)));
     items.extend(identities(module));
     text + &printed(items)
 }
 
 /// The states, and of what else functions are given as much as they need.
-fn states(module: &Module<'_>, samples: &[Sample]) -> Vec<Item> {
+fn states(module: &Module, samples: &[Sample]) -> Vec<Item> {
     let count = syntax::integer(samples.len());
     let states = samples.iter().map(|sample| {
         let [q, u, u_dot] = [&sample.q, &sample.u, &sample.u_dot].map(|numbers| array(numbers));
@@ -78,10 +39,10 @@ fn states(module: &Module<'_>, samples: &[Sample]) -> Vec<Item> {
     let mut items = vec![parse_quote! {
         const STATES: [kane::self_test::State<NQ, NU>; #count] = [#(#states),*];
     }];
-    items.extend(systems(module.tree, samples));
+    items.extend(systems(&module.facts, samples));
     let is_given = |argument: Argument| {
         let mut functions = module.functions.iter();
-        functions.any(|emittable| emittable.function.arguments().contains(&argument))
+        functions.any(|function| function.inputs().any(|one| one.name == argument.name()))
     };
     if is_given(Argument::Tau) {
         let forces = samples.iter().map(|sample| array(&sample.tau));
@@ -114,8 +75,8 @@ fn states(module: &Module<'_>, samples: &[Sample]) -> Vec<Item> {
 }
 
 /// The system in each state: with the parameters of that, if it has any.
-fn systems(tree: &Tree, samples: &[Sample]) -> Vec<Item> {
-    if tree.parameters.is_empty() {
+fn systems(facts: &Facts, samples: &[Sample]) -> Vec<Item> {
+    if facts.parameters.is_empty() {
         return vec![parse_quote! {
             fn system(_: usize) -> Prepared<f64> {
                 Prepared::nominal()
@@ -123,7 +84,7 @@ fn systems(tree: &Tree, samples: &[Sample]) -> Vec<Item> {
         }];
     }
     let count = syntax::integer(samples.len());
-    let parameters = tree.parameters.iter();
+    let parameters = facts.parameters.iter();
     let fields: Vec<Ident> = parameters.map(|parameter| ident(&parameter.name)).collect();
     let values = samples.iter().map(|sample| {
         let numbers = sample.parameters.iter().copied().map(syntax::number);
@@ -142,10 +103,9 @@ fn systems(tree: &Tree, samples: &[Sample]) -> Vec<Item> {
 }
 
 /// The test that a function has its values.
-fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
-    let function = &emittable.function;
-    let name = function.name();
-    let (test, call) = (format_ident!("{name}_has_its_values"), ident(&name));
+fn values(function: &Function, sampled: &Sampled) -> Item {
+    let name = &function.signature.name;
+    let (test, call) = (format_ident!("{name}_has_its_values"), ident(name));
     let places: Vec<Expr> = (0..sampled.lengths.len()).map(syntax::integer).collect();
     let n_states = syntax::integer(sampled.values.len());
     let numbers = sampled.values.first().into_iter().flatten();
@@ -184,7 +144,9 @@ fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
         .iter()
         .map(|&entries| syntax::integer(entries));
     let given = arguments(function);
-    let sines = function.is_at_sin_cos().then(|| {
+    let mut inputs = function.inputs();
+    let is_at_sin_cos = inputs.any(|input| input.element == Element::SinCos);
+    let sines = is_at_sin_cos.then(|| {
         quote! {
             let mut given = SinCos { sines: [f64::NAN; NA], cosines: [f64::NAN; NA] };
             sin_cos(&p, &STATES[place].q, &mut given);
@@ -206,21 +168,30 @@ fn values(emittable: &Emittable, sampled: &Sampled) -> Item {
     }
 }
 
-fn arguments(function: &Request) -> Vec<TokenStream> {
-    let argument = |argument: Argument| match argument {
-        Argument::Q if function.is_at_sin_cos() => quote!(&STATES[place].q, &given),
-        Argument::Q => quote!(&STATES[place].q),
-        Argument::U => quote!(&STATES[place].u),
-        Argument::UDot => quote!(&STATES[place].u_dot),
-        Argument::Tau => quote!(&FORCES[place]),
-        Argument::Loads => quote!(&LOADS[place]),
-        Argument::RelativeAngularVelocity => quote!(&RELATIVE_ANGULAR_VELOCITIES[place]),
+/// What a function is given after the system.
+fn arguments(function: &Function) -> Vec<TokenStream> {
+    let argument = |declared: &Declared| {
+        let mut arguments = Argument::ALL.into_iter();
+        let argument = arguments.find(|argument| argument.name() == declared.name);
+        Some(match (declared.element, argument) {
+            (Element::Prepared, _) => return None,
+            (Element::SinCos, _) => quote!(&given),
+            (_, Some(Argument::Q)) => quote!(&STATES[place].q),
+            (_, Some(Argument::U)) => quote!(&STATES[place].u),
+            (_, Some(Argument::UDot)) => quote!(&STATES[place].u_dot),
+            (_, Some(Argument::Tau)) => quote!(&FORCES[place]),
+            (_, Some(Argument::Loads)) => quote!(&LOADS[place]),
+            (_, Some(Argument::RelativeAngularVelocity)) => {
+                quote!(&RELATIVE_ANGULAR_VELOCITIES[place])
+            }
+            (_, None) => unreachable!("self tests: nothing is sampled for `{}`", declared.name),
+        })
     };
-    function.arguments().into_iter().map(argument).collect()
+    function.inputs().filter_map(argument).collect()
 }
 
 /// The tests of what holds for every system, as far as the module has the functions.
-fn identities(module: &Module<'_>) -> Vec<Item> {
+fn identities(module: &Module) -> Vec<Item> {
     let mut items = Vec::new();
     for (name, needed, arguments) in [
         (
@@ -262,16 +233,13 @@ fn identities(module: &Module<'_>) -> Vec<Item> {
         }
     }
     if has(module, &["inverse_dynamics"]) {
-        items.extend(module.tree.parameters.iter().filter_map(linear));
+        items.extend(module.facts.parameters.iter().filter_map(linear));
     }
     items
 }
 
-fn has(module: &Module<'_>, names: &[&str]) -> bool {
-    names.iter().all(|name| {
-        let mut functions = module.functions.iter();
-        functions.any(|emittable| emittable.function.name() == *name)
-    })
+fn has(module: &Module, names: &[&str]) -> bool {
+    names.iter().all(|name| module.function(name).is_some())
 }
 
 /// The test that forces are linear in a parameter; they are in all but lengths and angles.

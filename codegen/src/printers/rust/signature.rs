@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::ident;
+use super::text::ident;
 use crate::functions::{Access, Declared, Element, Length};
 
 /// `m: &mut [[R; NU]; NU]`.

@@ -2,28 +2,27 @@
 
 use std::collections::BTreeSet;
 
+use super::rules::{RULES, SCALARS};
 use crate::{
-    emit::{Emittable, Module, RULES, SCALARS},
-    functions::{
-        Access, Block, Declared, Element, Function, Length, PACKED_LEN, PACKED_PLACES, Request,
-        Signature,
-    },
-    passes::sines,
+    functions::{Access, Block, Declared, Element, Length, PACKED_LEN, PACKED_PLACES, Signature},
+    listing::{Facts, Module, Size, nominal},
 };
 
 /// The text of the header of the module `name`.
-pub(super) fn text(module: &Module<'_>, name: &str) -> String {
-    let empty = compact(module).filter(|(_, emittable)| emittable.blocks.is_empty());
+pub(crate) fn text(module: &Module, name: &str) -> String {
+    let facts = &module.facts;
+    let empty = facts.sizes.0.iter().filter(|size| {
+        let mut patterns = facts.patterns.iter();
+        size.value == 0 && patterns.any(|pattern| pattern.columns == size.name)
+    });
     let header = Header {
-        module,
+        facts,
         name,
         prefix: format!("{}_", name.to_uppercase()),
-        empty: empty
-            .map(|(function, _)| function.columns_constant())
-            .collect(),
+        empty: empty.map(|size| size.name.as_str()).collect(),
     };
     let guard = format!("KANE_{}H", header.prefix);
-    let signatures = module.signatures();
+    let signatures: Vec<&Signature> = module.all().map(|function| &function.signature).collect();
     let mut sections = vec![
         header.opening(),
         format!("#ifndef {guard}\n#define {guard}\n"),
@@ -43,13 +42,13 @@ pub(super) fn text(module: &Module<'_>, name: &str) -> String {
 }
 
 struct Header<'a> {
-    module: &'a Module<'a>,
+    facts: &'a Facts,
     /// The module's name, with which those of types and functions begin.
     name: &'a str,
     /// With what those of constants begin.
     prefix: String,
     /// The lengths that are zero.
-    empty: BTreeSet<String>,
+    empty: BTreeSet<&'a str>,
 }
 
 impl Header<'_> {
@@ -59,65 +58,39 @@ impl Header<'_> {
             "The functions of the module `{name}` in C99 and C++; `{name}_c.rs` is their Rust side, for a static library."
         );
         let lines = ["", &what, ""].into_iter().chain(RULES);
-        self.module.origin.banner() + &comment("//", lines)
+        comment("//", self.facts.origin.lines()) + &comment("//", lines)
     }
 
     /// Sizes of arrays.
     fn sizes(&self) -> String {
-        let (module, tree) = (self.module, self.module.tree);
-        let mut sizes = vec![
-            ("NB".to_owned(), tree.bodies.len(), "Number of bodies."),
-            (
-                "NQ".to_owned(),
-                tree.n_coordinates,
-                "Number of generalized coordinates.",
-            ),
-            (
-                "NU".to_owned(),
-                tree.n_speeds,
-                "Number of generalized speeds.",
-            ),
-        ];
-        if module.any(Request::is_at_sin_cos) {
-            let n_angles = sines::angles(tree).len();
-            let doc = "Number of angles among the coordinates.";
-            sizes.push(("NA".to_owned(), n_angles, doc));
-        }
-        if module.any(Request::is_packed) {
-            let doc = "Number of entries of a packed mass matrix.";
-            sizes.push((PACKED_LEN.to_owned(), tree.coupled_speeds().len(), doc));
-        }
-        for (function, emittable) in compact(module) {
-            let n_columns = emittable.program.stores.len() / 3;
-            sizes.push((function.columns_constant(), n_columns, "Number of columns."));
-        }
-        let define = |(name, size, doc): (String, usize, &str)| {
-            format!("/// {doc}\n#define {}{name} {size}\n", self.prefix)
+        let define = |size: &Size| {
+            let Size {
+                name, value, brief, ..
+            } = size;
+            format!("/// {brief}.\n#define {}{name} {value}\n", self.prefix)
         };
-        sizes.into_iter().map(define).collect()
+        self.facts.sizes.0.iter().map(define).collect()
     }
 
     /// Where in their arrays coordinates, speeds, angles and bodies stand.
     fn places(&self) -> Vec<String> {
-        let tree = self.module.tree;
-        let bodies = tree.bodies.iter().map(|body| body.identifier.clone());
+        let facts = self.facts;
+        let bodies = facts.bodies.iter().map(|body| body.identifier.as_str());
         let mut lists = vec![
             ("BODY", "The bodies.", bodies.collect()),
             (
                 "Q",
                 "The coordinates: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.",
-                tree.coordinate_names(),
+                facts.coordinates.iter().map(String::as_str).collect(),
             ),
             (
                 "U",
                 "The speeds, rad/s and m/s; w is a component of the relative angular velocity.",
-                tree.speed_names(),
+                facts.speeds.iter().map(String::as_str).collect(),
             ),
         ];
-        if self.module.any(Request::is_at_sin_cos) {
-            let angles = sines::angles(tree).into_iter();
-            let names = tree.coordinate_names();
-            let angles = angles.map(|angle| names[angle.coordinate.index()].clone());
+        if let Some(angles) = &facts.angles {
+            let angles = angles.iter().map(|angle| angle.name.as_str());
             let doc = "The angles among the coordinates, in the order of their sines and cosines.";
             lists.push(("ANGLE", doc, angles.collect::<Vec<_>>()));
         }
@@ -143,17 +116,17 @@ impl Header<'_> {
     fn tables(&self) -> Vec<String> {
         let prefix = &self.prefix;
         let mut tables = Vec::new();
-        if self.module.any(Request::is_packed) {
-            let places = self.module.tree.coupled_speeds();
+        if let Some(places) = &self.facts.packed {
             let places = places.iter().map(|place| list(place));
             let doc = "The row and column of each entry of a packed mass matrix; those above the diagonal are the same.";
             let declared = format!("int {prefix}{PACKED_PLACES}[{prefix}{PACKED_LEN}][2]");
             tables.push(table(doc, &declared, places));
         }
-        let compact = compact(self.module).filter(|(_, emittable)| !emittable.blocks.is_empty());
-        let blocks = compact.map(|(function, emittable)| {
-            let entries = emittable.blocks.iter().map(block);
-            let (constant, length) = (function.blocks_constant(), entries.len());
+        let patterns = self.facts.patterns.iter();
+        let patterns = patterns.filter(|pattern| !pattern.entries.is_empty());
+        let blocks = patterns.map(|pattern| {
+            let entries = pattern.entries.iter().map(block);
+            let (constant, length) = (&pattern.blocks, entries.len());
             let declared = format!("kane_block {prefix}{constant}[{length}]");
             table(
                 "The non-zero partitions, body after body.",
@@ -169,15 +142,12 @@ impl Header<'_> {
 
     /// What stands in one piece in memory: parameters, what is prepared from them, sines and cosines.
     fn structures(&self) -> Vec<String> {
-        let (module, prefix) = (self.module, &self.prefix);
-        let parameters = module.tree.parameters.iter();
-        let parameters = parameters.map(|parameter| {
-            let doc = format!("Nominal value {:?} {}.", parameter.nominal, parameter.unit);
-            (doc, parameter.name.clone())
-        });
-        let prepared = (!module.fields.is_empty()).then(|| {
+        let (facts, prefix) = (self.facts, &self.prefix);
+        let parameters = facts.parameters.iter();
+        let parameters = parameters.map(|parameter| (nominal(parameter), parameter.name.clone()));
+        let prepared = (!facts.fields.is_empty()).then(|| {
             let doc = "For the functions alone: their order may change.".to_owned();
-            (doc, format!("values[{}]", module.fields.len()))
+            (doc, format!("values[{}]", facts.fields.len()))
         });
         let mut structures = vec![
             (
@@ -191,13 +161,16 @@ impl Header<'_> {
                 Vec::from_iter(prepared),
             ),
         ];
-        if module.any(Request::is_at_sin_cos) {
+        if let Some(angles) = &facts.angles {
             let fields = ["sines", "cosines"].map(|name| {
                 let doc = format!("The {name}: where, `{prefix}ANGLE_...` says.");
                 (doc, format!("{name}[{prefix}NA]"))
             });
-            let is_empty = sines::angles(module.tree).is_empty();
-            let fields = if is_empty { vec![] } else { fields.to_vec() };
+            let fields = if angles.is_empty() {
+                vec![]
+            } else {
+                fields.to_vec()
+            };
             let doc = "The sine and cosine of every angle among the coordinates.";
             structures.push(("sines_cosines", doc, fields));
         }
@@ -248,7 +221,7 @@ impl Header<'_> {
         let lengths = argument.lengths.iter().map(|length| match length {
             Length::Three => Some("3".to_owned()),
             Length::Constant(name) => {
-                (!self.empty.contains(name)).then(|| format!("{}{name}", self.prefix))
+                (!self.empty.contains(name.as_str())).then(|| format!("{}{name}", self.prefix))
             }
         });
         let lengths: Vec<String> = lengths.collect::<Option<_>>()?;
@@ -267,16 +240,6 @@ typedef struct kane_block {
     int first;
 } kane_block;
 ";
-
-/// The functions with compact outputs, each output once.
-fn compact<'a>(module: &'a Module<'_>) -> impl Iterator<Item = (&'static Function, &'a Emittable)> {
-    let mut known = BTreeSet::new();
-    let functions = module.functions.iter();
-    functions.filter_map(move |emittable| {
-        let function = emittable.function.compact()?;
-        known.insert(function.name).then_some((function, emittable))
-    })
-}
 
 /// The structures of loads.
 fn loads() -> String {

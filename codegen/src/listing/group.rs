@@ -6,15 +6,17 @@
 
 use std::{cmp::Reverse, collections::BTreeMap};
 
-use super::{Instruction, Operand, Operation, Origin, Program, ValueId};
-use crate::id::BodyId;
+use crate::{
+    id::BodyId,
+    program::{Definition, Instruction, Operand, Operation, Program, ValueId},
+};
 
 /// The most operations in one statement.
 const LARGEST: usize = 12;
 
 /// The statements of a program.
 #[derive(Clone, Debug)]
-pub struct Groups {
+pub(super) struct Groups {
     /// For each value, the operation that computes it where it stands inside a larger expression.
     inlined: Vec<Option<Operation>>,
 }
@@ -31,8 +33,8 @@ struct Span {
 
 impl Groups {
     /// Groups the operations of a program.
-    pub fn of(program: &Program) -> Self {
-        let uses = uses(program);
+    pub(super) fn of(program: &Program) -> Self {
+        let uses = program.uses();
         let mut inlined = vec![None; program.values.len()];
         let mut spans: Vec<Option<Span>> = vec![None; program.values.len()];
         let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
@@ -59,7 +61,7 @@ impl Groups {
             operands.sort_by_key(|id| Reverse(spans[id.index()].map(|span| span.last)));
             for id in operands {
                 let value = program.value(id);
-                let joins = value.origin == Origin::Instruction
+                let joins = value.definition == Definition::Instruction
                     && value.label.is_none()
                     && value.scope == scope
                     && uses[id.index()] == 1;
@@ -78,20 +80,7 @@ impl Groups {
     }
 
     /// The operation of a value that stands inside a larger expression; `None` for one with a statement of its own.
-    pub fn inlined(&self, id: ValueId) -> Option<Operation> {
+    pub(super) fn inlined(&self, id: ValueId) -> Option<Operation> {
         self.inlined[id.index()]
     }
-}
-
-/// How often each value is used.
-pub(super) fn uses(program: &Program) -> Vec<usize> {
-    let mut uses = vec![0; program.values.len()];
-    let operands = program.instructions.iter().flat_map(Instruction::operands);
-    for id in operands
-        .chain(program.stores.iter().copied())
-        .filter_map(Operand::value)
-    {
-        uses[id.index()] += 1;
-    }
-    uses
 }

@@ -1,0 +1,247 @@
+//! From a program to statements: inputs are read where they are first needed, values stored as soon as they are there. A
+//! compiler needs a fifth less time for that than for all stores in one block, which it tries to make vectors of.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{
+    Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement,
+    group::Groups,
+    name::{RESERVED, unique},
+    stores::{Stores, is_field},
+};
+use crate::{
+    expr::Input,
+    program::{Definition, Instruction, Operand, Operation, Program, ValueId},
+};
+
+/// The most angles that are taken together. Of a hundred and more a compiler makes a loop. Fewer cost time: of values that stand
+/// in one array it finds more that can be computed side by side.
+pub(super) const MOST_ANGLES: usize = 64;
+
+/// What is known of a program's values beside it.
+pub(super) struct Known<'a> {
+    /// Which operations stand inside others.
+    pub(super) groups: &'a Groups,
+    /// The names of the values that have a local.
+    pub(super) names: &'a [String],
+    /// Where inputs stand.
+    pub(super) entry: &'a dyn Fn(Input) -> Entry,
+}
+
+/// The statements of a program that stores to these places.
+pub(super) fn of(program: &Program, known: &Known<'_>, places: Vec<Entry>) -> Code {
+    let mut writer = Writer {
+        program,
+        known,
+        held: vec![None; program.values.len()],
+        taken: BTreeMap::new(),
+        stores: BTreeMap::new(),
+        code: Code::default(),
+    };
+    let Stores {
+        of_values,
+        of_constants,
+    } = Stores::of(program, places, |operand| writer.operand(operand));
+    writer.stores = of_values;
+    for instruction in &program.instructions {
+        writer.instruction(instruction);
+    }
+    // What is left to store was not needed before.
+    for id in program.stores.iter().filter_map(|store| store.value()) {
+        writer.read(id);
+    }
+    writer.code.statements.extend(of_constants);
+    writer.code
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    known: &'a Known<'a>,
+    /// The local of each value, once it is assigned.
+    held: Vec<Option<LocalId>>,
+    /// Sines and cosines that were taken together and have no local yet.
+    taken: BTreeMap<ValueId, Expression>,
+    /// What is not stored yet.
+    stores: BTreeMap<ValueId, Vec<(Entry, Operand)>>,
+    code: Code,
+}
+
+impl Writer<'_> {
+    fn instruction(&mut self, instruction: &Instruction) {
+        match instruction {
+            Instruction::Compute { result, operation } => {
+                if self.known.groups.inlined(*result).is_none() {
+                    self.read_by(*operation);
+                    let value = self.operation(*operation);
+                    self.assign(*result, value);
+                }
+            }
+            Instruction::SinCos {
+                angles,
+                sines,
+                cosines,
+            } => match (&angles[..], &sines[..], &cosines[..]) {
+                (&[angle], &[sine], &[cosine]) => self.sin_cos(angle, sine, cosine),
+                (angles, sines, cosines) => self.sin_cos_arrays(angles, sines, cosines),
+            },
+        }
+    }
+
+    fn sin_cos(&mut self, angle: Operand, sine: Option<ValueId>, cosine: Option<ValueId>) {
+        if let Some(id) = angle.value() {
+            self.read(id);
+        }
+        let angle = self.operand(angle);
+        let [sine_local, cosine_local] = [sine, cosine].map(|id| id.map(|id| self.local(id)));
+        self.code.statements.push(Statement::SinCos {
+            angle,
+            sine: sine_local,
+            cosine: cosine_local,
+        });
+        for id in [sine, cosine].into_iter().flatten() {
+            self.store(id);
+        }
+    }
+
+    fn sin_cos_arrays(
+        &mut self,
+        angles: &[Operand],
+        sines: &[Option<ValueId>],
+        cosines: &[Option<ValueId>],
+    ) {
+        let names = self.known.names.iter().cloned();
+        let mut names: BTreeSet<String> = names.chain(RESERVED.map(String::from)).collect();
+        let [sines, cosines] = [sines, cosines].map(|ids| ids.chunks(MOST_ANGLES));
+        let calls = angles.chunks(MOST_ANGLES).zip(sines).zip(cosines);
+        for (number, ((angles, sines), cosines)) in (1..).zip(calls) {
+            let arrays = ["sines", "cosines"].map(|name| match number {
+                // Reserved for them.
+                1 => name.to_owned(),
+                _ => unique(format!("{name}_{number}"), &mut names),
+            });
+            self.sin_cos_array(arrays, angles, sines, cosines);
+        }
+    }
+
+    fn sin_cos_array(
+        &mut self,
+        names: [String; 2],
+        angles: &[Operand],
+        sines: &[Option<ValueId>],
+        cosines: &[Option<ValueId>],
+    ) {
+        for id in angles.iter().filter_map(|angle| angle.value()) {
+            self.read(id);
+        }
+        let arrays = names.map(|name| {
+            let length = angles.len();
+            self.code.arrays.push(Array { name, length });
+            ArrayId::new(self.code.arrays.len() - 1)
+        });
+        let angles = angles.iter().map(|&angle| self.operand(angle)).collect();
+        self.code.statements.push(Statement::SinCosArray {
+            angles,
+            sines: arrays[0],
+            cosines: arrays[1],
+        });
+        // Each body takes its own from the arrays, so that a new body adds a line here and none to the others.
+        for (array, values) in arrays.into_iter().zip([sines, cosines]) {
+            for (place, id) in values.iter().enumerate() {
+                let element = Expression::Element(array, place);
+                self.taken.extend(id.map(|id| (id, element)));
+            }
+        }
+    }
+
+    fn assign(&mut self, id: ValueId, value: Expression) {
+        let local = self.local(id);
+        self.code
+            .statements
+            .push(Statement::Assign { local, value });
+        self.store(id);
+    }
+
+    /// A local for a value.
+    fn local(&mut self, id: ValueId) -> LocalId {
+        let local = LocalId::new(self.code.locals.len());
+        self.code.locals.push(Local {
+            name: self.known.names[id.index()].clone(),
+            body: self.program.value(id).scope,
+        });
+        self.held[id.index()] = Some(local);
+        local
+    }
+
+    /// Stores a value that has a local, wherever it goes.
+    fn store(&mut self, id: ValueId) {
+        for (place, operand) in self.stores.remove(&id).unwrap_or_default() {
+            let value = self.operand(operand);
+            self.code.statements.push(Statement::Store { place, value });
+        }
+    }
+
+    /// Reads what the operation and those inside it need, in order.
+    fn read_by(&mut self, operation: Operation) {
+        for id in operation.operands().filter_map(Operand::value) {
+            match self.known.groups.inlined(id) {
+                Some(inner) => self.read_by(inner),
+                None => self.read(id),
+            }
+        }
+    }
+
+    /// Reads a value into a local, where it has none yet; fields of `Prepared` are read where they stand.
+    fn read(&mut self, id: ValueId) {
+        if self.held[id.index()].is_some() || is_field(self.program, id) {
+            return;
+        }
+        let value = match self.program.value(id).definition {
+            Definition::Input(input) => Some(Expression::Entry((self.known.entry)(input))),
+            Definition::Instruction => self.taken.remove(&id),
+        };
+        if let Some(value) = value {
+            self.assign(id, value);
+        }
+    }
+
+    /// An operation, with those that stand inside it.
+    fn operation(&self, operation: Operation) -> Expression {
+        let both = |a, b| Box::new([self.operand(a), self.operand(b)]);
+        match operation {
+            Operation::Add(a, b) if b.is_negative() => Expression::Difference(both(a, -b)),
+            Operation::Add(a, b) => Expression::Sum(both(a, b)),
+            Operation::Mul(a, b) => Expression::Product(both(a, b)),
+            Operation::Div(a, b) => Expression::Quotient(both(a, b)),
+            Operation::MulAdd(a, b, c) => {
+                Expression::Fused(Box::new([a, b, c].map(|operand| self.operand(operand))))
+            }
+            Operation::Abs(a) => Expression::Absolute(Box::new(self.operand(a))),
+            Operation::Neg(a) => Expression::Negative(Box::new(self.operand(a))),
+        }
+    }
+
+    /// A number, a value, or the negative of one.
+    fn operand(&self, operand: Operand) -> Expression {
+        match operand {
+            Operand::Number(number) => Expression::Number(number),
+            Operand::Value {
+                id,
+                negative: false,
+            } => self.value(id),
+            Operand::Value { id, negative: true } => Expression::Negative(Box::new(self.value(id))),
+        }
+    }
+
+    fn value(&self, id: ValueId) -> Expression {
+        if let Some(operation) = self.known.groups.inlined(id) {
+            return self.operation(operation);
+        }
+        match (self.held[id.index()], self.program.value(id).definition) {
+            (Some(local), _) => Expression::Local(local),
+            (None, Definition::Input(input @ Input::Prepared(_))) => {
+                Expression::Entry((self.known.entry)(input))
+            }
+            (None, _) => unreachable!("listing: value {} is read before it is there", id.index()),
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! The constants of a module: their names, what they mean, what they hold. Printers write them in this order; what compares
+//! committed modules finds them by the same names.
+
+use super::{Facts, Frame, Function, Joint, Module, Pattern, Size};
+use crate::functions::{Block, PACKED_LEN, PACKED_PLACES};
+
+/// The system's name.
+pub(crate) const NAME: &str = "NAME";
+/// The lower body of each body.
+pub(crate) const LOWER_BODIES: &str = "LOWER_BODIES";
+/// The bodies' names.
+pub(crate) const BODY_NAMES: &str = "BODY_NAMES";
+/// The coordinates' names.
+pub(crate) const COORDINATE_NAMES: &str = "COORDINATE_NAMES";
+/// The speeds' names.
+pub(crate) const SPEED_NAMES: &str = "SPEED_NAMES";
+/// Where coordinates and speeds of joints stand.
+pub(crate) const JOINTS: &str = "JOINTS";
+/// Frames that are fixed in bodies.
+pub(crate) const FRAMES: &str = "FRAMES";
+/// Hash of the model.
+pub(crate) const FINGERPRINT: &str = "FINGERPRINT";
+/// What functions cost.
+pub(crate) const OPERATIONS: &str = "OPERATIONS";
+
+/// A constant.
+#[derive(Clone, Debug)]
+pub struct Constant<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// What it means.
+    pub doc: &'a str,
+    /// What it holds.
+    pub data: Data<'a>,
+}
+
+/// What a constant holds; lists with the name of their length, where it has one.
+#[derive(Clone, Debug)]
+pub enum Data<'a> {
+    /// A size.
+    Size(usize),
+    /// A hash.
+    Hash(u64),
+    /// A name.
+    Text(&'a str),
+    /// Names.
+    Texts(&'static str, Vec<&'a str>),
+    /// Whole numbers.
+    Integers(&'static str, Vec<usize>),
+    /// Numbers; some may be infinite.
+    Numbers(&'static str, &'a [f64]),
+    /// Rows and columns.
+    Places(&'static str, &'a [[usize; 2]]),
+    /// Joints.
+    Joints(&'static str, &'a [Joint]),
+    /// Frames.
+    Frames(&'a [Frame]),
+    /// Non-zero partitions.
+    Blocks(&'a [Block]),
+    /// Functions with their operations.
+    Costs(Vec<&'a Function>),
+}
+
+const COORDINATES_DOC: &str = "The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.";
+
+impl Facts {
+    /// The constants of every module, but for its hash and costs.
+    pub fn constants(&self) -> Vec<Constant<'_>> {
+        let sizes = ["NB", "NQ", "NU"].into_iter();
+        let sizes = sizes.filter_map(|name| self.sizes.named(name));
+        let mut constants: Vec<Constant<'_>> = sizes.map(size).collect();
+        constants.extend(self.tree());
+        constants.extend(self.limits());
+        constants
+    }
+
+    /// Who is who, and where.
+    fn tree(&self) -> Vec<Constant<'_>> {
+        let lower = self.bodies.iter();
+        let lower = lower.map(|body| body.lower.map_or(0, |lower| lower + 1));
+        let bodies = self.bodies.iter().map(|body| body.name.as_str());
+        vec![
+            constant(NAME, "The system's name.", Data::Text(&self.name)),
+            constant(
+                LOWER_BODIES,
+                "The body-connection array: the number of each body's lower body (parent), counted from 1; 0 is the inertial frame.",
+                Data::Integers("NB", lower.collect()),
+            ),
+            constant(
+                BODY_NAMES,
+                "The bodies' names.",
+                Data::Texts("NB", bodies.collect()),
+            ),
+            constant(
+                COORDINATE_NAMES,
+                COORDINATES_DOC,
+                texts("NQ", &self.coordinates),
+            ),
+            constant(
+                SPEED_NAMES,
+                "The speeds' names, rad/s and m/s; w is a component of the relative angular velocity.",
+                texts("NU", &self.speeds),
+            ),
+            constant(
+                "SPEED_BODIES",
+                "The body that each speed moves relative to its lower body, as an index into `BODY_NAMES`.",
+                Data::Integers("NU", self.speed_bodies.clone()),
+            ),
+            constant(
+                JOINTS,
+                "Each body's joint: the places of its coordinates and speeds.",
+                Data::Joints("NB", &self.joints),
+            ),
+            constant(
+                FRAMES,
+                "Frames of the model's bodies that are fixed to others, and part of them.",
+                Data::Frames(&self.frames),
+            ),
+        ]
+    }
+
+    fn limits(&self) -> [Constant<'_>; 5] {
+        let limits = &self.limits;
+        [
+            constant(
+                "LOWER_LIMITS",
+                "The least value of each coordinate, rad, m: data only.",
+                Data::Numbers("NQ", &limits.lower),
+            ),
+            constant(
+                "UPPER_LIMITS",
+                "The greatest value of each coordinate, rad, m: data only.",
+                Data::Numbers("NQ", &limits.upper),
+            ),
+            constant(
+                "VELOCITY_LIMITS",
+                "The greatest magnitude of each speed, rad/s, m/s: data only.",
+                Data::Numbers("NU", &limits.velocity),
+            ),
+            constant(
+                "EFFORT_LIMITS",
+                "The greatest magnitude of each generalized force, N m, N: data only.",
+                Data::Numbers("NU", &limits.effort),
+            ),
+            constant(
+                "FRICTION",
+                "Coulomb friction along each speed, N m, N: data only, no part of any function.",
+                Data::Numbers("NU", &limits.friction),
+            ),
+        ]
+    }
+
+    /// The constants of modules in which functions are given sines and cosines.
+    pub fn angle_constants(&self) -> Vec<Constant<'_>> {
+        let angles = self.angles.iter().map(|angles| {
+            let names = angles.iter().map(|angle| angle.name.as_str());
+            constant(
+                "ANGLE_NAMES",
+                "The names of the angles among the coordinates, in the order of `q`.",
+                Data::Texts("NA", names.collect()),
+            )
+        });
+        let n_angles = self.sizes.named("NA").map(size);
+        n_angles.into_iter().chain(angles).collect()
+    }
+
+    /// The constants of modules in which a mass matrix is packed.
+    pub fn packed_constants(&self) -> Vec<Constant<'_>> {
+        let places = self.packed.iter().map(|places| {
+            constant(
+                PACKED_PLACES,
+                "The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.",
+                Data::Places(PACKED_LEN, places),
+            )
+        });
+        let length = self.sizes.named(PACKED_LEN).map(size);
+        length.into_iter().chain(places).collect()
+    }
+
+    /// The constants of a compact output.
+    pub fn pattern_constants<'a>(&'a self, pattern: &'a Pattern) -> Vec<Constant<'a>> {
+        let blocks = constant(
+            &pattern.blocks,
+            &pattern.doc,
+            Data::Blocks(&pattern.entries),
+        );
+        let columns = self.sizes.named(&pattern.columns).map(size);
+        columns.into_iter().chain([blocks]).collect()
+    }
+}
+
+impl Module {
+    /// Which model it is, and what its functions cost.
+    pub fn identity(&self) -> [Constant<'_>; 2] {
+        [
+            constant(
+                FINGERPRINT,
+                "Hash of the model: of every name, number, joint and place in it after all changes, whatever is generated from it.",
+                Data::Hash(self.facts.origin.fingerprint),
+            ),
+            constant(
+                OPERATIONS,
+                "Of each function the multiplications, additions, divisions, sines and cosines of one call.",
+                Data::Costs(self.costed().collect()),
+            ),
+        ]
+    }
+}
+
+fn constant<'a>(name: &'a str, doc: &'a str, data: Data<'a>) -> Constant<'a> {
+    Constant { name, doc, data }
+}
+
+fn size(size: &Size) -> Constant<'_> {
+    constant(&size.name, &size.doc, Data::Size(size.value))
+}
+
+fn texts<'a>(length: &'static str, texts: &'a [String]) -> Data<'a> {
+    Data::Texts(length, texts.iter().map(String::as_str).collect())
+}

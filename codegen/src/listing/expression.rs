@@ -1,0 +1,72 @@
+//! What a statement computes, as a tree.
+
+use super::{ArrayId, Entry, LocalId};
+
+/// A number, or operations on numbers. The order of evaluation is that of the tree: no printer re-associates.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expression {
+    /// A finite number of the model.
+    Number(f64),
+    /// A local.
+    Local(LocalId),
+    /// An element of a local array.
+    Element(ArrayId, usize),
+    /// What stands in an argument.
+    Entry(Entry),
+    /// `-a`.
+    Negative(Box<Expression>),
+    /// `|a|`.
+    Absolute(Box<Expression>),
+    /// `a + b`.
+    Sum(Box<[Expression; 2]>),
+    /// `a - b`.
+    Difference(Box<[Expression; 2]>),
+    /// `a b`.
+    Product(Box<[Expression; 2]>),
+    /// `a / b`.
+    Quotient(Box<[Expression; 2]>),
+    /// `a b + c`, rounded once.
+    Fused(Box<[Expression; 3]>),
+}
+
+/// How tightly what is written with signs between operands holds together, loosest first; the same in every language that
+/// writes them so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Binding {
+    /// Sums and differences.
+    Sum,
+    /// Products and quotients.
+    Product,
+    /// All that is one piece.
+    Whole,
+}
+
+impl Expression {
+    /// How tightly it holds together.
+    pub fn binding(&self) -> Binding {
+        match self {
+            Self::Sum(_) | Self::Difference(_) => Binding::Sum,
+            Self::Product(_) | Self::Quotient(_) => Binding::Product,
+            Self::Number(_)
+            | Self::Local(_)
+            | Self::Element(..)
+            | Self::Entry(_)
+            | Self::Negative(_)
+            | Self::Absolute(_)
+            | Self::Fused(_) => Binding::Whole,
+        }
+    }
+
+    /// What it is made of, in the order of evaluation.
+    pub fn operands(&self) -> &[Expression] {
+        match self {
+            Self::Number(_) | Self::Local(_) | Self::Element(..) | Self::Entry(_) => &[],
+            Self::Negative(a) | Self::Absolute(a) => std::slice::from_ref(a),
+            Self::Sum(both)
+            | Self::Difference(both)
+            | Self::Product(both)
+            | Self::Quotient(both) => both.as_slice(),
+            Self::Fused(all) => all.as_slice(),
+        }
+    }
+}

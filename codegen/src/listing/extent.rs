@@ -1,0 +1,156 @@
+//! Which numbers an argument holds, and in what order.
+
+use super::{Member, Sizes, Step};
+use crate::functions::{Declared, Element};
+
+/// What an argument holds, as sizes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Extent {
+    /// The lengths of nested arrays, outermost first.
+    lengths: Vec<usize>,
+    element: Element,
+    /// How many numbers each member of an element holds.
+    n_members: usize,
+}
+
+impl Extent {
+    /// The extent of an argument in a module with these sizes, so many parameters and so many prepared values.
+    pub fn of(argument: &Declared, sizes: &Sizes, n_parameters: usize, n_fields: usize) -> Self {
+        let lengths = argument.lengths.iter();
+        Self {
+            lengths: lengths.map(|length| sizes.length(length)).collect(),
+            element: argument.element,
+            n_members: match argument.element {
+                Element::Scalar => 1,
+                Element::Load => 3,
+                Element::SinCos => sizes.named("NA").map_or(0, |size| size.value),
+                Element::Parameters => n_parameters,
+                Element::Prepared => n_fields,
+            },
+        }
+    }
+
+    /// The lengths of its nested arrays, outermost first.
+    pub fn lengths(&self) -> &[usize] {
+        &self.lengths
+    }
+
+    /// How many numbers it holds.
+    pub fn size(&self) -> usize {
+        self.lengths.iter().product::<usize>() * self.of_element()
+    }
+
+    fn of_element(&self) -> usize {
+        match self.element {
+            Element::Load | Element::SinCos => 2 * self.n_members,
+            Element::Scalar | Element::Parameters | Element::Prepared => self.n_members,
+        }
+    }
+
+    /// The steps to a number, counted from 0 in the order of the memory.
+    pub fn steps(&self, place: usize) -> Vec<Step> {
+        let (mut element, inner) = (place / self.of_element(), place % self.of_element());
+        let mut steps = vec![Step::Index(0); self.lengths.len()];
+        for (step, length) in steps.iter_mut().zip(&self.lengths).rev() {
+            *step = Step::Index(element % length);
+            element /= length;
+        }
+        let pair = |members: [Member; 2]| {
+            let (member, place) = (inner / self.n_members, inner % self.n_members);
+            [Step::Member(members[member]), Step::Index(place)]
+        };
+        match self.element {
+            Element::Scalar => {}
+            Element::Load => steps.extend(pair([Member::Force, Member::Moment])),
+            Element::SinCos => steps.extend(pair([Member::Sines, Member::Cosines])),
+            Element::Parameters => steps.push(Step::Member(Member::Parameter(inner))),
+            Element::Prepared => steps.push(Step::Member(Member::Prepared(inner))),
+        }
+        steps
+    }
+
+    /// The place of the number to which these steps lead; `None` where they lead to none.
+    pub fn place(&self, steps: &[Step]) -> Option<usize> {
+        let (outer, inner) = steps.split_at_checked(self.lengths.len())?;
+        let mut place = 0;
+        for (step, &length) in outer.iter().zip(&self.lengths) {
+            let Step::Index(index) = *step else {
+                return None;
+            };
+            place = place * length + Some(index).filter(|&index| index < length)?;
+        }
+        Some(place * self.of_element() + self.within(inner)?)
+    }
+
+    /// The place of a number within an element.
+    fn within(&self, steps: &[Step]) -> Option<usize> {
+        let (member, index) = match (self.element, steps) {
+            (Element::Scalar, []) => (0, 0),
+            (Element::Load, &[Step::Member(Member::Force), Step::Index(index)])
+            | (Element::SinCos, &[Step::Member(Member::Sines), Step::Index(index)])
+            | (Element::Parameters, &[Step::Member(Member::Parameter(index))])
+            | (Element::Prepared, &[Step::Member(Member::Prepared(index))]) => (0, index),
+            (Element::Load, &[Step::Member(Member::Moment), Step::Index(index)])
+            | (Element::SinCos, &[Step::Member(Member::Cosines), Step::Index(index)]) => (1, index),
+            _ => return None,
+        };
+        (index < self.n_members).then_some(member * self.n_members + index)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Extent;
+    use crate::{
+        functions::Element,
+        listing::{Member, Step},
+    };
+
+    const ELEMENTS: [Element; 5] = [
+        Element::Scalar,
+        Element::Load,
+        Element::Parameters,
+        Element::Prepared,
+        Element::SinCos,
+    ];
+
+    fn extent(element: Element, lengths: &[usize]) -> Extent {
+        let n_members = if element == Element::Scalar { 1 } else { 3 };
+        Extent {
+            lengths: lengths.to_vec(),
+            element,
+            n_members,
+        }
+    }
+
+    #[test]
+    fn steps_lead_to_the_place_that_they_are_of() {
+        for element in ELEMENTS {
+            for lengths in [&[][..], &[4], &[2, 3], &[2, 3, 2]] {
+                let extent = extent(element, lengths);
+                for place in 0..extent.size() {
+                    assert_eq!(extent.place(&extent.steps(place)), Some(place));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn steps_beyond_lead_nowhere() {
+        let loads = extent(Element::Load, &[2]);
+        let force = [Step::Index(1), Step::Member(Member::Force), Step::Index(2)];
+        assert_eq!(loads.place(&force), Some(8));
+        for (changed, step) in [
+            (0, Step::Index(2)),
+            (1, Step::Member(Member::Sines)),
+            (2, Step::Index(3)),
+        ] {
+            let mut steps = force;
+            steps[changed] = step;
+            assert_eq!(loads.place(&steps), None, "{steps:?}");
+        }
+        assert_eq!(loads.place(&force[..2]), None);
+        assert_eq!(loads.place(&[&force[..], &force[..1]].concat()), None);
+        assert_eq!(extent(Element::Scalar, &[0]).place(&[Step::Index(0)]), None);
+    }
+}

@@ -1,0 +1,94 @@
+//! A function as data: how it is declared, what it costs, what it does.
+
+use super::{Code, Counted, Entry, Facts};
+use crate::{
+    functions::{self, Access, Declared, Formulation, Signature},
+    program::Operations,
+};
+
+/// A function.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// How it is declared, and what it means.
+    pub signature: Signature,
+    /// The function of the catalogue, where it is one as it stands there.
+    pub alone: Option<&'static functions::Function>,
+    /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
+    pub pattern: Option<usize>,
+    /// How its sums over bodies are associated.
+    pub formulation: Formulation,
+    /// True where they could have been associated otherwise.
+    pub has_choice: bool,
+    /// Its operations.
+    pub operations: Operations,
+    /// How many pairs of a multiplication and an addition are fused.
+    pub fused: usize,
+    /// What it does.
+    pub code: Code,
+}
+
+impl Function {
+    /// One that computes nothing that could be associated otherwise.
+    pub(super) fn plain(signature: Signature, operations: Operations, code: Code) -> Self {
+        Self {
+            signature,
+            alone: None,
+            pattern: None,
+            formulation: Formulation::Notes,
+            has_choice: false,
+            operations,
+            fused: 0,
+            code,
+        }
+    }
+
+    /// The arguments that it reads.
+    pub fn inputs(&self) -> impl Iterator<Item = &Declared> {
+        with_access(&self.signature, Access::Read).map(|(_, argument)| argument)
+    }
+
+    /// The arguments that it writes.
+    pub fn outputs(&self) -> impl Iterator<Item = &Declared> {
+        with_access(&self.signature, Access::Written).map(|(_, argument)| argument)
+    }
+
+    /// What it costs.
+    pub fn counted(&self) -> Counted {
+        let formulation = self.has_choice.then(|| self.formulation.name().to_owned());
+        Counted {
+            operations: self.operations,
+            formulation,
+        }
+    }
+
+    /// Lines that say what it costs.
+    pub fn cost(&self) -> Vec<String> {
+        let mut lines = vec![self.counted().line()];
+        if self.fused > 0 {
+            let fused = self.fused;
+            lines.push(format!(
+                "Of the multiplications and additions {fused} each are fused."
+            ));
+        }
+        lines
+    }
+}
+
+/// The places of all numbers that a function writes: those of one output after the other.
+pub(super) fn places(signature: &Signature, facts: &Facts) -> Vec<Entry> {
+    let outputs = with_access(signature, Access::Written);
+    let places = outputs.flat_map(|(argument, declared)| {
+        let extent = facts.extent(declared);
+        let places = 0..extent.size();
+        places.map(move |place| Entry {
+            argument,
+            steps: extent.steps(place),
+        })
+    });
+    places.collect()
+}
+
+fn with_access(signature: &Signature, access: Access) -> impl Iterator<Item = (usize, &Declared)> {
+    let arguments = signature.arguments.iter().enumerate();
+    arguments.filter(move |(_, argument)| argument.access == access)
+}

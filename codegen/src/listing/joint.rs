@@ -1,0 +1,112 @@
+//! Where coordinates and speeds of joints stand, and frames that are fixed in bodies.
+
+use crate::{
+    id::BodyId,
+    tree::{self, Orientation},
+};
+
+/// A body's joint.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Joint {
+    /// Its name, as the user wrote it.
+    pub name: String,
+    /// How its orientation is told.
+    pub chart: Chart,
+    /// The places in `q` of theta1, theta2, theta3 or e0, e1, e2, e3, then s1, s2, s3; none for what is locked.
+    pub q: [Option<usize>; 7],
+    /// The places in `u` of the speeds of the three rotations and the three translations.
+    pub u: [Option<usize>; 6],
+}
+
+/// How an orientation is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chart {
+    /// Angles, with their rates for speeds.
+    AngleRates,
+    /// Angles, with components of the angular velocity for speeds.
+    Angles,
+    /// A unit quaternion, with components of the angular velocity for speeds.
+    EulerParameters,
+}
+
+/// A frame of the model that is part of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Its name, as the user wrote it.
+    pub name: String,
+    /// The body, by its place; `None` is the inertial frame.
+    pub body: Option<usize>,
+    /// From the body's axes to the frame's.
+    pub rotation: [[f64; 3]; 3],
+    /// From the body's origin to the frame's, the body's axes, m.
+    pub position: [f64; 3],
+}
+
+impl Chart {
+    /// The kinds of the coordinates that have a place in [`Joint::q`]; of angles the fourth place has none.
+    pub(crate) fn coordinates(self) -> [&'static str; 7] {
+        match self {
+            Self::AngleRates | Self::Angles => ["theta1", "theta2", "theta3", "", "s1", "s2", "s3"],
+            Self::EulerParameters => ["e0", "e1", "e2", "e3", "s1", "s2", "s3"],
+        }
+    }
+
+    /// The chart of this name, which is that of the variant.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        let mut all = [Self::AngleRates, Self::Angles, Self::EulerParameters].into_iter();
+        all.find(|chart| chart.name() == name)
+    }
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::AngleRates => "AngleRates",
+            Self::Angles => "Angles",
+            Self::EulerParameters => "EulerParameters",
+        }
+    }
+}
+
+impl Joint {
+    pub(super) fn of(joint: &tree::Joint) -> Self {
+        let chart = match joint.orientation {
+            Orientation::Rates(_) => Chart::AngleRates,
+            Orientation::AngularVelocity {
+                chart: tree::ChartCoordinates::Angles(_),
+                ..
+            } => Chart::Angles,
+            Orientation::AngularVelocity {
+                chart: tree::ChartCoordinates::EulerParameters(_),
+                ..
+            } => Chart::EulerParameters,
+        };
+        let kinds = chart.coordinates();
+        let mut q = [None; 7];
+        for (kind, coordinate) in joint.coordinates() {
+            let slot = kinds.iter().position(|known| *known == kind);
+            let slot = slot.unwrap_or_else(|| unreachable!("listing: {kind} has no place"));
+            q[slot] = Some(coordinate.index());
+        }
+        let mut u = [None; 6];
+        for (motion, speed) in joint.speeds() {
+            u[motion] = Some(speed.index());
+        }
+        Self {
+            name: joint.name.clone(),
+            chart,
+            q,
+            u,
+        }
+    }
+}
+
+impl Frame {
+    pub(super) fn of(frame: &tree::Frame) -> Self {
+        Self {
+            name: frame.name.clone(),
+            body: frame.body.map(BodyId::index),
+            rotation: frame.rotation,
+            position: frame.position,
+        }
+    }
+}

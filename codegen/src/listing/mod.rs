@@ -1,0 +1,40 @@
+//! The listing: what a module says and what its functions do, as data, before any language.
+//!
+//! In: a tree, where it comes from, its programs. Out: a [`Module`]: facts, and functions with their statements in order.
+//! Afterwards ([`verify`]): every local is assigned once, before it is read, and is read; every place of an output is stored once;
+//! what is read is there; names are unique identifiers in lower snake case. Whatever does not depend on a language is decided here.
+//! Does not: write text. Printers do, and escape what their language reserves.
+
+mod code;
+pub(crate) mod constants;
+mod entry;
+mod expression;
+mod extent;
+mod facts;
+mod function;
+mod group;
+mod joint;
+mod limits;
+mod module;
+mod name;
+mod size;
+mod stated;
+mod statement;
+mod stores;
+mod verify;
+
+pub use constants::{Constant, Data};
+pub use entry::{Entry, Member, Step};
+pub use expression::{Binding, Expression};
+pub use extent::Extent;
+pub use facts::{Angle, Body, Facts, Pattern};
+pub use function::Function;
+pub use joint::{Chart, Frame, Joint};
+pub use limits::Limits;
+pub use module::Module;
+pub use name::RESERVED;
+pub use size::{Size, Sizes};
+pub use stated::Counted;
+pub(crate) use stated::{nominal, read_nominal};
+pub use statement::{Array, ArrayId, Code, Local, LocalId, Statement};
+pub use verify::{Fault, verify, verify_facts};

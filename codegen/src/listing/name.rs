@@ -1,0 +1,108 @@
+//! Names of locals, from structure: the body, then the quantity, or a number counted within the body.
+//!
+//! No name depends on how many values another body has, so a change to one body leaves the others' lines alone.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::group::Groups;
+use crate::{
+    expr::Input,
+    id::BodyId,
+    program::{Definition, InputNames, Instruction, Program},
+    tree::Tree,
+    words,
+};
+
+/// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
+pub const RESERVED: [&str; 29] = [
+    "accelerations",
+    "alpha",
+    "bias",
+    "columns",
+    "cosines",
+    "distances",
+    "energy",
+    "entries",
+    "f",
+    "loads",
+    "m",
+    "momentum",
+    "normalized",
+    "p",
+    "parameters",
+    "pivots",
+    "positions",
+    "q",
+    "q_dot",
+    "rates",
+    "rotations",
+    "sin_cos",
+    "sines",
+    "tau",
+    "u",
+    "u_dot",
+    "velocities",
+    "w",
+    "w_rel",
+];
+
+/// What the values of a program are called that are only counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Counted {
+    /// `hub_t1`, in a function.
+    InFunction,
+    /// `hub_k1`, in what depends on parameters alone.
+    InPreparation,
+}
+
+/// A name for each value that is to have a local; empty for the others. `arguments` are the function's own.
+pub(super) fn names<'a>(
+    program: &Program,
+    groups: &Groups,
+    tree: &Tree,
+    arguments: impl Iterator<Item = &'a str>,
+    counted: Counted,
+) -> Vec<String> {
+    let known = InputNames::of(tree);
+    let mut names = vec![String::new(); program.values.len()];
+    let reserved = RESERVED.into_iter().chain(words::RUST_CRATES);
+    let mut taken: BTreeSet<String> = reserved.chain(arguments).map(str::to_owned).collect();
+    let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
+    for (value, name) in program.values.iter().zip(&mut names) {
+        match value.definition {
+            // Read where it stands.
+            Definition::Input(Input::Prepared(_)) | Definition::Instruction => {}
+            Definition::Input(input) => *name = unique(known.input(tree, input), &mut taken),
+        }
+    }
+    let letter = match counted {
+        Counted::InFunction => 't',
+        Counted::InPreparation => 'k',
+    };
+    for id in program.instructions.iter().flat_map(Instruction::results) {
+        if groups.inlined(id).is_some() {
+            continue;
+        }
+        let value = program.value(id);
+        let body = value
+            .scope
+            .map_or("system", |body| tree.body(body).identifier.as_str());
+        let name = if let Some(label) = &value.label {
+            format!("{body}_{label}")
+        } else {
+            let counter = counters.entry(value.scope).or_default();
+            *counter += 1;
+            format!("{body}_{letter}{counter}")
+        };
+        names[id.index()] = unique(name, &mut taken);
+    }
+    names
+}
+
+/// The name, or with `_` behind it where it is taken.
+pub(super) fn unique(mut name: String, taken: &mut BTreeSet<String>) -> String {
+    while !taken.insert(name.clone()) {
+        name.push('_');
+    }
+    name
+}

@@ -1,0 +1,95 @@
+//! Lines of documentation that say facts, and what reads them back from modules of any age.
+
+use crate::{program::Operations, tree::Parameter};
+
+/// What a function states about itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Counted {
+    /// Its operations.
+    pub operations: Operations,
+    /// Its formulation, where it has more than one.
+    pub formulation: Option<String>,
+}
+
+/// With what the line of operations begins.
+const OPERATIONS: &str = "Operations: ";
+/// What stands before the formulation.
+const FORMULATION: &str = "; formulation: ";
+/// With what the line of a nominal value begins.
+const NOMINAL: &str = "Nominal value ";
+
+impl Counted {
+    /// `Operations: 7 = 4 mul + 3 add + 0 div + 0 trig; formulation: notes.`
+    pub fn line(&self) -> String {
+        let formulation = self.formulation.iter();
+        let formulation: String = formulation.flat_map(|name| [FORMULATION, name]).collect();
+        format!("{OPERATIONS}{}{formulation}.", self.operations)
+    }
+
+    /// What such a line says.
+    pub(crate) fn read(line: &str) -> Option<Self> {
+        let line = line.trim().strip_prefix(OPERATIONS)?;
+        let line = line.strip_suffix('.').unwrap_or(line);
+        let (counts, formulation) = match line.split_once(FORMULATION) {
+            Some((counts, formulation)) => (counts, Some(formulation.to_owned())),
+            None => (line, None),
+        };
+        let (_, terms) = counts.split_once(" = ")?;
+        let mut operations = Operations::default();
+        for term in terms.split(" + ") {
+            let (number, kind) = term.split_once(' ')?;
+            let count = match kind {
+                "mul" => &mut operations.mul,
+                "add" => &mut operations.add,
+                "div" => &mut operations.div,
+                "trig" => &mut operations.trig,
+                _ => return None,
+            };
+            *count = number.parse().ok()?;
+        }
+        Some(Self {
+            operations,
+            formulation,
+        })
+    }
+}
+
+/// `Nominal value 12.0 kg.`
+pub(crate) fn nominal(parameter: &Parameter) -> String {
+    format!("{NOMINAL}{:?} {}.", parameter.nominal, parameter.unit)
+}
+
+/// The value and unit of such a line.
+pub(crate) fn read_nominal(line: &str) -> Option<&str> {
+    let value = line.trim().strip_prefix(NOMINAL)?;
+    Some(value.trim_end_matches('.'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Counted, nominal, read_nominal};
+    use crate::{program::Operations, tree::Parameter};
+
+    #[test]
+    fn lines_are_read_as_they_were_written() {
+        for formulation in [None, Some("notes".to_owned())] {
+            let counted = Counted {
+                operations: Operations {
+                    mul: 4,
+                    add: 3,
+                    div: 2,
+                    trig: 1,
+                },
+                formulation,
+            };
+            assert_eq!(Counted::read(&counted.line()), Some(counted));
+        }
+        let parameter = Parameter {
+            name: "hub_mass".to_owned(),
+            body: None,
+            nominal: 12.0,
+            unit: "kg",
+        };
+        assert_eq!(read_nominal(&nominal(&parameter)), Some("12.0 kg"));
+    }
+}

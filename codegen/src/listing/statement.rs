@@ -1,0 +1,165 @@
+//! What a function does, statement by statement.
+
+use super::{Entry, Expression};
+use crate::id::BodyId;
+
+/// The statements of a function, in order, and the locals that they assign.
+#[derive(Clone, Debug, Default)]
+pub struct Code {
+    /// The locals, in the order in which they are assigned.
+    pub locals: Vec<Local>,
+    /// The local arrays, in the order in which they are assigned.
+    pub arrays: Vec<Array>,
+    /// What is done.
+    pub statements: Vec<Statement>,
+}
+
+/// A number with a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Local {
+    /// Its name: unique in the function, lower snake case.
+    pub name: String,
+    /// The body that it belongs to.
+    pub body: Option<BodyId>,
+}
+
+/// Several numbers with one name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Array {
+    /// Its name, as that of a local.
+    pub name: String,
+    /// How many.
+    pub length: usize,
+}
+
+/// A local, by its place among [`Code::locals`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LocalId(u32);
+
+/// A local array, by its place among [`Code::arrays`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ArrayId(u32);
+
+/// One step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// A local is given a value: what an argument holds, or what is computed.
+    Assign {
+        /// The local.
+        local: LocalId,
+        /// The value.
+        value: Expression,
+    },
+    /// The sine and cosine of one angle.
+    SinCos {
+        /// The angle.
+        angle: Expression,
+        /// What its sine is given to, where that is used.
+        sine: Option<LocalId>,
+        /// The same of its cosine.
+        cosine: Option<LocalId>,
+    },
+    /// Sines and cosines of several angles together, so that they vectorise.
+    SinCosArray {
+        /// The angles.
+        angles: Vec<Expression>,
+        /// Their sines.
+        sines: ArrayId,
+        /// Their cosines.
+        cosines: ArrayId,
+    },
+    /// The same, to where they are to be stored.
+    StoreSinCos {
+        /// The angles.
+        angles: Vec<Expression>,
+        /// Where their sines go.
+        sines: Vec<Entry>,
+        /// Where their cosines go.
+        cosines: Vec<Entry>,
+    },
+    /// A number goes to its place in an output.
+    Store {
+        /// The place.
+        place: Entry,
+        /// The number.
+        value: Expression,
+    },
+    /// No instruction: stores before it are not joined with those after it, as a compiler does with many zeros.
+    Fence,
+}
+
+impl LocalId {
+    /// The local at this place.
+    pub(super) fn new(place: usize) -> Self {
+        Self(u32::try_from(place).expect("listing: fewer than 2^32 locals"))
+    }
+
+    /// Its place.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl ArrayId {
+    /// The array at this place.
+    pub(super) fn new(place: usize) -> Self {
+        Self(u32::try_from(place).expect("listing: fewer than 2^32 arrays"))
+    }
+
+    /// Its place.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl Code {
+    /// A local.
+    pub fn local(&self, id: LocalId) -> &Local {
+        &self.locals[id.index()]
+    }
+
+    /// A local array.
+    pub fn array(&self, id: ArrayId) -> &Array {
+        &self.arrays[id.index()]
+    }
+
+    /// True where stores are kept apart.
+    pub fn has_fences(&self) -> bool {
+        self.statements.contains(&Statement::Fence)
+    }
+}
+
+impl Statement {
+    /// The locals that it assigns.
+    pub fn assigned(&self) -> impl Iterator<Item = LocalId> + use<> {
+        let pair = match self {
+            Self::Assign { local, .. } => [Some(*local), None],
+            Self::SinCos { sine, cosine, .. } => [*sine, *cosine],
+            Self::SinCosArray { .. }
+            | Self::StoreSinCos { .. }
+            | Self::Store { .. }
+            | Self::Fence => [None; 2],
+        };
+        pair.into_iter().flatten()
+    }
+
+    /// What it computes.
+    pub fn values(&self) -> &[Expression] {
+        match self {
+            Self::Assign { value, .. } | Self::Store { value, .. } => std::slice::from_ref(value),
+            Self::SinCos { angle, .. } => std::slice::from_ref(angle),
+            Self::SinCosArray { angles, .. } | Self::StoreSinCos { angles, .. } => angles,
+            Self::Fence => &[],
+        }
+    }
+
+    /// The places to which it stores.
+    pub fn stored(&self) -> impl Iterator<Item = &Entry> {
+        let (one, sines, cosines): (_, &[_], &[_]) = match self {
+            Self::Store { place, .. } => (Some(place), &[], &[]),
+            Self::StoreSinCos { sines, cosines, .. } => (None, sines, cosines),
+            _ => (None, &[], &[]),
+        };
+        one.into_iter().chain(sines).chain(cosines)
+    }
+}

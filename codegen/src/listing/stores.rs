@@ -1,0 +1,64 @@
+//! When what goes to an output is stored.
+
+use std::collections::BTreeMap;
+
+use super::{Entry, Expression, Statement};
+use crate::{
+    expr::Input,
+    program::{Definition, Operand, Program, ValueId},
+};
+
+/// The most zeros that are stored side by side before a fence. More a compiler makes a call of `memset`, on the smallest
+/// of processors already where they have 32 bytes.
+const MOST_ZEROS: usize = 4;
+
+/// The stores of a program: those of each value, and those of numbers and of fields of `Prepared`, which wait for nothing.
+#[derive(Default)]
+pub(super) struct Stores {
+    pub(super) of_values: BTreeMap<ValueId, Vec<(Entry, Operand)>>,
+    pub(super) of_constants: Vec<Statement>,
+}
+
+impl Stores {
+    /// The stores to these places, with a fence wherever too many zeros would stand side by side.
+    pub(super) fn of(
+        program: &Program,
+        places: Vec<Entry>,
+        constant: impl Fn(Operand) -> Expression,
+    ) -> Self {
+        assert_eq!(
+            places.len(),
+            program.stores.len(),
+            "listing: outputs have a place for each store"
+        );
+        let mut stores = Self::default();
+        let mut n_zeros = 0;
+        for (place, &store) in places.into_iter().zip(&program.stores) {
+            n_zeros = if store == Operand::Number(0.0) {
+                n_zeros + 1
+            } else {
+                0
+            };
+            if n_zeros > MOST_ZEROS {
+                stores.of_constants.push(Statement::Fence);
+                n_zeros = 1;
+            }
+            match store.value().filter(|&id| !is_field(program, id)) {
+                Some(id) => stores.of_values.entry(id).or_default().push((place, store)),
+                None => stores.of_constants.push(Statement::Store {
+                    place,
+                    value: constant(store),
+                }),
+            }
+        }
+        stores
+    }
+}
+
+/// True for a field of `Prepared`, which is read where it stands.
+pub(super) fn is_field(program: &Program, id: ValueId) -> bool {
+    matches!(
+        program.value(id).definition,
+        Definition::Input(Input::Prepared(_))
+    )
+}

@@ -1,0 +1,264 @@
+//! What every function of a listing must hold; a breach is a bug of ours.
+
+use std::collections::BTreeSet;
+
+use super::{Code, Entry, Expression, Extent, Facts, Function, Statement};
+use crate::functions::Access;
+
+/// A broken promise of a function.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// A name that some language cannot have.
+    #[error("`{0}` is no identifier in lower snake case")]
+    NoIdentifier(String),
+    /// Two arguments, locals or arrays with one name.
+    #[error("`{0}` is the name of two things")]
+    SameName(String),
+    /// A local or array is read before it is assigned, or is none of the function's.
+    #[error("`{0}` is read before it is assigned")]
+    Unassigned(String),
+    /// A local or array is assigned twice.
+    #[error("`{0}` is assigned twice")]
+    AssignedTwice(String),
+    /// A local is assigned and not read, or both arrays of one statement.
+    #[error("`{0}` is never read")]
+    Unread(String),
+    /// What is read is not there.
+    #[error("{0:?} is read, which is nothing that the function is given")]
+    Unreadable(Entry),
+    /// An element of an array that it does not have.
+    #[error("`{0}` has no element {1}")]
+    NoElement(String, usize),
+    /// As many sines or cosines as angles are taken together, and as many are kept.
+    #[error("{0} angles have {1} sines or cosines")]
+    Lengths(usize, usize),
+    /// What is stored has no place in an output.
+    #[error("{0:?} is stored, which is nothing that the function writes")]
+    Unwritable(Entry),
+    /// A place of an output is stored twice.
+    #[error("{0:?} is stored twice")]
+    StoredTwice(Entry),
+    /// A place of an output is not stored.
+    #[error("number {1} of `{0}` is not stored")]
+    NotStored(String, usize),
+    /// A number that no literal is.
+    #[error("a number is not finite")]
+    NotFinite,
+}
+
+/// Checks that names of parameters, of prepared fields and of bodies are unique identifiers.
+///
+/// # Errors
+/// The first that is none.
+pub fn verify_facts(facts: &Facts) -> Result<(), Fault> {
+    check_names(facts.parameters.iter().map(|parameter| &parameter.name))?;
+    check_names(facts.fields.iter())?;
+    check_names(facts.bodies.iter().map(|body| &body.identifier))
+}
+
+/// Checks that names are unique identifiers; that each local is assigned once, before it is read, and is read; that what is
+/// read of arguments is there; and that each place of each output is stored once.
+///
+/// # Errors
+/// The first promise that is broken.
+pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
+    let arguments = &function.signature.arguments;
+    let code = &function.code;
+    let locals = code.locals.iter().map(|local| &local.name);
+    let arrays = code.arrays.iter().map(|array| &array.name);
+    let names = arguments.iter().map(|argument| &argument.name);
+    check_names(names.chain(locals).chain(arrays))?;
+    let arguments = arguments.iter().map(|argument| {
+        let extent = facts.extent(argument);
+        let is_stored = match argument.access {
+            Access::Read => None,
+            Access::Written => Some(vec![false; extent.size()]),
+        };
+        Argument { extent, is_stored }
+    });
+    let mut state = State {
+        code,
+        arguments: arguments.collect(),
+        locals: vec![Use::Unassigned; code.locals.len()],
+        arrays: vec![Use::Unassigned; code.arrays.len()],
+    };
+    for statement in &code.statements {
+        state.statement(statement)?;
+    }
+    state.close(function)
+}
+
+fn check_names<'a>(names: impl Iterator<Item = &'a String>) -> Result<(), Fault> {
+    let mut known = BTreeSet::new();
+    for name in names {
+        if !is_identifier(name) {
+            return Err(Fault::NoIdentifier(name.clone()));
+        }
+        if !known.insert(name.as_str()) {
+            return Err(Fault::SameName(name.clone()));
+        }
+    }
+    Ok(())
+}
+
+/// True for lower-case letters of ASCII, digits and `_`, with a letter first.
+fn is_identifier(name: &str) -> bool {
+    let is_inner = |byte: u8| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_';
+    name.starts_with(|first: char| first.is_ascii_lowercase()) && name.bytes().all(is_inner)
+}
+
+/// How far a local or array has come.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Use {
+    Unassigned,
+    Assigned,
+    Read,
+}
+
+struct Argument {
+    extent: Extent,
+    /// Of an output, which places are stored.
+    is_stored: Option<Vec<bool>>,
+}
+
+struct State<'a> {
+    code: &'a Code,
+    arguments: Vec<Argument>,
+    locals: Vec<Use>,
+    arrays: Vec<Use>,
+}
+
+impl State<'_> {
+    fn statement(&mut self, statement: &Statement) -> Result<(), Fault> {
+        for value in statement.values() {
+            self.read(value)?;
+        }
+        for local in statement.assigned() {
+            assign(
+                &mut self.locals[local.index()],
+                &self.code.local(local).name,
+            )?;
+        }
+        match statement {
+            Statement::SinCosArray {
+                angles,
+                sines,
+                cosines,
+            } => {
+                for &id in [sines, cosines] {
+                    let array = self.code.array(id);
+                    check_lengths(angles.len(), array.length)?;
+                    assign(&mut self.arrays[id.index()], &array.name)?;
+                }
+            }
+            Statement::StoreSinCos {
+                angles,
+                sines,
+                cosines,
+            } => {
+                check_lengths(angles.len(), sines.len())?;
+                check_lengths(angles.len(), cosines.len())?;
+            }
+            _ => {}
+        }
+        statement.stored().try_for_each(|place| self.store(place))
+    }
+
+    fn read(&mut self, value: &Expression) -> Result<(), Fault> {
+        match value {
+            Expression::Number(number) if !number.is_finite() => return Err(Fault::NotFinite),
+            Expression::Local(id) => {
+                read(&mut self.locals[id.index()], &self.code.local(*id).name)?;
+            }
+            Expression::Element(id, place) => {
+                let array = self.code.array(*id);
+                if *place >= array.length {
+                    return Err(Fault::NoElement(array.name.clone(), *place));
+                }
+                read(&mut self.arrays[id.index()], &array.name)?;
+            }
+            Expression::Entry(entry) => {
+                let argument = self.arguments.get(entry.argument);
+                let given = argument.filter(|argument| argument.is_stored.is_none());
+                let place = given.and_then(|argument| argument.extent.place(&entry.steps));
+                place.ok_or_else(|| Fault::Unreadable(entry.clone()))?;
+            }
+            _ => {}
+        }
+        let mut operands = value.operands().iter();
+        operands.try_for_each(|operand| self.read(operand))
+    }
+
+    fn store(&mut self, place: &Entry) -> Result<(), Fault> {
+        let argument = self.arguments.get_mut(place.argument);
+        let slot = argument.and_then(|argument| {
+            let stored = argument.is_stored.as_mut()?;
+            stored.get_mut(argument.extent.place(&place.steps)?)
+        });
+        let is_stored = slot.ok_or_else(|| Fault::Unwritable(place.clone()))?;
+        if std::mem::replace(is_stored, true) {
+            return Err(Fault::StoredTwice(place.clone()));
+        }
+        Ok(())
+    }
+
+    /// Nothing is left to read or to store.
+    fn close(&self, function: &Function) -> Result<(), Fault> {
+        let locals = self.locals.iter().zip(&self.code.locals);
+        let locals = locals.map(|(how, local)| (how, &local.name));
+        let mut unread = locals.filter(|(how, _)| **how != Use::Read);
+        if let Some((_, name)) = unread.next() {
+            return Err(Fault::Unread(name.clone()));
+        }
+        self.close_arrays()?;
+        for (argument, declared) in self.arguments.iter().zip(&function.signature.arguments) {
+            let stored = argument.is_stored.as_ref();
+            let missing = stored.and_then(|stored| stored.iter().position(|stored| !stored));
+            if let Some(place) = missing {
+                return Err(Fault::NotStored(declared.name.clone(), place));
+            }
+        }
+        Ok(())
+    }
+
+    /// Of sines and cosines that are taken together, one may be of no use, but not both.
+    fn close_arrays(&self) -> Result<(), Fault> {
+        for statement in &self.code.statements {
+            if let Statement::SinCosArray { sines, cosines, .. } = statement {
+                let mut both = [sines, cosines].into_iter();
+                if both.all(|id| self.arrays[id.index()] != Use::Read) {
+                    return Err(Fault::Unread(self.code.array(*sines).name.clone()));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn assign(how: &mut Use, name: &str) -> Result<(), Fault> {
+    match how {
+        Use::Unassigned => *how = Use::Assigned,
+        Use::Assigned | Use::Read => return Err(Fault::AssignedTwice(name.to_owned())),
+    }
+    Ok(())
+}
+
+fn read(how: &mut Use, name: &str) -> Result<(), Fault> {
+    if *how == Use::Unassigned {
+        return Err(Fault::Unassigned(name.to_owned()));
+    }
+    *how = Use::Read;
+    Ok(())
+}
+
+fn check_lengths(angles: usize, kept: usize) -> Result<(), Fault> {
+    if angles == kept {
+        Ok(())
+    } else {
+        Err(Fault::Lengths(angles, kept))
+    }
+}
+
+#[cfg(test)]
+mod tests;

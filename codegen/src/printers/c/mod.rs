@@ -1,0 +1,8 @@
+//! C: headers that declare functions, whatever they are written in.
+//!
+//! In: a listing, and the name of the module. Out: the text of a header for C99 and C++. Does not: define a function.
+
+mod header;
+pub(super) mod rules;
+
+pub(crate) use header::text as header;

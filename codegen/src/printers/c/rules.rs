@@ -1,0 +1,17 @@
+//! What callers in C have to know, in whatever language the functions are written.
+
+/// The scalars of C, as Rust names them.
+pub(crate) const SCALARS: [&str; 2] = ["f64", "f32"];
+
+/// What callers have to keep to.
+pub(crate) const RULES: [&str; 9] = [
+    "No function allocates, keeps state, fails, or checks what it is given. Several threads may call them at once, with the same",
+    "prepared parameters too. Matrices are row after row, and what bodies have is body after body. Units are kg, m, s, rad and N.",
+    "A matrix is one array, `double m[N * N]`; of two dimensions it is passed as `(double *)m`.",
+    "",
+    "The behaviour is undefined where",
+    "- a pointer is null, not aligned as its type is, or leads to fewer elements than are declared;",
+    "- something is read that holds no value yet, or prepared parameters that `prepare` did not write for the same scalar;",
+    "- something is written to which another argument leads as well.",
+    "What is only read may overlap, and what is written may hold anything before.",
+];

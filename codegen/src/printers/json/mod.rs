@@ -1,0 +1,6 @@
+//! JSON: the facts of a module, and how its functions are called, for programs that read no other language.
+
+mod manifest;
+mod syntax;
+
+pub(crate) use manifest::text as manifest;

@@ -1,0 +1,99 @@
+//! Expressions: built as syntax, never spliced as tokens, so that no parenthesis is lost.
+
+use proc_macro2::Ident;
+use syn::{
+    BinOp, Expr,
+    token::{Minus, Plus, Slash, Star},
+};
+
+use super::{syntax, text::ident};
+use crate::listing::{Binding, Entry, Expression, Facts, Function, LocalId, Member, Step};
+
+/// What a function's names are known from.
+pub(super) struct Writer<'a> {
+    pub(super) facts: &'a Facts,
+    pub(super) function: &'a Function,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(facts: &'a Facts, function: &'a Function) -> Self {
+        Self { facts, function }
+    }
+
+    pub(super) fn expression(&self, expression: &Expression) -> Expr {
+        let infix = |[left, right]: &[Expression; 2], op, bindings: [Binding; 2]| {
+            let [left, right] = [(left, bindings[0]), (right, bindings[1])]
+                .map(|(operand, binding)| self.bound(operand, binding));
+            syntax::binary(left, op, right)
+        };
+        // Right of a sign a sum keeps its parentheses, and a product right of a times, for their association.
+        let in_sum = [Binding::Sum, Binding::Product];
+        let in_product = [Binding::Product, Binding::Whole];
+        match expression {
+            Expression::Number(value) => number(*value),
+            Expression::Local(id) => syntax::name(&self.local(*id)),
+            Expression::Element(id, place) => {
+                let array = ident(&self.function.code.array(*id).name);
+                syntax::index(syntax::name(&array), *place)
+            }
+            Expression::Entry(entry) => self.entry(entry),
+            Expression::Negative(a) => syntax::negative(self.bound(a, Binding::Whole)),
+            Expression::Absolute(a) => self.call("abs", std::slice::from_ref(a)),
+            Expression::Sum(both) => infix(both, BinOp::Add(Plus::default()), in_sum),
+            Expression::Difference(both) => infix(both, BinOp::Sub(Minus::default()), in_sum),
+            Expression::Product(both) => infix(both, BinOp::Mul(Star::default()), in_product),
+            Expression::Quotient(both) => infix(both, BinOp::Div(Slash::default()), in_product),
+            Expression::Fused(all) => self.call("mul_add", all.as_slice()),
+        }
+    }
+
+    /// In parentheses, where it would fall apart.
+    fn bound(&self, expression: &Expression, binding: Binding) -> Expr {
+        let expr = self.expression(expression);
+        if expression.binding() < binding {
+            syntax::parenthesised(expr)
+        } else {
+            expr
+        }
+    }
+
+    /// A function of `R`.
+    pub(super) fn call(&self, function: &str, arguments: &[Expression]) -> Expr {
+        let arguments = arguments.iter().map(|argument| self.expression(argument));
+        syntax::call(syntax::of_scalar(function), arguments)
+    }
+
+    pub(super) fn local(&self, id: LocalId) -> Ident {
+        ident(&self.function.code.local(id).name)
+    }
+
+    /// Where a number of an argument stands.
+    pub(super) fn entry(&self, entry: &Entry) -> Expr {
+        let argument = &self.function.signature.arguments[entry.argument];
+        let argument = syntax::name(&ident(&argument.name));
+        if entry.steps.is_empty() {
+            return syntax::dereferenced(argument);
+        }
+        let steps = entry.steps.iter();
+        steps.fold(argument, |base, step| match *step {
+            Step::Index(place) => syntax::index(base, place),
+            Step::Member(member) => syntax::field(base, &ident(self.member(member))),
+        })
+    }
+
+    fn member(&self, member: Member) -> &str {
+        match member {
+            Member::Force => "force",
+            Member::Moment => "moment",
+            Member::Sines => "sines",
+            Member::Cosines => "cosines",
+            Member::Parameter(place) => &self.facts.parameters[place].name,
+            Member::Prepared(place) => &self.facts.fields[place],
+        }
+    }
+}
+
+/// A number as a value of R.
+fn number(value: f64) -> Expr {
+    syntax::call(syntax::of_scalar("from_f64"), [syntax::number(value)])
+}

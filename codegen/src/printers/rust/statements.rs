@@ -1,0 +1,101 @@
+//! The statements of a function.
+
+use syn::{Stmt, parse_quote};
+
+use super::{declarations::Declarations, expression::Writer, syntax, text::ident};
+use crate::listing::{Entry, Expression, LocalId, Statement};
+
+/// All of them.
+pub(super) fn of(writer: &Writer<'_>) -> Vec<Stmt> {
+    those(writer, |_| true)
+}
+
+/// Those that assign locals.
+pub(super) fn without_stores(writer: &Writer<'_>) -> Vec<Stmt> {
+    those(writer, |statement| {
+        !matches!(statement, Statement::Store { .. } | Statement::Fence)
+    })
+}
+
+fn those(writer: &Writer<'_>, is_wanted: impl Fn(&Statement) -> bool) -> Vec<Stmt> {
+    let code = &writer.function.code;
+    let declarations = Declarations::of(code);
+    let mut printed = Vec::with_capacity(code.statements.len());
+    for statement in code.statements.iter().filter(|one| is_wanted(one)) {
+        for together in statement.assigned().filter_map(|id| declarations.at(id)) {
+            let names: Vec<_> = together.iter().map(|&id| Some(writer.local(id))).collect();
+            printed.push(syntax::declare(syntax::pattern(&names), None));
+        }
+        print(writer, &declarations, statement, &mut printed);
+    }
+    printed
+}
+
+fn print(
+    writer: &Writer<'_>,
+    declarations: &Declarations,
+    statement: &Statement,
+    printed: &mut Vec<Stmt>,
+) {
+    let assign = |locals: &[Option<LocalId>], value| {
+        let names: Vec<_> = locals
+            .iter()
+            .map(|id| id.map(|id| writer.local(id)))
+            .collect();
+        if declarations.are_apart() {
+            syntax::assign(syntax::places(&names), value)
+        } else {
+            syntax::declare(syntax::pattern(&names), Some(value))
+        }
+    };
+    match statement {
+        Statement::Assign { local, value } => {
+            printed.push(assign(&[Some(*local)], writer.expression(value)));
+        }
+        Statement::SinCos {
+            angle,
+            sine,
+            cosine,
+        } => {
+            let value = writer.call("sin_cos", std::slice::from_ref(angle));
+            printed.push(assign(&[*sine, *cosine], value));
+        }
+        Statement::SinCosArray {
+            angles,
+            sines,
+            cosines,
+        } => {
+            let code = &writer.function.code;
+            let names = [sines, cosines].map(|&id| code.array(id).name.as_str());
+            printed.push(sin_cos_array(writer, names, angles));
+        }
+        Statement::StoreSinCos {
+            angles,
+            sines,
+            cosines,
+        } => {
+            // Each call hides the arrays of the one before.
+            let names = ["sines", "cosines"];
+            printed.push(sin_cos_array(writer, names, angles));
+            for (name, places) in names.into_iter().zip([sines, cosines]) {
+                let places = places.iter().map(|place: &Entry| writer.entry(place));
+                let array = syntax::name(&ident(name));
+                printed.push(syntax::assign(syntax::array(places), array));
+            }
+        }
+        Statement::Store { place, value } => {
+            let value = writer.expression(value);
+            printed.push(syntax::assign(writer.entry(place), value));
+        }
+        Statement::Fence => printed.push(parse_quote! {
+            core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+        }),
+    }
+}
+
+fn sin_cos_array(writer: &Writer<'_>, names: [&str; 2], angles: &[Expression]) -> Stmt {
+    let angles = angles.iter().map(|angle| writer.expression(angle));
+    let value = syntax::call(syntax::of_scalar("sin_cos_array"), [syntax::array(angles)]);
+    let pattern = syntax::pattern(&names.map(|name| Some(ident(name))));
+    syntax::declare(pattern, Some(value))
+}

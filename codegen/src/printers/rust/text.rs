@@ -1,0 +1,63 @@
+//! What all items have: names, documentation, what they allow, and how they are printed.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+use syn::{File, Item};
+
+/// Items as prettyplease prints them, each after an empty line.
+pub(super) fn printed(items: Vec<Item>) -> String {
+    let mut text = String::new();
+    for item in items {
+        text.push('\n');
+        text.push_str(&prettyplease::unparse(&File {
+            shebang: None,
+            frontmatter: None,
+            attrs: Vec::new(),
+            items: vec![item],
+        }));
+    }
+    text
+}
+
+/// Where a module comes from, as comments.
+pub(super) fn banner(lines: &[String]) -> String {
+    lines.iter().map(|line| format!("// {line}\n")).collect()
+}
+
+/// An identifier. Names are made clear of Rust's keywords (`words`), so none is escaped.
+pub(super) fn ident(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// Documentation, a line each.
+pub(super) fn doc<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> TokenStream {
+    let lines = lines.into_iter().map(|line| {
+        let line = line.as_ref();
+        if line.is_empty() {
+            String::new()
+        } else {
+            format!(" {line}")
+        }
+    });
+    quote!(#(#[doc = #lines])*)
+}
+
+/// What items allow, and why: a module holds more than one program calls.
+pub(super) fn allow_unused() -> TokenStream {
+    quote!(#[allow(dead_code, reason = "a program calls what it needs")])
+}
+
+/// What code allows, and why: arguments follow one pattern, whether used or not, and numbers are the model's.
+pub(super) fn allow_generated() -> TokenStream {
+    quote! {
+        #[allow(
+            dead_code,
+            unused_variables,
+            clippy::approx_constant,
+            clippy::many_single_char_names,
+            clippy::needless_late_init,
+            clippy::too_many_arguments,
+            reason = "generated: arguments follow one pattern, numbers are the model's"
+        )]
+    }
+}

@@ -1,0 +1,90 @@
+//! The outline of a model.
+
+use toml::{Table, Value};
+
+use super::system::{Body, INERTIAL, LOWER, Layout, Outline, Values};
+use crate::{
+    description::{Description, toml as our_format},
+    diagnostic::Diagnostics,
+    origin,
+    tree::Tree,
+};
+
+impl Outline {
+    /// The outline of a model; the tree is that of the description.
+    ///
+    /// # Errors
+    /// What the description lacks; nothing where it made a tree.
+    pub fn of_model(description: &Description, tree: &Tree) -> Result<Self, Diagnostics> {
+        let text = our_format::write(description)?;
+        let mut system: Table = text.parse().expect("what we write is TOML");
+        let lower_bodies = system.remove("lower_bodies");
+        let lower_bodies = lower_bodies.as_ref().and_then(Value::as_array);
+        let tables = system.remove("body");
+        let tables = tables.as_ref().and_then(Value::as_array);
+        let tables: Vec<&Table> = tables
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_table)
+            .collect();
+        let name = |table: &Table| table["name"].as_str().unwrap_or_default().to_owned();
+        let lower = |number: &Value| {
+            let number = usize::try_from(number.as_integer()?).ok()?;
+            let below = number.checked_sub(1).and_then(|place| tables.get(place));
+            Some(below.map_or_else(|| INERTIAL.to_owned(), |table| name(table)))
+        };
+        let lower_bodies = lower_bodies.into_iter().flatten();
+        let bodies = tables.iter().zip(lower_bodies).map(|(table, number)| {
+            let mut values = Values::new();
+            for (key, value) in table.iter().filter(|(key, _)| *key != "name") {
+                flatten(key, value, &mut values);
+            }
+            values.extend(lower(number).map(|lower| (LOWER.to_owned(), lower)));
+            let name = name(table);
+            Body { name, values }
+        });
+        let bodies = bodies.collect();
+        let mut values = Values::new();
+        for (key, value) in &system {
+            flatten(key, value, &mut values);
+        }
+        let names = tree.bodies.iter().map(|body| body.name.clone());
+        let parameters = tree
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.clone());
+        Ok(Self {
+            fingerprint: Some(origin::fingerprint(tree)),
+            values,
+            bodies,
+            layouts: vec![
+                (Layout::Bodies, names.collect()),
+                (Layout::Coordinates, tree.coordinate_names()),
+                (Layout::Speeds, tree.speed_names()),
+                (Layout::Parameters, parameters.collect()),
+            ],
+        })
+    }
+}
+
+/// Keys of tables with dots between them; a number in its binding time is one value.
+fn flatten(key: &str, value: &Value, values: &mut Values) {
+    match value {
+        Value::Table(table) => match table.get("runtime") {
+            Some(nominal) => {
+                values.insert(key.to_owned(), format!("{nominal} at run time"));
+            }
+            None => {
+                for (part, value) in table {
+                    flatten(&format!("{key}.{part}"), value, values);
+                }
+            }
+        },
+        Value::String(text) => {
+            values.insert(key.to_owned(), text.clone());
+        }
+        plain => {
+            values.insert(key.to_owned(), plain.to_string());
+        }
+    }
+}

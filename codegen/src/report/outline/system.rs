@@ -1,0 +1,58 @@
+//! Systems as a comparison sees them.
+
+use std::collections::BTreeMap;
+
+/// The key of a body's lower body.
+pub(super) const LOWER: &str = "lower_body";
+/// The lower body of a root.
+pub(super) const INERTIAL: &str = "the inertial frame";
+
+/// What is said of a system or body: `mass` and `12.0`.
+pub type Values = BTreeMap<String, String>;
+
+/// A system as a comparison sees it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outline {
+    /// The model's hash, where it is known.
+    pub fingerprint: Option<u64>,
+    /// What is said of the system as a whole.
+    pub values: Values,
+    /// The bodies, in the order of the model; those that are part of others too.
+    pub bodies: Vec<Body>,
+    /// Arrays that callers index, with what stands at each place.
+    pub layouts: Vec<(Layout, Vec<String>)>,
+}
+
+/// A body as a comparison sees it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// What is said of it and of its joint.
+    pub values: Values,
+}
+
+/// Which arrays are laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// Those over bodies.
+    Bodies,
+    /// `q`.
+    Coordinates,
+    /// `u`, `u_dot`, `tau`.
+    Speeds,
+    /// The fields of `Parameters`, which C may fill in order.
+    Parameters,
+}
+
+impl Layout {
+    /// What a caller indexes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bodies => "arrays over bodies",
+            Self::Coordinates => "q",
+            Self::Speeds => "u",
+            Self::Parameters => "Parameters",
+        }
+    }
+}
