@@ -6,9 +6,10 @@ use super::{
     argument::Argument,
     candidate::Formulation,
     derived::Derived,
-    function::{Function, Output},
+    function::{FrameFunction, Function, Output},
     part::Part,
     shape::Axis,
+    subject::Subject,
     syntax::AT_SIN_COS,
 };
 use crate::{recursive::Plan, tree::Tree};
@@ -34,6 +35,14 @@ impl Request {
     pub fn alone(&self) -> Option<&'static Function> {
         match self.parts[..] {
             [Part::System(function)] if !self.at_sin_cos => Some(function),
+            _ => None,
+        }
+    }
+
+    /// The function of a frame, where it is one alone.
+    pub fn alone_of_frame(&self) -> Option<(&'static FrameFunction, &Subject)> {
+        match &self.parts[..] {
+            [Part::Frame(function, subject)] if !self.at_sin_cos => Some((function, subject)),
             _ => None,
         }
     }

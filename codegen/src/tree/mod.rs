@@ -39,7 +39,7 @@ mod named;
 pub use crate::description::Order;
 pub use body::{Body, Inertia, Part, Pose};
 pub use build::{Checked, build, build_with};
-pub use canonical::canonical;
+pub use canonical::{canonical, canonical_frame};
 pub use changes::Changes;
 pub use frames::Frame;
 pub use joint::{ChartCoordinates, Coordinate, Joint, Motion, Orientation, is_translation};

@@ -6,7 +6,7 @@ use syn::{Item, ItemFn, parse_quote};
 use super::{
     constants,
     expression::Writer,
-    signature, statements,
+    frames, signature, statements,
     text::{allow_generated, doc, ident},
 };
 use crate::{
@@ -29,6 +29,8 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
         .alone
         .and_then(|alone| Some((alone, alone.trait_name?)));
     items.extend(in_trait.map(|(alone, name)| trait_impl(function, alone, name)));
+    let of_frame = function.of_frame.as_ref();
+    items.extend(of_frame.and_then(|(of, subject)| frames::trait_impl(function, of, subject)));
     items
 }
 
