@@ -37,6 +37,7 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, pa
     speeds          names, in the order of u\n  \
     frames          what is fixed to bodies and part of them: name, body (0: inertial frame), rotation (by rows, from the\n                  \
     body's axes), position (m, nominal)\n  \
+    markers         frames that only mark places, as frames; absent where there are none\n  \
     partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero; null for more than 250 bodies\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
@@ -183,6 +184,15 @@ fn write_frames(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
             .body
             .map_or("the inertial frame", |body| &tree.body(body).name);
         writeln!(out, "{} to {body}", frame.name)?;
+    }
+    if !tree.markers.is_empty() {
+        writeln!(out, "\nFrames that mark places\n")?;
+    }
+    for frame in &tree.markers {
+        let body = frame
+            .body
+            .map_or("the inertial frame", |body| &tree.body(body).name);
+        writeln!(out, "{} in {body}", frame.name)?;
     }
     Ok(())
 }
@@ -344,7 +354,7 @@ fn value(tree: &Tree, counts: &[Counts]) -> Value {
         let body = parameter.body.map(|body| body.index() + 1);
         json!({ "name": parameter.name, "body": body, "nominal": parameter.nominal, "unit": parameter.unit })
     };
-    json!({
+    let mut value = json!({
         "name": tree.name,
         "gravity": gravity(tree),
         "order": order,
@@ -355,7 +365,11 @@ fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "partitions": is_drawn(tree).then(|| partitions_value(&report::partitions(tree))),
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
-    })
+    });
+    if !tree.markers.is_empty() {
+        value["markers"] = tree.markers.iter().map(frame_value).collect();
+    }
+    value
 }
 
 fn body_value(tree: &Tree, id: BodyId) -> Value {

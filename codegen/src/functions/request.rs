@@ -47,6 +47,12 @@ impl Request {
         }
     }
 
+    /// True where some part is of a frame.
+    pub fn is_of_frames(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.any(|part| matches!(part, Part::Frame(..)))
+    }
+
     /// The function of a compact output.
     pub fn compact(&self) -> Option<&'static Function> {
         self.parts.iter().find_map(|part| match part {

@@ -124,7 +124,8 @@ impl Declared {
 }
 
 impl Argument {
-    fn declared(self) -> Declared {
+    /// How it is declared.
+    pub fn declared(self) -> Declared {
         Declared {
             lengths: self.shape().declared(String::new),
             ..Declared::read(self.name(), self.element(), self.meaning())
