@@ -154,7 +154,10 @@ fn a_cart_pole_s_mass_matrix_and_bias_in_one() {
 fn outputs_that_share_a_name_with_one_another_or_an_argument_go_by_their_functions() {
     let names = |text: &str| -> Vec<String> {
         let outputs = Request::parse(text).unwrap().outputs();
-        outputs.into_iter().map(|output| output.name).collect()
+        outputs
+            .into_iter()
+            .map(|output| output.name.into_owned())
+            .collect()
     };
     assert_eq!(names("mass_matrix+bias"), ["m", "bias"]);
     assert_eq!(

@@ -3,7 +3,7 @@
 use kane_codegen::{
     functions::Formulation,
     id::BodyId,
-    tree::{Body, Chart, Orientation, Tree},
+    tree::{Body, ChartCoordinates as Chart, Orientation, Tree},
 };
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},

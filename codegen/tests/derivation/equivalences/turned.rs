@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     id::SpeedId,
-    tree::{Chart, Orientation},
+    tree::{ChartCoordinates as Chart, Orientation},
 };
 use kane_test_support::{
     compare::larger,
