@@ -40,6 +40,8 @@
 //! | [`PotentialEnergy`] | `potential_energy(q, energy)` | `R` | |
 //! | [`LinearMomentum`] | `linear_momentum(q, u, out)` | `[R; 3]` | |
 //! | [`AngularMomentum`] | `angular_momentum(q, u, out)` | `[R; 3]` | |
+//! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
+//! | [`Velocity`] of a frame | `velocity(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (25), (11) |
 //!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};
@@ -272,4 +274,26 @@ function_traits! {
 
     /// Angular momentum of the whole system about the inertial origin, inertial components, kg m²/s.
     AngularMomentum: angular_momentum(q: &Self::Q, u: &Self::U, out: &mut [R; 3]);
+}
+
+/// A frame's own axes in place of the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Local<F>(core::marker::PhantomData<F>);
+
+/// Pose of the frame `F`, one of the types in the generated module's `frames`.
+///
+/// `rotation` maps inertial components to components along the frame's axes, by rows; `position` is that of the frame's
+/// origin from the inertial origin, inertial components, m. Often called the frame placement, or forward kinematics.
+pub trait Pose<R: Real, F>: System<R> {
+    /// Writes the pose at `q`.
+    fn pose(&self, q: &Self::Q, rotation: &mut [[R; 3]; 3], position: &mut [R; 3]);
+}
+
+/// Velocity of the frame `F`, one of the types in the generated module's `frames`, in the inertial frame.
+///
+/// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s: inertial components, or for
+/// [`Local`] components along the frame's own axes. Often called the twist.
+pub trait Velocity<R: Real, F>: System<R> {
+    /// Writes the velocity at `q`, `u`.
+    fn velocity(&self, q: &Self::Q, u: &Self::U, linear: &mut [R; 3], angular: &mut [R; 3]);
 }

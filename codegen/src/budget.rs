@@ -7,7 +7,7 @@ use crate::program::Operations;
 /// A limit of one function's operations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Budget {
-    /// The generated function's name.
+    /// The generated function's name; of a function of a frame what is asked for, `pose(tool0)`.
     pub function: String,
     /// Which operations.
     pub kind: OperationKind,

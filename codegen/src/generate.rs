@@ -27,6 +27,8 @@ pub struct Generated {
     pub companions: Vec<Companion>,
     /// The functions that it holds, with their operations.
     pub functions: Vec<(String, Operations)>,
+    /// What those of frames were asked for as: how they are called, the model says.
+    pub asked_of_frames: Vec<(String, Operations)>,
     /// What the user should know about the description; never errors.
     pub warnings: Diagnostics,
 }
@@ -55,6 +57,11 @@ pub fn generate(
         .iter()
         .map(|emittable| (emittable.function.name(), emittable.operations))
         .collect();
+    let of_frames = compiled.functions.iter();
+    let of_frames = of_frames.filter(|emittable| emittable.function.is_of_frames());
+    let asked_of_frames = of_frames
+        .map(|emittable| (emittable.function.text(), emittable.operations))
+        .collect();
     let origin = Origin::new(tree, shown_path, options);
     let module = Module::new(tree, origin, &compiled);
     let given = Given {
@@ -66,6 +73,7 @@ pub fn generate(
         source: rust::source(&module),
         companions: companions::of(&given, &options.companions, &options.module)?,
         functions,
+        asked_of_frames,
         warnings: checked.warnings,
     })
 }

@@ -3,11 +3,14 @@
 //! In: a tree, the path of its model, options. Out: an [`Origin`]: hashes and words that are the same for the same input on
 //! every machine. Does not: read a file.
 
+use std::collections::BTreeSet;
+
 use sha2::{Digest, Sha256};
 
 use crate::{
+    functions::{Part, Request},
     options::Options,
-    tree::{self, Tree},
+    tree::{self, NamedFrame, Tree},
 };
 
 /// The version of the output's form: a change to the generator that changes what it writes raises it.
@@ -48,11 +51,12 @@ pub struct Origin {
 impl Origin {
     /// The origin of a module with this tree.
     pub fn new(tree: &Tree, model: &str, options: &Options) -> Self {
+        let frames = frames(tree, options);
         let options = options.in_words();
         let tree = tree::canonical(tree);
         Self {
             model: model.to_owned(),
-            input: hash(&format!("{OUTPUT_FORMAT}\n{options}\n{tree}")),
+            input: hash(&format!("{OUTPUT_FORMAT}\n{options}\n{tree}{frames}")),
             options,
             fingerprint: hash(&tree),
         }
@@ -73,6 +77,22 @@ impl Origin {
             format!("Input {input:016x}, format {OUTPUT_FORMAT}; {options}."),
         ]
     }
+}
+
+/// The frames that functions are asked for of, as far as they are no part of the tree's own text.
+fn frames(tree: &Tree, options: &Options) -> String {
+    let requests = options.requests(tree).unwrap_or_default();
+    let parts = requests.iter().flat_map(Request::parts);
+    let frames: BTreeSet<NamedFrame> = parts
+        .filter_map(|part| match part {
+            Part::System(_) => None,
+            Part::Frame(_, subject) => Some(subject.frame),
+        })
+        .collect();
+    let frames = frames.into_iter();
+    frames
+        .filter_map(|frame| tree::canonical_frame(tree, frame))
+        .collect()
 }
 
 /// The fingerprint of a tree, as [`Origin`] holds it.

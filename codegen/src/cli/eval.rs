@@ -88,6 +88,8 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     job::warn(&checked.warnings);
 
     let tree = &checked.tree;
+    let function = function.on(tree);
+    let function = function.map_err(|fault| Failures::message(fault.to_string()))?;
     let inputs = state::read(&state, tree, &function)?;
     let options = Options {
         formulation: arguments.formulation,
@@ -122,7 +124,7 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
     for output in function.outputs() {
         let lengths = output.shape.lengths(tree, numbers.len() / 3);
         let (own, others) = rest.split_at(lengths.iter().product());
-        outputs.insert(output.name, json::array(own, &lengths));
+        outputs.insert(output.name.into_owned(), json::array(own, &lengths));
         rest = others;
     }
     if function.compact().is_some() {

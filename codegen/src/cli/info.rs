@@ -8,7 +8,7 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    functions::{CATALOGUE, Formulation, Request},
+    functions::{CATALOGUE, Formulation, Parsed, Request},
     id::BodyId,
     limits::{COUNTED, DRAWN_BODIES},
     program::Operations,
@@ -37,6 +37,7 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, pa
     speeds          names, in the order of u\n  \
     frames          what is fixed to bodies and part of them: name, body (0: inertial frame), rotation (by rows, from the\n                  \
     body's axes), position (m, nominal)\n  \
+    markers         frames that only mark places, as frames; absent where there are none\n  \
     partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero; null for more than 250 bodies\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
@@ -55,7 +56,7 @@ pub(crate) struct Arguments {
     changes: ChangesArguments,
 
     /// Count these functions in place of all, with commas between them; `mass_matrix+bias` is one function that does both
-    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    #[arg(long, value_name = "A,B")]
     functions: Option<Vec<String>>,
 
     /// Techniques to leave out that lower the number of operations, with commas between them
@@ -71,13 +72,15 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let changes = &arguments.changes;
     changes.check()?;
-    let mut requests = requests(arguments.functions.as_deref())?;
+    let asked = asked(arguments.functions.as_deref())?;
     let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
-    if arguments.functions.is_none() && tree.n_speeds.max(tree.n_parts()) > COUNTED {
-        requests.clear();
-    }
+    let requests = match asked {
+        Some(asked) => resolved(&asked, tree)?,
+        None if tree.n_speeds.max(tree.n_parts()) > COUNTED => Vec::new(),
+        None => CATALOGUE.iter().map(Request::from).collect(),
+    };
     let without = arguments.without.iter().copied().collect();
     if arguments.json {
         json::write(out, &value(tree, &counts(tree, requests, &without)))?;
@@ -87,15 +90,30 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     Ok(Outcome::Done)
 }
 
-/// The functions that are counted: all, or those that are named.
-fn requests(names: Option<&[String]>) -> Result<Vec<Request>, Failures> {
-    let Some(names) = names else {
-        return Ok(CATALOGUE.iter().map(Request::from).collect());
+/// The functions that are named, if they are.
+fn asked(lists: Option<&[String]>) -> Result<Option<Vec<Parsed>>, Failures> {
+    let Some(lists) = lists else {
+        return Ok(None);
     };
     let mut failures = Failures::default();
-    let requests = names.iter();
-    let requests = requests
+    let asked = options::names(lists).into_iter();
+    let asked = asked
         .filter_map(|name| failures.keep(options::request(name)))
+        .collect();
+    failures.none()?;
+    Ok(Some(asked))
+}
+
+/// The functions on the model, or everything that it lacks.
+fn resolved(asked: &[Parsed], tree: &Tree) -> Result<Vec<Request>, Failures> {
+    let mut failures = Failures::default();
+    let on_tree = |asked: &Parsed| {
+        let request = asked.on(tree);
+        request.map_err(|fault| Failures::message(fault.to_string()))
+    };
+    let requests = asked.iter();
+    let requests = requests
+        .filter_map(|asked| failures.keep(on_tree(asked)))
         .collect();
     failures.none()?;
     Ok(requests)
@@ -166,6 +184,15 @@ fn write_frames(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
             .body
             .map_or("the inertial frame", |body| &tree.body(body).name);
         writeln!(out, "{} to {body}", frame.name)?;
+    }
+    if !tree.markers.is_empty() {
+        writeln!(out, "\nFrames that mark places\n")?;
+    }
+    for frame in &tree.markers {
+        let body = frame
+            .body
+            .map_or("the inertial frame", |body| &tree.body(body).name);
+        writeln!(out, "{} in {body}", frame.name)?;
     }
     Ok(())
 }
@@ -327,7 +354,7 @@ fn value(tree: &Tree, counts: &[Counts]) -> Value {
         let body = parameter.body.map(|body| body.index() + 1);
         json!({ "name": parameter.name, "body": body, "nominal": parameter.nominal, "unit": parameter.unit })
     };
-    json!({
+    let mut value = json!({
         "name": tree.name,
         "gravity": gravity(tree),
         "order": order,
@@ -338,7 +365,11 @@ fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "partitions": is_drawn(tree).then(|| partitions_value(&report::partitions(tree))),
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
-    })
+    });
+    if !tree.markers.is_empty() {
+        value["markers"] = tree.markers.iter().map(frame_value).collect();
+    }
+    value
 }
 
 fn body_value(tree: &Tree, id: BodyId) -> Value {

@@ -86,7 +86,8 @@ impl Job {
 
     /// What goes beyond the budget, a line each.
     pub(crate) fn excesses(&self, generated: &Generated) -> Vec<Row> {
-        let excesses = budget::exceeded(&self.budget, &generated.functions);
+        let functions = [&generated.functions[..], &generated.asked_of_frames].concat();
+        let excesses = budget::exceeded(&self.budget, &functions);
         let row = |excess: &Excess<'_>| {
             let (count, limit) = (excess.count, excess.budget.limit);
             [

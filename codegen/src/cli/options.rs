@@ -7,7 +7,7 @@ use std::mem;
 use clap::Args;
 use kane_codegen::{
     diagnostic::nearest,
-    functions::{CATALOGUE, Request, RequestError},
+    functions::{CATALOGUE, Parsed, RequestError, split},
     options::{Formulation, Functions, Options},
     recursive::Technique,
 };
@@ -26,7 +26,7 @@ pub(crate) struct OptionsArguments {
     /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
     /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
     /// `kane::System` needs them.
-    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
+    #[arg(long, value_name = "A,B", requires = "model")]
     functions: Option<Vec<String>>,
 
     /// How sums over bodies are associated: as in the notes, along the tree, or whichever needs fewer operations
@@ -130,8 +130,8 @@ impl Asked<'_> {
 }
 
 /// Reads a name of `--functions` or `--function`.
-pub(crate) fn request(text: &str) -> Result<Request, Failures> {
-    Request::parse(text).map_err(|fault| match fault {
+pub(crate) fn request(text: &str) -> Result<Parsed, Failures> {
+    Parsed::read(text).map_err(|fault| match fault {
         RequestError::Unknown { name } => unknown_function(&name),
         fault => Failures::message(fault.to_string()),
     })
@@ -147,14 +147,20 @@ fn unknown_function(name: &str) -> Failures {
     Failures::message(format!("`{}` is no function; {help}", name.escape_debug()))
 }
 
+/// The names in what `--functions` was given, each time it stood there: commas inside brackets separate none.
+pub(crate) fn names(lists: &[String]) -> Vec<&str> {
+    lists.iter().flat_map(|list| split(list)).collect()
+}
+
 /// Reads `--functions`.
-fn functions(names: &[String]) -> Result<Functions, Failures> {
+fn functions(lists: &[String]) -> Result<Functions, Failures> {
+    let names = names(lists);
     if names == ["all"] {
         return Ok(Functions::All);
     }
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
-        if name == "all" {
+        if *name == "all" {
             failures.add(Failures::message(
                 "--functions names functions beside `all`",
             ));
@@ -167,5 +173,6 @@ fn functions(names: &[String]) -> Result<Functions, Failures> {
         }
     }
     failures.none()?;
-    Ok(Functions::Named(names.to_vec()))
+    let names = names.into_iter().map(str::to_owned);
+    Ok(Functions::Named(names.collect()))
 }

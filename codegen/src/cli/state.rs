@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
-    functions::{Argument, Request},
-    id::{BodyId, CoordinateId, ParameterId, SpeedId},
+    functions::{Argument, Axis, Element, Request},
+    id::ParameterId,
     passes::sines,
     tree::Tree,
 };
@@ -96,23 +96,50 @@ impl Reader<'_> {
     }
 
     fn argument(&mut self, argument: Argument, value: &Value) {
-        let name = argument.name();
-        let items = self.list(name, value, &self.expected(argument), self.length(argument));
-        for (place, item) in items.into_iter().flatten().enumerate() {
-            let what = format!("{name}[{place}]");
-            match argument {
-                Argument::Q => self.number(&what, item, Input::Q(CoordinateId::new(place))),
-                Argument::U => self.number(&what, item, Input::U(SpeedId::new(place))),
-                Argument::UDot => self.number(&what, item, Input::UDot(SpeedId::new(place))),
-                Argument::Tau => self.number(&what, item, Input::Tau(SpeedId::new(place))),
-                Argument::Loads => self.load(&what, item, BodyId::new(place)),
-                Argument::RelativeAngularVelocity => {
-                    self.vector(&what, item, |axis| {
-                        Input::RelativeAngularVelocity(BodyId::new(place), axis)
-                    });
-                }
-            }
+        let lengths = argument.shape().lengths(self.tree, 0);
+        let expected = self.expected(argument);
+        let mut place = 0;
+        self.array(
+            argument,
+            argument.name(),
+            value,
+            (&lengths, &expected),
+            &mut place,
+        );
+    }
+
+    /// An array of these lengths, or one element; `place` counts the numbers before it.
+    fn array(
+        &mut self,
+        argument: Argument,
+        what: &str,
+        value: &Value,
+        (lengths, expected): (&[usize], &str),
+        place: &mut usize,
+    ) {
+        let Some((&length, inner)) = lengths.split_first() else {
+            return self.element(argument, what, value, place);
+        };
+        let Some(items) = self.list(what, value, expected, length) else {
+            *place += lengths.iter().product::<usize>() * argument.element().n_numbers();
+            return;
+        };
+        let expected = numbers(inner);
+        for (index, item) in items.iter().enumerate() {
+            let what = format!("{what}[{index}]");
+            self.array(argument, &what, item, (inner, &expected), place);
         }
+    }
+
+    /// One element: a number, or an object of vectors.
+    fn element(&mut self, argument: Argument, what: &str, value: &Value, place: &mut usize) {
+        let vectors = argument.element().vectors();
+        if vectors.is_empty() {
+            self.number(what, value, argument.input(*place));
+        } else {
+            self.vectors(argument, what, value, (vectors, *place));
+        }
+        *place += argument.element().n_numbers();
     }
 
     /// The sines and cosines of the angles, which some functions are given.
@@ -126,60 +153,56 @@ impl Reader<'_> {
         }
     }
 
-    /// How many entries an argument has.
-    fn length(&self, argument: Argument) -> usize {
-        match argument {
-            Argument::Q => self.tree.n_coordinates,
-            Argument::U | Argument::UDot | Argument::Tau => self.tree.n_speeds,
-            Argument::Loads | Argument::RelativeAngularVelocity => self.tree.bodies.len(),
-        }
-    }
-
     /// What an argument should be.
     fn expected(&self, argument: Argument) -> String {
-        let length = self.length(argument);
-        match argument {
-            Argument::Q => format!("a list of {length} numbers, one a coordinate"),
-            Argument::U | Argument::UDot | Argument::Tau => {
-                format!("a list of {length} numbers, one a speed")
-            }
-            Argument::Loads => format!("a list of {length} loads, one a body"),
-            Argument::RelativeAngularVelocity => {
-                format!("a list of {length} lists of 3 numbers, one a body")
-            }
-        }
-    }
-
-    fn load(&mut self, what: &str, value: &Value, body: BodyId) {
-        let Value::Object(load) = value else {
-            let expected = r#"{"force": [x, y, z], "moment": [x, y, z]}"#;
-            return self.fault(format!(
-                "`{what}` is {}; expected {expected}",
-                described(value)
-            ));
+        let shape = argument.shape();
+        let lengths = shape.lengths(self.tree, 0);
+        let (Some((length, inner)), Some(axis)) = (lengths.split_first(), shape.axes.first())
+        else {
+            return numbers(&lengths);
         };
-        self.unknown_keys(&format!("`{what}`"), load, &["force", "moment"]);
-        self.part(what, load, "force", |axis| Input::Force(body, axis));
-        self.part(what, load, "moment", |axis| Input::Moment(body, axis));
+        if *axis == Axis::Three {
+            return numbers(&lengths);
+        }
+        let of = match (inner, argument.element()) {
+            ([], Element::Load) => "loads".to_owned(),
+            ([], _) => "numbers".to_owned(),
+            (inner, _) => numbers(inner).replacen("a list", "lists", 1),
+        };
+        format!("a list of {length} {of}, one {}", axis.one())
     }
 
-    fn part(
+    fn vectors(
         &mut self,
+        argument: Argument,
         what: &str,
-        load: &Map<String, Value>,
-        key: &str,
-        input: impl Fn(usize) -> Input,
+        value: &Value,
+        (names, first): (&[&str], usize),
     ) {
-        match load.get(key) {
-            Some(value) => self.vector(&format!("{what}.{key}"), value, input),
-            None => self.fault(format!(
-                "`{what}` has no `{key}`; expected a list of 3 numbers"
-            )),
+        let Value::Object(element) = value else {
+            let names = names.iter();
+            let vectors: Vec<String> = names.map(|name| format!("\"{name}\": [x, y, z]")).collect();
+            let (found, expected) = (described(value), vectors.join(", "));
+            return self.fault(format!("`{what}` is {found}; expected {{{expected}}}"));
+        };
+        self.unknown_keys(&format!("`{what}`"), element, names);
+        for (name, place) in names.iter().zip((first..).step_by(3)) {
+            match element.get(*name) {
+                Some(value) => {
+                    self.vector(&format!("{what}.{name}"), value, |axis| {
+                        argument.input(place + axis)
+                    });
+                }
+                None => self.fault(format!(
+                    "`{what}` has no `{name}`; expected {}",
+                    numbers(&[3])
+                )),
+            }
         }
     }
 
     fn vector(&mut self, what: &str, value: &Value, input: impl Fn(usize) -> Input) {
-        let items = self.list(what, value, "a list of 3 numbers", 3);
+        let items = self.list(what, value, &numbers(&[3]), 3);
         for (axis, item) in items.into_iter().flatten().enumerate() {
             self.number(&format!("{what}[{axis}]"), item, input(axis));
         }
@@ -253,6 +276,18 @@ impl Reader<'_> {
             let fault = format!("{what} has the unknown key `{}`", key.escape_debug());
             self.faults
                 .push(Diagnostic::error(fault).help(known_names(key, known, "keys")));
+        }
+    }
+}
+
+/// Nested lists of numbers, in words.
+fn numbers(lengths: &[usize]) -> String {
+    match lengths {
+        [] => "a number".to_owned(),
+        [length] => format!("a list of {length} numbers"),
+        [length, inner @ ..] => {
+            let inner = numbers(inner).replacen("a list", "lists", 1);
+            format!("a list of {length} {inner}")
         }
     }
 }

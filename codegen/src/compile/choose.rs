@@ -26,21 +26,27 @@ pub struct Choice {
     pub derived: Derived,
 }
 
-/// The function in the formulation that is wanted, where it has it: what is emitted.
+/// The function in the formulation that is wanted, where it has it, else in that with the fewest operations: what is
+/// emitted.
 pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
-    let has_choice = function.formulations().len() > 1;
-    let notes = || of_formulation(tree, function, Formulation::Notes, &options.without);
-    if !has_choice || options.formulation == options::Formulation::Notes {
-        return notes();
+    let formulations = function.formulations();
+    let of = |formulation| of_formulation(tree, function, formulation, &options.without);
+    let wanted = match options.formulation {
+        options::Formulation::Cheapest => None,
+        options::Formulation::Notes => Some(Formulation::Notes),
+        options::Formulation::Recursive => Some(Formulation::Recursive),
+    };
+    let wanted = wanted.filter(|wanted| formulations.contains(wanted));
+    if let Some(only) = wanted.or((formulations.len() == 1).then(|| formulations[0])) {
+        return of(only);
     }
-    let recursive = of_formulation(tree, function, Formulation::Recursive, &options.without);
-    // On a large tree the literal sums alone would take longer than all the rest.
+    let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
-    let is_wanted = options.formulation == options::Formulation::Recursive;
-    if is_wanted || count < function.literal_terms(tree) {
+    // On a large tree the literal sums alone would take longer than all the rest.
+    if count < function.literal_terms(tree) {
         return recursive;
     }
-    let notes = notes();
+    let notes = of(Formulation::Notes);
     if operations(&notes.derived).total() <= count {
         notes
     } else {
@@ -55,11 +61,10 @@ pub fn of_formulation(
     formulation: Formulation,
     without: &BTreeSet<Technique>,
 ) -> Choice {
-    let plan = match formulation {
-        Formulation::Notes => {
-            Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
-        }
-        Formulation::Recursive => search::cheapest(tree, function, without),
+    let plan = if function.takes_plan(formulation) {
+        search::cheapest(tree, function, without)
+    } else {
+        Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
     };
     Choice {
         formulation,

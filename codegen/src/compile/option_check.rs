@@ -2,7 +2,7 @@
 
 use crate::{
     error::Error,
-    functions::{CATALOGUE, Request, RequestError},
+    functions::{CATALOGUE, Parsed, RequestError},
     options::{Functions, Options, SNAP_TOLERANCES, companion},
 };
 
@@ -34,7 +34,7 @@ pub(crate) fn check(options: &Options) -> Result<(), Error> {
     let Functions::Named(names) = &options.functions else {
         return Ok(());
     };
-    let fault = names.iter().find_map(|name| Request::parse(name).err());
+    let fault = names.iter().find_map(|name| Parsed::read(name).err());
     fault.map_or(Ok(()), |fault| {
         Err(match fault {
             RequestError::Unknown { name } => {

@@ -4,7 +4,7 @@ use crate::{
     budget::{Budget, OperationKind},
     description::toml_reader::{Item, Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
-    functions::Request,
+    functions::Parsed,
     options::Functions,
 };
 
@@ -41,7 +41,7 @@ fn generated(
     if let Some(fault) = request_fault(name, what, known) {
         return Err(fault);
     }
-    let request = Request::parse(&name.value).expect("config: a request without fault");
+    let request = Parsed::read(&name.value).expect("config: a request without fault");
     // Every module has it.
     let is_always = name.value == "q_dot";
     let is_asked_for = |functions: &Functions| {
@@ -51,7 +51,9 @@ fn generated(
             || joined.any(|one| one.place() == request.place())
     };
     if is_always || functions.is_none_or(is_asked_for) {
-        return Ok(request.name());
+        // Of a frame the model says how it is called; what is asked for says which it is.
+        let known = request.of_any_model().map(|request| request.name());
+        return Ok(known.unwrap_or_else(|_| request.text()));
     }
     let fault = format!(
         "{what} limits `{}`, which is not among the functions",

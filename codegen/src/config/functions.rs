@@ -3,7 +3,7 @@
 use crate::{
     description::toml_reader::{Reader, Table, list, span},
     diagnostic::{Diagnostic, Spanned, nearest},
-    functions::{Request, RequestError},
+    functions::{Parsed, RequestError},
     options::Functions,
 };
 
@@ -68,17 +68,16 @@ pub(super) fn request_fault(
     known: &[&str],
 ) -> Option<Diagnostic> {
     let among = |part: &str| known.contains(&part);
-    let fault = match Request::parse(&name.value) {
+    let fault = match Parsed::read(&name.value) {
         Ok(request) => {
-            let mut parts = request.parts().iter().map(|part| part.name);
+            let mut parts = request.functions().map(|part| part.name);
             let name = parts.find(|part| !among(part))?.to_owned();
             RequestError::Unknown { name }
         }
         Err(fault) => fault,
     };
     let RequestError::Unknown { name: part } = fault else {
-        let fault = Diagnostic::error(format!("{what}: {fault}"));
-        return Some(fault.at(name.span, "cannot be joined"));
+        return Some(part_fault(name, what, &fault));
     };
     let whole = if part == name.value {
         String::new()
@@ -94,4 +93,21 @@ pub(super) fn request_fault(
         None => format!("the functions are {}", list(known)),
     };
     Some(fault.at(name.span, "unknown function").help(help))
+}
+
+/// What is wrong with a request of known functions, with its place in the text where that stands there as it is.
+fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Diagnostic {
+    let shown = Diagnostic::error(format!("{what}: {fault}"));
+    let Some(place) = fault.place() else {
+        return shown.at(name.span, "cannot be joined");
+    };
+    // Between two quotes of one character each, and nothing escaped.
+    let is_plain = name.span.end - name.span.start == name.value.len() + 2;
+    let start = name.span.start + 1;
+    let span = if is_plain {
+        (start + place.start..start + place.end.max(place.start + 1)).into()
+    } else {
+        name.span
+    };
+    shown.at(span, "here")
 }

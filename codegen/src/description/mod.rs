@@ -10,6 +10,7 @@
 mod axis;
 mod body;
 mod format;
+mod frame;
 mod joint;
 mod reading;
 mod size;
@@ -27,6 +28,7 @@ pub(crate) mod xml;
 pub use axis::Axis;
 pub use body::{INERTIA_COMPONENTS, WrittenBody};
 pub use format::read;
+pub use frame::{Carrier, FrameRotation, WrittenFrame};
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};
 pub use reading::{Base, Include, Reading, no_includes};
 pub(crate) use size::{too_large, too_many};

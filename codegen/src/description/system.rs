@@ -1,6 +1,7 @@
 //! A multibody system, as the user wrote it.
 
 use crate::description::body::WrittenBody;
+use crate::description::frame::WrittenFrame;
 use crate::description::value::{Given, Scalar};
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 
@@ -19,6 +20,8 @@ pub struct Description {
     pub order: Given<Order>,
     /// The bodies, in the numbering of the body-connection array.
     pub bodies: Vec<WrittenBody>,
+    /// Frames that only mark places.
+    pub frames: Vec<WrittenFrame>,
     /// What was wrong already while reading.
     pub faults: Vec<Diagnostic>,
 }
@@ -34,6 +37,7 @@ impl Description {
             lower_bodies: None,
             order: Some(Spanned::new(Order::Body, start)),
             bodies: Vec::new(),
+            frames: Vec::new(),
             faults,
         }
     }

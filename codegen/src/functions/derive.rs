@@ -1,6 +1,6 @@
 //! The root expressions of each function, put together from the equations.
 
-use super::frames;
+use super::user_axes;
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector},
     given::{Accelerations, mechanics},
@@ -22,23 +22,23 @@ fn matrices(matrices: BodyMap<Matrix>) -> Vec<Expr> {
 
 pub(super) fn relative_rotation(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
-    matrices(frames::relative_rotations(graph, tree, &relative))
+    matrices(user_axes::relative_rotations(graph, tree, &relative))
 }
 
 pub(super) fn rotation(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
     let absolute = orientation::absolute(graph, tree, &relative);
-    matrices(frames::rotations(graph, tree, &absolute))
+    matrices(user_axes::rotations(graph, tree, &absolute))
 }
 
 pub(super) fn relative_angular_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let w_rel = angular::relative_velocity(graph, tree);
-    vectors(frames::vectors(graph, tree, &w_rel))
+    vectors(user_axes::vectors(graph, tree, &w_rel))
 }
 
 pub(super) fn angular_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let w = velocity::rotational(graph, tree).w;
-    vectors(frames::vectors(graph, tree, &w))
+    vectors(user_axes::vectors(graph, tree, &w))
 }
 
 pub(super) fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -50,37 +50,37 @@ pub(super) fn angular_acceleration(graph: &mut ExprGraph, tree: &Tree) -> Vec<Ex
     let velocity::Rotational { relative, w_rel, w } = &rotational;
     let given = Accelerations::Given;
     let alpha = angular::acceleration(graph, tree, relative, w_rel, w, given);
-    vectors(frames::vectors(graph, tree, &alpha))
+    vectors(user_axes::vectors(graph, tree, &alpha))
 }
 
 pub(super) fn partial_angular_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
     let relative = orientation::relative(graph, tree);
     let partial = angular::partial(graph, tree, &relative);
-    frames::rows(graph, tree, partial)
+    user_axes::rows(graph, tree, partial)
 }
 
 pub(super) fn partial_angular_velocity_dot(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
     let dot = partials_dot(graph, tree).angular;
-    frames::rows(graph, tree, dot)
+    user_axes::rows(graph, tree, dot)
 }
 
 pub(super) fn origin_position(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
     let origins = position::origin(graph, tree, &relative);
-    vectors(frames::origins(graph, tree, &origins))
+    vectors(user_axes::origins(graph, tree, &origins))
 }
 
 pub(super) fn mass_center_position(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
     let origins = position::origin(graph, tree, &relative);
     let centers = position::mass_center(graph, tree, &origins);
-    vectors(frames::vectors(graph, tree, &centers))
+    vectors(user_axes::vectors(graph, tree, &centers))
 }
 
 pub(super) fn origin_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let rotational = velocity::rotational(graph, tree);
     let velocities = velocity::origin(graph, tree, &rotational);
-    vectors(frames::origin_velocities(
+    vectors(user_axes::origin_velocities(
         graph,
         tree,
         &rotational,
@@ -92,7 +92,7 @@ pub(super) fn mass_center_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Ex
     let rotational = velocity::rotational(graph, tree);
     let origin = velocity::origin(graph, tree, &rotational);
     let velocities = velocity::mass_center(graph, tree, &rotational, &origin);
-    vectors(frames::vectors(graph, tree, &velocities))
+    vectors(user_axes::vectors(graph, tree, &velocities))
 }
 
 fn partials(graph: &mut ExprGraph, tree: &Tree) -> velocity::Partials {
@@ -109,7 +109,7 @@ fn partials_dot(graph: &mut ExprGraph, tree: &Tree) -> velocity::Partials {
 pub(super) fn partial_velocity_origin(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
     let relative = orientation::relative(graph, tree);
     let partials = velocity::partials(graph, tree, &relative);
-    frames::origin_rows(graph, tree, &relative, &partials.angular, &partials.origin)
+    user_axes::origin_rows(graph, tree, &relative, &partials.angular, &partials.origin)
 }
 
 pub(super) fn partial_velocity_origin_dot(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
@@ -117,22 +117,22 @@ pub(super) fn partial_velocity_origin_dot(graph: &mut ExprGraph, tree: &Tree) ->
     let partials = velocity::partials(graph, tree, &rotational.relative);
     let dot = velocity::partials_dot(graph, tree, &rotational, &partials);
     let angular = (&partials.angular, &dot.angular);
-    frames::origin_rows_dot(graph, tree, &rotational, angular, &dot.origin)
+    user_axes::origin_rows_dot(graph, tree, &rotational, angular, &dot.origin)
 }
 
 pub(super) fn partial_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
     let partial = partials(graph, tree).mass_center;
-    frames::rows(graph, tree, partial)
+    user_axes::rows(graph, tree, partial)
 }
 
 pub(super) fn partial_velocity_dot(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Row> {
     let dot = partials_dot(graph, tree).mass_center;
-    frames::rows(graph, tree, dot)
+    user_axes::rows(graph, tree, dot)
 }
 
 pub(super) fn mass_center_acceleration(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let accelerations = velocity::accelerations(graph, tree, Accelerations::Given).mass_center;
-    vectors(frames::vectors(graph, tree, &accelerations))
+    vectors(user_axes::vectors(graph, tree, &accelerations))
 }
 
 pub(super) fn q_dot(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

@@ -1,11 +1,11 @@
 //! What a generated function is given and writes, argument by argument: every text that declares it follows from this.
 
-use super::{Argument, Function, Request, Shape};
-
-/// The constant that holds the length of a packed mass matrix.
-pub const PACKED_LEN: &str = "MASS_MATRIX_PACKED_LEN";
-/// The constant that holds where its entries stand.
-pub const PACKED_PLACES: &str = "MASS_MATRIX_PACKED_PLACES";
+use super::{
+    argument::Argument,
+    function::Function,
+    request::Request,
+    shape::{Element, Length, PACKED_PLACES},
+};
 
 /// A function as its callers see it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,30 +33,6 @@ pub struct Declared {
     pub access: Access,
     /// What it means, in words.
     pub meaning: &'static str,
-}
-
-/// What an array is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Element {
-    /// A number.
-    Scalar,
-    /// The load on a body.
-    Load,
-    /// Values set at run time.
-    Parameters,
-    /// What depends on these alone.
-    Prepared,
-    /// Sines and cosines.
-    SinCos,
-}
-
-/// The length of an array.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Length {
-    /// The components of a vector.
-    Three,
-    /// A constant of the module: `NQ`.
-    Constant(String),
 }
 
 /// What is done with an argument.
@@ -148,57 +124,11 @@ impl Declared {
 }
 
 impl Argument {
-    fn declared(self) -> Declared {
-        let (element, shape, meaning) = match self {
-            Self::Q => (
-                Element::Scalar,
-                Shape::Coordinates,
-                "coordinates, rad and m; quaternions have no unit",
-            ),
-            Self::U => (Element::Scalar, Shape::Speeds, "speeds, rad/s and m/s"),
-            Self::UDot => (
-                Element::Scalar,
-                Shape::Speeds,
-                "rates of the speeds, rad/s^2 and m/s^2",
-            ),
-            Self::Tau => (
-                Element::Scalar,
-                Shape::Speeds,
-                "generalized forces, N m and N",
-            ),
-            Self::Loads => (
-                Element::Load,
-                Shape::BodyScalars,
-                "force at the mass centre and moment on each body, body components, N and N m",
-            ),
-            Self::RelativeAngularVelocity => (
-                Element::Scalar,
-                Shape::BodyVectors,
-                "angular velocity of each body relative to its lower body, body components, rad/s",
-            ),
-        };
+    /// How it is declared.
+    pub fn declared(self) -> Declared {
         Declared {
-            lengths: shape.named_lengths(String::new),
-            ..Declared::read(self.name(), element, meaning)
-        }
-    }
-}
-
-impl Shape {
-    /// The lengths of the nested arrays, outermost first; `columns` names that of a compact output.
-    fn named_lengths(self, columns: impl FnOnce() -> String) -> Vec<Length> {
-        let constant = |name: &str| Length::Constant(name.to_owned());
-        match self {
-            Self::Scalar => vec![],
-            Self::Vector => vec![Length::Three],
-            Self::Coordinates => vec![constant("NQ")],
-            Self::Speeds => vec![constant("NU")],
-            Self::SpeedMatrix => vec![constant("NU"), constant("NU")],
-            Self::SpeedPairs => vec![constant(PACKED_LEN)],
-            Self::BodyScalars => vec![constant("NB")],
-            Self::BodyVectors => vec![constant("NB"), Length::Three],
-            Self::BodyMatrices => vec![constant("NB"), Length::Three, Length::Three],
-            Self::Columns => vec![Length::Constant(columns()), Length::Three],
+            lengths: self.shape().declared(String::new),
+            ..Declared::read(self.name(), self.element(), self.meaning())
         }
     }
 }
@@ -220,7 +150,7 @@ impl Request {
             compact.columns_constant()
         };
         arguments.extend(self.outputs().into_iter().map(|output| Declared {
-            lengths: output.shape.named_lengths(columns),
+            lengths: output.shape.declared(columns),
             ..Declared::written(&output.name, Element::Scalar)
         }));
         Signature {

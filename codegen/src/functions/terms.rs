@@ -23,11 +23,6 @@ pub(super) fn pairs(tree: &Tree) -> usize {
     tree.bodies.iter().zip(moving(tree)).map(of_body).sum()
 }
 
-/// None that is known: gravity may have no component along a speed.
-pub(super) fn of_weight(_: &Tree) -> usize {
-    0
-}
-
 /// For every body the number of joints' own speeds on its path.
 fn moving(tree: &Tree) -> Vec<usize> {
     let mut moving: Vec<usize> = Vec::with_capacity(tree.bodies.len());

@@ -4,6 +4,7 @@
 //! body, and of what acts in it. Afterwards: all of it is in internal axes, whatever the user's are.
 //! Does not: sum over bodies; `kane` and `recursive` do, each in its way.
 
+mod frame;
 mod joint;
 mod loads;
 mod mass;
@@ -11,6 +12,7 @@ pub mod mechanics;
 mod numbers;
 pub mod orientation;
 
+pub use frame::{FramePose, FrameVelocity, frame_origin, frame_rotation};
 pub use joint::{
     Accelerations, acceleration, attachment, coordinate, offset, shift_directions, shift_speeds,
     speed,

@@ -52,14 +52,19 @@ pub fn rate_matrix_dot(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matr
 /// `w_rel_K = P_K theta_dot_K`, Eq. (8), body components, for every body.
 pub fn relative_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
-        graph.enter(body);
-        let p = rate_matrix(graph, tree, body).matrix(graph);
-        let turns = tree.body(body).joint.turns();
-        let speeds = turns.map(|turn| given::speed(graph, turn));
-        let w_rel = graph.mul_vector(&p, speeds);
-        graph.name_vector(w_rel, "w_rel");
-        w_rel
+        relative_velocity_of(graph, tree, body)
     })
+}
+
+/// The same of one body.
+pub fn relative_velocity_of(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Vector {
+    graph.enter(body);
+    let p = rate_matrix(graph, tree, body).matrix(graph);
+    let turns = tree.body(body).joint.turns();
+    let speeds = turns.map(|turn| given::speed(graph, turn));
+    let w_rel = graph.mul_vector(&p, speeds);
+    graph.name_vector(w_rel, "w_rel");
+    w_rel
 }
 
 /// The rates of the angles from a given relative angular velocity, Eq. (9), for bodies whose three angles are free.

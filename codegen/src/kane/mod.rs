@@ -7,6 +7,7 @@
 pub mod angular;
 pub mod dynamics;
 pub mod energy;
+pub mod frame;
 pub mod orientation;
 pub mod position;
 pub mod velocity;

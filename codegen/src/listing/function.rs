@@ -13,6 +13,8 @@ pub struct Function {
     pub signature: Signature,
     /// The function of the catalogue, where it is one as it stands there.
     pub alone: Option<&'static functions::Function>,
+    /// The function of a frame, where it is one alone.
+    pub of_frame: Option<(&'static functions::FrameFunction, functions::Subject)>,
     /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
     pub pattern: Option<usize>,
     /// How its sums over bodies are associated.
@@ -33,6 +35,7 @@ impl Function {
         Self {
             signature,
             alone: None,
+            of_frame: None,
             pattern: None,
             formulation: Formulation::Notes,
             has_choice: false,

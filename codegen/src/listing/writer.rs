@@ -39,8 +39,10 @@ impl<'a> Writer<'a> {
         let signature = request.signature();
         let places = places(&signature, self.facts);
         let code = self.code(program, &signature, places, Counted::InFunction);
+        let of_frame = request.alone_of_frame();
         Function {
             alone: request.alone(),
+            of_frame: of_frame.map(|(function, subject)| (function, subject.clone())),
             pattern: self.pattern(emittable),
             formulation: emittable.formulation,
             has_choice: request.formulations().len() > 1,

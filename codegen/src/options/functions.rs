@@ -1,6 +1,6 @@
 //! Which functions are asked for.
 
-use crate::functions::{Function, Request};
+use crate::functions::{Function, Parsed};
 
 /// The functions to generate.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,14 +16,14 @@ pub enum Functions {
 
 impl Functions {
     /// Those that are named, in the order in which a module holds them, each once; names that are none are left out.
-    pub fn requests(&self) -> Vec<Request> {
+    pub fn requests(&self) -> Vec<Parsed> {
         let names: &[String] = match self {
             Self::Default | Self::All => &[],
             Self::Named(names) => names,
         };
-        let requests = names.iter().filter_map(|name| Request::parse(name).ok());
-        let mut requests: Vec<Request> = requests.collect();
-        requests.sort_by_key(Request::place);
+        let requests = names.iter().filter_map(|name| Parsed::read(name).ok());
+        let mut requests: Vec<Parsed> = requests.collect();
+        requests.sort_by_key(Parsed::place);
         requests.dedup_by_key(|request| request.place());
         requests
     }
@@ -33,7 +33,11 @@ impl Functions {
         match self {
             Self::Default => function.is_default,
             Self::All => true,
-            Self::Named(names) => names.iter().any(|name| name == function.name),
+            Self::Named(names) => names.iter().any(|name| {
+                let named = Parsed::read(name).ok();
+                let named = named.and_then(|named| named.alone());
+                named.is_some_and(|named| named.name == function.name)
+            }),
         }
     }
 }

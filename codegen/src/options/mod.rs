@@ -12,14 +12,17 @@ mod formulation;
 mod functions;
 mod words;
 
-use std::{collections::BTreeSet, ops::Range};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ops::Range,
+};
 
 pub use formulation::Formulation;
 pub use functions::Functions;
 
 use crate::{
     description::Reading,
-    functions::{CATALOGUE, Function, Request},
+    functions::{CATALOGUE, Function, Request, RequestError},
     recursive::Technique,
     tree::{Changes, Tree},
 };
@@ -63,12 +66,33 @@ impl Options {
     }
 
     /// What is to be generated, in the order of a module.
-    pub fn requests(&self, tree: &Tree) -> Vec<Request> {
+    ///
+    /// # Errors
+    /// What the model lacks, and two functions of one name.
+    pub fn requests(&self, tree: &Tree) -> Result<Vec<Request>, RequestError> {
         let catalogue = CATALOGUE.iter();
         let selected = catalogue.filter(|function| self.selects(tree, function));
         let mut requests: Vec<Request> = selected.map(Request::from).collect();
-        let named = self.functions.requests();
-        requests.extend(named.into_iter().filter(|named| named.alone().is_none()));
-        requests
+        let named = self.functions.requests().into_iter();
+        for named in named.filter(|named| named.alone().is_none()) {
+            requests.push(named.on(tree)?);
+        }
+        check_names(&requests)?;
+        Ok(requests)
     }
+}
+
+/// Refuses two functions of one name.
+fn check_names(requests: &[Request]) -> Result<(), RequestError> {
+    let mut known: BTreeMap<String, &Request> = BTreeMap::new();
+    for request in requests {
+        if let Some(first) = known.insert(request.name(), request) {
+            return Err(RequestError::SameName {
+                first: first.text(),
+                second: request.text(),
+                name: request.name(),
+            });
+        }
+    }
+    Ok(())
 }

@@ -5,7 +5,7 @@
 
 use crate::{
     description::{Base, Chart, Reading},
-    functions::Request,
+    functions::Parsed,
     recursive::Technique,
     tree::Changes,
 };
@@ -54,7 +54,7 @@ fn functions_in_words(functions: &Functions) -> String {
         Functions::All => "all".to_owned(),
         Functions::Named(_) => {
             let named = functions.requests();
-            let named: Vec<String> = named.iter().map(Request::text).collect();
+            let named: Vec<String> = named.iter().map(Parsed::text).collect();
             named.join(", ")
         }
     }

@@ -11,6 +11,7 @@ mod column;
 pub mod composite;
 mod exchange;
 pub mod forward_dynamics;
+pub mod frame;
 pub mod gravity;
 mod inertia;
 pub mod inverse_dynamics;

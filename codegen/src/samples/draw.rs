@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use super::sample::Sample;
 use crate::{
     expr::Input,
-    functions::{Derived, Formulation, Function, Request},
-    id::{BodyId, CoordinateId, ParameterId, SpeedId},
+    functions::{Argument, Derived, Formulation, Function, Request},
+    id::{CoordinateId, ParameterId},
     number::Rounded,
     options::companion::SCALES,
     random::Random,
@@ -143,27 +143,13 @@ fn evaluated(tree: &Tree, derived: &Derived, sample: &Sample) -> Vec<f64> {
 /// What a sample is to the equations.
 pub(super) fn inputs(tree: &Tree, sample: &Sample) -> Inputs {
     let mut inputs = BTreeMap::new();
-    let mut insert = |input, value| inputs.insert(input, Rounded::exact(value));
-    for (place, &value) in sample.q.iter().enumerate() {
-        insert(Input::Q(CoordinateId::new(place)), value);
-    }
-    for (place, (&u, &u_dot)) in sample.u.iter().zip(&sample.u_dot).enumerate() {
-        let speed = SpeedId::new(place);
-        insert(Input::U(speed), u);
-        insert(Input::UDot(speed), u_dot);
-        insert(Input::Tau(speed), sample.tau[place]);
+    for argument in Argument::ALL {
+        let values = argument.inputs(tree).zip(sample.of(argument));
+        inputs.extend(values.map(|(input, &value)| (input, Rounded::exact(value))));
     }
     for (place, &value) in sample.parameters.iter().enumerate() {
-        insert(Input::Parameter(ParameterId::new(place)), value);
-    }
-    for body in tree.body_ids() {
-        for axis in 0..3 {
-            let load = 6 * BodyId::index(body) + axis;
-            insert(Input::Force(body, axis), sample.loads[load]);
-            insert(Input::Moment(body, axis), sample.loads[load + 3]);
-            let rate = sample.w_rel[3 * BodyId::index(body) + axis];
-            insert(Input::RelativeAngularVelocity(body, axis), rate);
-        }
+        let parameter = Input::Parameter(ParameterId::new(place));
+        inputs.insert(parameter, Rounded::exact(value));
     }
     inputs
 }

@@ -1,5 +1,7 @@
 //! States, and what functions give there, as numbers.
 
+use crate::functions::Argument;
+
 /// A state, and what else functions are given there.
 #[derive(Clone, Debug)]
 pub(crate) struct Sample {
@@ -17,6 +19,20 @@ pub(crate) struct Sample {
     pub(crate) loads: Vec<f64>,
     /// The relative angular velocity of each body.
     pub(crate) w_rel: Vec<f64>,
+}
+
+impl Sample {
+    /// The numbers of an argument, one after the other.
+    pub(crate) fn of(&self, argument: Argument) -> &[f64] {
+        match argument {
+            Argument::Q => &self.q,
+            Argument::U => &self.u,
+            Argument::UDot => &self.u_dot,
+            Argument::Tau => &self.tau,
+            Argument::Loads => &self.loads,
+            Argument::RelativeAngularVelocity => &self.w_rel,
+        }
+    }
 }
 
 /// What a function writes.

@@ -60,6 +60,7 @@ pub fn build(description: &Description) -> Result<Checked, Diagnostics> {
 pub fn build_with(description: &Description, changes: &Changes) -> Result<Checked, Diagnostics> {
     let mut findings = description.faults.clone();
     names::check(description, &mut findings);
+    names::check_frames(description, &mut findings);
     let outward = numbering::outward(description, &mut findings);
     let (rotations, snapped) = exact(description, changes.snap);
     let joints = joints_that_stand(description, &rotations, changes, &mut findings);

@@ -7,7 +7,8 @@ use std::fmt::Write as _;
 
 use crate::geometry::{IDENTITY, Rotation};
 use crate::tree::{
-    Coordinate, Joint, Mechanics, Offset, Order, Orientation, Step, Tree, Value, is_translation,
+    Coordinate, Joint, Mechanics, NamedFrame, Offset, Order, Orientation, Step, Tree, Value,
+    is_translation,
 };
 
 /// The canonical text of a tree.
@@ -72,6 +73,28 @@ pub fn canonical(tree: &Tree) -> String {
         );
     }
     text
+}
+
+/// The canonical text of a frame that only marks a place, for those that depend on it; of any other frame the tree's says
+/// everything.
+pub fn canonical_frame(tree: &Tree, frame: NamedFrame) -> Option<String> {
+    let NamedFrame::Marker(place) = frame else {
+        return None;
+    };
+    let frame = &tree.markers[place];
+    let body = frame.body.map_or(0, |body| body.index() + 1);
+    let (axes, origin) = (
+        rotation(&frame.pose.rotation),
+        offset(tree, &frame.pose.origin),
+    );
+    let turn = frame.turn.as_ref().map(|turn| values(tree, &turn.concat()));
+    let (name, turn) = (&frame.name, turn.unwrap_or_default());
+    let mut text = String::new();
+    line(
+        &mut text,
+        format_args!("marker {name:?} of {body}{axes}{origin} turned{turn}"),
+    );
+    Some(text)
 }
 
 fn joint(text: &mut String, tree: &Tree, joint: &Joint) {

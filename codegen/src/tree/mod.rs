@@ -34,16 +34,18 @@ mod values;
 
 // What is read off a tree.
 mod canonical;
+mod named;
 
 pub use crate::description::Order;
 pub use body::{Body, Inertia, Part, Pose};
 pub use build::{Checked, build, build_with};
-pub use canonical::canonical;
+pub use canonical::{canonical, canonical_frame};
 pub use changes::Changes;
 pub use frames::Frame;
 pub use joint::{ChartCoordinates, Coordinate, Joint, Motion, Orientation, is_translation};
 pub use mechanics::Mechanics;
 pub(crate) use mobility::Units;
+pub use named::NamedFrame;
 pub use offset::{Offset, Step};
 pub(crate) use principal::principal;
 pub use rotations::snapped_sin_cos;

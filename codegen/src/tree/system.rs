@@ -22,6 +22,8 @@ pub struct Tree {
     pub bodies: Vec<Body>,
     /// The bodies that are part of others, in the order of the description.
     pub frames: Vec<Frame>,
+    /// Frames without mass, in the order of the description: functions may be of them, and nothing else depends on them.
+    pub markers: Vec<Frame>,
     /// How near to 0, 1 or -1 entries of constant rotations are made exact.
     pub snap: f64,
     /// The values that the user sets at run time: gravity's, then body by body.

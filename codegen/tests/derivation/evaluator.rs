@@ -7,7 +7,7 @@ use std::{
 
 use kane_codegen::{
     expr::{Expr, ExprGraph, Input},
-    functions::{Block, Formulation, Function, Shape},
+    functions::{Block, Formulation, Function},
     passes::{factor, hoist},
     program::{self, Program},
     recursive::Plan,
@@ -81,7 +81,7 @@ impl Model for Evaluator {
             Input::Prepared(place) => flat.prepared[place],
             given => input(self.tree(), state, given),
         });
-        if Function::find(function).is_some_and(|function| function.shape == Shape::Columns) {
+        if Function::find(function).is_some_and(Function::is_compact) {
             dense(self.tree(), &flat.blocks, &values)
         } else {
             values
@@ -92,7 +92,7 @@ impl Model for Evaluator {
 /// Derives, factors, hoists and flattens.
 fn flat(tree: &Tree, function: &Function, formulation: Formulation, plan: &Plan) -> Flat {
     let derived = function.derive(tree, formulation, plan);
-    let (graph, roots) = if function.shape == Shape::Columns {
+    let (graph, roots) = if function.is_compact() {
         (derived.graph, derived.roots)
     } else {
         factor::run(&derived.graph, &derived.roots)

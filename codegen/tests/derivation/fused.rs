@@ -9,7 +9,7 @@ use kane_codegen::{
     config::{self, Functions},
     description::{Base, Reading, no_includes},
     diagnostic::Source,
-    functions::{Formulation, Request, RequestError},
+    functions::{Formulation, Parsed, Request, RequestError},
     generate::generate,
     program::Operations,
     tree::Tree,
@@ -154,7 +154,10 @@ fn a_cart_pole_s_mass_matrix_and_bias_in_one() {
 fn outputs_that_share_a_name_with_one_another_or_an_argument_go_by_their_functions() {
     let names = |text: &str| -> Vec<String> {
         let outputs = Request::parse(text).unwrap().outputs();
-        outputs.into_iter().map(|output| output.name).collect()
+        outputs
+            .into_iter()
+            .map(|output| output.name.into_owned())
+            .collect()
     };
     assert_eq!(names("mass_matrix+bias"), ["m", "bias"]);
     assert_eq!(
@@ -199,7 +202,7 @@ fn what_cannot_be_joined_is_refused() {
 fn the_order_in_which_functions_are_listed_does_not_matter() {
     let names = |list: &[&str]| -> Vec<String> {
         let functions = Functions::Named(list.iter().map(ToString::to_string).collect());
-        functions.requests().iter().map(Request::text).collect()
+        functions.requests().iter().map(Parsed::text).collect()
     };
     let expected = [
         "mass_matrix",

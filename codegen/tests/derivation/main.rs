@@ -6,6 +6,7 @@ mod counts;
 mod equivalences;
 mod evaluator;
 mod expr;
+mod frames;
 mod fused;
 mod identities;
 mod multiply_add;

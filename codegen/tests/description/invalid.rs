@@ -74,6 +74,8 @@ mod config_file {
         compact_part_of_a_function
         empty_path
         fma_is_string
+        frame_of_a_function_of_the_system
+        function_without_its_frame
         functions_is_string
         lock_is_list
         locked_at_text
@@ -83,11 +85,14 @@ mod config_file {
         no_functions
         no_systems
         output_is_no_rust_file
+        pose_along_local_axes
         remove_is_string
         removed_twice
         repeated_function
         repeated_joined_function
         repeated_part_of_a_function
+        request_for_a_derivative
+        request_that_is_not_closed
         several_faults
         several_faults_of_changes
         snap_is_negative
@@ -99,10 +104,11 @@ mod config_file {
         unknown_formulation
         unknown_function
         unknown_function_far_from_any
-        unknown_part_of_a_function
         unknown_key
+        unknown_part_of_a_function
         unknown_root_key
         unknown_technique
+        velocity_along_unknown_axes
     }
 
     #[test]
@@ -269,6 +275,14 @@ files! { FILES, description_is_refused:
     damping_of_a_locked_coordinate
     damping_of_unknown_coordinate
     empty_name
+    frame_at_infinity
+    frame_called_as_a_body
+    frame_in_unknown_body
+    frame_that_is_no_rotation
+    frame_twice
+    frame_with_unknown_key
+    frame_without_name
+    frames_with_several_faults
     friction_at_run_time
     gravity_is_number
     gravity_too_long

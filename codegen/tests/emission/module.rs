@@ -316,7 +316,8 @@ fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
 fn no_local_value_can_take_the_name_of_an_argument_or_output() {
     for function in &CATALOGUE {
         let arguments = function.arguments.iter().map(|argument| argument.name());
-        for name in arguments.chain([function.output, "p"]) {
+        let outputs = function.outputs.iter().map(|output| &*output.name);
+        for name in arguments.chain(outputs).chain(["p"]) {
             assert!(RESERVED.contains(&name), "{name}");
         }
     }

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use kane_codegen::description::{
-    Axis, Chart, Description, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Rotation,
-    Scalar, Speeds, WrittenBody, WrittenJoint, toml,
+    Axis, Carrier, Chart, Description, FrameRotation, Given, JointKind, Limits, Mimic, Optional,
+    PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint, toml,
 };
 use kane_codegen::diagnostic::{Diagnostic, Source, Span, Spanned};
 use kane_codegen::tree::Order;
@@ -21,9 +21,11 @@ fn said(description: &Description) -> String {
         lower_bodies,
         order,
         bodies,
+        frames,
         faults: _,
     } = description;
-    let text = format!("{name:#?} {gravity:#?} {lower_bodies:#?} {order:#?} {bodies:#?}");
+    let text =
+        format!("{name:#?} {gravity:#?} {lower_bodies:#?} {order:#?} {bodies:#?} {frames:#?}");
     let mut text = text.lines();
     let mut said = String::new();
     while let Some(line) = text.next() {
@@ -117,6 +119,21 @@ armature = { s2 = 1e300 }
 friction = { theta1 = 0.1, s2 = 3.0 }
 limits = { theta1 = { lower = -1.0 }, s2 = { effort = 5.0 } }
 mimic = { joint = "finger_1", multiplier = -2.0, offset = 0.1 }
+
+[[frame]]
+name = "tool"
+body = "palm"
+position = [0.0, { runtime = 0.1 }, -0.5]
+rotation = { runtime = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]] }
+
+[[frame]]
+name = "table"
+position = [1.0, 0.0, 0.0]
+rotation = [
+    [ 0.6, 0.8, 0.0],
+    [-0.8, 0.6, 0.0],
+    [ 0.0, 0.0, 1.0],
+]
 "#;
 
 #[test]
@@ -372,6 +389,22 @@ fn joint(random: &mut Random) -> WrittenJoint {
     }
 }
 
+fn frame(random: &mut Random) -> WrittenFrame {
+    WrittenFrame {
+        span: PLACE,
+        name: Some(at(string(random))),
+        body: match random.below(3) {
+            0 => Carrier::Inertial,
+            _ => Carrier::Body(Some(at(string(random)))),
+        },
+        position: vector(random),
+        rotation: Some(at(match random.below(3) {
+            0 => FrameRotation::Runtime([(); 3].map(|()| [(); 3].map(|()| number(random)))),
+            _ => FrameRotation::Baked(rotation(random)),
+        })),
+    }
+}
+
 fn random_description(random: &mut Random) -> Description {
     let n_bodies = 1 + random.below(3);
     let body = |random: &mut Random| WrittenBody {
@@ -391,6 +424,7 @@ fn random_description(random: &mut Random) -> Description {
         gravity: vector(random),
         order: Some(at([Order::Body, Order::Notes][random.below(2)])),
         bodies: (0..n_bodies).map(|_| body(random)).collect(),
+        frames: (0..random.below(3)).map(|_| frame(random)).collect(),
         faults: Vec::new(),
     }
 }

@@ -14,9 +14,10 @@ use crate::description::mjcf::model::Model;
 use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
+use crate::description::mjcf::sites::{self, Site};
 use crate::description::mjcf::solid::together;
-use crate::description::too_many;
 use crate::description::xml::{Element, Reader, shown};
+use crate::description::{WrittenFrame, too_many};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::limits::BODIES;
 
@@ -28,13 +29,14 @@ struct Pending<'d> {
     lower_moves: Moves,
 }
 
-/// Reads the bodies of all `worldbody` elements.
+/// Reads the bodies of all `worldbody` elements, and the sites in them.
 pub(super) fn read<'d>(
     reader: &mut Reader,
     model: &Model<'d>,
     worlds: &[Element<'d>],
-) -> WrittenBodies {
+) -> (WrittenBodies, Vec<WrittenFrame>) {
     let mut bodies = Bodies::default();
+    let mut marked = Vec::new();
     let mut pending = Vec::new();
     for world in worlds.iter().rev() {
         let contents = gather(reader, model, *world, "the world", Class::MAIN);
@@ -50,6 +52,12 @@ pub(super) fn read<'d>(
             let owner = owner(geom.element, "geom", "the world");
             geom_attributes(reader, model, geom, &owner);
         }
+        marked.extend(
+            contents
+                .sites
+                .into_iter()
+                .map(|inside| Site { inside, body: 0 }),
+        );
         push(&mut pending, contents.bodies, 0, Moves::No);
     }
     while let Some(next) = pending.pop() {
@@ -60,11 +68,17 @@ pub(super) fn read<'d>(
         }
         let (contents, moves) = body(reader, model, &next, &mut bodies);
         let number = bodies.count();
+        let sites = contents.sites.into_iter();
+        marked.extend(sites.map(|inside| Site {
+            inside,
+            body: number,
+        }));
         push(&mut pending, contents.bodies, number, moves);
     }
     let written = bodies.written(reader, model.settings.total_mass);
     finite::check(reader, &written.list);
-    written
+    let frames = sites::written(reader, model, &marked, &written.list);
+    (written, frames)
 }
 
 /// The first comes out first.

@@ -23,6 +23,7 @@ pub(super) struct Contents<'d> {
     pub(super) inertials: Vec<Inside<'d>>,
     pub(super) joints: Vec<Inside<'d>>,
     pub(super) geoms: Vec<Inside<'d>>,
+    pub(super) sites: Vec<Inside<'d>>,
     pub(super) bodies: Vec<Inside<'d>>,
 }
 
@@ -55,6 +56,7 @@ pub(super) fn gather<'d>(
             "inertial" => contents.inertials.push(inside),
             "joint" | "freejoint" => contents.joints.push(inside),
             "geom" => contents.geoms.push(inside),
+            "site" => contents.sites.push(inside),
             "body" => contents.bodies.push(inside),
             "frame" => {
                 let given = Attributes::of(

@@ -15,11 +15,12 @@ use crate::diagnostic::{Diagnostic, Severity, Span, Spanned, nearest};
 /// As many names are too many to look for the one that was meant.
 const MANY: usize = 1_000;
 
-/// Kinds of elements whose defaults matter to the dynamics.
+/// Kinds of elements whose defaults matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ElementKind {
     Joint,
     Geom,
+    Site,
     Tendon,
     Equality,
     /// All of them share one default, under whichever name it is written.
@@ -35,7 +36,7 @@ pub(super) struct Class(usize);
 pub(super) struct Defaults<'d> {
     names: BTreeMap<&'d str, (Class, Span)>,
     /// For each class and kind what is given, with what is inherited.
-    classes: Vec<[Attributes<'d>; 5]>,
+    classes: Vec<[Attributes<'d>; 6]>,
 }
 
 impl Class {
@@ -49,6 +50,7 @@ impl ElementKind {
         match name {
             "joint" => Some(Self::Joint),
             "geom" => Some(Self::Geom),
+            "site" => Some(Self::Site),
             "tendon" => Some(Self::Tendon),
             "equality" => Some(Self::Equality),
             name if known::ACTUATORS.contains(&name) => Some(Self::Actuator),
@@ -60,6 +62,7 @@ impl ElementKind {
         match self {
             Self::Joint => &known::JOINT,
             Self::Geom => &known::GEOM,
+            Self::Site => &known::SITE,
             Self::Tendon => &known::TENDON,
             Self::Equality => &known::EQUALITY,
             Self::Actuator => &known::ACTUATOR,
@@ -73,7 +76,7 @@ pub(super) fn read<'d>(
     files: &'d Files<'_>,
     sections: &[Element<'d>],
 ) -> Defaults<'d> {
-    let nothing = [(); 5].map(|()| Attributes::none());
+    let nothing = [(); 6].map(|()| Attributes::none());
     let mut defaults = Defaults {
         names: BTreeMap::new(),
         classes: vec![nothing],

@@ -31,6 +31,7 @@ mod parse;
 mod placement;
 mod seat;
 mod settings;
+mod sites;
 mod solid;
 
 pub use parse::parse;

@@ -80,13 +80,14 @@ fn read(
     for section in &sections {
         others::read(reader, &model, *section);
     }
-    let bodies = bodies::read(reader, &model, &named("worldbody"));
+    let (bodies, frames) = bodies::read(reader, &model, &named("worldbody"));
     let world = named("worldbody").first().map_or(root.span(), |w| w.span());
     Some(Description {
         name: Some(name),
         gravity: model.settings.gravity.map(|entry| Some(baked(entry))),
         lower_bodies: Some(Spanned::new(bodies.lower, world)),
         bodies: bodies.list,
+        frames,
         ..Description::none(source, Vec::new())
     })
 }

@@ -2,9 +2,10 @@
 //!
 //! `name`, `lower_bodies` and of every `[[body]]` the `name`, `mass`, `mass_center`, `inertia`, `attachment` and
 //! `joint` must be written, also where they are zero: physics has no hidden defaults. What else there is may be
-//! absent, but for the `axis` of a joint that needs one.
+//! absent, but for the `axis` of a joint that needs one, and the `name` of a `[[frame]]`.
 
 mod body;
+mod frame;
 mod joint;
 mod parse;
 mod text;

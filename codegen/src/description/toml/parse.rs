@@ -1,11 +1,11 @@
 //! The keys of a whole file.
 
-use crate::description::toml::{body, value};
+use crate::description::toml::{body, frame, value};
 use crate::description::toml_reader::{Item, Reader, span};
 use crate::description::{Description, Given, Order, Scalar};
 use crate::diagnostic::{Source, Span, Spanned};
 
-const ROOT_KEYS: [&str; 5] = ["name", "gravity", "lower_bodies", "order", "body"];
+const ROOT_KEYS: [&str; 6] = ["name", "gravity", "lower_bodies", "order", "body", "frame"];
 
 /// Reads a description; what is wrong stands in [`Description::faults`].
 pub fn parse(source: &Source) -> Description {
@@ -45,12 +45,20 @@ fn read(reader: &mut Reader, document: &::toml::de::DeTable<'_>, source: &Source
         .and_then(|item| reader.list(item, "`body`", "tables, `[[body]]`"));
     let bodies = items.unwrap_or_default().into_iter().enumerate();
     let bodies = bodies.map(|(index, item)| body::read(reader, item, index + 1));
+    let bodies = bodies.collect();
+    let items = root
+        .get("frame")
+        .and_then(|item| reader.list(item, "`frame`", "tables, `[[frame]]`"));
+    let frames = items.unwrap_or_default().into_iter().enumerate();
+    let frames = frames.map(|(index, item)| frame::read(reader, item, index + 1));
+    let frames = frames.collect();
     Description {
         name,
         gravity,
         lower_bodies,
         order,
-        bodies: bodies.collect(),
+        bodies,
+        frames,
         ..Description::none(source, Vec::new())
     }
 }

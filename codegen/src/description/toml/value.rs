@@ -84,12 +84,17 @@ fn three<T>(
     Some(three)
 }
 
+/// A matrix by rows.
+pub(super) fn matrix(reader: &mut Reader, item: &Item<'_>, what: &str) -> Option<[[f64; 3]; 3]> {
+    let [x, y, z] = three(reader, item, what, "lists of 3 numbers", constants)?;
+    Some([x?, y?, z?])
+}
+
 /// A rotation matrix by rows, where the key is there.
 pub(super) fn rotation(reader: &mut Reader, body: &Table<'_, '_>, key: &str) -> Optional<Rotation> {
     let item = body.get(key)?;
     let what = body.what(key);
-    let [x, y, z] = three(reader, item, &what, "lists of 3 numbers", constants)?;
-    let rotation = [x?, y?, z?];
+    let rotation = matrix(reader, item, &what)?;
     if let Err(reason) = check_rotation(&rotation) {
         let fault = Diagnostic::error(format!("{what} is no rotation: {reason}"));
         reader.faults.push(fault.at(span(item), "no rotation").help(

@@ -10,10 +10,11 @@ use crate::description::toml::text::{
     scalar, string, table, vector,
 };
 use crate::description::{
-    Chart, Description, Given, INERTIA_COMPONENTS, Order, PerCoordinate, Scalar, Speeds,
-    WrittenBody, WrittenJoint,
+    Carrier, Chart, Description, FrameRotation, Given, INERTIA_COMPONENTS, Order, PerCoordinate,
+    Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::geometry::IDENTITY;
 
 /// Writes a description, the same one always as the same text.
 ///
@@ -104,6 +105,33 @@ impl Writer {
             self.owner = format!(" of body {number}");
             self.text.push_str("\n[[body]]\n");
             self.body(body);
+        }
+        for (frame, number) in description.frames.iter().zip(1..) {
+            self.owner = format!(" of frame {number}");
+            self.text.push_str("\n[[frame]]\n");
+            self.frame(frame);
+        }
+    }
+
+    fn frame(&mut self, frame: &WrittenFrame) {
+        self.line("name", frame.name.as_ref().map(string));
+        if let Carrier::Body(body) = &frame.body {
+            self.line("body", body.as_ref().map(string));
+        }
+        let zero = |component: &Given<Scalar>| {
+            component.is_some_and(|component| component.value == Scalar::Baked(0.0))
+        };
+        if !frame.position.iter().all(zero) {
+            self.line("position", vector(&frame.position));
+        }
+        match frame.rotation.map(|rotation| rotation.value) {
+            Some(FrameRotation::Baked(IDENTITY)) => {}
+            Some(FrameRotation::Baked(rotation)) => self.line("rotation", matrix(&rotation)),
+            Some(FrameRotation::Runtime(rows)) => {
+                let rows = list(rows.map(|row| list(row.map(number))));
+                self.line("rotation", table([("runtime", rows)]));
+            }
+            None => self.line("rotation", None),
         }
     }
 

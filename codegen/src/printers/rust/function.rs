@@ -6,7 +6,7 @@ use syn::{Item, ItemFn, parse_quote};
 use super::{
     constants,
     expression::Writer,
-    signature, statements,
+    frames, signature, statements,
     text::{allow_generated, doc, ident},
 };
 use crate::{
@@ -29,6 +29,8 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
         .alone
         .and_then(|alone| Some((alone, alone.trait_name?)));
     items.extend(in_trait.map(|(alone, name)| trait_impl(function, alone, name)));
+    let of_frame = function.of_frame.as_ref();
+    items.extend(of_frame.and_then(|(of, subject)| frames::trait_impl(function, of, subject)));
     items
 }
 
@@ -61,13 +63,13 @@ fn trait_impl(function: &Function, alone: &functions::Function, trait_name: &str
     let output_type = arguments.clone().next_back();
     let output_type = output_type.map(|output| signature::held(output, "R"));
     let arguments = arguments.map(signature::declared);
-    let associated = match alone.shape {
-        Shape::SpeedMatrix => quote!(type Matrix = #output_type;),
-        Shape::SpeedPairs => quote! {
+    let associated = match alone.outputs[0].shape {
+        Shape::SPEED_MATRIX => quote!(type Matrix = #output_type;),
+        Shape::SPEED_PAIRS => quote! {
             type Entries = #output_type;
             const PLACES: &'static [[usize; 2]] = MASS_MATRIX_PACKED_PLACES;
         },
-        Shape::Columns => {
+        Shape::COLUMNS => {
             let columns = ident(&format!(
                 "{}Columns",
                 alone.trait_name.expect("compact functions have traits")

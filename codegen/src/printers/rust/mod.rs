@@ -7,6 +7,7 @@
 mod constants;
 mod declarations;
 mod expression;
+mod frames;
 mod function;
 mod interface;
 mod module;

@@ -1,7 +1,7 @@
 //! A whole module, item by item.
 
 use super::{
-    constants, function, structures, system,
+    constants, frames, function, structures, system,
     text::{banner, printed},
 };
 use crate::{listing::Module, threads};
@@ -21,6 +21,7 @@ pub(crate) fn source(module: &Module) -> String {
         items.push(function::item(facts, sin_cos));
     }
     items.extend(constants::items(&facts.packed_constants()));
+    items.extend(frames::types(module));
     let functions = threads::map(&module.functions, |one| {
         printed(function::items(facts, one))
     });

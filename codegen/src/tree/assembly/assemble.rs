@@ -4,6 +4,7 @@ use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::limits::FOLLOWING;
 use crate::tree::assembly::bodies::Pieces;
+use crate::tree::assembly::markers::{Marker, markers};
 use crate::tree::assembly::merging::{Merged, merge};
 use crate::tree::assembly::placing::place;
 use crate::tree::assembly::settled::Settled;
@@ -12,7 +13,7 @@ use crate::tree::joints::ResolvedJoint;
 use crate::tree::names;
 use crate::tree::numbering::{Numbered, note_moved, number};
 use crate::tree::system::Tree;
-use crate::tree::values::{HostedBody, Values, values};
+use crate::tree::values::{HostedBody, KnownFrame, Values, values};
 
 /// The tree; `None` where a value is missing, or where it would be too large.
 pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> Option<Tree> {
@@ -21,7 +22,17 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     let names = written_names(settled)?;
     let identifiers = names::identifiers(&names, findings);
     let merged = merge(settled.outward, settled.joints);
-    let values = values_of(settled, &identifiers, &merged, findings)?;
+    let marked = markers(description, settled.outward, &merged.hosts)?;
+    let marker_names = marked.iter().map(|marker| marker.name.as_str());
+    let marker_identifiers = names::frame_identifiers(marker_names, &identifiers);
+    let known = Known {
+        settled,
+        identifiers: &identifiers,
+        merged: &merged,
+        marked: &marked,
+        marker_identifiers: &marker_identifiers,
+    };
+    let values = known.values(findings)?;
     let moving = places_of_moving(settled, &merged);
     let numbered = number(settled.joints, &moving, order);
     check_size(settled, moving.len(), &numbered, findings)?;
@@ -35,6 +46,13 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     };
     let bodies = pieces.bodies(&merged, numbered.joints);
     let frames = pieces.frames(&merged, &bodies, &values.parameters);
+    let markers = pieces.markers(
+        &marked,
+        marker_identifiers,
+        &values.frames,
+        &bodies,
+        &values.parameters,
+    );
     note_moved(description, &moving, findings);
     note_merged(&frames, &bodies, findings);
     let tree = Tree {
@@ -43,6 +61,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
         order,
         bodies,
         frames,
+        markers,
         snap: settled.snap,
         parameters: values.parameters,
         n_coordinates: numbered.n_coordinates,
@@ -67,22 +86,41 @@ fn places_of_moving(settled: Settled<'_>, merged: &Merged) -> Vec<usize> {
     places.collect()
 }
 
-/// The values of all bodies, outward.
-fn values_of(
-    settled: Settled<'_>,
-    identifiers: &[String],
-    merged: &Merged,
-    findings: &mut Vec<Diagnostic>,
-) -> Option<Values> {
-    let places = settled.outward.places.iter();
-    let known = places.zip(identifiers).zip(&merged.hosts);
-    let known = known.map(|((&place, identifier), &host)| HostedBody {
-        written: &settled.description.bodies[place],
-        joint: &settled.joints[place],
-        identifier,
-        host,
-    });
-    values(settled.description, known, findings)
+/// What is known of bodies and frames before their values; each list of bodies is outward.
+struct Known<'a> {
+    settled: Settled<'a>,
+    identifiers: &'a [String],
+    merged: &'a Merged,
+    marked: &'a [Marker],
+    marker_identifiers: &'a [String],
+}
+
+impl Known<'_> {
+    /// The values of all bodies, outward, and of all frames.
+    fn values(&self, findings: &mut Vec<Diagnostic>) -> Option<Values> {
+        let Settled {
+            description,
+            outward,
+            joints,
+            ..
+        } = self.settled;
+        let places = outward.places.iter();
+        let bodies = places.zip(self.identifiers).zip(&self.merged.hosts);
+        let bodies = bodies.map(|((&place, identifier), &host)| HostedBody {
+            written: &description.bodies[place],
+            joint: &joints[place],
+            identifier,
+            host,
+        });
+        let frames = description.frames.iter().zip(self.marked);
+        let frames = frames.zip(self.marker_identifiers);
+        let frames = frames.map(|((written, marker), identifier)| KnownFrame {
+            written,
+            identifier,
+            host: marker.host,
+        });
+        values(description, bodies, frames, findings)
+    }
 }
 
 /// Where coordinates follow others, bodies and speeds must be few enough to judge them.

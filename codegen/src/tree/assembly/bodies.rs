@@ -1,15 +1,16 @@
 //! Bodies, joints and frames, each made at once of all that belongs to it.
 
 use crate::diagnostic::Spanned;
+use crate::tree::assembly::markers::Marker;
 use crate::tree::assembly::merging::{Merged, Moving};
 use crate::tree::assembly::placing::Placed;
 use crate::tree::assembly::settled::Settled;
 use crate::tree::body::{Body, Pose};
-use crate::tree::frames::Frame;
+use crate::tree::frames::{Frame, FrameName};
 use crate::tree::joint::Joint;
 use crate::tree::numbering::JointCoordinates;
 use crate::tree::value::Parameter;
-use crate::tree::values::BodyValues;
+use crate::tree::values::{BodyValues, FrameValues};
 
 /// What bodies are made from; each list is outward.
 pub(super) struct Pieces<'a> {
@@ -39,10 +40,30 @@ impl Pieces<'_> {
             let host = merged.hosts[written];
             let base = host.map_or_else(Pose::internal, |host| bodies[host.index()].pose.clone());
             let poses = [&base, &self.placed[written].pose];
-            let name = self.names[written].value.clone();
+            let name = FrameName {
+                name: self.names[written].value.clone(),
+                identifier: self.identifiers[written].clone(),
+            };
             Frame::new(name, host, poses, parameters, self.settled.snap)
         };
         merged.fixed.iter().map(frame).collect()
+    }
+
+    /// The frames that only mark places.
+    pub(super) fn markers(
+        &self,
+        marked: &[Marker],
+        identifiers: Vec<String>,
+        values: &[FrameValues],
+        bodies: &[Body],
+        parameters: &[Parameter],
+    ) -> Vec<Frame> {
+        let markers = marked.iter().zip(identifiers).zip(values);
+        let markers = markers.map(|((marker, identifier), own)| {
+            let snap = self.settled.snap;
+            marker.frame(identifier, own, (self.placed, bodies), parameters, snap)
+        });
+        markers.collect()
     }
 
     fn body(&self, moving: &Moving, coordinates: JointCoordinates) -> Body {

@@ -5,6 +5,7 @@
 
 mod assemble;
 mod bodies;
+mod markers;
 mod merging;
 mod placing;
 mod settled;

@@ -44,6 +44,17 @@ pub(crate) fn identifiers(
     unique
 }
 
+/// The identifiers of frames with these names, beside those of the bodies.
+pub(crate) fn frame_identifiers<'a>(
+    names: impl Iterator<Item = &'a str>,
+    bodies: &[String],
+) -> Vec<String> {
+    let mut taken: BTreeSet<String> = bodies.iter().cloned().collect();
+    let mut next = BTreeMap::new();
+    let unique = |name: &str| unique_among(&identifier(name), &mut taken, &mut next);
+    names.map(unique).collect()
+}
+
 /// The identifier, or with a number behind it where it is taken; `next` holds the next one to try of each, so that thousands
 /// of equal names do not try all.
 fn unique_among(

@@ -38,7 +38,11 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn check_one(name: Option<&Spanned<String>>, whose: &str, findings: &mut Vec<Diagnostic>) {
+pub(super) fn check_one(
+    name: Option<&Spanned<String>>,
+    whose: &str,
+    findings: &mut Vec<Diagnostic>,
+) {
     let Some(name) = name else { return };
     if name.value.is_empty() {
         findings.push(

@@ -6,5 +6,6 @@ mod orthonormal;
 mod snap;
 
 pub(crate) use exact::{ConstantRotations, exact};
+pub(crate) use orthonormal::orthonormal;
 pub(crate) use snap::snapped;
 pub use snap::snapped_sin_cos;

@@ -1,13 +1,14 @@
-//! The values of every body, in the order in which its parameters are listed.
+//! The values of every body, and of every frame, in the order in which parameters are listed.
 
 use crate::description::{Description, WrittenBody};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::id::BodyId;
 use crate::limits::PARAMETERS;
 use crate::tree::body::Inertia;
 use crate::tree::joints::ResolvedJoint;
 use crate::tree::mechanics::Mechanics;
 use crate::tree::value::{Parameter, Value};
+use crate::tree::values::frames::{FrameValues, KnownFrame, of_frame};
 use crate::tree::values::mechanics;
 use crate::tree::values::parameters::Parameters;
 
@@ -17,6 +18,8 @@ pub(crate) struct Values {
     pub(crate) gravity: [Value; 3],
     /// Of the written bodies, in the order in which they were given.
     pub(crate) bodies: Vec<BodyValues>,
+    /// Of the written frames, in the order in which they were given.
+    pub(crate) frames: Vec<FrameValues>,
     /// Those that are set at run time.
     pub(crate) parameters: Vec<Parameter>,
 }
@@ -50,6 +53,7 @@ pub(crate) struct HostedBody<'a> {
 pub(crate) fn values<'a>(
     description: &Description,
     bodies: impl Iterator<Item = HostedBody<'a>>,
+    frames: impl Iterator<Item = KnownFrame<'a>>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Values> {
     let mut parameters = Parameters::default();
@@ -57,20 +61,32 @@ pub(crate) fn values<'a>(
     let mut of_bodies = Vec::with_capacity(description.bodies.len());
     for body in bodies {
         of_bodies.push(of_body(&mut parameters, &body)?);
-        let n_parameters = parameters.list.len();
-        if n_parameters > PARAMETERS {
-            let fault = format!(
-                "the model has at least {n_parameters} values that are set at run time; expected at most {PARAMETERS}"
-            );
-            findings.push(Diagnostic::error(fault).at(body.written.span, "too many"));
-            return None;
-        }
+        check_count(&parameters, body.written.span, findings)?;
+    }
+    let mut of_frames = Vec::with_capacity(description.frames.len());
+    for frame in frames {
+        of_frames.push(of_frame(&mut parameters, &frame)?);
+        check_count(&parameters, frame.written.span, findings)?;
     }
     Some(Values {
         gravity,
         bodies: of_bodies,
+        frames: of_frames,
         parameters: parameters.list,
     })
+}
+
+/// Whether the parameters that were met up to this place are few enough.
+fn check_count(parameters: &Parameters, place: Span, findings: &mut Vec<Diagnostic>) -> Option<()> {
+    let n_parameters = parameters.list.len();
+    if n_parameters <= PARAMETERS {
+        return Some(());
+    }
+    let fault = format!(
+        "the model has at least {n_parameters} values that are set at run time; expected at most {PARAMETERS}"
+    );
+    findings.push(Diagnostic::error(fault).at(place, "too many"));
+    None
 }
 
 fn of_body(parameters: &mut Parameters, body: &HostedBody<'_>) -> Option<BodyValues> {

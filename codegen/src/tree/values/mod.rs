@@ -4,7 +4,9 @@
 //! Afterwards: every parameter has a name of its own. Does not: move anything into other axes.
 
 mod bodies;
+mod frames;
 mod mechanics;
 mod parameters;
 
 pub(crate) use bodies::{BodyValues, HostedBody, Values, values};
+pub(crate) use frames::{FrameValues, KnownFrame};

@@ -1,7 +1,7 @@
 //! Arrays of one model in the numbering of another model of the same system.
 
 use kane_codegen::{
-    functions::{Function, Shape},
+    functions::{Axis, Function, Shape},
     tree::Tree,
 };
 
@@ -52,18 +52,23 @@ pub fn renumbered_output(function: &Function, output: &[f64], from: &Tree, to: &
     } = Maps::new(from, to);
     let axes: Vec<usize> = (0..3).collect();
     let pairs = speed_pairs(&speeds, from, to);
-    let maps: Vec<&Vec<usize>> = match function.shape {
-        Shape::Scalar => vec![],
-        Shape::Vector => vec![&axes],
-        Shape::Coordinates => vec![&coordinates],
-        Shape::Speeds => vec![&speeds],
-        Shape::SpeedMatrix => vec![&speeds, &speeds],
-        Shape::SpeedPairs => vec![&pairs],
-        Shape::BodyScalars => vec![&bodies],
-        Shape::BodyVectors => vec![&bodies, &axes],
-        Shape::BodyMatrices => vec![&bodies, &axes, &axes],
-        Shape::Columns => vec![&bodies, &axes, &speeds],
+    let shape = function.outputs[0].shape;
+    // The columns of a compact output are spread over all speeds.
+    let dense = [Axis::Bodies, Axis::Three, Axis::Speeds];
+    let counted: &[Axis] = if shape == Shape::COLUMNS {
+        &dense
+    } else {
+        shape.axes
     };
+    let map = |axis: &Axis| match axis {
+        Axis::Three => &axes,
+        Axis::Coordinates => &coordinates,
+        Axis::Speeds => &speeds,
+        Axis::SpeedPairs => &pairs,
+        Axis::Bodies => &bodies,
+        Axis::Columns => unreachable!("spread over bodies and speeds"),
+    };
+    let maps: Vec<&Vec<usize>> = counted.iter().map(map).collect();
     let mut gathered = vec![0];
     for map in maps {
         gathered = gathered

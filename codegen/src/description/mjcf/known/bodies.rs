@@ -81,6 +81,21 @@ pub(in crate::description::mjcf) const JOINT: Known<'static> = Known::attributes
 pub(in crate::description::mjcf) const FREE_JOINT: Known<'static> =
     Known::attributes(&["name", "align"], &["group"]);
 
+pub(in crate::description::mjcf) const SITE: Known<'static> = Known::attributes(
+    &[
+        "name",
+        "class",
+        "pos",
+        "quat",
+        "axisangle",
+        "xyaxes",
+        "zaxis",
+        "euler",
+        "fromto",
+    ],
+    &["type", "group", "material", "size", "rgba", "user"],
+);
+
 pub(in crate::description::mjcf) const GEOM: Known<'static> = Known::attributes(
     &[
         "name",

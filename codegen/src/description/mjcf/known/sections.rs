@@ -59,7 +59,7 @@ pub(in crate::description::mjcf) const IN_BODY: [&str; 7] = [
 ];
 
 /// Elements in a body that only others than the dynamics look at.
-pub(in crate::description::mjcf) const IGNORED_IN_BODY: [&str; 3] = ["site", "camera", "light"];
+pub(in crate::description::mjcf) const IGNORED_IN_BODY: [&str; 2] = ["camera", "light"];
 
 /// Elements in a body that make others, or forces of their own.
 pub(in crate::description::mjcf) const UNSUPPORTED_IN_BODY: [&str; 5] =

@@ -109,9 +109,11 @@ pub(in crate::description::mjcf) const FLAG: Known<'static> = Known::attributes(
 
 pub(in crate::description::mjcf) const DEFAULT: Known<'static> = Known {
     attributes: &["class"],
-    children: &["default", "joint", "geom", "tendon", "equality", "include"],
+    children: &[
+        "default", "joint", "geom", "site", "tendon", "equality", "include",
+    ],
     ignored_attributes: &[],
     ignored_children: &[
-        "mesh", "material", "texture", "site", "camera", "light", "pair", "skin",
+        "mesh", "material", "texture", "camera", "light", "pair", "skin",
     ],
 };

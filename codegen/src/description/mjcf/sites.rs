@@ -1,0 +1,81 @@
+//! Sites: frames that only mark places.
+//!
+//! A site without a name is left out, for nothing can ask for it, and so is one whose place follows from the two ends of a
+//! shape (`fromto`).
+
+use std::collections::BTreeSet;
+
+use crate::description::mjcf::contents::Inside;
+use crate::description::mjcf::defaults::ElementKind;
+use crate::description::mjcf::inertial::baked;
+use crate::description::mjcf::model::Model;
+use crate::description::mjcf::orientation::placement;
+use crate::description::xml::{Reader, shown};
+use crate::description::{Carrier, FrameRotation, WrittenBody, WrittenFrame};
+use crate::diagnostic::Spanned;
+
+/// A site, and the number of its body, from 1, or 0 for the world.
+pub(super) struct Site<'d> {
+    pub(super) inside: Inside<'d>,
+    pub(super) body: usize,
+}
+
+/// The sites as a description has them. One that is called as a body is gives way to that.
+pub(super) fn written<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    sites: &[Site<'d>],
+    bodies: &[WrittenBody],
+) -> Vec<WrittenFrame> {
+    let names = bodies.iter().filter_map(|body| body.name.as_ref());
+    let taken: BTreeSet<&str> = names.map(|name| name.value.as_str()).collect();
+    let sites = sites.iter();
+    sites
+        .filter_map(|site| {
+            let frame = frame(reader, model, site, bodies)?;
+            let mut name = frame.name?;
+            while taken.contains(name.value.as_str()) {
+                name.value.push_str("_site");
+            }
+            Some(WrittenFrame {
+                name: Some(name),
+                ..frame
+            })
+        })
+        .collect()
+}
+
+fn frame<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    site: &Site<'d>,
+    bodies: &[WrittenBody],
+) -> Option<WrittenFrame> {
+    let Site { inside, body } = site;
+    let element = inside.element;
+    let name = element.attribute("name");
+    let name = name.filter(|name| !name.value.is_empty())?;
+    let owner = format!("site `{}`", shown(name.value));
+    let defaults = &model.defaults;
+    let given = defaults.attributes(reader, element, &owner, ElementKind::Site, inside.class);
+    if given.has("fromto") {
+        return None;
+    }
+    let own = placement(reader, &given, &model.settings);
+    let place = inside.frame.then(&own);
+    let carrier = match body.checked_sub(1) {
+        None => Carrier::Inertial,
+        Some(body) => Carrier::Body(bodies.get(body)?.name.clone()),
+    };
+    let name = Spanned::new(name.value.to_owned(), name.span);
+    let span = element.span();
+    Some(WrittenFrame {
+        body: carrier,
+        position: place.position.map(|entry| {
+            let entry = baked(Spanned::new(entry, span));
+            Some(entry)
+        }),
+        rotation: Some(Spanned::new(FrameRotation::Baked(place.rotation), span)),
+        ..WrittenFrame::new(span, Some(name))
+    })
+}

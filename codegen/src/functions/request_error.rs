@@ -1,0 +1,143 @@
+//! Why what is asked for cannot be had.
+
+use std::ops::Range;
+
+use super::syntax::Unexpected;
+
+/// Why a function cannot be had.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RequestError {
+    /// A name that the catalogue does not hold.
+    #[error("`{}` is no function", name.escape_debug())]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// A part that is there twice.
+    #[error("`{request}` names `{name}` twice")]
+    Repeated {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+    /// A compact output beside others.
+    #[error("`{request}` joins `{name}` to others, which no function with a compact output can be")]
+    Compact {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+    /// What is no request at all.
+    #[error("`{}` is no request: {expected}", request.escape_debug())]
+    Syntax {
+        /// What was asked for.
+        request: String,
+        /// What should stand there.
+        expected: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A function of a frame, of none.
+    #[error("`{name}` is of a frame; expected `{name}(FRAME)`")]
+    FrameMissing {
+        /// The function.
+        name: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A function of the whole system, of something.
+    #[error("`{name}` is of the whole system; expected nothing in brackets after it")]
+    FrameNotTaken {
+        /// The function.
+        name: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// What stands behind the frame is not understood.
+    #[error("`{}` behind the frame of `{name}`: {expected}", found.escape_debug())]
+    Axes {
+        /// The function.
+        name: String,
+        /// What was found.
+        found: String,
+        /// What should stand there.
+        expected: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A frame that the model lacks.
+    #[error("`{}` is no frame of the model; {}", name.escape_debug(), listed(known))]
+    UnknownFrame {
+        /// What was asked for.
+        request: String,
+        /// The frame.
+        name: String,
+        /// The frames that there are, the nearest name first.
+        known: Vec<String>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// What can be written but not had.
+    #[error("`{}` is not available", part.escape_debug())]
+    NotAvailable {
+        /// The part of the request.
+        part: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// Two functions of one name.
+    #[error("`{first}` and `{second}` would both be called `{name}` in generated code")]
+    SameName {
+        /// The one request.
+        first: String,
+        /// The other one.
+        second: String,
+        /// The name of both.
+        name: String,
+    },
+}
+
+impl RequestError {
+    pub(super) fn syntax(request: &str, unexpected: Unexpected) -> Self {
+        let Unexpected { expected, place } = unexpected;
+        Self::Syntax {
+            request: request.to_owned(),
+            expected,
+            place,
+        }
+    }
+
+    /// Where in the request it is, in bytes; `None` where it is about all of it.
+    pub fn place(&self) -> Option<Range<usize>> {
+        match self {
+            Self::Syntax { place, .. }
+            | Self::FrameMissing { place, .. }
+            | Self::FrameNotTaken { place, .. }
+            | Self::Axes { place, .. }
+            | Self::UnknownFrame { place, .. }
+            | Self::NotAvailable { place, .. } => Some(place.clone()),
+            Self::Unknown { .. }
+            | Self::Repeated { .. }
+            | Self::Compact { .. }
+            | Self::SameName { .. } => None,
+        }
+    }
+}
+
+/// The most frames that are listed.
+const MOST_LISTED: usize = 20;
+
+fn listed(known: &[String]) -> String {
+    let names = known.iter().take(MOST_LISTED);
+    let names: Vec<String> = names
+        .map(|name| format!("`{}`", name.escape_debug()))
+        .collect();
+    match known.len() {
+        0 => "there are none".to_owned(),
+        count if count > MOST_LISTED => format!("there are {count}, such as {}", names.join(", ")),
+        _ => format!("there are {}", names.join(", ")),
+    }
+}

@@ -1,0 +1,83 @@
+//! Frames that only mark places: in which body each is, and where there.
+
+use crate::description::{Carrier, Description};
+use crate::geometry;
+use crate::id::BodyId;
+use crate::tree::assembly::placing::Placed;
+use crate::tree::body::{Body, Pose};
+use crate::tree::frames::{Frame, FrameName};
+use crate::tree::numbering::Outward;
+use crate::tree::offset::Offset;
+use crate::tree::rotations::{orthonormal, snapped};
+use crate::tree::value::Parameter;
+use crate::tree::values::FrameValues;
+
+/// A frame whose body is known.
+pub(super) struct Marker {
+    /// The name, as the user wrote it.
+    pub(super) name: String,
+    /// The written body that carries it, by its place in the outward order; `None` is the inertial frame.
+    pub(super) carrier: Option<usize>,
+    /// The body of the tree in which that is.
+    pub(super) host: Option<BodyId>,
+}
+
+/// The frames of a description; `None` where a name is missing, or a body is not there.
+pub(super) fn markers(
+    description: &Description,
+    outward: &Outward,
+    hosts: &[Option<BodyId>],
+) -> Option<Vec<Marker>> {
+    let frames = description.frames.iter();
+    let marker = |frame: &crate::description::WrittenFrame| {
+        let carrier = match &frame.body {
+            Carrier::Inertial => None,
+            Carrier::Body(name) => {
+                let name = name.as_ref()?;
+                let is_named = |place: &usize| {
+                    let body = description.bodies[*place].name.as_ref();
+                    body.is_some_and(|body| body.value == name.value)
+                };
+                Some(outward.places.iter().position(|place| is_named(place))?)
+            }
+        };
+        Some(Marker {
+            name: frame.name.as_ref()?.value.clone(),
+            carrier,
+            host: carrier.and_then(|carrier| hosts[carrier]),
+        })
+    };
+    frames.map(marker).collect()
+}
+
+impl Marker {
+    /// The frame, in the internal axes of the body in which it is.
+    pub(super) fn frame(
+        &self,
+        identifier: String,
+        values: &FrameValues,
+        (placed, bodies): (&[Placed], &[Body]),
+        parameters: &[Parameter],
+        snap: f64,
+    ) -> Frame {
+        let below = self.carrier.map(|carrier| placed[carrier].pose.clone());
+        let below = below.unwrap_or_else(Pose::internal);
+        let own = snapped(&orthonormal(&values.rotation), snap).0;
+        let position = Offset::new(below.rotation, values.position);
+        let pose = Pose {
+            rotation: snapped(&geometry::then(&below.rotation, &own), snap).0,
+            origin: below.origin.clone().join(&position, false),
+        };
+        let base = self.host.map(|host| bodies[host.index()].pose.clone());
+        let base = base.unwrap_or_else(Pose::internal);
+        let name = FrameName {
+            name: self.name.clone(),
+            identifier,
+        };
+        let frame = Frame::new(name, self.host, [&base, &pose], parameters, snap);
+        match values.turn {
+            Some(turn) => frame.turned(turn, parameters),
+            None => frame,
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Names of frames that only mark places, and of the bodies in which they are fixed.
+
+use std::collections::BTreeMap;
+
+use crate::description::{Carrier, Description};
+use crate::diagnostic::{Diagnostic, Spanned, nearest};
+use crate::tree::names::rules::check_one;
+
+/// Names that are empty, unprintable, or given to another frame or a body too; and bodies that are not there.
+pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnostic>) {
+    let bodies = description.bodies.iter();
+    let bodies = bodies.filter_map(|body| Some(("body", body.name.as_ref()?)));
+    let mut known: BTreeMap<&str, (&str, &Spanned<String>)> = BTreeMap::new();
+    for (kind, name) in bodies.clone() {
+        known.entry(&name.value).or_insert((kind, name));
+    }
+    for (index, frame) in description.frames.iter().enumerate() {
+        check_one(
+            frame.name.as_ref(),
+            &format!("frame {}'s", index + 1),
+            findings,
+        );
+        if let Some(name) = frame.name.as_ref().filter(|name| !name.value.is_empty()) {
+            if let Some((kind, first)) = known.get(name.value.as_str()) {
+                let shown = name.value.escape_debug();
+                let fault = match *kind {
+                    "body" => format!("a body and a frame have the name `{shown}`"),
+                    _ => format!("two frames have the name `{shown}`"),
+                };
+                findings.push(
+                    Diagnostic::error(fault)
+                        .at(name.span, "the second one")
+                        .at(first.span, "the first one"),
+                );
+            } else {
+                known.insert(&name.value, ("frame", name));
+            }
+        }
+        if let Carrier::Body(Some(body)) = &frame.body {
+            let names: Vec<&str> = bodies
+                .clone()
+                .map(|(_, name)| name.value.as_str())
+                .collect();
+            if !names.contains(&body.value.as_str()) {
+                findings.push(unknown_body(index + 1, body, &names));
+            }
+        }
+    }
+}
+
+/// The most bodies that are listed.
+const MOST_LISTED: usize = 20;
+
+fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagnostic {
+    let shown = body.value.escape_debug();
+    let fault = Diagnostic::error(format!(
+        "frame {number} is fixed in `{shown}`, which is no body"
+    ));
+    let help = match nearest(&body.value, names) {
+        Some(near) => format!("did you mean `{}`?", near.escape_debug()),
+        None => {
+            let names = names.iter().take(MOST_LISTED);
+            let names: Vec<String> = names.map(|name| name.escape_debug().to_string()).collect();
+            format!(
+                "bodies are {}; without `body` it is fixed in the inertial frame",
+                names.join(", ")
+            )
+        }
+    };
+    fault.at(body.span, "unknown body").help(help)
+}
