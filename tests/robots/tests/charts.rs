@@ -73,7 +73,7 @@ fn same_motion(
     };
     let found = values(&*by_angles, q_angles, u_angles);
     for ((what, found), (_, expected)) in found.iter().zip(values(&*by_quaternion, q, u)) {
-        errors.add(what, relative(found, &expected) / loss, EXACT);
+        errors.add(*what, relative(found, &expected) / loss, EXACT);
     }
 }
 

@@ -5,6 +5,9 @@ use kane_codegen::diagnostic::{Diagnostics, Source};
 use kane_codegen::tree::{self, Checked};
 
 /// Reads and builds.
+///
+/// # Errors
+/// What is wrong with the text.
 pub fn build(text: &str) -> Result<Checked, Diagnostics> {
     tree::build(&toml::parse(&Source::new("model.toml", text)))
 }

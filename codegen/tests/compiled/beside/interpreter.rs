@@ -96,8 +96,8 @@ impl<'g> State<'g> {
                 }
                 Stmt::Expr(Expr::Assign(assign), _) => match &*assign.left {
                     Expr::Tuple(pair) => {
-                        let names = pair.elems.iter().map(place).collect();
-                        self.bind_pair(names, &assign.right);
+                        let names: Vec<String> = pair.elems.iter().map(place).collect();
+                        self.bind_pair(&names, &assign.right);
                     }
                     left => {
                         let value = self.value(&assign.right);
@@ -115,7 +115,8 @@ impl<'g> State<'g> {
 
     fn bind(&mut self, pattern: &Pat, value: &Expr) {
         if let Pat::Tuple(pair) = pattern {
-            self.bind_pair(pair.elems.iter().map(name).collect(), value);
+            let names: Vec<String> = pair.elems.iter().map(name).collect();
+            self.bind_pair(&names, value);
         } else {
             let value = self.value(value);
             self.written.insert(name(pattern), value);
@@ -123,7 +124,7 @@ impl<'g> State<'g> {
     }
 
     /// Sines and cosines, of one angle or of a list.
-    fn bind_pair(&mut self, names: Vec<String>, value: &Expr) {
+    fn bind_pair(&mut self, names: &[String], value: &Expr) {
         let Expr::Call(call) = value else {
             unreachable!("no function has such a form")
         };

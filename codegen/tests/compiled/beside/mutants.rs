@@ -127,7 +127,8 @@ impl Evaluated {
             let speed = distance(&nudged, &right) / NUDGE;
             let allowed = ROUNDING * larger(largest(&right), speed);
             // A state without values says nothing; what is not a number beside one is another one.
-            allowed.is_finite() && !(distance(&wrong, &right) <= allowed)
+            let error = distance(&wrong, &right);
+            allowed.is_finite() && (error.is_nan() || error > allowed)
         })
     }
 

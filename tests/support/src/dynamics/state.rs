@@ -65,6 +65,7 @@ impl State {
     }
 
     /// The state a time `t` later, to first order and on the unit sphere: all that a derivative along the motion depends on.
+    #[must_use]
     pub fn moved(&self, tree: &Tree, t: f64) -> Self {
         let mut moved = self.along(tree, &self.u, t);
         moved.u = stepped(&self.u, &self.u_dot, t);
@@ -72,6 +73,7 @@ impl State {
     }
 
     /// The state at which one speed, of one unit, arrives after a time `t`: a coordinate with `t` added where it is a rate.
+    #[must_use]
     pub fn displaced(&self, tree: &Tree, speed: usize, t: f64) -> Self {
         let mut unit = vec![0.0; self.u.len()];
         unit[speed] = 1.0;
@@ -90,6 +92,7 @@ impl State {
     }
 
     /// The state of one model in the numbering of another model of the same system.
+    #[must_use]
     pub fn renumbered(&self, from: &Tree, to: &Tree) -> Self {
         let maps = Maps::new(from, to);
         let numbers =

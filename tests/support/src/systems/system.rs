@@ -39,6 +39,7 @@ pub struct RandomSystem {
 
 impl RandomSystem {
     /// The same system under another name.
+    #[must_use]
     pub fn named(&self, name: &str) -> Self {
         Self {
             name: name.to_owned(),
@@ -47,6 +48,7 @@ impl RandomSystem {
     }
 
     /// The same system, its bodies listed in another order.
+    #[must_use]
     pub fn renumbered(&self, seed: u64) -> Self {
         Self {
             places: Random::new(seed).order(self.bodies.len()),
@@ -55,6 +57,7 @@ impl RandomSystem {
     }
 
     /// The same system, its coordinates in this order: "body" or "notes".
+    #[must_use]
     pub fn ordered(&self, order: &'static str) -> Self {
         Self {
             order,
@@ -63,11 +66,13 @@ impl RandomSystem {
     }
 
     /// The same system with every value runtime, or none.
+    #[must_use]
     pub fn with_runtime(&self, runtime: bool) -> Self {
         self.map(|number| Number { runtime, ..number })
     }
 
     /// The same tree with a small number in place of every zero: what runtime values cost shows only where baking folds none.
+    #[must_use]
     pub fn without_zeros(&self) -> Self {
         let mut filled = self.clone();
         let mut next = Random::new(self.bodies.len() as u64);
@@ -93,6 +98,7 @@ impl RandomSystem {
     }
 
     /// The same tree with every length, mass and inertia some per cent away.
+    #[must_use]
     pub fn changed(&self, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let mut changed = self.map(|number| number);

@@ -22,6 +22,7 @@ struct Fixed {
 
 impl RandomSystem {
     /// The same with nothing acting in joints that turn in every direction: what acts there depends on their charts.
+    #[must_use]
     pub fn with_free_balls(&self) -> Self {
         self.with_bodies(|body| {
             if body.joint.kind.is_ball() {
@@ -31,6 +32,7 @@ impl RandomSystem {
     }
 
     /// The same, every orientation that is free in every direction described so.
+    #[must_use]
     pub fn in_chart(&self, chart: &'static str, speeds: &'static str) -> Self {
         self.with_bodies(|body| {
             let joint = &mut body.joint;
@@ -41,6 +43,7 @@ impl RandomSystem {
     }
 
     /// The same, no follower held by a multiple of zero.
+    #[must_use]
     pub fn with_moving_followers(&self) -> Self {
         self.with_bodies(|body| {
             if let Some(mimic) = body
@@ -55,6 +58,7 @@ impl RandomSystem {
     }
 
     /// The same tree, nothing following anything.
+    #[must_use]
     pub fn without_followers(&self) -> Self {
         self.with_bodies(|body| body.joint.mimic = None)
     }
@@ -102,6 +106,7 @@ impl RandomSystem {
 
     /// The same without the bodies that are fixed, whose masses and joints are those of what they are fixed to: by hand, and
     /// without runtime values.
+    #[must_use]
     pub fn merged(&self) -> Self {
         let mut frames: Vec<Fixed> = Vec::new();
         let mut bodies = self.with_runtime(false).bodies;
