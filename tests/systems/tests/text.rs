@@ -169,7 +169,7 @@ impl<'ast> Visit<'ast> for Anywhere {
     }
 
     fn visit_signature(&mut self, signature: &'ast syn::Signature) {
-        if matches!(signature.safety, syn::Safety::Unsafe(_))
+        if signature.unsafety.is_some()
             || signature.asyncness.is_some()
             || signature.abi.is_some()
         {
