@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use kane_codegen::description::{
-    Axis, Chart, Description, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Rotation,
-    Scalar, Speeds, WrittenBody as Body, WrittenJoint as Joint, toml,
+    Axis, Carrier, Chart, Description, FrameRotation, Given, JointKind, Limits, Mimic, Optional,
+    PerCoordinate, Rotation, Scalar, Speeds, WrittenBody as Body, WrittenFrame,
+    WrittenJoint as Joint, toml,
 };
 use kane_codegen::diagnostic::{Diagnostic, Source, Span, Spanned};
 use kane_codegen::tree::Order;
@@ -21,9 +22,11 @@ fn said(description: &Description) -> String {
         lower_bodies,
         order,
         bodies,
+        frames,
         faults: _,
     } = description;
-    let text = format!("{name:#?} {gravity:#?} {lower_bodies:#?} {order:#?} {bodies:#?}");
+    let text =
+        format!("{name:#?} {gravity:#?} {lower_bodies:#?} {order:#?} {bodies:#?} {frames:#?}");
     let mut text = text.lines();
     let mut said = String::new();
     while let Some(line) = text.next() {
@@ -117,6 +120,20 @@ armature = { s2 = 1e300 }
 friction = { theta1 = 0.1, s2 = 3.0 }
 limits = { theta1 = { lower = -1.0 }, s2 = { effort = 5.0 } }
 mimic = { joint = "finger_1", multiplier = -2.0, offset = 0.1 }
+
+[[frame]]
+name = "stand"
+position = [1.0, 0.0, { runtime = 2.0 }]
+rotation = [
+    [ 0.0, 1.0, 0.0],
+    [-1.0, 0.0, 0.0],
+    [ 0.0, 0.0, 1.0],
+]
+
+[[frame]]
+name = "tool0"
+body = "left \"finger\""
+rotation = { runtime = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]] }
 "#;
 
 #[test]
@@ -383,6 +400,20 @@ fn random_description(random: &mut Random) -> Description {
         inertia_rotation: perhaps(random, rotation),
         joint: joint(random),
     };
+    let frame = |random: &mut Random| WrittenFrame {
+        span: PLACE,
+        name: Some(at(string(random))),
+        body: match perhaps(random, string) {
+            Some(body) => Carrier::Body(Some(body)),
+            None => Carrier::Inertial,
+        },
+        position: vector(random),
+        rotation: Some(at(match random.below(3) {
+            0 => FrameRotation::Baked(kane_codegen::geometry::IDENTITY),
+            1 => FrameRotation::Baked(rotation(random)),
+            _ => FrameRotation::Runtime([(); 3].map(|()| [(); 3].map(|()| number(random)))),
+        })),
+    };
     let lower_bodies = (0..n_bodies).map(|_| Some(at([-1, 0, 1, 2, 3][random.below(5)])));
     Description {
         source: Source::new("random", ""),
@@ -391,6 +422,7 @@ fn random_description(random: &mut Random) -> Description {
         gravity: vector(random),
         order: Some(at([Order::Body, Order::Notes][random.below(2)])),
         bodies: (0..n_bodies).map(|_| body(random)).collect(),
+        frames: (0..random.below(3)).map(|_| frame(random)).collect(),
         faults: Vec::new(),
     }
 }

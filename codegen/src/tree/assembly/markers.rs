@@ -1,6 +1,6 @@
 //! Frames that only mark places: in which body each is, and where there.
 
-use crate::description::{Carrier, Description};
+use crate::description::{Carrier, Description, WrittenFrame};
 use crate::geometry;
 use crate::id::BodyId;
 use crate::tree::assembly::placing::Placed;
@@ -29,7 +29,7 @@ pub(super) fn markers(
     hosts: &[Option<BodyId>],
 ) -> Option<Vec<Marker>> {
     let frames = description.frames.iter();
-    let marker = |frame: &crate::description::WrittenFrame| {
+    let marker = |frame: &WrittenFrame| {
         let carrier = match &frame.body {
             Carrier::Inertial => None,
             Carrier::Body(name) => {
@@ -38,7 +38,7 @@ pub(super) fn markers(
                     let body = description.bodies[*place].name.as_ref();
                     body.is_some_and(|body| body.value == name.value)
                 };
-                Some(outward.places.iter().position(|place| is_named(place))?)
+                Some(outward.places.iter().position(is_named)?)
             }
         };
         Some(Marker {
