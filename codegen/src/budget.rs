@@ -10,14 +10,14 @@ pub struct Budget {
     /// The generated function's name; of a function of a frame what is asked for, `pose(tool0)`.
     pub function: String,
     /// Which operations.
-    pub kind: Kind,
+    pub kind: OperationKind,
     /// How many there may be.
     pub limit: usize,
 }
 
 /// Which operations are limited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum OperationKind {
     /// All.
     Total,
     /// Multiplications.
@@ -30,7 +30,7 @@ pub enum Kind {
     Trig,
 }
 
-impl Kind {
+impl OperationKind {
     /// All of them, with the names that they have in `kane.toml`.
     pub const ALL: [(&str, Self); 5] = [
         ("total", Self::Total),

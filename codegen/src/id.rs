@@ -66,6 +66,14 @@ impl<T> BodyMap<T> {
     }
 }
 
+impl<A, B> BodyMap<(A, B)> {
+    /// A map of pairs as a pair of maps.
+    pub fn unzip(self) -> (BodyMap<A>, BodyMap<B>) {
+        let (first, second) = self.0.into_iter().unzip();
+        (BodyMap(first), BodyMap(second))
+    }
+}
+
 impl<T> std::ops::Index<BodyId> for BodyMap<T> {
     type Output = T;
 

@@ -23,6 +23,7 @@ pub mod limits;
 pub mod number;
 mod random;
 mod threads;
+// What languages reserve.
 mod words;
 // What can be wrong, and how it is shown.
 pub mod diagnostic;
@@ -33,10 +34,12 @@ pub mod tree;
 // From here on there are expressions, simplified as they are built.
 pub mod expr;
 pub mod partition;
-// The equations, as they stand.
-pub mod kane;
 // The solution of the linear system.
 pub mod solve;
+// What single bodies and joints give the equations.
+pub mod given;
+// The equations, as they stand.
+pub mod kane;
 // The equations, re-associated.
 pub mod recursive;
 // What can be asked for.
@@ -54,13 +57,13 @@ pub mod compile;
 pub mod origin;
 // What a module says and does, before any language.
 pub mod listing;
-// States in which functions are tested, and what they give there.
+// What its functions give in some states.
 mod samples;
-// From here on there is text: of the module, and of the files beside it.
+// From here on there is text.
 pub mod printers;
-// These files.
+// The files beside a module.
 pub mod companions;
-// From a description's text to all of these.
+// From a description's text to these.
 pub mod generate;
 // What is asked for of all systems of a repository: `kane.toml`.
 pub mod budget;

@@ -8,7 +8,7 @@
 //! | `f32` | `abs(x) <= 10000` | below 0.8 ulp | up to `2^16`: as for an angle half an ulp of `x` away; above: meaningless |
 //!
 //! For any finite argument both results lie in [-1, 1]; infinities and NaN give NaN; `sin(-0) = -0`. The sine is
-//! exactly odd, the cosine exactly even. `tests/real.rs` holds the bounds; the largest errors found are
+//! exactly odd, the cosine exactly even. `tests/runtime/real` holds the bounds; the largest errors found are
 //! 0.77 ulp for `f64` and, of all `f32` in range, 0.784 ulp.
 //!
 //! With `n` the nearest integer to `2x/π`, the angle is reduced to `r = x - n π/2`, `|r| <= π/4`, in several

@@ -10,6 +10,7 @@ mod integrate;
 #[cfg(feature = "wide")]
 mod lanes;
 mod real;
+mod self_test;
 #[cfg(feature = "simulate")]
 mod simulate;
 mod system;

@@ -21,31 +21,23 @@ mod json;
 mod listed;
 mod operations;
 mod options;
+mod outcome;
 mod parse;
 mod paths;
 mod pipe;
+mod say;
 mod selection;
 mod state;
 mod stray;
 
-use std::{
-    fmt,
-    io::{self, Write},
-    process::ExitCode,
-};
+use std::io::Write;
 
 use clap::{Parser, Subcommand};
-use kane_codegen::diagnostic::printable;
 
 pub(crate) use failure::Failures;
+pub(crate) use outcome::{BAD_INPUT, Outcome};
 pub(crate) use pipe::Pipe;
-
-/// Exit code: nothing to complain about.
-const DONE: u8 = 0;
-/// Exit code: a generated file differs, is missing, is over budget, or is produced by nothing; a promise is broken.
-const DIFFERS: u8 = 1;
-/// Exit code: bad input or a file that cannot be accessed.
-pub(crate) const BAD_INPUT: u8 = 2;
+pub(crate) use say::say;
 
 /// Compiler from multibody systems to flat, allocation-free Rust.
 #[derive(Debug, Parser)]
@@ -111,17 +103,6 @@ enum Command {
     Verify(verify::Arguments),
 }
 
-/// How a command ended that was not given bad input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Outcome {
-    /// Done, or everything is the same.
-    Done,
-    /// Something differs.
-    Differs,
-    /// A promise is broken.
-    Broken,
-}
-
 /// Does what is asked for; results go to `out`.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let outcome = match &arguments.command {
@@ -135,19 +116,4 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     };
     out.flush()?;
     Ok(outcome)
-}
-
-/// Tells the user something on standard error. Where nobody can hear it, it is not worth stopping for.
-pub(crate) fn say(text: impl fmt::Display) {
-    let text = text.to_string();
-    drop(writeln!(io::stderr(), "{}", printable(&text)));
-}
-
-impl From<Outcome> for ExitCode {
-    fn from(outcome: Outcome) -> Self {
-        Self::from(match outcome {
-            Outcome::Done => DONE,
-            Outcome::Differs | Outcome::Broken => DIFFERS,
-        })
-    }
 }

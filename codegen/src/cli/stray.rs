@@ -18,7 +18,7 @@ use super::{Failures, job::Job, paths};
 
 /// Which files of a folder nothing may have produced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum FolderKind {
     /// Nothing but what is generated, folders within included.
     Generated,
     /// What is generated, and other files.
@@ -45,20 +45,20 @@ pub(crate) fn find(jobs: &[Job], root: &Path) -> Result<Vec<PathBuf>, Failures> 
 }
 
 /// The outermost folder named `generated` between `root` and the file, else the file's own folder.
-fn folder(file: &Path, root: &Path) -> (PathBuf, Kind) {
+fn folder(file: &Path, root: &Path) -> (PathBuf, FolderKind) {
     let own = paths::parent(file);
     let below_root = own.strip_prefix(root).unwrap_or(own);
     let is_generated = |folder: &&Path| folder.file_name() == Some(OsStr::new("generated"));
     let clean = |folder: &Path| paths::normal(folder).iter().collect();
     match below_root.ancestors().filter(is_generated).last() {
-        Some(folder) => (clean(&root.join(folder)), Kind::Generated),
-        None => (clean(own), Kind::Mixed),
+        Some(folder) => (clean(&root.join(folder)), FolderKind::Generated),
+        None => (clean(own), FolderKind::Mixed),
     }
 }
 
 fn visit(
     folder: &Path,
-    kind: Kind,
+    kind: FolderKind,
     produced: &BTreeSet<PathBuf>,
     strays: &mut BTreeSet<PathBuf>,
 ) -> Result<(), Error> {
@@ -85,15 +85,15 @@ fn visit(
             continue;
         }
         let is_stray = match kind {
-            Kind::Generated if file_type.is_dir() => {
+            FolderKind::Generated if file_type.is_dir() => {
                 visit(&path, kind, produced, strays)?;
                 false
             }
-            Kind::Generated => {
+            FolderKind::Generated => {
                 entry.file_name() != "mod.rs"
                     || path.is_file() && is_ours(&path).map_err(io(&path))?
             }
-            Kind::Mixed => file_type.is_file() && is_ours(&path).map_err(io(&path))?,
+            FolderKind::Mixed => file_type.is_file() && is_ours(&path).map_err(io(&path))?,
         };
         if is_stray {
             strays.insert(path);

@@ -221,9 +221,7 @@ impl Search<'_> {
             before = self.least;
             for (_, technique) in Technique::ALL {
                 let says_something = match technique {
-                    Technique::Articulated => {
-                        self.factors_have_a_chance() && !recursive::has_followers(self.tree)
-                    }
+                    Technique::Articulated => self.factors_have_a_chance(),
                     Technique::LinkAxes | Technique::Fall => self.function.solves(),
                     _ => true,
                 };

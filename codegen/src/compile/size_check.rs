@@ -10,7 +10,7 @@ use crate::{
     functions::{Argument, Request},
     limits,
     options::{Formulation, Options, companion::Kind},
-    recursive::{self, Technique},
+    recursive::Technique,
     solve,
     tree::Tree,
 };
@@ -63,7 +63,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     }
     let is_factorised = options.formulation == Formulation::Notes
         || options.without.contains(&Technique::Articulated)
-        || recursive::has_followers(tree);
+        || !Technique::Articulated.is_possible(tree);
     if request.solves() && is_factorised {
         let updates = solve::operations(tree);
         bound(

@@ -1,7 +1,7 @@
 //! Budgets, as a `kane.toml` writes them: limits of functions that are generated.
 
 use crate::{
-    budget::{Budget, Kind},
+    budget::{Budget, OperationKind},
     description::toml_reader::{Item, Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
     functions::Parsed,
@@ -72,7 +72,7 @@ fn limits(
     function: &str,
 ) -> Vec<Budget> {
     let what = format!("`{}` of {what}", name.value.escape_debug());
-    let limit = |reader: &mut Reader, item: &Item<'_>, what: &str, kind: Kind| {
+    let limit = |reader: &mut Reader, item: &Item<'_>, what: &str, kind: OperationKind| {
         let limit = reader.integer(item, what)?;
         let number = usize::try_from(limit.value).ok();
         if number.is_none() {
@@ -87,11 +87,11 @@ fn limits(
         })
     };
     if !item.get_ref().is_table() {
-        return limit(reader, item, &what, Kind::Total)
+        return limit(reader, item, &what, OperationKind::Total)
             .into_iter()
             .collect();
     }
-    let names = Kind::ALL.map(|(name, _)| name);
+    let names = OperationKind::ALL.map(|(name, _)| name);
     let Some(table) = reader.table(item, &what, &names) else {
         return Vec::new();
     };
@@ -102,7 +102,7 @@ fn limits(
             .push(fault.at(span(item), "expected a limit, such as `total = 500`"));
     }
     let mut limits = Vec::new();
-    for (name, kind) in Kind::ALL {
+    for (name, kind) in OperationKind::ALL {
         let item = table.get(name);
         limits.extend(item.and_then(|item| limit(reader, item, &table.what(name), kind)));
     }

@@ -3,7 +3,8 @@
 //! In: calls that add, multiply, divide, take sines. Out: [`Expr`]s of one [`ExprGraph`].
 //! Afterwards: equal expressions are one node; no operation has only numbers for operands, no operand is a
 //! zero or a one that could be left out, and signs stand on references, never in nodes of their own.
-//! Does not: reorder sums, distribute products, or know a body from a joint.
+//! Does not: reorder sums, distribute products, or know mechanics: of bodies it knows the numbers alone, of which inputs are
+//! told by, and which are scopes, where the greater number is further out.
 
 mod dump;
 mod evaluate;

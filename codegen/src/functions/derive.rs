@@ -3,14 +3,12 @@
 use super::user_axes;
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector},
+    given::{Accelerations, mechanics},
     id::BodyMap,
-    kane::{
-        Accelerations, angular, dynamics, dynamics::SpeedMatrix, energy, mechanics, orientation,
-        position, velocity,
-    },
+    kane::{angular, dynamics, energy, orientation, position, velocity},
     partition::Row,
     recursive::{self, Plan, composite, gravity, inverse_dynamics},
-    solve::{self, Factors},
+    solve::{self, Factors, SpeedMatrix},
     tree::Tree,
 };
 

@@ -3,8 +3,9 @@
 use crate::{
     expr::{ExprGraph, Matrix, Vector, negated, transpose},
     geometry::IDENTITY,
+    given,
     id::{BodyId, BodyMap},
-    kane::{given, velocity::Rotational},
+    kane::velocity::Rotational,
     partition::Row,
     tree::Tree,
 };

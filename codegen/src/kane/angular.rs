@@ -1,8 +1,11 @@
 //! Angular velocities, their partials and derivatives, Eqs. (8)-(20).
 
-use super::{Accelerations, given, orientation::trigonometry};
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector, negated},
+    given::{
+        self, Accelerations,
+        orientation::{self, trigonometry},
+    },
     id::{BodyId, BodyMap, CoordinateId},
     partition::{Block, Partition, Row},
     tree::{ChartCoordinates, Coordinate, Orientation, Tree},
@@ -74,29 +77,11 @@ pub fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
         match joint.angles() {
             Some(angles) if angles.iter().all(|angle| angle.is_free()) => {
                 let w_rel = given::relative_angular_velocity(graph, tree, body);
-                rates(graph, tree, angles, w_rel)
+                orientation::rates(graph, tree, angles, w_rel)
             }
             _ => graph.zero_vector(),
         }
     })
-}
-
-/// The rates of three free angles, Eq. (9).
-pub fn rates(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    angles: [Coordinate; 3],
-    [w1, w2, w3]: Vector,
-) -> Vector {
-    let t = trigonometry(graph, tree, angles);
-    let (s3, c3) = (t.sines[2], t.cosines[2]);
-    let (a, b) = (graph.mul(c3, w1), graph.mul(s3, w2));
-    let along_lower_axis = graph.sub(a, b);
-    let theta1_dot = graph.div(along_lower_axis, t.cosines[1]);
-    let (a, b) = (graph.mul(s3, w1), graph.mul(c3, w2));
-    let theta2_dot = graph.add(a, b);
-    let shared = graph.mul(t.sines[1], theta1_dot);
-    [theta1_dot, theta2_dot, graph.sub(w3, shared)]
 }
 
 /// The rates of Euler parameters: half of Hamilton's product with `(0, w)`, body components.
@@ -129,7 +114,7 @@ pub fn coordinate_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
                 }
                 ChartCoordinates::Angles(places) => {
                     let angles = joint.angles().expect("tree: the chart has angles");
-                    let own = self::rates(graph, tree, angles, w);
+                    let own = orientation::rates(graph, tree, angles, w);
                     places
                         .into_iter()
                         .zip(own)

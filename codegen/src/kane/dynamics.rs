@@ -1,15 +1,14 @@
 //! Generalized forces, mass matrix and right-hand side, Eqs. (36), (41)-(43), as sums over bodies.
 
-use super::{Accelerations, given, orientation, velocity};
+use super::{orientation, velocity};
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, negated},
+    given::{self, Accelerations},
     id::{BodyId, BodyMap, SpeedId},
     partition::Row,
+    solve::SpeedMatrix,
     tree::Tree,
 };
-
-/// Entries of a symmetric matrix over speeds, by rows; what is structurally zero is the number zero.
-pub type SpeedMatrix = Vec<Vec<Expr>>;
 
 /// A force at the mass centre and a moment, body components.
 #[derive(Clone, Copy, Debug)]
@@ -209,6 +208,6 @@ pub fn singularity(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Expr {
     let Some(angles) = joint.angles() else {
         return graph.one();
     };
-    let cosine = orientation::trigonometry(graph, tree, angles).cosines[1];
+    let cosine = given::orientation::trigonometry(graph, tree, angles).cosines[1];
     graph.abs(cosine)
 }

@@ -1,9 +1,10 @@
 //! Energies and momenta: the integrals against which motion is checked. Each body hands the sum of what it carries
 //! to its lower body, so that a body's share shows in the lines of its path alone.
 
-use super::{given, mechanics, orientation, position, velocity};
+use super::{orientation, position, velocity};
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Vector, transpose},
+    given::{self, mechanics},
     id::BodyMap,
     tree::Tree,
 };

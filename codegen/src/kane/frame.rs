@@ -1,11 +1,12 @@
 //! Frames that have names: where they are and how they move, from Eqs. (3), (11), (22) and (25).
 
 use super::{
-    given, orientation, position,
+    orientation, position,
     velocity::{self, Rotational},
 };
 use crate::{
     expr::{ExprGraph, Matrix, Vector, transpose},
+    given,
     tree::{NamedFrame, Tree},
 };
 

@@ -8,10 +8,6 @@ pub mod angular;
 pub mod dynamics;
 pub mod energy;
 pub mod frame;
-pub mod given;
-pub mod mechanics;
 pub mod orientation;
 pub mod position;
 pub mod velocity;
-
-pub use given::Accelerations;

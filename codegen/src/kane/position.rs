@@ -1,8 +1,8 @@
 //! Positions, Eqs. (22), (23).
 
-use super::given;
 use crate::{
     expr::{ExprGraph, Matrix, Vector},
+    given,
     id::BodyMap,
     tree::Tree,
 };

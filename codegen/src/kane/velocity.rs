@@ -1,9 +1,10 @@
 //! Velocities, partial velocities and accelerations of origins and mass centres, Eqs. (25)-(34).
 
-use super::{Accelerations, angular, given, orientation};
+use super::{angular, orientation};
 use crate::{
     expr::{ExprGraph, Matrix, Vector, transpose},
     geometry::IDENTITY,
+    given::{self, Accelerations},
     id::BodyMap,
     partition::{Block, Partition, Row},
     tree::{Joint, Tree},
@@ -184,7 +185,7 @@ pub fn partials_dot(
 
 /// Accelerations of every body.
 #[derive(Debug)]
-pub struct Motion {
+pub struct BodyAccelerations {
     /// Rotations and angular velocities.
     pub rotational: Rotational,
     /// Angular accelerations, below Eq. (19).
@@ -196,7 +197,11 @@ pub struct Motion {
 /// The accelerations of mass centres and bodies.
 ///
 /// Eqs. (32)-(34) are multiplied by `y` and `y_dot` before they recur, so that no matrix is built.
-pub fn accelerations(graph: &mut ExprGraph, tree: &Tree, accelerations: Accelerations) -> Motion {
+pub fn accelerations(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    accelerations: Accelerations,
+) -> BodyAccelerations {
     let rotational = rotational(graph, tree);
     let Rotational { relative, w_rel, w } = &rotational;
     let alpha = angular::acceleration(graph, tree, relative, w_rel, w, accelerations);
@@ -240,7 +245,7 @@ pub fn accelerations(graph: &mut ExprGraph, tree: &Tree, accelerations: Accelera
         graph.name_vector(sum, "a_g");
         sum
     });
-    Motion {
+    BodyAccelerations {
         rotational,
         alpha,
         mass_center,

@@ -1,12 +1,11 @@
 //! From a program to statements: inputs are read where they are first needed, values stored as soon as they are there. A
 //! compiler needs a fifth less time for that than for all stores in one block, which it tries to make vectors of.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::{
     Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement,
     group::Groups,
-    name::{RESERVED, unique},
     stores::{Stores, is_field},
 };
 use crate::{
@@ -109,18 +108,24 @@ impl Writer<'_> {
         sines: &[Option<ValueId>],
         cosines: &[Option<ValueId>],
     ) {
-        let names = self.known.names.iter().cloned();
-        let mut names: BTreeSet<String> = names.chain(RESERVED.map(String::from)).collect();
         let [sines, cosines] = [sines, cosines].map(|ids| ids.chunks(MOST_ANGLES));
         let calls = angles.chunks(MOST_ANGLES).zip(sines).zip(cosines);
         for (number, ((angles, sines), cosines)) in (1..).zip(calls) {
             let arrays = ["sines", "cosines"].map(|name| match number {
                 // Reserved for them.
                 1 => name.to_owned(),
-                _ => unique(format!("{name}_{number}"), &mut names),
+                _ => self.free(format!("{name}_{number}")),
             });
             self.sin_cos_array(arrays, angles, sines, cosines);
         }
+    }
+
+    /// A name that no local has: a coordinate may be called `sines_2`.
+    fn free(&self, mut name: String) -> String {
+        while self.known.names.contains(&name) {
+            name.push('_');
+        }
+        name
     }
 
     fn sin_cos_array(

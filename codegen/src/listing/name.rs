@@ -100,7 +100,7 @@ pub(super) fn names<'a>(
 }
 
 /// The name, or with `_` behind it where it is taken.
-pub(super) fn unique(mut name: String, taken: &mut BTreeSet<String>) -> String {
+fn unique(mut name: String, taken: &mut BTreeSet<String>) -> String {
     while !taken.insert(name.clone()) {
         name.push('_');
     }

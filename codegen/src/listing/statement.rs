@@ -1,7 +1,6 @@
 //! What a function does, statement by statement.
 
-use super::{Entry, Expression};
-use crate::id::BodyId;
+use super::{Array, ArrayId, Entry, Expression, Local, LocalId};
 
 /// The statements of a function, in order, and the locals that they assign.
 #[derive(Clone, Debug, Default)]
@@ -13,32 +12,6 @@ pub struct Code {
     /// What is done.
     pub statements: Vec<Statement>,
 }
-
-/// A number with a name.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Local {
-    /// Its name: unique in the function, lower snake case.
-    pub name: String,
-    /// The body that it belongs to.
-    pub body: Option<BodyId>,
-}
-
-/// Several numbers with one name.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Array {
-    /// Its name, as that of a local.
-    pub name: String,
-    /// How many.
-    pub length: usize,
-}
-
-/// A local, by its place among [`Code::locals`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct LocalId(u32);
-
-/// A local array, by its place among [`Code::arrays`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct ArrayId(u32);
 
 /// One step.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,30 +61,6 @@ pub enum Statement {
     Fence,
 }
 
-impl LocalId {
-    /// The local at this place.
-    pub(super) fn new(place: usize) -> Self {
-        Self(u32::try_from(place).expect("listing: fewer than 2^32 locals"))
-    }
-
-    /// Its place.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
-impl ArrayId {
-    /// The array at this place.
-    pub(super) fn new(place: usize) -> Self {
-        Self(u32::try_from(place).expect("listing: fewer than 2^32 arrays"))
-    }
-
-    /// Its place.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
 impl Code {
     /// A local.
     pub fn local(&self, id: LocalId) -> &Local {
@@ -125,7 +74,8 @@ impl Code {
 
     /// True where stores are kept apart.
     pub fn has_fences(&self) -> bool {
-        self.statements.contains(&Statement::Fence)
+        let mut statements = self.statements.iter();
+        statements.any(|statement| matches!(statement, Statement::Fence))
     }
 }
 

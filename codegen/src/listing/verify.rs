@@ -1,7 +1,5 @@
 //! What every function of a listing must hold; a breach is a bug of ours.
 
-use std::collections::BTreeSet;
-
 use super::{Code, Entry, Expression, Extent, Facts, Function, Statement};
 use crate::functions::Access;
 
@@ -90,16 +88,13 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
 }
 
 fn check_names<'a>(names: impl Iterator<Item = &'a String>) -> Result<(), Fault> {
-    let mut known = BTreeSet::new();
-    for name in names {
-        if !is_identifier(name) {
-            return Err(Fault::NoIdentifier(name.clone()));
-        }
-        if !known.insert(name.as_str()) {
-            return Err(Fault::SameName(name.clone()));
-        }
+    let mut names: Vec<&str> = names.map(String::as_str).collect();
+    if let Some(name) = names.iter().find(|name| !is_identifier(name)) {
+        return Err(Fault::NoIdentifier((*name).to_owned()));
     }
-    Ok(())
+    names.sort_unstable();
+    let twice = names.windows(2).find(|pair| pair[0] == pair[1]);
+    twice.map_or(Ok(()), |pair| Err(Fault::SameName(pair[0].to_owned())))
 }
 
 /// True for lower-case letters of ASCII, digits and `_`, with a letter first.

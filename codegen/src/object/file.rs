@@ -11,12 +11,12 @@ use rustc_demangle::demangle;
 use super::Error;
 
 /// Where a function or a constant is: the file, the section, the offset.
-pub(super) type Place = (usize, usize, u64);
+pub(super) type Location = (usize, usize, u64);
 
 /// A function: its bytes, and where they are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Code<'data> {
-    pub(super) place: Place,
+    pub(super) location: Location,
     pub(super) bytes: &'data [u8],
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Reference {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Target {
     /// A function that is here.
-    Function(Place),
+    Function(Location),
     /// What nobody can write.
     Constant,
     /// Anything else, by name.
@@ -42,12 +42,12 @@ pub(super) enum Target {
 #[derive(Debug)]
 pub(super) struct Files<'data> {
     objects: Vec<object::File<'data>>,
-    functions: BTreeMap<Place, Code<'data>>,
+    functions: BTreeMap<Location, Code<'data>>,
     /// Several functions may be one, where their bytes are the same.
-    places: BTreeMap<String, Place>,
-    names: BTreeMap<Place, String>,
+    locations: BTreeMap<String, Location>,
+    names: BTreeMap<Location, String>,
     /// By where the reference stands.
-    relocations: BTreeMap<Place, Relocation>,
+    relocations: BTreeMap<Location, Relocation>,
 }
 
 impl<'data> Files<'data> {
@@ -55,7 +55,7 @@ impl<'data> Files<'data> {
         let mut read = Self {
             objects: Vec::new(),
             functions: BTreeMap::new(),
-            places: BTreeMap::new(),
+            locations: BTreeMap::new(),
             names: BTreeMap::new(),
             relocations: BTreeMap::new(),
         };
@@ -65,24 +65,24 @@ impl<'data> Files<'data> {
         Ok(read)
     }
 
-    /// The place of a function, by its name.
-    pub(super) fn place(&self, name: &str) -> Option<Place> {
-        self.places.get(name).copied()
+    /// The location of a function, by its name.
+    pub(super) fn location(&self, name: &str) -> Option<Location> {
+        self.locations.get(name).copied()
     }
 
-    /// The function at a place.
-    pub(super) fn function(&self, place: Place) -> Option<Code<'data>> {
-        self.functions.get(&place).copied()
+    /// The function at a location.
+    pub(super) fn function(&self, location: Location) -> Option<Code<'data>> {
+        self.functions.get(&location).copied()
     }
 
-    /// The name of the function at a place.
-    pub(super) fn name(&self, place: Place) -> &str {
-        self.names.get(&place).map_or("?", String::as_str)
+    /// The name of the function at a location.
+    pub(super) fn name(&self, location: Location) -> &str {
+        self.names.get(&location).map_or("?", String::as_str)
     }
 
-    /// What the bytes at a place refer to; `after` is how far from there the instruction ends. None where no reference
+    /// What the bytes at a location refer to; `after` is how far from there the instruction ends. None where no reference
     /// stands.
-    pub(super) fn reference(&self, at: Place, after: i64) -> Option<Reference> {
+    pub(super) fn reference(&self, at: Location, after: i64) -> Option<Reference> {
         let relocation = self.relocations.get(&at)?;
         let RelocationFlags::Elf { r_type } = relocation.flags() else {
             return None;
@@ -111,16 +111,16 @@ impl<'data> Files<'data> {
         let name = format!("{:#}", demangle(symbol.name().ok()?));
         let SymbolSection::Section(section) = symbol.section() else {
             // In another file, or in none that is here.
-            let place = self.place(&name);
-            return Some(place.map_or(Target::Other(name), Target::Function));
+            let location = self.location(&name);
+            return Some(location.map_or(Target::Other(name), Target::Function));
         };
         // From the end of the instruction the processor counts.
         let offset = symbol
             .address()
             .wrapping_add_signed(relocation.addend() + after);
-        let place = (number, section.0, offset);
-        if self.functions.contains_key(&place) {
-            return Some(Target::Function(place));
+        let location = (number, section.0, offset);
+        if self.functions.contains_key(&location) {
+            return Some(Target::Function(location));
         }
         let section = file.section_by_index(section).ok()?;
         Some(if is_constant(&section) {
@@ -155,11 +155,11 @@ impl<'data> Files<'data> {
             let Some(bytes) = data.map_err(unreadable)? else {
                 continue;
             };
-            let place = (number, section.0, symbol.address());
+            let location = (number, section.0, symbol.address());
             let name = format!("{:#}", demangle(symbol.name().map_err(unreadable)?));
-            self.functions.insert(place, Code { place, bytes });
-            self.names.entry(place).or_insert_with(|| name.clone());
-            self.places.entry(name).or_insert(place);
+            self.functions.insert(location, Code { location, bytes });
+            self.names.entry(location).or_insert_with(|| name.clone());
+            self.locations.entry(name).or_insert(location);
         }
         for section in file.sections() {
             for (offset, relocation) in section.relocations() {

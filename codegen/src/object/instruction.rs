@@ -7,8 +7,8 @@ use iced_x86::{
 
 use super::{
     What,
-    file::{Files, Place, Reference, Target},
-    state::{State, Value, WORD},
+    file::{Files, Location, Reference, Target},
+    state::{Content, State, WORD},
 };
 
 /// Where arithmetic and moves are, of numbers and of vectors of them; all else is strange.
@@ -72,17 +72,17 @@ const STRANGE: [Mnemonic; 29] = [
     Mnemonic::Xlatb,
 ];
 
-/// An instruction at its place.
+/// An instruction at its location.
 pub(super) struct At<'a, 'data> {
     pub(super) files: &'a Files<'data>,
     /// Its first byte.
-    pub(super) place: Place,
+    pub(super) location: Location,
     pub(super) instruction: &'a Instruction,
     pub(super) offsets: ConstantOffsets,
 }
 
 impl At<'_, '_> {
-    /// What the function is that is called or jumped to; none for a place within the function.
+    /// What the function is that is called or jumped to; none for a location within the function.
     pub(super) fn callee(&self, state: Option<&State>) -> Option<Target> {
         let instruction = self.instruction;
         match instruction.op0_kind() {
@@ -91,12 +91,14 @@ impl At<'_, '_> {
                     return Some(reference.target);
                 }
                 // Within the section everything is where it will be.
-                let (file, section, offset) = self.place;
+                let (file, section, offset) = self.location;
                 let distance = instruction
                     .near_branch_target()
                     .wrapping_sub(instruction.ip());
-                let place = (file, section, offset.wrapping_add(distance));
-                self.files.function(place).map(|_| Target::Function(place))
+                let location = (file, section, offset.wrapping_add(distance));
+                self.files
+                    .function(location)
+                    .map(|_| Target::Function(location))
             }
             OpKind::Memory => {
                 let reference = self.reference(self.offsets.displacement_offset());
@@ -104,7 +106,7 @@ impl At<'_, '_> {
                 Some(reference.map_or_else(unknown, |reference| reference.target))
             }
             _ => match state.map(|state| state.register(instruction.op0_register())) {
-                Some(Value::Address(target)) => Some(target),
+                Some(Content::Address(target)) => Some(target),
                 _ => Some(unknown()),
             },
         }
@@ -173,15 +175,15 @@ impl At<'_, '_> {
             }
             Mnemonic::Pop if instruction.stack_pointer_increment() == 8 => {
                 let pointer = state.stack_pointer();
-                let value = pointer.map_or(Value::Unknown, |pointer| state.load(pointer));
+                let value = pointer.map_or(Content::Unknown, |pointer| state.load(pointer));
                 move_stack_pointer(state, WORD);
                 state.set(instruction.op0_register(), value);
             }
             Mnemonic::Leave if instruction.code() == Code::Leaveq => {
                 let frame = state.register(Register::RBP);
                 let value = match frame {
-                    Value::Stack(offset) => state.load(offset),
-                    _ => Value::Unknown,
+                    Content::Stack(offset) => state.load(offset),
+                    _ => Content::Unknown,
                 };
                 state.set(Register::RSP, frame.plus(WORD));
                 state.set(Register::RBP, value);
@@ -193,31 +195,34 @@ impl At<'_, '_> {
             }
             Mnemonic::Add => {
                 let value = match self.operand(1, state) {
-                    Value::Number(number) => self.operand(0, state).plus(number),
-                    _ => Value::Unknown,
+                    Content::Number(number) => self.operand(0, state).plus(number),
+                    _ => Content::Unknown,
                 };
                 self.assign(value, state);
             }
             Mnemonic::Sub | Mnemonic::Xor if self.is_zero() => {
-                state.set(instruction.op0_register().full_register(), Value::Number(0));
+                state.set(
+                    instruction.op0_register().full_register(),
+                    Content::Number(0),
+                );
             }
             Mnemonic::Sub => {
                 let value = match self.operand(1, state) {
-                    Value::Number(number) => self.operand(0, state).plus(number.wrapping_neg()),
-                    _ => Value::Unknown,
+                    Content::Number(number) => self.operand(0, state).plus(number.wrapping_neg()),
+                    _ => Content::Unknown,
                 };
                 self.assign(value, state);
             }
             Mnemonic::And if instruction.op0_register() == Register::RSP => {
                 match self.operand(1, state) {
-                    Value::Number(mask) => state.align(mask),
-                    _ => state.set(Register::RSP, Value::Unknown),
+                    Content::Number(mask) => state.align(mask),
+                    _ => state.set(Register::RSP, Content::Unknown),
                 }
             }
             _ => {
                 for register in info.used_registers() {
                     if !matches!(register.access(), OpAccess::Read | OpAccess::CondRead) {
-                        state.set(register.register().full_register(), Value::Unknown);
+                        state.set(register.register().full_register(), Content::Unknown);
                     }
                 }
             }
@@ -234,13 +239,13 @@ impl At<'_, '_> {
     }
 
     /// What the first operand becomes.
-    fn assign(&self, value: Value, state: &mut State) {
+    fn assign(&self, value: Content, state: &mut State) {
         let instruction = self.instruction;
         match instruction.op0_kind() {
             OpKind::Register => {
                 let register = instruction.op0_register();
                 // A number that is given to a half fills the whole.
-                let is_number = register.is_gpr32() && matches!(value, Value::Number(_));
+                let is_number = register.is_gpr32() && matches!(value, Content::Number(_));
                 let register = if is_number {
                     register.full_register()
                 } else {
@@ -249,7 +254,7 @@ impl At<'_, '_> {
                 state.set(register, value);
             }
             OpKind::Memory => {
-                if let (8, Value::Stack(offset)) = (self.size(), self.operand_address(state)) {
+                if let (8, Content::Stack(offset)) = (self.size(), self.operand_address(state)) {
                     state.store(offset, value);
                 }
             }
@@ -258,27 +263,27 @@ impl At<'_, '_> {
     }
 
     /// What an operand is.
-    fn operand(&self, number: u32, state: &State) -> Value {
+    fn operand(&self, number: u32, state: &State) -> Content {
         let instruction = self.instruction;
         match instruction.op_kind(number) {
             OpKind::Register => state.register(instruction.op_register(number)),
             OpKind::Memory => {
                 let reference = self.reference(self.offsets.displacement_offset());
                 if let Some(reference) = reference.filter(|reference| reference.is_indirect) {
-                    return Value::Address(reference.target);
+                    return Content::Address(reference.target);
                 }
                 match (self.size(), self.operand_address(state)) {
-                    (8, Value::Stack(offset)) => state.load(offset),
-                    _ => Value::Unknown,
+                    (8, Content::Stack(offset)) => state.load(offset),
+                    _ => Content::Unknown,
                 }
             }
             // All others of these instructions are numbers in the code, of which none but an address needs all bits.
-            _ => Value::Number(instruction.immediate(number).cast_signed()),
+            _ => Content::Number(instruction.immediate(number).cast_signed()),
         }
     }
 
     /// The address of memory that is used, be it an operand or the stack.
-    fn used_address(&self, memory: &UsedMemory, state: &State) -> Value {
+    fn used_address(&self, memory: &UsedMemory, state: &State) -> Content {
         // Iced has counted an address from the instruction's end already.
         if self.instruction.is_ip_rel_memory_operand() && memory.base() == Register::None {
             return self.operand_address(state);
@@ -297,7 +302,7 @@ impl At<'_, '_> {
     }
 
     /// The address of the operand in memory.
-    fn operand_address(&self, state: &State) -> Value {
+    fn operand_address(&self, state: &State) -> Content {
         let instruction = self.instruction;
         self.address(
             [instruction.memory_base(), instruction.memory_index()],
@@ -313,29 +318,29 @@ impl At<'_, '_> {
         scale: i64,
         displacement: u64,
         state: &State,
-    ) -> Value {
+    ) -> Content {
         if matches!(base, Register::RIP | Register::EIP) {
-            return Value::Address(match self.reference(self.offsets.displacement_offset()) {
+            return Content::Address(match self.reference(self.offsets.displacement_offset()) {
                 Some(reference) if reference.is_indirect => Target::Constant,
                 Some(reference) => reference.target,
                 None => unknown(),
             });
         }
         let [base, index] = [base, index].map(|register| match register {
-            Register::None => Value::Number(0),
+            Register::None => Content::Number(0),
             register => state.register(register),
         });
         match index {
-            Value::Number(index) => {
+            Content::Number(index) => {
                 let distance = displacement.cast_signed();
                 base.plus(distance.wrapping_add(index.wrapping_mul(scale)))
             }
-            _ => Value::Unknown,
+            _ => Content::Unknown,
         }
     }
 
     fn reference(&self, within: usize) -> Option<Reference> {
-        let (file, section, offset) = self.place;
+        let (file, section, offset) = self.location;
         let at = (file, section, offset + within as u64);
         let after = self.instruction.len().checked_sub(within)?;
         self.files.reference(at, i64::try_from(after).ok()?)
@@ -353,28 +358,28 @@ fn move_stack_pointer(state: &mut State, distance: i64) {
 
 /// What is broken where so many bytes at an address are read or written.
 pub(super) fn check_address(
-    address: Value,
+    address: Content,
     size: i64,
     writes: bool,
     state: &mut State,
 ) -> Option<What> {
     match address {
-        Value::Argument(number, distance) => {
+        Content::Argument(number, distance) => {
             state.uses(number, distance..distance.saturating_add(size), writes);
             None
         }
-        Value::Stack(offset) if state.is_own(offset, size, writes) => {
+        Content::Stack(offset) if state.is_own(offset, size, writes) => {
             state.lowest = state.lowest.min(offset);
             if writes {
                 state.overwrite(offset, size);
             }
             None
         }
-        Value::Stack(_) => Some(What::Stack),
-        Value::Address(Target::Constant) if !writes => None,
-        Value::Address(Target::Other(name)) => Some(What::Static(Some(name))),
-        Value::Address(_) => Some(What::Static(None)),
-        Value::Number(_) => Some(What::Absolute),
-        Value::Unknown => Some(What::Computed),
+        Content::Stack(_) => Some(What::Stack),
+        Content::Address(Target::Constant) if !writes => None,
+        Content::Address(Target::Other(name)) => Some(What::Static(Some(name))),
+        Content::Address(_) => Some(What::Static(None)),
+        Content::Number(_) => Some(What::Absolute),
+        Content::Unknown => Some(What::Computed),
     }
 }

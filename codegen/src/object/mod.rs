@@ -69,14 +69,14 @@ impl OptLevel {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
     /// The generated functions, as they stand in the module.
-    pub functions: Vec<Function>,
+    pub functions: Vec<FunctionReport>,
     /// What these call of the runtime's sines and cosines, by name.
-    pub sines: Vec<Function>,
+    pub sines: Vec<FunctionReport>,
 }
 
 impl Report {
     /// Every function.
-    pub fn all(&self) -> impl Iterator<Item = &Function> {
+    pub fn all(&self) -> impl Iterator<Item = &FunctionReport> {
         self.functions.iter().chain(&self.sines)
     }
 
@@ -88,7 +88,7 @@ impl Report {
 
 /// A function's machine code.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Function {
+pub struct FunctionReport {
     /// Its name: in the module, or with its path where it is not of the module.
     pub name: String,
     /// Its own bytes.

@@ -8,7 +8,7 @@ use super::file::Target;
 
 /// What a register or a place of the stack holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Value {
+pub(super) enum Content {
     /// An address in what the argument of this number refers to: so far from what it was given.
     Argument(usize, i64),
     /// An address in the stack: so far from that of the return address.
@@ -66,9 +66,9 @@ pub(super) struct Used {
 /// What is known between two instructions.
 #[derive(Debug)]
 pub(super) struct State {
-    registers: BTreeMap<Register, Value>,
+    registers: BTreeMap<Register, Content>,
     /// By their distance from the return address.
-    stack: BTreeMap<i64, Value>,
+    stack: BTreeMap<i64, Content>,
     /// The lowest address of the stack that was used.
     pub(super) lowest: i64,
     /// Between what was on the stack before it was aligned, and what came after.
@@ -84,9 +84,9 @@ impl State {
     pub(super) fn new() -> Self {
         let arguments = ARGUMENTS.into_iter().enumerate();
         let mut registers: BTreeMap<_, _> = arguments
-            .map(|(number, register)| (register, Value::Argument(number, 0)))
+            .map(|(number, register)| (register, Content::Argument(number, 0)))
             .collect();
-        registers.insert(Register::RSP, Value::Stack(0));
+        registers.insert(Register::RSP, Content::Stack(0));
         Self {
             registers,
             stack: BTreeMap::new(),
@@ -98,36 +98,36 @@ impl State {
     }
 
     /// What a register of 64 bits holds.
-    pub(super) fn register(&self, register: Register) -> Value {
+    pub(super) fn register(&self, register: Register) -> Content {
         let value = self.registers.get(&register).cloned();
-        value.unwrap_or(Value::Unknown)
+        value.unwrap_or(Content::Unknown)
     }
 
     /// Gives a register, or a part of it, a value.
-    pub(super) fn set(&mut self, register: Register, value: Value) {
+    pub(super) fn set(&mut self, register: Register, value: Content) {
         let full = register.full_register();
         if full.is_gpr64() {
             let value = if register == full {
                 value
             } else {
-                Value::Unknown
+                Content::Unknown
             };
             self.registers.insert(full, value);
         }
     }
 
     /// What the argument of a number is.
-    pub(super) fn argument(&self, number: usize) -> Value {
+    pub(super) fn argument(&self, number: usize) -> Content {
         match ARGUMENTS.get(number) {
             Some(&register) => self.register(register),
-            None => Value::Unknown,
+            None => Content::Unknown,
         }
     }
 
     /// The stack pointer's distance from the return address; none where it is lost.
     pub(super) fn stack_pointer(&self) -> Option<i64> {
         match self.register(Register::RSP) {
-            Value::Stack(offset) => Some(offset),
+            Content::Stack(offset) => Some(offset),
             _ => None,
         }
     }
@@ -153,9 +153,9 @@ impl State {
                 self.gap = pointer.saturating_sub(GAP)..pointer;
                 // A return address is aligned to a word.
                 self.aligned = alignment - WORD;
-                Value::Stack(self.gap.start)
+                Content::Stack(self.gap.start)
             }
-            _ => Value::Unknown,
+            _ => Content::Unknown,
         };
         self.set(Register::RSP, pointer);
     }
@@ -181,12 +181,12 @@ impl State {
     }
 
     /// What eight bytes of the stack hold.
-    pub(super) fn load(&self, offset: i64) -> Value {
+    pub(super) fn load(&self, offset: i64) -> Content {
         if offset >= WORD && offset % WORD == 0 {
             let number = usize::try_from(offset / WORD - 1).expect("it is above");
-            return Value::Argument(ARGUMENTS.len() + number, 0);
+            return Content::Argument(ARGUMENTS.len() + number, 0);
         }
-        self.stack.get(&offset).cloned().unwrap_or(Value::Unknown)
+        self.stack.get(&offset).cloned().unwrap_or(Content::Unknown)
     }
 
     /// Forgets what bytes of the stack held.
@@ -197,7 +197,7 @@ impl State {
     }
 
     /// Writes eight bytes of the stack.
-    pub(super) fn store(&mut self, offset: i64, value: Value) {
+    pub(super) fn store(&mut self, offset: i64, value: Content) {
         self.overwrite(offset, WORD);
         self.stack.insert(offset, value);
     }
@@ -206,12 +206,12 @@ impl State {
     pub(super) fn returned(&mut self, kept: i64) {
         self.stack.retain(|&place, _| place >= kept);
         for register in OF_CALLEE {
-            self.set(register, Value::Unknown);
+            self.set(register, Content::Unknown);
         }
     }
 }
 
-impl Value {
+impl Content {
     /// So many bytes further.
     pub(super) fn plus(self, number: i64) -> Self {
         match self {

@@ -14,12 +14,12 @@ use iced_x86::{
 use crate::input;
 
 use super::{
-    Breach, Error, Function, Report, Runtime, What,
+    Breach, Error, FunctionReport, Report, Runtime, What,
     compile::MODULE,
-    file::{Code, Files, Place, Target},
+    file::{Code, Files, Location, Target},
     instruction::{At, check_address},
     roots,
-    state::{State, Used, Value, WORD},
+    state::{Content, State, Used, WORD},
 };
 
 /// The runtime's sines and cosines: the beginnings of their names.
@@ -50,18 +50,20 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
     let mut generated = BTreeSet::new();
     for root in roots {
         let symbol = root.symbol(MODULE, runtime.scalar());
-        let code = files.place(&symbol).and_then(|place| files.function(place));
+        let code = files
+            .location(&symbol)
+            .and_then(|location| files.function(location));
         let code = code.ok_or_else(|| Error::Object(format!("`{symbol}` is not in it")))?;
-        generated.insert(code.place);
+        generated.insert(code.location);
         let facts = verifier.facts(code);
-        functions.push(Function {
+        functions.push(FunctionReport {
             name: root.name,
             ..facts.function
         });
     }
     let sines = verifier.facts.into_iter();
-    let sines = sines.filter(|(place, _)| !generated.contains(place));
-    let mut sines: Vec<Function> = sines.map(|(_, facts)| facts.function).collect();
+    let sines = sines.filter(|(location, _)| !generated.contains(location));
+    let mut sines: Vec<FunctionReport> = sines.map(|(_, facts)| facts.function).collect();
     sines.sort_by(|one, other| one.name.cmp(&other.name));
     Ok(Report { functions, sines })
 }
@@ -69,25 +71,25 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
 /// What is known of a function.
 #[derive(Clone, Debug)]
 struct Facts {
-    function: Function,
+    function: FunctionReport,
     /// What it uses of the memory to which its arguments refer, by their numbers.
     arguments: BTreeMap<usize, Used>,
 }
 
 struct Verifier<'a, 'data> {
     files: &'a Files<'data>,
-    facts: BTreeMap<Place, Facts>,
+    facts: BTreeMap<Location, Facts>,
     /// The functions that are being read: one that calls itself does not end.
-    open: BTreeSet<Place>,
+    open: BTreeSet<Location>,
 }
 
 impl Verifier<'_, '_> {
     fn facts(&mut self, code: Code<'_>) -> Facts {
-        if let Some(facts) = self.facts.get(&code.place) {
+        if let Some(facts) = self.facts.get(&code.location) {
             return facts.clone();
         }
-        self.open.insert(code.place);
-        let name = self.files.name(code.place).to_owned();
+        self.open.insert(code.location);
+        let name = self.files.name(code.location).to_owned();
         let mut walk = Walk {
             verifier: self,
             state: Some(State::new()),
@@ -99,7 +101,7 @@ impl Verifier<'_, '_> {
         };
         walk.run(code);
         let facts = Facts {
-            function: Function {
+            function: FunctionReport {
                 name,
                 text: code.bytes.len() as u64,
                 stack: walk.stack,
@@ -108,20 +110,20 @@ impl Verifier<'_, '_> {
             },
             arguments: walk.arguments,
         };
-        self.open.remove(&code.place);
-        self.facts.insert(code.place, facts.clone());
+        self.open.remove(&code.location);
+        self.facts.insert(code.location, facts.clone());
         facts
     }
 
     /// The facts of a callee, where it is one of the runtime's sines and cosines.
     fn of_sines(&mut self, target: &Target) -> Option<Facts> {
-        let Target::Function(place) = *target else {
+        let Target::Function(location) = *target else {
             return None;
         };
-        let name = self.files.name(place);
+        let name = self.files.name(location);
         let is_sine = SINES.iter().any(|start| name.starts_with(start));
-        let code = self.files.function(place);
-        let code = code.filter(|_| is_sine && !self.open.contains(&place))?;
+        let code = self.files.function(location);
+        let code = code.filter(|_| is_sine && !self.open.contains(&location))?;
         Some(self.facts(code))
     }
 }
@@ -140,7 +142,7 @@ struct Walk<'v, 'a, 'data> {
 
 impl Walk<'_, '_, '_> {
     fn run(&mut self, code: Code<'_>) {
-        let (file, section, start) = code.place;
+        let (file, section, start) = code.location;
         let mut decoder = Decoder::new(64, code.bytes, DecoderOptions::NONE);
         let mut factory = InstructionInfoFactory::new();
         let mut instruction = Instruction::default();
@@ -149,7 +151,7 @@ impl Walk<'_, '_, '_> {
             self.instructions += 1;
             let at = At {
                 files: self.verifier.files,
-                place: (file, section, start + instruction.ip()),
+                location: (file, section, start + instruction.ip()),
                 instruction: &instruction,
                 offsets: decoder.get_constant_offsets(&instruction),
             };
@@ -190,7 +192,7 @@ impl Walk<'_, '_, '_> {
         let target = target.unwrap_or_else(|| Target::Other("itself".to_owned()));
         let Some(callee) = self.verifier.of_sines(&target) else {
             let name = match target {
-                Target::Function(place) => self.verifier.files.name(place).to_owned(),
+                Target::Function(location) => self.verifier.files.name(location).to_owned(),
                 Target::Other(name) => name,
                 Target::Constant => "a constant".to_owned(),
             };
@@ -214,7 +216,7 @@ impl Walk<'_, '_, '_> {
             let Range { start, end } = used.bytes;
             broken.extend(match state.argument(number).plus(start) {
                 // There the callee's own stack is.
-                Value::Stack(offset) if offset < pointer => Some(What::Stack),
+                Content::Stack(offset) if offset < pointer => Some(What::Stack),
                 address => check_address(address, end.saturating_sub(start), used.writes, state),
             });
         }

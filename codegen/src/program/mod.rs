@@ -32,7 +32,7 @@ pub struct Program {
     pub values: Vec<Value>,
     /// What is computed, in order.
     pub instructions: Vec<Instruction>,
-    /// What is stored, row-major; where the stores stand in the text is the emitter's choice.
+    /// What is stored, row-major; where the stores stand in the text is the listing's choice.
     pub stores: Vec<Operand>,
 }
 

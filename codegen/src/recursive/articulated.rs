@@ -5,19 +5,20 @@
 //! resists along that motion no more, and a wrench whose part along it is the joint's own force. From the inertial frame
 //! outward the accelerations follow. A body that moves freely hands nothing inward but that force.
 
+use std::collections::BTreeMap;
+
 use super::{
-    axes::{self, Axes},
-    blocks::Inertia,
-    inertia,
-    link::{Link, Turning},
+    articulated_inertia::Inertia,
+    inertia, link_motion,
     linkage::Linkage,
-    motion::{self, Wrench},
-    rotation::{Rotation, Turn},
+    passage::{Drive, Passenger},
+    rotation::Turn,
+    wrench::Wrench,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector},
-    id::BodyMap,
-    kane::{Accelerations, given},
+    expr::{Expr, ExprGraph, Vector},
+    given::{self, Accelerations},
+    id::{BodyId, BodyMap, SpeedId},
     tree::{Joint, Motion},
 };
 
@@ -25,7 +26,6 @@ use crate::{
 #[derive(Clone, Debug)]
 struct Eliminated {
     place: usize,
-    motion: Motion,
     /// What is left of the joint's force for it, over what resists it.
     own: Expr,
     /// What the other parts of the acceleration take from it.
@@ -34,81 +34,99 @@ struct Eliminated {
     has_rotor: bool,
 }
 
-/// What happens to a wrench on its way inward through a joint, in order.
-#[derive(Clone, Debug)]
-enum Step {
-    Eliminated(Eliminated),
-    Rotation(Rotation),
-    Matrix(Matrix),
-}
-
 /// Accelerations with `M u_dot + bias = tau`, of the linkage's motions; `tau` is theirs, less what springs and dampers take.
 pub(super) fn solution(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &[Expr]) -> Vec<Expr> {
     let Linkage {
-        tree, links, axes, ..
+        tree,
+        links,
+        passages,
+        ..
     } = linkage;
-    assert!(
-        !axes::has_followers(tree),
-        "a speed that moves several joints cannot be eliminated where it enters"
-    );
-    let mut wrenches = motion::wrenches(graph, linkage, Accelerations::Zero);
+    let mut wrenches = link_motion::inertial_wrenches(graph, linkage, Accelerations::Zero);
     let mut inertias = BodyMap::outward(tree.bodies.len(), |body, _| {
         Inertia::Rigid(links[body].inertia)
     });
-    let mut steps = BodyMap::outward(tree.bodies.len(), |_, _| Vec::new());
+    let mut eliminated = BTreeMap::new();
     for body in tree.body_ids().rev() {
         graph.enter(body);
-        let mut passing = Passing {
+        let mut resisting = Resisting {
+            joint: &tree.body(body).joint,
             inertia: inertias[body],
             wrench: wrenches[body],
-            steps: Vec::new(),
+            tau,
+            eliminated: &mut eliminated,
         };
-        passing.name(graph);
-        let (joint, link) = (&tree.body(body).joint, &links[body]);
-        passing.through_joint(graph, joint, link, axes[body], tau);
+        resisting.name(graph);
+        passages[body].inward_to_joint(graph, &mut resisting);
         if let Some(lower) = tree.lower(body) {
-            passing.move_inward(graph, link);
+            passages[body].inward_from_joint(graph, &mut resisting);
+            let Resisting {
+                inertia, wrench, ..
+            } = resisting;
             graph.enter(lower);
-            wrenches[lower] = wrenches[lower].plus(graph, &passing.wrench);
-            inertias[lower] = inertias[lower].plus(graph, &passing.inertia);
+            wrenches[lower] = wrenches[lower].plus(graph, &wrench);
+            inertias[lower] = inertias[lower].plus(graph, &inertia);
         }
-        steps[body] = passing.steps;
     }
-    outward(graph, linkage, &steps)
+    recovered(graph, linkage, &eliminated)
 }
 
 /// The accelerations of the motions, from the inertial frame outward.
-fn outward(graph: &mut ExprGraph, linkage: &Linkage<'_>, steps: &BodyMap<Vec<Step>>) -> Vec<Expr> {
-    let Linkage { tree, links, .. } = linkage;
+fn recovered(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    eliminated: &BTreeMap<SpeedId, Eliminated>,
+) -> Vec<Expr> {
+    let Linkage { tree, passages, .. } = linkage;
     let mut accelerations = vec![graph.zero(); tree.n_speeds];
     BodyMap::outward(tree.bodies.len(), |body, added: &BodyMap<[Vector; 2]>| {
         graph.enter(body);
-        let link = &links[body];
-        let mut added = match tree.lower(body) {
-            None => [graph.zero_vector(); 2],
-            Some(lower) => {
-                let [alpha, a] = added[lower];
-                let turned = graph.cross(alpha, link.offset);
-                [alpha, graph.add_vectors(a, turned)].map(|v| link.constant.forward(graph, v))
-            }
+        let below = tree.lower(body).map(|lower| added[lower]);
+        let mut accelerating = Accelerating {
+            added: below.unwrap_or([graph.zero_vector(); 2]),
+            eliminated,
+            accelerations: &mut accelerations,
         };
-        for step in steps[body].iter().rev() {
-            match step {
-                Step::Rotation(rotation) => {
-                    added = added.map(|v| rotation.forward(graph, v));
-                }
-                Step::Matrix(matrix) => added = added.map(|v| matrix.forward(graph, v)),
-                Step::Eliminated(eliminated) => {
-                    let acceleration = eliminated.recover(graph, &mut added);
-                    accelerations[eliminated.motion.speed.index()] = acceleration;
-                }
-            }
-        }
+        passages[body].outward(graph, &mut accelerating);
+        let added = accelerating.added;
         graph.name_vector(added[0], "alpha_added");
         graph.name_vector(added[1], "a_added");
         added
     });
     accelerations
+}
+
+/// What accelerations add to a link's own, angular and linear, on its way outward through a joint.
+struct Accelerating<'a> {
+    added: [Vector; 2],
+    eliminated: &'a BTreeMap<SpeedId, Eliminated>,
+    accelerations: &'a mut [Expr],
+}
+
+impl Accelerating<'_> {
+    fn recover(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        for Motion { speed, .. } in motions.into_iter().flatten() {
+            let acceleration = self.eliminated[&speed].recover(graph, &mut self.added);
+            self.accelerations[speed.index()] = acceleration;
+        }
+    }
+}
+
+impl Passenger for Accelerating<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        let [alpha, a] = self.added;
+        let turned = graph.cross(alpha, offset);
+        self.added = [alpha, graph.add_vectors(a, turned)];
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        self.added = self.added.map(|v| rotation.forward(graph, v));
+        self.recover(graph, drive.motions());
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        self.recover(graph, motions);
+    }
 }
 
 impl Eliminated {
@@ -133,101 +151,67 @@ impl Eliminated {
     }
 }
 
-/// A link's inertia and wrench on their way inward.
-struct Passing {
+/// A link's inertia and wrench on their way inward through a joint, past which motions are eliminated.
+struct Resisting<'a> {
+    joint: &'a Joint,
     inertia: Inertia,
     wrench: Wrench,
-    steps: Vec<Step>,
+    tau: &'a [Expr],
+    eliminated: &'a mut BTreeMap<SpeedId, Eliminated>,
 }
 
-impl Passing {
+impl Passenger for Resisting<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        self.wrench = self.wrench.moved(graph, offset);
+        self.inertia = self.inertia.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        for (axis, motion) in drive.motions().into_iter().enumerate().rev() {
+            self.eliminate(graph, axis, motion);
+        }
+        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
+        self.inertia = self.inertia.turned_back(graph, rotation);
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        // Before rotations: of a body that carries none but free ones their block is a multiple of the identity.
+        for (axis, motion) in motions.into_iter().enumerate().rev() {
+            self.eliminate(graph, 3 + axis, motion);
+        }
+    }
+}
+
+impl Resisting<'_> {
     fn name(&self, graph: &mut ExprGraph) {
         graph.name_vector(self.wrench.force, "f");
         graph.name_vector(self.wrench.moment, "n");
         match &self.inertia {
             Inertia::Rigid(composite) => inertia::name(graph, &composite.inertia, "composite"),
-            Inertia::Articulated(blocks) => {
-                inertia::name(graph, &blocks.angular, "articulated");
-                graph.name_matrix(&blocks.coupling, "coupling");
-                inertia::name(graph, &blocks.linear, "carried");
+            Inertia::Articulated(own) => {
+                inertia::name(graph, &own.angular, "articulated");
+                graph.name_matrix(&own.coupling, "coupling");
+                inertia::name(graph, &own.linear, "carried");
             }
         }
-    }
-
-    /// From the link's axes to the joint's in the lower link.
-    fn through_joint(
-        &mut self,
-        graph: &mut ExprGraph,
-        joint: &Joint,
-        link: &Link,
-        axes: Axes,
-        tau: &[Expr],
-    ) {
-        let [turns, shifts] = axes.along_link(joint);
-        // Translations first: of a body that carries none but free ones their block is a multiple of the identity.
-        for (first, motions) in [(3, shifts), (0, turns)] {
-            for axis in [2, 1, 0] {
-                let motion = motions.map(|motions| motions[axis]);
-                self.eliminate(graph, joint, first + axis, motion, tau);
-            }
-        }
-        match &link.turning {
-            Turning::Angles(rotations) => {
-                for rotation in rotations.iter().rev() {
-                    let motion = rotation.motion.filter(|_| turns.is_none());
-                    self.eliminate(graph, joint, rotation.axis.index(), motion, tau);
-                    self.turn(graph, rotation);
-                    self.steps.push(Step::Rotation(*rotation));
-                }
-            }
-            Turning::Matrix(matrix) => {
-                self.turn(graph, matrix);
-                self.steps.push(Step::Matrix(*matrix));
-            }
-        }
-        for (axis, motion) in joint.shifts().into_iter().enumerate().rev() {
-            let motion = motion.filter(|_| shifts.is_none());
-            self.eliminate(graph, joint, 3 + axis, motion, tau);
-        }
-    }
-
-    /// To the axes before a rotation.
-    fn turn(&mut self, graph: &mut ExprGraph, turn: &impl Turn) {
-        self.wrench = self.wrench.map(|v| turn.backward(graph, v));
-        self.inertia = self.inertia.turned_back(graph, turn);
-    }
-
-    /// From the joint's axes to the lower link's, about its origin.
-    fn move_inward(&mut self, graph: &mut ExprGraph, link: &Link) {
-        self.turn(graph, &link.constant);
-        let lever = graph.cross(link.offset, self.wrench.force);
-        self.wrench.moment = graph.add_vectors(self.wrench.moment, lever);
-        self.inertia = self.inertia.moved(graph, link.offset);
     }
 
     /// Eliminates a motion of a joint, if there is one: `D` is what resists it, `l` the column of the inertia over that.
-    fn eliminate(
-        &mut self,
-        graph: &mut ExprGraph,
-        joint: &Joint,
-        place: usize,
-        motion: Option<Motion>,
-        tau: &[Expr],
-    ) {
+    fn eliminate(&mut self, graph: &mut ExprGraph, place: usize, motion: Option<Motion>) {
         let Some(motion) = motion else {
             return;
         };
-        let name = joint.motion_names()[place];
+        let name = self.joint.motion_names()[place];
         let mut rows = self.inertia.rows(graph);
         let mut needed = self.wrench.parts();
         let column = rows.map(|row| row[place]);
-        let rotor = given::value(graph, joint.mechanics[place].armature);
+        let rotor = given::value(graph, self.joint.mechanics[place].armature);
         let has_rotor = !graph.is_zero(rotor);
         let pivot = graph.add(column[place], rotor);
         graph.name(pivot, format!("pivot_{name}"));
         let inverse = graph.reciprocal(pivot);
         graph.name(inverse, format!("inverse_{name}"));
-        let force = tau[motion.speed.index()];
+        let force = self.tau[motion.speed.index()];
         let rest = graph.sub(force, needed[place]);
         graph.name(rest, format!("rest_{name}"));
         let letters = ["nx", "ny", "nz", "fx", "fy", "fz"];
@@ -261,33 +245,12 @@ impl Passing {
         let own = graph.mul(rest, inverse);
         self.inertia = Inertia::of_rows(graph, &rows);
         self.wrench = Wrench::of_parts(needed);
-        self.steps.push(Step::Eliminated(Eliminated {
+        let eliminated = Eliminated {
             place,
-            motion,
             own,
             factors,
             has_rotor,
-        }));
-    }
-}
-
-impl Wrench {
-    fn map(&self, mut f: impl FnMut(Vector) -> Vector) -> Self {
-        Self {
-            force: f(self.force),
-            moment: f(self.moment),
-        }
-    }
-
-    fn parts(&self) -> [Expr; 6] {
-        let ([nx, ny, nz], [fx, fy, fz]) = (self.moment, self.force);
-        [nx, ny, nz, fx, fy, fz]
-    }
-
-    fn of_parts([nx, ny, nz, fx, fy, fz]: [Expr; 6]) -> Self {
-        Self {
-            force: [fx, fy, fz],
-            moment: [nx, ny, nz],
-        }
+        };
+        self.eliminated.insert(motion.speed, eliminated);
     }
 }

@@ -1,13 +1,13 @@
 //! Accelerations for given forces: the plan's solver on the plan's links, along the axes that it takes.
 
 use super::{
-    articulated, axes, composite, inverse_dynamics,
+    articulated, composite, exchange, inverse_dynamics,
     linkage::Linkage,
     plan::{Plan, Technique},
 };
 use crate::{
     expr::{Expr, ExprGraph},
-    kane::{Accelerations, mechanics},
+    given::{Accelerations, mechanics},
     solve,
     tree::Tree,
 };
@@ -20,7 +20,7 @@ pub fn forward_dynamics(
     mut tau: Vec<Expr>,
 ) -> Vec<Expr> {
     let linkage = Linkage::of_solution(graph, tree, plan);
-    axes::forces(graph, &linkage, &mut tau);
+    exchange::forces(graph, &linkage, &mut tau);
     let mut solution = if plan.uses(Technique::Articulated) {
         articulated::solution(graph, &linkage, &tau)
     } else {
@@ -31,6 +31,6 @@ pub fn forward_dynamics(
         solve::subtract(graph, tree, &mut tau, &bias);
         factors.solve(graph, tau)
     };
-    axes::accelerations(graph, &linkage, &mut solution);
+    exchange::accelerations(graph, &linkage, &mut solution);
     solution
 }

@@ -7,11 +7,11 @@
 
 use crate::{
     expr::{ExprGraph, Matrix, Vector, transpose},
+    given,
     id::BodyId,
     kane::{
         angular,
         frame::{Pose, Twist, own_origin, own_rotation},
-        given, orientation,
     },
     tree::{Body, NamedFrame, Tree},
 };
@@ -25,7 +25,7 @@ struct Passage {
 impl Passage {
     fn of(graph: &mut ExprGraph, tree: &Tree, body: &Body) -> Self {
         Self {
-            turned: orientation::of_joint(graph, tree, &body.joint),
+            turned: given::orientation::of_joint(graph, tree, &body.joint),
             constant: given::constant(graph, &body.joint.rotation),
         }
     }

@@ -4,17 +4,18 @@
 //! Gravity passes outward as the upward acceleration of a system at rest, mass and first moment inward; each motion of a
 //! joint reads off where both stand in the same axes, so no force is carried.
 
+use super::{
+    link,
+    passage::{Drive, Passenger},
+    plan::Plan,
+    rotation::Turn,
+    wrench,
+};
 use crate::{
-    expr::{Expr, ExprGraph, Vector, negated},
-    id::BodyMap,
-    kane::given,
-    recursive::{
-        link::{self, Link, Turning},
-        motion,
-        plan::Plan,
-        rotation::Turn,
-    },
-    tree::{Joint, Motion, Tree},
+    expr::{Axis, Expr, ExprGraph, Vector, negated},
+    given,
+    id::{BodyId, BodyMap},
+    tree::{Motion, Tree},
 };
 
 /// Mass and first moment about a point.
@@ -24,13 +25,13 @@ struct Weight {
     moment: Vector,
 }
 
-/// The upward acceleration that stands for gravity, on its way through a joint.
+/// The upward acceleration that stands for gravity, on its way outward through a joint.
 #[derive(Clone, Debug)]
 struct Upward {
-    /// Along the joint's axes in the lower body.
-    before: Vector,
-    /// After each of the joint's rotations; the last is along the body's axes.
-    after: Vec<Vector>,
+    /// In the axes that have been reached; in the end those of the link.
+    a: Vector,
+    /// The same wherever motions enter, in the order of the way.
+    at_motions: Vec<Vector>,
 }
 
 /// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`.
@@ -38,12 +39,15 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Ex
     let links = link::links(graph, tree, plan);
     let gravity = given::gravity(graph, tree);
     let upward = BodyMap::outward(tree.bodies.len(), |body, upward: &BodyMap<Upward>| {
-        let below = tree
-            .lower(body)
-            .and_then(|lower| upward[lower].after.last());
-        let below = below.copied().unwrap_or(negated(gravity));
+        let below = tree.lower(body).map(|lower| upward[lower].a);
         graph.enter(body);
-        outward(graph, &links[body], below)
+        let mut passing = Upward {
+            a: below.unwrap_or(negated(gravity)),
+            at_motions: Vec::new(),
+        };
+        links[body].passage.outward(graph, &mut passing);
+        graph.name_vector(passing.a, "a");
+        passing
     });
     let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| Weight {
         mass: links[body].inertia.mass,
@@ -54,93 +58,90 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Ex
         graph.enter(body);
         let weight = weights[body];
         graph.name_vector(weight.moment, "composite");
-        let (joint, link) = (&tree.body(body).joint, &links[body]);
-        let weight = weight.through_joint(graph, joint, link, &upward[body], &mut tau);
+        let mut hanging = Hanging {
+            weight,
+            upward: &upward[body].at_motions,
+            tau: &mut tau,
+        };
+        links[body].passage.inward(graph, &mut hanging);
+        let weight = hanging.weight;
         if let Some(lower) = tree.lower(body) {
-            let moved = weight.moved(graph, link.offset);
             graph.enter(lower);
-            weights[lower] = weights[lower].plus(graph, &moved);
+            weights[lower] = weights[lower].plus(graph, &weight);
         }
     }
     tau
 }
 
-fn outward(graph: &mut ExprGraph, link: &Link, below: Vector) -> Upward {
-    let before = link.constant.forward(graph, below);
-    let after = match &link.turning {
-        Turning::Matrix(matrix) => vec![graph.mul_vector(matrix, before)],
-        Turning::Angles(rotations) => {
-            let mut a = before;
-            let turn = rotations.iter().map(|rotation| {
-                a = rotation.forward(graph, a);
-                a
-            });
-            turn.collect()
-        }
-    };
-    if let Some(last) = after.last() {
-        graph.name_vector(*last, "a");
+impl Passenger for Upward {
+    fn shift(&mut self, _: &mut ExprGraph, _: BodyId, _: Vector) {}
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
+        self.a = rotation.forward(graph, self.a);
+        self.at_motions.push(self.a);
     }
-    Upward { before, after }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {
+        self.at_motions.push(self.a);
+    }
+}
+
+/// A weight on its way inward through a joint, whose motions read off what they need.
+struct Hanging<'a> {
+    weight: Weight,
+    /// The upward acceleration wherever motions of the rest of the way enter.
+    upward: &'a [Vector],
+    tau: &'a mut [Expr],
+}
+
+impl Hanging<'_> {
+    /// The upward acceleration where the next motions enter.
+    fn next(&mut self) -> Vector {
+        let (a, rest) = self
+            .upward
+            .split_last()
+            .expect("gravity: the way inward is the way outward");
+        self.upward = rest;
+        *a
+    }
+}
+
+impl Passenger for Hanging<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        self.weight = self.weight.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let a = self.next();
+        for (axis, motion) in Axis::ALL.into_iter().zip(drive.motions()) {
+            if motion.is_some() {
+                let along = self.weight.moment_about(graph, axis, a);
+                wrench::add(graph, self.tau, motion, along);
+            }
+        }
+        self.weight.moment = rotation.backward(graph, self.weight.moment);
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let a = self.next();
+        for (motion, a) in motions.into_iter().zip(a) {
+            if motion.is_some() {
+                let along = graph.mul(self.weight.mass, a);
+                wrench::add(graph, self.tau, motion, along);
+            }
+        }
+    }
 }
 
 impl Weight {
-    /// Reads off what a joint's motions need, and turns the weight to the lower link's axes.
-    fn through_joint(
-        &self,
-        graph: &mut ExprGraph,
-        joint: &Joint,
-        link: &Link,
-        upward: &Upward,
-        tau: &mut [Expr],
-    ) -> Self {
-        let mut weight = *self;
-        let turns = link::angular_velocity(joint);
-        if let (Some(motions), Some(a)) = (turns, upward.after.last()) {
-            for (axis, motion) in motions.into_iter().enumerate() {
-                weight.add_turn(graph, Some(motion), axis, *a, tau);
-            }
-        }
-        match &link.turning {
-            Turning::Angles(rotations) => {
-                for (rotation, a) in rotations.iter().zip(&upward.after).rev() {
-                    weight.add_turn(graph, rotation.motion, rotation.axis.index(), *a, tau);
-                    weight.moment = rotation.backward(graph, weight.moment);
-                }
-            }
-            Turning::Matrix(matrix) => {
-                weight.moment = matrix.backward(graph, weight.moment);
-            }
-        }
-        for (axis, shift) in joint.shifts().into_iter().enumerate() {
-            if shift.is_some() {
-                let along = graph.mul(weight.mass, upward.before[axis]);
-                motion::add(graph, tau, shift, along);
-            }
-        }
-        weight.moment = link.constant.backward(graph, weight.moment);
-        weight
-    }
-
-    /// Adds the component of `moment × a` along an axis to the force of the speed that turns about it.
-    fn add_turn(
-        &self,
-        graph: &mut ExprGraph,
-        motion: Option<Motion>,
-        axis: usize,
-        a: Vector,
-        tau: &mut [Expr],
-    ) {
-        if motion.is_none() {
-            return;
-        }
-        let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
+    /// The component of `moment × a` along an axis.
+    fn moment_about(&self, graph: &mut ExprGraph, axis: Axis, a: Vector) -> Expr {
+        let (b, c) = axis.others();
         let (plus, minus) = (
             graph.mul(self.moment[b], a[c]),
             graph.mul(self.moment[c], a[b]),
         );
-        let along = graph.sub(plus, minus);
-        motion::add(graph, tau, motion, along);
+        graph.sub(plus, minus)
     }
 
     /// About a point from which this one's point lies at `offset`.

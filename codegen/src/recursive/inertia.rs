@@ -2,23 +2,51 @@
 
 use crate::{
     expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
-    kane::given,
-    tree::{Body, Part},
+    given,
+    id::BodyMap,
+    tree::{Body, Part, Tree},
 };
 
 /// Mass, first moment and inertia about a point that moves with the bodies.
 #[derive(Clone, Copy, Debug)]
-pub struct Composite {
+pub(super) struct Composite {
     /// Mass, kg.
-    pub mass: Expr,
+    pub(super) mass: Expr,
     /// Mass times the position of the mass centre, kg m.
-    pub moment: Vector,
+    pub(super) moment: Vector,
     /// Inertia, kg m².
-    pub inertia: Symmetric,
+    pub(super) inertia: Symmetric,
+}
+
+/// Inertia about a link's origin, with its second moments `S_aa = (I_bb + I_cc - I_aa) / 2`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinkInertia {
+    pub(super) composite: Composite,
+    pub(super) second: Vector,
+}
+
+impl LinkInertia {
+    pub(super) fn new(graph: &mut ExprGraph, composite: Composite) -> Self {
+        Self {
+            composite,
+            second: composite.second_moments(graph),
+        }
+    }
+}
+
+/// For every body whether some of its ten inertial parameters are zero, along its own axes.
+pub fn sparse_inertias(tree: &Tree) -> BodyMap<bool> {
+    let mut graph = ExprGraph::default();
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        let own = own(&mut graph, tree.body(body));
+        let numbers = [own.moment, own.inertia.diagonal, own.inertia.mixed];
+        let mut numbers = numbers.into_iter().flatten();
+        numbers.any(|number| graph.is_zero(number))
+    })
 }
 
 /// A body's inertia about its own origin: `m`, `m r`, `I_G + m (r·r 1 - r r^T)`, body components, summed over its parts.
-pub fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
+pub(super) fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
     let mut parts = body.parts.iter();
     let first = parts.next().expect("tree: a body has a part, itself");
     let mut own = of_part(graph, first);
@@ -42,7 +70,7 @@ fn of_part(graph: &mut ExprGraph, part: &Part) -> Composite {
 
 impl Composite {
     /// A mass at the point.
-    pub fn point(graph: &mut ExprGraph, mass: Expr) -> Self {
+    pub(super) fn point(graph: &mut ExprGraph, mass: Expr) -> Self {
         Self {
             mass,
             moment: graph.zero_vector(),
@@ -51,7 +79,7 @@ impl Composite {
     }
 
     /// Nothing at all.
-    pub fn zero(graph: &mut ExprGraph) -> Self {
+    pub(super) fn zero(graph: &mut ExprGraph) -> Self {
         let zero = graph.zero();
         Self::point(graph, zero)
     }
@@ -60,7 +88,7 @@ impl Composite {
     ///
     /// With `h' = h + m d` and `H = h + h'`, the inertia is `I + (d·H) 1 - h d^T - d h'^T`.
     #[must_use]
-    pub fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
+    pub(super) fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
         let shift = graph.scale(self.mass, offset);
         let moment = graph.add_vectors(self.moment, shift);
         let both = graph.add_vectors(self.moment, moment);
@@ -85,7 +113,7 @@ impl Composite {
     }
 
     /// The second moments about the three planes through the point, `S_aa = (I_bb + I_cc - I_aa) / 2`, kg m².
-    pub fn second_moments(&self, graph: &mut ExprGraph) -> Vector {
+    fn second_moments(&self, graph: &mut ExprGraph) -> Vector {
         let half = graph.number(0.5);
         Axis::ALL.map(|axis| {
             let (a, (b, c)) = (axis.index(), axis.others());
@@ -98,7 +126,7 @@ impl Composite {
 
     /// Both together, about the same point.
     #[must_use]
-    pub fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),
@@ -111,7 +139,7 @@ impl Composite {
 }
 
 /// Labels the six components `text_xx` to `text_xy`.
-pub fn name(graph: &mut ExprGraph, tensor: &Symmetric, text: &str) {
+pub(super) fn name(graph: &mut ExprGraph, tensor: &Symmetric, text: &str) {
     for (component, letters) in tensor.diagonal.into_iter().zip(["xx", "yy", "zz"]) {
         graph.name(component, format!("{text}_{letters}"));
     }

@@ -1,17 +1,19 @@
 //! Right-hand sides in two passes: motion outward, forces inward (Luh, Walker and Paul 1980).
 
 use super::{
-    link::{Link, Turning},
+    link::Link,
+    link_motion,
     linkage::Linkage,
-    motion::{self, Wrench},
+    passage::{Drive, Passenger},
     plan::Plan,
     rotation::Turn,
+    wrench::{self, Wrench},
 };
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Vector},
+    given::{self, Accelerations},
     id::{BodyId, BodyMap},
-    kane::{Accelerations, given},
-    tree::Tree,
+    tree::{Motion, Tree},
 };
 
 /// `A y_dot - f` without loads: `tau` for given accelerations, the bias for none.
@@ -31,14 +33,14 @@ pub(super) fn inertial_forces(
     linkage: &Linkage<'_>,
     accelerations: Accelerations,
 ) -> Vec<Expr> {
-    let wrenches = motion::wrenches(graph, linkage, accelerations);
+    let wrenches = link_motion::inertial_wrenches(graph, linkage, accelerations);
     project(graph, linkage, wrenches)
 }
 
 /// `f`, Eq. (43): the loads less the bias.
 pub fn forcing(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
-    let inertial = motion::wrenches(graph, &linkage, Accelerations::Zero);
+    let inertial = link_motion::inertial_wrenches(graph, &linkage, Accelerations::Zero);
     let net = BodyMap::outward(tree.bodies.len(), |body, _| {
         let load = load(graph, tree, &linkage.links[body], body);
         Wrench {
@@ -81,50 +83,42 @@ fn project(
     linkage: &Linkage<'_>,
     mut wrenches: BodyMap<Wrench>,
 ) -> Vec<Expr> {
-    let Linkage {
-        tree, links, axes, ..
-    } = linkage;
+    let Linkage { tree, passages, .. } = linkage;
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
-        let link = &links[body];
-        let Wrench {
-            mut force,
-            mut moment,
-        } = wrenches[body];
-        graph.name_vector(force, "f");
-        graph.name_vector(moment, "n");
-        let joint = &tree.body(body).joint;
-        let along_link = axes[body].along_link(joint);
-        for (motions, along) in along_link.into_iter().zip([moment, force]) {
-            for (motion, along) in motions.into_iter().flatten().zip(along) {
-                motion::add(graph, &mut tau, Some(motion), along);
-            }
-        }
-        let [turns, shifts] = along_link.map(|motions| motions.is_none());
-        match &link.turning {
-            Turning::Angles(rotations) => {
-                for rotation in rotations.iter().rev() {
-                    let motion = rotation.motion.filter(|_| turns);
-                    motion::add(graph, &mut tau, motion, moment[rotation.axis.index()]);
-                    force = rotation.backward(graph, force);
-                    moment = rotation.backward(graph, moment);
-                }
-            }
-            Turning::Matrix(matrix) => {
-                [force, moment] = [force, moment].map(|v| matrix.backward(graph, v));
-            }
-        }
-        for (axis, shift) in joint.shifts().into_iter().enumerate() {
-            motion::add(graph, &mut tau, shift.filter(|_| shifts), force[axis]);
-        }
-        [force, moment] = [force, moment].map(|v| link.constant.backward(graph, v));
+        let wrench = wrenches[body];
+        graph.name_vector(wrench.force, "f");
+        graph.name_vector(wrench.moment, "n");
+        let tau = &mut tau;
+        let mut acting = Acting { wrench, tau };
+        passages[body].inward(graph, &mut acting);
+        let wrench = acting.wrench;
         if let Some(lower) = tree.lower(body) {
-            let lever = graph.cross(link.offset, force);
-            let moment = graph.add_vectors(moment, lever);
             graph.enter(lower);
-            wrenches[lower] = wrenches[lower].plus(graph, &Wrench { force, moment });
+            wrenches[lower] = wrenches[lower].plus(graph, &wrench);
         }
     }
     tau
+}
+
+/// A wrench on its way inward through a joint, whose motions read off it what acts along them.
+struct Acting<'a> {
+    wrench: Wrench,
+    tau: &'a mut [Expr],
+}
+
+impl Passenger for Acting<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        self.wrench = self.wrench.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        wrench::read_off(graph, self.tau, drive.motions(), self.wrench.moment);
+        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        wrench::read_off(graph, self.tau, motions, self.wrench.force);
+    }
 }

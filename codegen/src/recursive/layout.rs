@@ -11,8 +11,8 @@ use super::{
 use crate::{
     expr::{Axis, Expr, ExprGraph, Vector},
     geometry::{self, IDENTITY, Rotation},
+    given,
     id::{BodyId, BodyMap},
-    kane::given,
     tree::{Tree, Value},
 };
 
@@ -38,10 +38,10 @@ pub(super) fn layouts(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMa
         let lower = tree.lower(body).map(|lower| layouts[lower]);
         let mut layout = given_layout(graph, tree, body, lower);
         if plan.uses(Technique::Slide) {
-            slide(graph, tree, body, &mut layout);
+            layout = slid(graph, tree, body, layout);
         }
         if plan.uses(Technique::Turn) {
-            turn(graph, tree, body, &mut layout);
+            layout = turned(graph, tree, body, layout);
         }
         layout
     })
@@ -71,26 +71,34 @@ fn given_layout(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: Option<
     }
 }
 
-/// Moves the origin so that the offset from the lower link's has no part along the joint's axis. The offset of a link on the
-/// inertial frame is of no account.
-fn slide(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) {
+/// With the origin moved so that the offset from the lower link's has no part along the joint's axis. The offset of a link on
+/// the inertial frame is of no account.
+fn slid(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: Layout) -> Layout {
     let joint = &tree.body(body).joint;
     let constant = given::constant(graph, &layout.constant);
     if joint.only_translates() {
-        layout.origin = graph.mul_vector(&constant, layout.attachment);
-        layout.attachment = graph.zero_vector();
-        return;
+        return Layout {
+            attachment: graph.zero_vector(),
+            origin: graph.mul_vector(&constant, layout.attachment),
+            ..layout
+        };
     }
     let Some(axis) = joint.turning_axis() else {
-        return;
+        return layout;
     };
-    layout.origin[axis.index()] = if tree.lower(body).is_none() {
-        slid_to_upper(graph, tree, body, axis)
+    let (attachment, along) = if tree.lower(body).is_none() {
+        let along = slid_to_upper(graph, tree, body, axis);
+        (layout.attachment, along)
     } else {
-        let along;
-        (layout.attachment, along) = across(graph, constant[axis.index()], layout.attachment);
-        along
+        across(graph, constant[axis.index()], layout.attachment)
     };
+    let mut origin = layout.origin;
+    origin[axis.index()] = along;
+    Layout {
+        attachment,
+        origin,
+        ..layout
+    }
 }
 
 /// For a link on the inertial frame, how far its origin is moved down its axis to meet the first body on it that sits off
@@ -119,48 +127,54 @@ fn across(graph: &mut ExprGraph, direction: Vector, v: Vector) -> (Vector, Expr)
     (without_crumbs(graph, rest, v), along)
 }
 
-/// Turns the joint's axes before the angle, and the link's after it.
-fn turn(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: &mut Layout) {
+/// With the joint's axes turned before the angle, and the link's after it.
+fn turned(graph: &mut ExprGraph, tree: &Tree, body: BodyId, layout: Layout) -> Layout {
     let joint = &tree.body(body).joint;
     let Some(axis) = joint.turning_axis() else {
-        return;
+        return layout;
     };
-    let before = sparser(&mut layout.constant, axis);
+    let (constant, before) = sparser(layout.constant, axis);
     let after = if tree.uppers(body).is_empty() {
         toward_mass(graph, tree, body, axis)
     } else {
         toward_upper(graph, tree, body, axis)
     };
-    layout.axes = about(axis, after);
-    layout.phase = after - before;
+    Layout {
+        constant,
+        axes: about(axis, after),
+        phase: after - before,
+        ..layout
+    }
 }
 
-/// Turns a constant rotation about the axis that it leads to until it is as sparse as that permits; the angle, rad.
-fn sparser(constant: &mut Rotation, axis: Axis) -> f64 {
+/// A constant rotation, turned about the axis that it leads to until it is as sparse as that permits, and the angle, rad.
+fn sparser(constant: Rotation, axis: Axis) -> (Rotation, f64) {
     let (a, (b, c)) = (axis.index(), axis.others());
     let normal = (0..3).find(|&p| constant[a][p] == 0.0);
     let Some(p) = normal else {
-        return 0.0;
+        return (constant, 0.0);
     };
     // The coordinate axis p lies in the plane of the other two rows: one of them becomes it.
     let (along_b, along_c) = (constant[b][p], constant[c][p]);
     if along_b == 0.0 || along_c == 0.0 {
-        return 0.0;
+        return (constant, 0.0);
     }
+    let mut sparser = constant;
     let mut unit = [0.0; 3];
-    if along_b.abs() >= along_c.abs() {
+    let angle = if along_b.abs() >= along_c.abs() {
         let sign = 1.0_f64.copysign(along_b);
         unit[p] = sign;
-        constant[b] = unit;
-        constant[c] = geometry::cross(constant[a], unit);
+        sparser[b] = unit;
+        sparser[c] = geometry::cross(constant[a], unit);
         libm::atan2(sign * along_c, sign * along_b)
     } else {
         let sign = 1.0_f64.copysign(along_c);
         unit[p] = sign;
-        constant[c] = unit;
-        constant[b] = geometry::cross(unit, constant[a]);
+        sparser[c] = unit;
+        sparser[b] = geometry::cross(unit, constant[a]);
         libm::atan2(-sign * along_b, sign * along_c)
-    }
+    };
+    (sparser, angle)
 }
 
 /// The turn of a link after which the axis of the first body on it that has one askew lies in a coordinate plane, or, where

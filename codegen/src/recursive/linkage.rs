@@ -1,8 +1,9 @@
 //! What every quantity passes through: the links of a plan, and how the motions of their joints are taken.
 
 use super::{
-    axes::{self, Axes},
     link::{self, Link},
+    link_axes::{self, LinkAxes},
+    passage::Passage,
     plan::Plan,
 };
 use crate::{expr::ExprGraph, id::BodyMap, tree::Tree};
@@ -12,33 +13,53 @@ use crate::{expr::ExprGraph, id::BodyMap, tree::Tree};
 pub(super) struct Linkage<'a> {
     pub(super) tree: &'a Tree,
     pub(super) plan: &'a Plan,
+    /// The links move as the speeds say, through passages of their own.
     pub(super) links: BodyMap<Link>,
-    /// The axes along which motions are taken.
-    pub(super) axes: BodyMap<Axes>,
+    /// The axes along which forces and accelerations are taken.
+    pub(super) axes: BodyMap<LinkAxes>,
+    /// The passages with motions along these: what forces and accelerations pass through.
+    pub(super) passages: BodyMap<Passage>,
     /// The bodies that are taken to fall: they feel no gravity, their accelerations are relative to it.
     pub(super) falls: BodyMap<bool>,
 }
 
 impl<'a> Linkage<'a> {
-    /// Motions are those of the speeds, and no body is taken to fall.
+    /// Forces and accelerations are those of the speeds, and no body is taken to fall.
     pub(super) fn of_speeds(graph: &mut ExprGraph, tree: &'a Tree, plan: &'a Plan) -> Self {
-        Self {
-            tree,
-            plan,
-            links: link::links(graph, tree, plan),
-            axes: axes::of_speeds(tree),
-            falls: BodyMap::outward(tree.bodies.len(), |_, _| false),
-        }
+        let axes = BodyMap::outward(tree.bodies.len(), |body, _| {
+            LinkAxes::of_speeds(&tree.body(body).joint)
+        });
+        let falls = BodyMap::outward(tree.bodies.len(), |_, _| false);
+        Self::along(graph, tree, plan, axes, falls)
     }
 
-    /// Motions are those that are solved for.
+    /// Forces and accelerations are those of the motions that are solved for.
     pub(super) fn of_solution(graph: &mut ExprGraph, tree: &'a Tree, plan: &'a Plan) -> Self {
+        let axes = BodyMap::outward(tree.bodies.len(), |body, _| {
+            LinkAxes::of_solution(&tree.body(body).joint, plan)
+        });
+        Self::along(graph, tree, plan, axes, link_axes::falling(tree, plan))
+    }
+
+    fn along(
+        graph: &mut ExprGraph,
+        tree: &'a Tree,
+        plan: &'a Plan,
+        axes: BodyMap<LinkAxes>,
+        falls: BodyMap<bool>,
+    ) -> Self {
+        let links = link::links(graph, tree, plan);
+        let passages = BodyMap::outward(tree.bodies.len(), |body, _| {
+            let joint = &tree.body(body).joint;
+            links[body].passage.clone().with_axes(joint, axes[body])
+        });
         Self {
             tree,
             plan,
-            links: link::links(graph, tree, plan),
-            axes: axes::of_solution(tree, plan),
-            falls: axes::falling(tree, plan),
+            links,
+            axes,
+            passages,
+            falls,
         }
     }
 }

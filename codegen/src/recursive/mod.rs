@@ -5,27 +5,31 @@
 //! rotations are applied axis by axis, so that generalized forces are read off on the way.
 //! Does not: define anything; `kane` says what the results mean. Nor choose the plan: that is `search`'s.
 
-pub mod articulated;
-pub mod axes;
-mod blocks;
+mod articulated;
+mod articulated_inertia;
+mod column;
 pub mod composite;
+mod exchange;
 pub mod forward_dynamics;
 pub mod frame;
 pub mod gravity;
-pub mod inertia;
+mod inertia;
 pub mod inverse_dynamics;
-mod joint;
-pub mod layout;
-pub mod link;
+mod layout;
+mod link;
+mod link_axes;
+mod link_motion;
 mod linkage;
-pub mod motion;
 mod parallel;
-pub mod plan;
+mod passage;
+mod plan;
 mod regroup;
-pub mod rotation;
+mod rotation;
 mod rounding;
 mod shortcut;
+mod turning_axis;
+mod wrench;
 
-pub use axes::has_followers;
-pub use link::{parallel_axes, sparse_inertias};
+pub use inertia::sparse_inertias;
+pub use parallel::parallel_axes;
 pub use plan::{Plan, Regroup, Technique};

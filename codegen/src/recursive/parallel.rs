@@ -4,55 +4,142 @@
 //! rotated there; its own numbers and the offsets on it are, and the links on it turn by the sum of both angles.
 
 use super::{
-    link::{Link, Turning},
+    inertia::LinkInertia,
+    layout::{self, Layout},
+    passage::Passage,
     plan::Plan,
-    rotation::{Rotation, Turn},
+    rotation::{AxisRotation, Turn},
     rounding,
 };
 use crate::{
-    expr::{Axis, Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Vector},
+    given,
     id::{BodyId, BodyMap},
-    kane::given,
-    tree::{Orientation, Tree},
+    tree::{Joint, Tree},
 };
 
-/// Merges what the plan wants merged and what can be.
-pub(super) fn run(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, links: &mut BodyMap<Link>) {
-    let mut angles = BodyMap::outward(tree.bodies.len(), |_, _| None::<Angle>);
-    for body in tree.body_ids() {
-        let Some(axis) = tree.body(body).joint.turning_axis() else {
-            continue;
-        };
-        graph.enter(body);
-        let mut angle = own_angle(graph, tree, body, axis, &links[body]);
-        if let Some((rotation, below)) = tree
-            .lower(body)
-            .and_then(|lower| Some((links[lower].unturned?, angles[lower]?)))
-        {
-            let link = &mut links[body];
-            link.offset = rotation.backward(graph, link.offset);
-            let along = link.constant.matrix[axis.index()][rotation.axis.index()];
-            angle = angle.plus(graph, below, along.is_negative());
-            let (sine, cosine) = rounding::phased(graph, angle.coordinates, angle.phase);
-            graph.name(sine, format!("sin{}_sum", axis.index() + 1));
-            graph.name(cosine, format!("cos{}_sum", axis.index() + 1));
-            if let Turning::Angles(rotations) = &mut link.turning {
-                let own = &mut rotations[axis.index()];
-                (own.sine, own.cosine) = (sine, cosine);
-            }
-        }
-        angles[body] = Some(angle);
-        if plan.parallel(body) && carries_parallel_axes(graph, tree, body, axis, links) {
-            unturn(graph, axis, &mut links[body]);
-        }
-    }
+/// A rotation about a joint's axis, and the angle that it is by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AngleRotation {
+    rotation: AxisRotation,
+    angle: Angle,
 }
 
 /// A sum of coordinates, and a constant, rad.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Angle {
     coordinates: Expr,
     phase: f64,
+}
+
+/// The bodies that need not turn: all axes on them are parallel to their own.
+pub fn parallel_axes(tree: &Tree, plan: &Plan) -> Vec<BodyId> {
+    let layouts = layout::layouts(&mut ExprGraph::default(), tree, plan);
+    let is_parallel = |body: &BodyId| carries_parallel_axes(tree, *body, &layouts);
+    tree.body_ids().filter(is_parallel).collect()
+}
+
+/// For every body whether its link does not turn: where the plan says so, and it can be.
+pub(super) fn unturned(tree: &Tree, plan: &Plan, layouts: &BodyMap<Layout>) -> BodyMap<bool> {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        plan.parallel(body) && carries_parallel_axes(tree, body, layouts)
+    })
+}
+
+/// True for a link on which there are joints, all about axes parallel to its own.
+fn carries_parallel_axes(tree: &Tree, body: BodyId, layouts: &BodyMap<Layout>) -> bool {
+    let Some(axis) = tree.body(body).joint.hinge_axis() else {
+        return false;
+    };
+    let is_parallel = |&upper: &BodyId| {
+        let Some(own) = tree.body(upper).joint.turning_axis() else {
+            return false;
+        };
+        let direction = layouts[upper].constant[own.index()];
+        // A cosine rounds to one where the sine is still 1e-8.
+        let (b, c) = axis.others();
+        direction[axis.index()].abs() == 1.0 && [direction[b], direction[c]] == [0.0; 2]
+    };
+    let uppers = tree.uppers(body);
+    !uppers.is_empty() && uppers.iter().all(is_parallel)
+}
+
+/// A link's passage, turned by the angles of the links below that do not turn as well, of which `below` is the last; and its
+/// rotation, if it turns about one axis alone.
+pub(super) fn merged(
+    graph: &mut ExprGraph,
+    joint: &Joint,
+    layout: &Layout,
+    passage: Passage,
+    below: Option<AngleRotation>,
+) -> (Passage, Option<AngleRotation>) {
+    let own = AngleRotation::own(graph, joint, layout, &passage);
+    let (Some(rotation), Some(below)) = (own, below) else {
+        return (passage, own);
+    };
+    let passage = passage.on_unturned(graph, &below.rotation);
+    let sum = rotation.after(graph, layout, &below);
+    (passage.with_rotation(sum.rotation), Some(sum))
+}
+
+impl AngleRotation {
+    /// That of a joint that turns about one axis alone.
+    fn own(
+        graph: &mut ExprGraph,
+        joint: &Joint,
+        layout: &Layout,
+        passage: &Passage,
+    ) -> Option<Self> {
+        let axis = joint.turning_axis()?;
+        let angle = joint.angles()?[axis.index()];
+        Some(Self {
+            rotation: passage.rotation(axis),
+            angle: Angle {
+                coordinates: given::coordinate(graph, angle),
+                phase: layout.phase,
+            },
+        })
+    }
+
+    /// The rotation on a lower link that does not turn: that one's too.
+    fn after(&self, graph: &mut ExprGraph, layout: &Layout, below: &Self) -> Self {
+        let axis = self.rotation.axis;
+        let is_opposite = layout.constant[axis.index()][below.rotation.axis.index()] < 0.0;
+        let angle = self.angle.plus(graph, below.angle, is_opposite);
+        let (sine, cosine) = rounding::phased(graph, angle.coordinates, angle.phase);
+        graph.name(sine, format!("sin{}_sum", axis.index() + 1));
+        graph.name(cosine, format!("cos{}_sum", axis.index() + 1));
+        let rotation = AxisRotation { axis, sine, cosine };
+        Self { rotation, angle }
+    }
+
+    /// Passage and inertia of a link that does not turn by it: its axes are the joint's.
+    pub(super) fn left_out(
+        &self,
+        graph: &mut ExprGraph,
+        passage: Passage,
+        inertia: &LinkInertia,
+    ) -> (Passage, LinkInertia) {
+        let inertia = self.before(graph, inertia);
+        let none = AxisRotation::none(graph, self.rotation.axis);
+        (passage.with_rotation(none), inertia)
+    }
+
+    /// Components along the joint's axes of a vector given along the axes that it turns to.
+    pub(super) fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        self.rotation.backward(graph, v)
+    }
+
+    fn before(&self, graph: &mut ExprGraph, inertia: &LinkInertia) -> LinkInertia {
+        let (a, (b, c)) = (self.rotation.axis.index(), self.rotation.axis.others());
+        let composite = self.rotation.backward_composite(graph, &inertia.composite);
+        let mut second = inertia.second;
+        // S_aa does not change, and I_bb = S_aa + S_cc.
+        for (own, other) in [(b, c), (c, b)] {
+            second[own] = graph.sub(composite.inertia.diagonal[other], second[a]);
+        }
+        LinkInertia { composite, second }
+    }
 }
 
 impl Angle {
@@ -63,58 +150,4 @@ impl Angle {
             phase: self.phase + sign * other.phase,
         }
     }
-}
-
-fn own_angle(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis, link: &Link) -> Angle {
-    let Orientation::Rates(angles) = tree.body(body).joint.orientation else {
-        unreachable!("joint: an axis alone is that of an angle");
-    };
-    Angle {
-        coordinates: given::coordinate(graph, angles[axis.index()]),
-        phase: link.layout.phase,
-    }
-}
-
-/// True for a link on which there are joints, all about axes parallel to its own.
-pub(super) fn carries_parallel_axes(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    body: BodyId,
-    axis: Axis,
-    links: &BodyMap<Link>,
-) -> bool {
-    let one = graph.one();
-    let is_parallel = |&upper: &BodyId| {
-        let Some(own) = tree.body(upper).joint.turning_axis() else {
-            return false;
-        };
-        let direction = links[upper].constant.matrix[own.index()];
-        // A cosine rounds to one where the sine is still 1e-8.
-        let (b, c) = axis.others();
-        let leans = !graph.is_zero(direction[b]) || !graph.is_zero(direction[c]);
-        direction[axis.index()].abs_sign() == one && !leans
-    };
-    let only_turns = tree.body(body).joint.hinge_axis().is_some();
-    let uppers = tree.uppers(body);
-    !uppers.is_empty() && only_turns && uppers.iter().all(is_parallel)
-}
-
-/// Leaves a link's axes where its joint's are.
-fn unturn(graph: &mut ExprGraph, axis: Axis, link: &mut Link) {
-    let (a, (b, c)) = (axis.index(), axis.others());
-    let Turning::Angles(rotations) = &mut link.turning else {
-        return;
-    };
-    let rotation = rotations[a];
-    link.inertia = rotation.backward_composite(graph, &link.inertia);
-    // S_aa does not change, and I_bb = S_aa + S_cc.
-    for (own, other) in [(b, c), (c, b)] {
-        link.second[own] = graph.sub(link.inertia.inertia.diagonal[other], link.second[a]);
-    }
-    link.unturned = Some(rotation);
-    rotations[a] = Rotation {
-        sine: graph.zero(),
-        cosine: graph.one(),
-        ..rotation
-    };
 }

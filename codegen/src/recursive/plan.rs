@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use super::has_followers;
 use crate::{id::BodyId, tree::Tree};
 
 /// A way to fewer operations, which can be left out.
@@ -50,11 +49,18 @@ impl Technique {
         ("fall", Self::Fall),
         ("factor", Self::Factor),
     ];
+
+    /// False where one speed moves several joints, of what takes a speed's motion for the one of its own joint: that could
+    /// not be eliminated where it enters, nor taken along other axes, nor fall.
+    pub fn is_possible(self, tree: &Tree) -> bool {
+        !matches!(self, Self::Articulated | Self::LinkAxes | Self::Fall) || !tree.has_followers()
+    }
 }
 
-/// Which techniques are used, and how, link by link.
+/// Which techniques are used, and how, link by link. A technique that is not [possible](Technique::is_possible) is never used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plan {
+    possible: BTreeSet<Technique>,
     used: BTreeSet<Technique>,
     regroup: Vec<Regroup>,
     parallel: Vec<bool>,
@@ -82,7 +88,11 @@ impl Regroup {
 impl Plan {
     /// Every technique left out.
     pub fn plain(tree: &Tree) -> Self {
+        let all = Technique::ALL.into_iter().map(|(_, technique)| technique);
         Self {
+            possible: all
+                .filter(|technique| technique.is_possible(tree))
+                .collect(),
             used: BTreeSet::new(),
             regroup: vec![Regroup::Second; tree.bodies.len()],
             parallel: vec![true; tree.bodies.len()],
@@ -91,27 +101,23 @@ impl Plan {
 
     /// Every technique used wherever it can be.
     pub fn full(tree: &Tree) -> Self {
-        let mut plan = Self::plain(tree);
-        for (_, technique) in Technique::ALL {
-            plan.set(technique, true);
+        let plain = Self::plain(tree);
+        Self {
+            used: plain.possible.clone(),
+            ..plain
         }
-        if has_followers(tree) {
-            // One speed then moves several joints: none can be eliminated where it enters.
-            plan.set(Technique::Articulated, false);
-        }
-        plan
     }
 
-    /// Uses a technique, or leaves it out.
+    /// Uses a technique, if it is possible, or leaves it out.
     pub fn set(&mut self, technique: Technique, used: bool) {
-        if used {
+        if used && self.possible.contains(&technique) {
             self.used.insert(technique);
         } else {
             self.used.remove(&technique);
         }
     }
 
-    /// The same with a technique used, or left out.
+    /// The same with a technique used, if it is possible, or left out.
     #[must_use]
     pub fn with(&self, technique: Technique, used: bool) -> Self {
         let mut other = self.clone();

@@ -5,10 +5,10 @@
 //! that has all ten.
 
 use super::{
-    inertia::Composite,
-    link::Link,
+    inertia::{Composite, LinkInertia},
+    passage::Passage,
     plan::{Plan, Regroup, Technique},
-    rotation::Turn,
+    rotation::{ConstantRotation, Turn},
     rounding,
 };
 use crate::{
@@ -17,64 +17,112 @@ use crate::{
     tree::Tree,
 };
 
-/// Regroups all links, from the leaves inward.
-pub(super) fn run(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, links: &mut BodyMap<Link>) {
-    for body in tree.body_ids().rev() {
-        regroup(graph, tree, body, plan, links);
-    }
-}
-
-/// Gives the lower link what the joint does not move of a link's inertia.
-fn regroup(
+/// The links' own inertias, regrouped from the leaves inward.
+pub(super) fn regrouped(
     graph: &mut ExprGraph,
     tree: &Tree,
-    body: BodyId,
     plan: &Plan,
-    links: &mut BodyMap<Link>,
-) {
-    let lower = tree.lower(body);
-    // Of a body without mass more would be needed than is saved.
-    let has_mass = |body: BodyId| !graph.is_zero(links[body].inertia.mass);
-    if !lower.is_none_or(has_mass) {
-        return;
+    passages: &BodyMap<Passage>,
+    own: BodyMap<LinkInertia>,
+) -> BodyMap<LinkInertia> {
+    let mut regrouping = Regrouping {
+        tree,
+        plan,
+        passages,
+        inertias: own,
+    };
+    for body in tree.body_ids().rev() {
+        regrouping.regroup(graph, body);
     }
-    graph.enter(body);
-    let (joint, choice) = (&tree.body(body).joint, plan.regroup(body));
-    let link = &mut links[body];
-    let given = if choice == Regroup::None {
-        return;
-    } else if let Some(axis) = joint.hinge_axis() {
-        let given = take_from_axis(graph, axis, choice, link);
-        let turned = link.constant.backward_composite(graph, &given);
-        turned.moved(graph, link.offset)
-    } else if joint.only_translates() {
-        take_tensor(graph, link)
-    } else {
-        return;
-    };
-    let Some(lower) = lower else {
-        return;
-    };
-    graph.enter(lower);
-    let below = links[lower].inertia.plus(graph, &given);
-    links[lower].set_inertia(graph, below);
-    if plan.uses(Technique::Balance) && joint.hinge_axis().is_some() {
-        balance(graph, tree, body, lower, links);
+    regrouping.inertias
+}
+
+struct Regrouping<'a> {
+    tree: &'a Tree,
+    plan: &'a Plan,
+    passages: &'a BodyMap<Passage>,
+    /// Regrouped already, on the bodies that come before; the others have what those gave them.
+    inertias: BodyMap<LinkInertia>,
+}
+
+impl Regrouping<'_> {
+    /// Gives the lower link what the joint does not move of a link's inertia.
+    fn regroup(&mut self, graph: &mut ExprGraph, body: BodyId) {
+        let lower = self.tree.lower(body);
+        // Of a body without mass more would be needed than is saved.
+        let has_mass = |body: BodyId| !graph.is_zero(self.inertias[body].composite.mass);
+        if !lower.is_none_or(has_mass) {
+            return;
+        }
+        graph.enter(body);
+        let joint = &self.tree.body(body).joint;
+        let (passage, own) = (&self.passages[body], &self.inertias[body]);
+        let (kept, given) = match (self.plan.regroup(body), joint.hinge_axis()) {
+            (Regroup::None, _) => return,
+            (choice, Some(axis)) => {
+                let (kept, given) = split_on_axis(graph, axis, choice, own);
+                let turned = passage.constant.backward_composite(graph, &given);
+                (kept, turned.moved(graph, passage.offset))
+            }
+            (_, None) if joint.only_translates() => split_tensor(graph, &passage.constant, own),
+            _ => return,
+        };
+        self.inertias[body] = kept;
+        let Some(lower) = lower else {
+            return;
+        };
+        graph.enter(lower);
+        let below = self.inertias[lower].composite.plus(graph, &given);
+        self.inertias[lower] = LinkInertia::new(graph, below);
+        if self.plan.uses(Technique::Balance) && joint.hinge_axis().is_some() {
+            self.balance(graph, body, lower);
+        }
+    }
+
+    /// Takes back so much of a mass on the axis that the lower link's first moment has no part along the way to it, where that
+    /// is no multiple of what there is. Of the bodies on the lower link the lowest-numbered does so, which is met last.
+    fn balance(&mut self, graph: &mut ExprGraph, body: BodyId, lower: BodyId) {
+        let is_last = self.tree.uppers(lower).first() == Some(&body);
+        let own = self.tree.body(lower).joint.turning_axis();
+        let offset = self.passages[body].offset;
+        let below = self.inertias[lower].composite;
+        let moments = rounding::without_crumbs(graph, below.moment, below.moment);
+        let Some(total) = graph.as_number(below.mass).filter(|_| is_last) else {
+            return;
+        };
+        let numbers = |graph: &ExprGraph, axis: usize| {
+            let moment = graph.as_number(moments[axis])?;
+            let distance = graph.as_number(offset[axis]).filter(|d| *d != 0.0)?;
+            let kept = moment / distance;
+            (moment != 0.0 && kept.abs() <= MOST_KEPT * total.abs()).then_some(kept)
+        };
+        let mut axes = Axis::ALL.into_iter().filter(|axis| Some(*axis) != own);
+        let found = axes.find_map(|axis| Some((axis.index(), numbers(graph, axis.index())?)));
+        let Some((axis, kept)) = found else {
+            return;
+        };
+        let taken = graph.number(-kept);
+        let taken = Composite::point(graph, taken).moved(graph, offset);
+        let mut inertia = below.plus(graph, &taken);
+        inertia.moment[axis] = graph.zero();
+        self.inertias[lower] = LinkInertia::new(graph, inertia);
+        self.inertias[body].composite.mass = graph.number(kept);
     }
 }
 
-/// Takes from a link that turns what lies on its axis, along the joint's axes: a mass, its first moment, and its second moment.
-fn take_from_axis(
+/// What a link keeps that turns, and what it gives of what lies on its axis, along the joint's axes: a mass, its first moment,
+/// and its second moment.
+fn split_on_axis(
     graph: &mut ExprGraph,
     axis: Axis,
     choice: Regroup,
-    link: &mut Link,
-) -> Composite {
+    own: &LinkInertia,
+) -> (LinkInertia, Composite) {
     let (a, (b, c)) = (axis.index(), axis.others());
-    let mut inertia = link.inertia;
+    let mut inertia = own.composite;
     let along = match choice {
         Regroup::None => graph.zero(),
-        Regroup::Second => link.second[a],
+        Regroup::Second => own.second[a],
         Regroup::First => inertia.inertia.diagonal[b],
         Regroup::Last => inertia.inertia.diagonal[c],
     };
@@ -88,64 +136,29 @@ fn take_from_axis(
         let rest = graph.sub(inertia.inertia.diagonal[across], along);
         inertia.inertia.diagonal[across] = rest;
     }
-    link.set_inertia(graph, inertia);
+    let mut kept = LinkInertia::new(graph, inertia);
     if choice == Regroup::Second {
-        link.second[a] = zero;
+        kept.second[a] = zero;
     }
-    given
+    (kept, given)
 }
 
-/// Takes all inertia but mass and first moment from a link that only translates, along the lower link's axes: it turns as that
-/// does.
-fn take_tensor(graph: &mut ExprGraph, link: &mut Link) -> Composite {
+/// What a link keeps that only translates, and what it gives, along the lower link's axes: all inertia but mass and first
+/// moment, for it turns as that does.
+fn split_tensor(
+    graph: &mut ExprGraph,
+    constant: &ConstantRotation,
+    own: &LinkInertia,
+) -> (LinkInertia, Composite) {
     let given = Composite {
-        inertia: link
-            .constant
-            .backward_symmetric(graph, &link.inertia.inertia),
+        inertia: constant.backward_symmetric(graph, &own.composite.inertia),
         ..Composite::zero(graph)
     };
     let rest = Composite {
         inertia: graph.zero_symmetric(),
-        ..link.inertia
+        ..own.composite
     };
-    link.set_inertia(graph, rest);
-    given
-}
-
-/// Takes back so much of a mass on the axis that the lower link's first moment has no part along the way to it, where that
-/// is no multiple of what there is. Of the bodies on the lower link the lowest-numbered does so, which is met last.
-fn balance(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    body: BodyId,
-    lower: BodyId,
-    links: &mut BodyMap<Link>,
-) {
-    let is_last = tree.uppers(lower).first() == Some(&body);
-    let own = tree.body(lower).joint.turning_axis();
-    let offset = links[body].offset;
-    let below = links[lower].inertia;
-    let moments = rounding::without_crumbs(graph, below.moment, below.moment);
-    let Some(total) = graph.as_number(below.mass).filter(|_| is_last) else {
-        return;
-    };
-    let numbers = |graph: &ExprGraph, axis: usize| {
-        let moment = graph.as_number(moments[axis])?;
-        let distance = graph.as_number(offset[axis]).filter(|d| *d != 0.0)?;
-        let kept = moment / distance;
-        (moment != 0.0 && kept.abs() <= MOST_KEPT * total.abs()).then_some(kept)
-    };
-    let mut axes = Axis::ALL.into_iter().filter(|axis| Some(*axis) != own);
-    let found = axes.find_map(|axis| Some((axis.index(), numbers(graph, axis.index())?)));
-    let Some((axis, kept)) = found else {
-        return;
-    };
-    let taken = graph.number(-kept);
-    let taken = Composite::point(graph, taken).moved(graph, offset);
-    let mut inertia = below.plus(graph, &taken);
-    inertia.moment[axis] = graph.zero();
-    links[lower].set_inertia(graph, inertia);
-    links[body].inertia.mass = graph.number(kept);
+    (LinkInertia::new(graph, rest), given)
 }
 
 /// How many times the mass that there is may be kept on an axis: what is added and taken away must not drown the rest.

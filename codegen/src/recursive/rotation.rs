@@ -7,13 +7,11 @@
 use super::inertia::Composite;
 use crate::{
     expr::{Axis, Expr, ExprGraph, Matrix, Symmetric, Vector, transpose},
-    geometry,
-    kane::given,
-    tree::Motion,
+    geometry, given,
 };
 
 /// A rotation, of whatever has components before and after it.
-pub trait Turn {
+pub(super) trait Turn {
     /// Components after the rotation of a vector given by its components before it.
     fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector;
 
@@ -60,16 +58,13 @@ impl Turn for Matrix {
 
 /// A rotation about a coordinate axis, from the components before it to those after it.
 #[derive(Clone, Copy, Debug)]
-pub struct Rotation {
-    /// The axis.
-    pub axis: Axis,
-    /// The speed that is the angle's rate.
-    pub motion: Option<Motion>,
+pub(super) struct AxisRotation {
+    pub(super) axis: Axis,
     pub(super) sine: Expr,
     pub(super) cosine: Expr,
 }
 
-impl Turn for Rotation {
+impl Turn for AxisRotation {
     fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         self.turn(graph, v, self.sine)
     }
@@ -130,7 +125,16 @@ impl Turn for Rotation {
     }
 }
 
-impl Rotation {
+impl AxisRotation {
+    /// By no angle.
+    pub(super) fn none(graph: &mut ExprGraph, axis: Axis) -> Self {
+        Self {
+            axis,
+            sine: graph.zero(),
+            cosine: graph.one(),
+        }
+    }
+
     fn turn(&self, graph: &mut ExprGraph, v: Vector, sine: Expr) -> Vector {
         let (b, c) = self.axis.others();
         let mut turned = v;
@@ -144,20 +148,19 @@ impl Rotation {
 
 /// A constant rotation, from the components before it to those after it.
 #[derive(Clone, Copy, Debug)]
-pub struct Constant {
+pub(super) struct ConstantRotation {
     /// The whole.
-    pub matrix: Matrix,
+    matrix: Matrix,
     /// Where it is one: a rotation about a coordinate axis after a permutation of the axes.
-    split: Option<(Matrix, Rotation)>,
+    split: Option<(Matrix, AxisRotation)>,
 }
 
-impl Constant {
+impl ConstantRotation {
     /// A rotation of these numbers.
-    pub fn new(graph: &mut ExprGraph, rotation: &geometry::Rotation) -> Self {
+    pub(super) fn new(graph: &mut ExprGraph, rotation: &geometry::Rotation) -> Self {
         let split = split(rotation).map(|(permutation, axis, sine, cosine)| {
-            let rotation = Rotation {
+            let rotation = AxisRotation {
                 axis,
-                motion: None,
                 sine: graph.number(sine),
                 cosine: graph.number(cosine),
             };
@@ -170,7 +173,7 @@ impl Constant {
     }
 }
 
-impl Turn for Constant {
+impl Turn for ConstantRotation {
     fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         self.matrix.forward(graph, v)
     }

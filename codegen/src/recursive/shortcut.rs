@@ -4,7 +4,7 @@
 //! read, in axes that do not turn with the root. Once the last offset is passed it can go there at once: one rotation by a
 //! matrix that all columns of the link share, in place of one at every joint on the way.
 
-use super::{composite::Column, linkage::Linkage, plan::Technique, rotation::Turn};
+use super::{column::Column, linkage::Linkage, plan::Technique, rotation::Turn};
 use crate::{
     expr::{ExprGraph, Matrix},
     id::{BodyId, BodyMap},
@@ -32,9 +32,9 @@ impl<'a> Shortcuts<'a> {
             let is_next = match tree.lower(lower) {
                 None => {
                     let shifts = tree.body(lower).joint.shifts();
-                    shifts.iter().all(Option::is_some) && !axes[lower].shifts
+                    shifts.iter().all(Option::is_some) && axes[lower].shift_before_turns()
                 }
-                Some(_) => is_open[lower] && graph.is_zero_vector(links[lower].offset),
+                Some(_) => is_open[lower] && graph.is_zero_vector(links[lower].passage.offset),
             };
             linkage.plan.uses(Technique::Shortcut) && only_turns && is_next
         });
@@ -48,25 +48,18 @@ impl<'a> Shortcuts<'a> {
     /// Sends the linear parts of columns that have arrived at a link, in its axes, to the root's translations, if that is
     /// cheaper than to carry them on.
     pub(super) fn take(&mut self, graph: &mut ExprGraph, body: BodyId, columns: &mut [Column]) {
-        let n_columns = columns
-            .iter()
-            .filter(|column| column.arrived.is_none())
-            .count();
+        let n_columns = columns.iter().filter(|own| !own.has_arrived()).count();
         if !self.is_open[body] || !self.is_cheaper(graph, body, n_columns) {
             return;
         }
         graph.enter(body);
-        let link = &self.linkage.links[body];
-        let offset = link.constant.forward(graph, link.offset);
-        let offset = link.forward(graph, offset);
+        let passage = &self.linkage.links[body].passage;
+        let offset = passage.constant.forward(graph, passage.offset);
+        let offset = passage.forward_from_joint(graph, offset);
         graph.name_vector(offset, "offset_turned");
         let directions = self.directions(graph, body);
-        for column in columns.iter_mut().filter(|column| column.arrived.is_none()) {
-            graph.enter(column.body);
-            let lever = graph.cross(offset, column.linear);
-            column.angular = graph.add_vectors(column.angular, lever);
-            column.arrived = Some(graph.mul_vector(&directions, column.linear));
-            column.linear = graph.zero_vector();
+        for column in columns.iter_mut().filter(|own| !own.has_arrived()) {
+            column.arrive(graph, offset, &directions);
         }
         graph.enter(body);
     }
@@ -78,8 +71,8 @@ impl<'a> Shortcuts<'a> {
         let Some(axis) = joint.hinge_axis() else {
             return false;
         };
-        let link = &self.linkage.links[body];
-        let offset = link.constant.forward(graph, link.offset);
+        let passage = &self.linkage.links[body].passage;
+        let offset = passage.constant.forward(graph, passage.offset);
         let (b, c) = axis.others();
         let n_across = [b, c]
             .into_iter()
@@ -96,19 +89,19 @@ impl<'a> Shortcuts<'a> {
         if let Some(known) = self.directions[body] {
             return known;
         }
-        let link = &self.linkage.links[body];
+        let passage = &self.linkage.links[body].passage;
         let directions = match self.linkage.tree.lower(body) {
             None => {
                 graph.enter(body);
                 let axes = graph.identity();
-                axes.map(|axis| link.forward(graph, axis))
+                axes.map(|axis| passage.forward_from_joint(graph, axis))
             }
             Some(lower) => {
                 let below = self.directions(graph, lower);
                 graph.enter(body);
                 below.map(|direction| {
-                    let direction = link.constant.forward(graph, direction);
-                    link.forward(graph, direction)
+                    let direction = passage.constant.forward(graph, direction);
+                    passage.forward_from_joint(graph, direction)
                 })
             }
         };

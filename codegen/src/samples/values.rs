@@ -10,8 +10,7 @@ use super::{
     sample::{Sample, Sampled},
 };
 use crate::{
-    compile::Compiled,
-    compile::Emittable,
+    compile::{Compiled, Emittable},
     error::Error,
     expr::Input,
     functions::Formulation,

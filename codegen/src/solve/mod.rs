@@ -8,30 +8,32 @@
 use crate::{
     expr::{Expr, ExprGraph},
     id::{BodyId, SpeedId},
-    kane::dynamics::SpeedMatrix,
     tree::Tree,
 };
+
+/// Entries of a symmetric matrix over speeds, by rows; what is structurally zero is the number zero.
+pub type SpeedMatrix = Vec<Vec<Expr>>;
 
 /// The factors of `A = L^T D L`.
 #[derive(Debug)]
 pub struct Factors {
     /// Speeds from the leaves inward.
-    order: Vec<Place>,
+    order: Vec<BodySpeed>,
     /// For each entry of `order`: the coupled speeds still to be eliminated, with the entry of L.
-    couplings: Vec<Vec<(Place, Expr)>>,
+    couplings: Vec<Vec<(BodySpeed, Expr)>>,
     /// D, by speed.
     pub pivots: Vec<Expr>,
 }
 
 /// A speed, the body that moves with it, and its coordinate among that body's.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct BodySpeed {
     body: BodyId,
     speed: SpeedId,
     coordinate: &'static str,
 }
 
-impl Place {
+impl BodySpeed {
     fn index(self) -> usize {
         self.speed.index()
     }
@@ -73,7 +75,7 @@ pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Fact
         graph.name(pivot, format!("pivot_{}", k.coordinate));
         pivots[k.index()] = pivot;
         let inverse = inverse(graph, k, pivot);
-        let coupled: Vec<Place> = order[place + 1..]
+        let coupled: Vec<BodySpeed> = order[place + 1..]
             .iter()
             .copied()
             .filter(|other| !graph.is_zero(a[k.index()][other.index()]))
@@ -132,7 +134,7 @@ impl Factors {
 }
 
 /// One over the pivot of a speed.
-fn inverse(graph: &mut ExprGraph, k: Place, pivot: Expr) -> Expr {
+fn inverse(graph: &mut ExprGraph, k: BodySpeed, pivot: Expr) -> Expr {
     let inverse = graph.reciprocal(pivot);
     graph.name(inverse, format!("inverse_{}", k.coordinate));
     inverse
@@ -140,12 +142,12 @@ fn inverse(graph: &mut ExprGraph, k: Place, pivot: Expr) -> Expr {
 
 /// Bodies from the leaves inward; in a body its translations first, for they are not coupled with one another
 /// before a body that it carries is eliminated, then its rotations. A speed that others follow has its own body's place.
-fn elimination_order(tree: &Tree) -> Vec<Place> {
+fn elimination_order(tree: &Tree) -> Vec<BodySpeed> {
     let places = |body| {
         let joint = &tree.body(body).joint;
         let names = joint.motion_names();
         let speeds = joint.speeds().into_iter().rev();
-        speeds.map(move |(motion, speed)| Place {
+        speeds.map(move |(motion, speed)| BodySpeed {
             body,
             speed,
             coordinate: names[motion],

@@ -19,7 +19,7 @@ mod offset;
 mod system;
 mod value;
 
-// How a description becomes one, in this order: `build` is the order, the others are its stages.
+// How a description becomes one: `build` is the order, the others are its stages.
 mod assembly;
 mod build;
 mod changes;

@@ -6,7 +6,7 @@ use crate::description::Order;
 use crate::id::BodyId;
 use crate::tree::body::Body;
 use crate::tree::frames::Frame;
-use crate::tree::joint::{ChartCoordinates, Orientation};
+use crate::tree::joint::{ChartCoordinates, Coordinate, Joint, Orientation};
 use crate::tree::value::{Parameter, Value};
 
 /// A tree of rigid bodies that obeys every rule a description can break.
@@ -138,6 +138,15 @@ impl Tree {
     /// How many bodies it has with all that is fixed to them.
     pub fn n_parts(&self) -> usize {
         self.bodies.iter().map(|body| body.parts.len()).sum()
+    }
+
+    /// True where a coordinate follows another: one speed then moves several joints.
+    pub fn has_followers(&self) -> bool {
+        let follows = |joint: &Joint, motion| {
+            matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }))
+        };
+        let mut joints = self.bodies.iter().map(|body| &body.joint);
+        joints.any(|joint| (0..6).any(|motion| follows(joint, motion)))
     }
 
     /// True where some orientation is described by a quaternion.

@@ -21,4 +21,5 @@ mod interface;
 #[cfg(unix)]
 mod kills;
 mod project;
+mod revisions;
 mod verify;

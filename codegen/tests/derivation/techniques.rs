@@ -134,29 +134,19 @@ fn arms_of_dense_bodies_stay_below_their_limits() {
     }
 }
 
+/// What grows faster than linearly with a chain shows here first.
 #[test]
-fn systems_stay_below_their_limits() {
-    let limits = [
-        ("panda", robot("panda", Base::Fixed), [600, 345, 1150]),
-        ("ur5", robot("ur5", Base::Fixed), [375, 180, 645]),
-        ("solo12", robot("solo12", Base::Free), [1250, 820, 3000]),
-        ("talos", robot("talos", Base::Free), [3650, 3500, 8000]),
-        ("eight free bodies", eight_bodies(), [1950, 3400, 5000]),
-    ];
-    for (name, tree, limits) in limits {
-        for (function, limit) in FUNCTIONS.into_iter().zip(limits) {
-            let counted = count(&tree, function, &[]);
-            assert!(counted.total() <= limit, "{name}, {function}: {counted}");
-        }
-    }
+fn a_chain_of_64_revolute_bodies() {
     let chain = arm(&chain_of_64());
-    for (function, limit) in [("inverse_dynamics", 7400), ("forward_dynamics", 18_700)] {
-        let counted = count(&chain, function, &[]);
-        assert!(
-            counted.total() <= limit,
-            "chain of 64, {function}: {counted}"
-        );
+    let mut text = String::new();
+    for function in FUNCTIONS {
+        writeln!(text, "{function}: {}", count(&chain, function, &[])).unwrap();
     }
+    insta::assert_snapshot!(text, @"
+    inverse_dynamics: 7382 = 3696 mul + 3560 add + 0 div + 126 trig
+    mass_matrix: 40808 = 23939 mul + 16743 add + 0 div + 126 trig
+    forward_dynamics: 17910 = 8936 mul + 8785 add + 63 div + 126 trig
+    ");
 }
 
 /// How many per cent more operations there are without each technique.

@@ -1,6 +1,6 @@
 //! Reading `kane.toml`.
 
-use kane_codegen::budget::{Budget, Kind};
+use kane_codegen::budget::{Budget, OperationKind};
 use kane_codegen::companions;
 use kane_codegen::config::{self, Formulation, Functions};
 use kane_codegen::description::{Base, Chart, Reading};
@@ -135,9 +135,9 @@ fn budgets_limit_all_operations_or_some_kind() {
     assert_eq!(
         config.systems[0].budget,
         [
-            limit("bias", Kind::Total, 60),
-            limit("mass_matrix_and_bias", Kind::Total, 90),
-            limit("mass_matrix_and_bias", Kind::Mul, 0),
+            limit("bias", OperationKind::Total, 60),
+            limit("mass_matrix_and_bias", OperationKind::Total, 90),
+            limit("mass_matrix_and_bias", OperationKind::Mul, 0),
         ]
     );
     assert_eq!(

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use kane_codegen::description::{
-    Description, JointKind, PerCoordinate, Reading, Rotation, Scalar, WrittenBody as Body, mjcf,
+    Description, JointKind, PerCoordinate, Reading, Rotation, Scalar, WrittenBody, mjcf,
 };
 use kane_codegen::diagnostic::{Diagnostics, Severity, Source};
 use kane_test_support::compare::{Tolerance, assert_close};
@@ -134,7 +134,7 @@ fn same(quantity: &PerCoordinate<Scalar>) -> f64 {
 }
 
 /// The body's motion, and the springs' and rotors' energies of its joint.
-fn step(body: &Body, lower: &Motion, q: &mut &[f64], u: &mut &[f64]) -> (Motion, f64, f64) {
+fn step(body: &WrittenBody, lower: &Motion, q: &mut &[f64], u: &mut &[f64]) -> (Motion, f64, f64) {
     let joint = &body.joint;
     let kind = joint.kind.as_ref().unwrap().value.clone();
     let arm = out(&lower.rotation, vector(joint.attachment));
@@ -202,7 +202,7 @@ fn step(body: &Body, lower: &Motion, q: &mut &[f64], u: &mut &[f64]) -> (Motion,
 }
 
 /// Inertia about the mass centre in the body's axes: xx, yy, zz, xy, xz, yz.
-fn inertia(body: &Body) -> [f64; 6] {
+fn inertia(body: &WrittenBody) -> [f64; 6] {
     let [xx, yy, zz, xy, xz, yz] = body.inertia.map(value);
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let c = body
@@ -222,7 +222,7 @@ fn inertia(body: &Body) -> [f64; 6] {
     ]
 }
 
-fn check_masses(bodies: &[&Body], reference: &Value) {
+fn check_masses(bodies: &[&WrittenBody], reference: &Value) {
     for (body, expected) in bodies.iter().zip(reference["bodies"].as_array().unwrap()) {
         let name = expected["name"].as_str().unwrap();
         if !name.is_empty() {
@@ -306,7 +306,7 @@ fn moves_as_in_mujoco(name: &str) {
         own.push(next - 1);
     }
     assert_eq!(description.bodies.len(), next);
-    let bodies: Vec<&Body> = own
+    let bodies: Vec<&WrittenBody> = own
         .iter()
         .map(|index| &description.bodies[*index])
         .collect();

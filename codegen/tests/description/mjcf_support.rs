@@ -8,8 +8,7 @@ use std::collections::BTreeMap;
 use std::io;
 
 use kane_codegen::description::{
-    Description, Limits, PerCoordinate, Reading, Rotation, Scalar, WrittenBody as Body,
-    WrittenJoint as Joint, mjcf,
+    Description, Limits, PerCoordinate, Reading, Rotation, Scalar, WrittenBody, WrittenJoint, mjcf,
 };
 use kane_codegen::diagnostic::{Diagnostics, Source, Spanned};
 use kane_test_support::compare::{Tolerance, assert_close};
@@ -48,7 +47,7 @@ pub(crate) fn read(text: &str) -> Description {
 }
 
 /// The only body, of a model with these sections before the bodies.
-pub(crate) fn only(before: &str, body: &str) -> Body {
+pub(crate) fn only(before: &str, body: &str) -> WrittenBody {
     let mut description = read(&format!(
         "<mujoco>{before}<worldbody>{body}</worldbody></mujoco>"
     ));
@@ -83,13 +82,13 @@ pub(crate) fn baked(quantity: &PerCoordinate<Scalar>) -> Option<f64> {
 }
 
 /// Lower and upper limit, and the greatest force.
-pub(crate) fn limits(joint: &Joint) -> [Option<f64>; 3] {
+pub(crate) fn limits(joint: &WrittenJoint) -> [Option<f64>; 3] {
     let limits: Limits = same(&joint.limits).unwrap_or_default();
     [limits.lower, limits.upper, limits.effort].map(|limit| limit.map(|limit| limit.value))
 }
 
 /// The rotation from the lower body to the joint.
-pub(crate) fn attachment_rotation(body: &Body) -> Rotation {
+pub(crate) fn attachment_rotation(body: &WrittenBody) -> Rotation {
     body.joint.attachment_rotation.map_or(SAME, |r| r.value)
 }
 
@@ -120,7 +119,7 @@ pub(crate) fn close(found: &[f64], expected: &[f64]) {
 }
 
 /// The rows are MuJoCo's columns.
-pub(crate) fn oriented(body: &Body, expected: &Rotation) {
+pub(crate) fn oriented(body: &WrittenBody, expected: &Rotation) {
     let found = attachment_rotation(body);
     close(found.as_flattened(), transposed(expected).as_flattened());
 }

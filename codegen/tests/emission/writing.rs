@@ -5,8 +5,7 @@ use std::path::Path;
 
 use kane_codegen::description::{
     Axis, Carrier, Chart, Description, FrameRotation, Given, JointKind, Limits, Mimic, Optional,
-    PerCoordinate, Rotation, Scalar, Speeds, WrittenBody as Body, WrittenFrame,
-    WrittenJoint as Joint, toml,
+    PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint, toml,
 };
 use kane_codegen::diagnostic::{Diagnostic, Source, Span, Spanned};
 use kane_codegen::tree::Order;
@@ -349,7 +348,7 @@ fn limits(random: &mut Random) -> Limits {
     }
 }
 
-fn joint(random: &mut Random) -> Joint {
+fn joint(random: &mut Random) -> WrittenJoint {
     let kind = match random.below(JointKind::NAMED.len() + 1) {
         0 => {
             let mut axes = axes(random);
@@ -362,7 +361,7 @@ fn joint(random: &mut Random) -> Joint {
         .has_axis()
         .then(|| at([number(random), number(random), 0.5]));
     let locked = axes(random).into_iter();
-    Joint {
+    WrittenJoint {
         kind: Some(at(kind)),
         name: perhaps(random, string),
         axis,
@@ -391,7 +390,7 @@ fn joint(random: &mut Random) -> Joint {
 
 fn random_description(random: &mut Random) -> Description {
     let n_bodies = 1 + random.below(3);
-    let body = |random: &mut Random| Body {
+    let body = |random: &mut Random| WrittenBody {
         span: PLACE,
         name: Some(at(string(random))),
         mass: Some(at(scalar(random))),

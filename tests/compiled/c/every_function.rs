@@ -2,7 +2,7 @@
 
 use std::{fmt::Write as _, fs, process::Command};
 
-use kane_test_support::systems::trees;
+use kane_test_support::{systems::trees, tool::tools};
 use serde_json::Value;
 
 use super::{C, WARNINGS, bits, folder, headers, run};
@@ -171,7 +171,7 @@ fn compare(name: &str, model: &str, changed: Option<&str>) -> usize {
     let expected: Vec<_> = expected.lines().map(bits).collect();
     // Of the joined functions one has three outputs and one two.
     assert_eq!(expected.len(), 2 * (functions.len() + 3));
-    for compiler in C {
+    for compiler in tools(C, "every function called from C by this compiler") {
         let program = folder.join(compiler);
         let mut command = Command::new(compiler);
         command.args(WARNINGS).args(["-std=c99", "-o"]);

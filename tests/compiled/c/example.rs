@@ -4,24 +4,27 @@ use std::{path::Path, process::Command};
 
 #[allow(clippy::pedantic, unreachable_pub, reason = "generated")]
 #[rustfmt::skip]
-#[path = "../../examples/c/src/cart_pole.rs"]
+#[path = "../../../examples/c/src/cart_pole.rs"]
 mod cart_pole;
 #[allow(clippy::pedantic, unreachable_pub, reason = "generated")]
 #[rustfmt::skip]
-#[path = "../../examples/c/src/panda.rs"]
+#[path = "../../../examples/c/src/panda.rs"]
 mod panda;
 
 use kane::Real;
+use kane_test_support::tool::{tool, tools};
 
 use super::{C, bits, folder, run};
 
 #[test]
 fn example_prints_the_bits_of_rust() {
+    let Some(make) = tool("make", "the example in C") else {
+        return;
+    };
     let expected: Vec<(&str, Vec<u64>)> = (0..5).flat_map(results).collect();
     let target = folder("example");
-    for compiler in C {
-        run(Command::new(compiler).arg("--version"));
-        let printed = run(Command::new("make")
+    for compiler in tools(C, "the example in C by this compiler") {
+        let printed = run(Command::new(make)
             .args(["--silent", "run"])
             .arg(format!("CC={compiler}"))
             .arg(format!("BUILD={}", target.join(compiler).display()))

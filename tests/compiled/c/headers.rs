@@ -12,6 +12,8 @@ use kane_codegen::{
     generate::{Generated, generate},
 };
 
+use kane_test_support::tool::tools;
+
 use super::{C, CPP, WARNINGS, folder, run};
 
 /// A body that slides: without angles, parameters and partial angular velocities.
@@ -89,7 +91,7 @@ fn headers_of_every_function_compile_together_and_without_warnings() {
     source += "int main(void) { return 0; }\n";
     let check = |compilers: [&str; 2], standards: [&str; 2], file: &str| {
         fs::write(folder.join(file), &source).unwrap();
-        for compiler in compilers {
+        for compiler in tools(compilers, "headers by this compiler") {
             for standard in standards {
                 let mut command = Command::new(compiler);
                 command.args(WARNINGS).arg(format!("-std={standard}"));

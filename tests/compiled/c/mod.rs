@@ -16,7 +16,8 @@ use std::{
     process::Command,
 };
 
-const C: [&str; 2] = ["gcc", "clang"];
+/// The compiler by which Rust links is the one that is everywhere.
+const C: [&str; 2] = ["cc", "clang"];
 const CPP: [&str; 2] = ["g++", "clang++"];
 const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -32,7 +33,7 @@ fn folder(name: &str) -> PathBuf {
 fn run(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|error| {
         panic!(
-            "`{}` cannot be run ({error}); on Debian: apt-get install gcc g++ clang make",
+            "`{}` cannot be run: {error}",
             command.get_program().display()
         )
     });

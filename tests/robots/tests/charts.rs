@@ -248,7 +248,7 @@ fn integration_conserves_what_it_must_to_fourth_order() {
     let (coarse, fine) = (drift(4e-3, 50), drift(2e-3, 100));
     coarse.show("solo12 in free fall, steps of 4 ms");
     fine.show("solo12 in free fall, steps of 2 ms");
-    for ((what, coarse), (_, fine)) in coarse.largest.iter().zip(&fine.largest) {
+    for ((what, coarse), (_, fine)) in coarse.largest().iter().zip(fine.largest()) {
         // Half of the step leaves a 16th of an error of fourth order; rounding of 200 steps leaves 1e-13.
         assert!(
             *fine <= coarse / 12.0 + 1e-13,

@@ -5,7 +5,7 @@
 use kane::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use kane::{Lanes, Real};
 
-use crate::entries::{Entries, State, lanes_of, same};
+use super::entries::{Entries, State, lanes_of, same};
 use kane_test_support::random::Random;
 
 /// One test a type of lanes: the functions with their arguments.

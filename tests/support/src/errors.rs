@@ -14,11 +14,16 @@ impl Errors {
     /// # Panics
     /// If it is not, or is no number.
     #[track_caller]
-    pub fn add(&mut self, what: impl Into<String>, error: f64, tolerance: f64) {
-        let what = what.into();
+    pub fn add(&mut self, what: impl ToString, error: f64, tolerance: f64) {
+        let what = what.to_string();
         assert_within(&what, error, tolerance);
         let most = self.0.entry(what).or_default();
         *most = larger(*most, error);
+    }
+
+    /// Each quantity with its largest error.
+    pub fn largest(&self) -> &BTreeMap<String, f64> {
+        &self.0
     }
 
     /// Shows them under a title.

@@ -26,3 +26,4 @@ pub mod rotation;
 pub mod shown;
 #[cfg(feature = "generator")]
 pub mod systems;
+pub mod tool;

@@ -9,7 +9,7 @@
 use kane_codegen::{
     functions::{CATALOGUE, Function},
     geometry::IDENTITY,
-    tree::{Body, ChartCoordinates as Chart, Orientation},
+    tree::{Body, ChartCoordinates, Orientation},
 };
 use kane_test_support::{
     compare::assert_within,
@@ -120,7 +120,7 @@ fn framed_systems_have_joints_of_every_kind() {
                 matches!(
                     chart,
                     Orientation::AngularVelocity {
-                        chart: Chart::Angles(_),
+                        chart: ChartCoordinates::Angles(_),
                         ..
                     }
                 )

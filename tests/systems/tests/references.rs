@@ -6,7 +6,7 @@
     reason = "the largest errors found, shown with --nocapture"
 )]
 
-use std::{collections::BTreeMap, fs};
+use std::fs;
 
 use kane_test_support::{
     compare::{largest, relative, relative_to},

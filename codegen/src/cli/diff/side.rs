@@ -15,12 +15,12 @@ use crate::cli::{Failures, git::Revision, job};
 
 /// What is compared, read.
 pub(super) struct Side {
-    place: Place,
+    read_from: ReadFrom,
     source: Source,
 }
 
 /// Where it was read.
-enum Place {
+enum ReadFrom {
     File(PathBuf),
     Revision(Revision),
 }
@@ -47,7 +47,7 @@ impl Side {
     pub(super) fn file(path: &Path) -> Result<Self, Failures> {
         Ok(Self {
             source: job::read(path)?,
-            place: Place::File(path.to_owned()),
+            read_from: ReadFrom::File(path.to_owned()),
         })
     }
 
@@ -55,7 +55,7 @@ impl Side {
     pub(super) fn in_revision(revision: Revision) -> Result<Self, Failures> {
         Ok(Self {
             source: Source::new(revision.to_string(), revision.read()?),
-            place: Place::Revision(revision),
+            read_from: ReadFrom::Revision(revision),
         })
     }
 
@@ -81,9 +81,9 @@ impl Side {
 
     /// Where it stands among the user's files.
     pub(super) fn own_file(&self) -> Option<PathBuf> {
-        let path = match &self.place {
-            Place::File(path) => Some(path.clone()),
-            Place::Revision(revision) => revision.own_file(),
+        let path = match &self.read_from {
+            ReadFrom::File(path) => Some(path.clone()),
+            ReadFrom::Revision(revision) => revision.own_file(),
         };
         path.filter(|path| path.is_file())
     }
@@ -120,9 +120,9 @@ impl Side {
     }
 
     fn include(&self, path: &str) -> io::Result<String> {
-        match &self.place {
-            Place::File(model) => job::include(model)(path),
-            Place::Revision(revision) => revision.beside(path),
+        match &self.read_from {
+            ReadFrom::File(model) => job::include(model)(path),
+            ReadFrom::Revision(revision) => revision.beside(path),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `worldbody`: the bodies, depth first, in the order of the file.
 
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::chain::{Bodies, Parts, Written};
+use crate::description::mjcf::chain::{Bodies, JointedBody, WrittenBodies};
 use crate::description::mjcf::contents::{Contents, Inside, child_class, gather};
 use crate::description::mjcf::defaults::{Class, ElementKind};
 use crate::description::mjcf::finite;
@@ -34,7 +34,7 @@ pub(super) fn read<'d>(
     reader: &mut Reader,
     model: &Model<'d>,
     worlds: &[Element<'d>],
-) -> (Written, Vec<WrittenFrame>) {
+) -> (WrittenBodies, Vec<WrittenFrame>) {
     let mut bodies = Bodies::default();
     let mut marked = Vec::new();
     let mut pending = Vec::new();
@@ -140,7 +140,7 @@ fn body<'d>(
         None => Wish::None(element.span()),
     };
     let mass = mass(reader, model, &contents, element.span(), &owner, moves);
-    bodies.add(Parts {
+    bodies.add(JointedBody {
         joints,
         place,
         span: given.span,

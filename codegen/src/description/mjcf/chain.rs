@@ -12,12 +12,12 @@ use crate::diagnostic::{Span, Spanned};
 /// The bodies of a model, before they have their names and weights.
 #[derive(Debug, Default)]
 pub(super) struct Bodies {
-    list: Vec<Hung>,
+    list: Vec<ChainedBody>,
 }
 
 /// A body and the joint by which it hangs.
 #[derive(Debug)]
-struct Hung {
+struct ChainedBody {
     span: Span,
     joint: WrittenJoint,
     /// The number of its lower body, from 1, or 0 for the world.
@@ -32,11 +32,11 @@ enum Weight {
     /// Nothing: it is there for a joint alone.
     Nothing,
     /// What the file says; `None` where that is faulty.
-    Given(Option<MassProperties>),
+    Given(Option<Box<MassProperties>>),
 }
 
 /// A body with its joints.
-pub(super) struct Parts {
+pub(super) struct JointedBody {
     pub(super) joints: Vec<JointElement>,
     /// Where the body stands in its lower body.
     pub(super) place: Placement,
@@ -49,7 +49,7 @@ pub(super) struct Parts {
 }
 
 /// The bodies as a description has them.
-pub(super) struct Written {
+pub(super) struct WrittenBodies {
     pub(super) list: Vec<WrittenBody>,
     /// Of each the number of its lower body, from 1, or 0 for the world.
     pub(super) lower: Vec<Given<i64>>,
@@ -62,7 +62,7 @@ impl Bodies {
     }
 
     /// Adds a body, behind those that its joints make.
-    pub(super) fn add(&mut self, parts: Parts) {
+    pub(super) fn add(&mut self, parts: JointedBody) {
         let count = parts.joints.len().max(1);
         let last = self.list.len() + count - 1;
         let mut place = parts.place;
@@ -72,7 +72,7 @@ impl Bodies {
             let Some(element) = joints.next() else { break };
             let name = element.name.as_ref();
             let name = name.map_or(format!("joint{index}"), |name| name.value.clone());
-            self.list.push(Hung {
+            self.list.push(ChainedBody {
                 span: element.span,
                 joint: joined(&element, &place, parts.span),
                 lower,
@@ -90,27 +90,27 @@ impl Bodies {
             Some(element) => joined(&element, &place, parts.span),
             None => fixed(&place, parts.span),
         };
-        self.list.push(Hung {
+        self.list.push(ChainedBody {
             span: parts.span,
             joint,
             lower,
             wish: parts.wish,
-            weight: Weight::Given(parts.mass),
+            weight: Weight::Given(parts.mass.map(Box::new)),
         });
     }
 
     /// The bodies with names, and with masses that are scaled where the settings give their total.
-    pub(super) fn written(self, reader: &mut Reader, total_mass: Option<f64>) -> Written {
+    pub(super) fn written(self, reader: &mut Reader, total_mass: Option<f64>) -> WrittenBodies {
         let wishes: Vec<Wish> = self.list.iter().map(|body| body.wish.clone()).collect();
         let names = names::give(reader, &wishes);
-        let total: f64 = self.list.iter().filter_map(Hung::mass).sum();
+        let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();
         let factor = total_mass.filter(|_| total > 0.0);
         let factor = factor.map(|wanted| wanted / total);
-        let lower = |body: &Hung| {
+        let lower = |body: &ChainedBody| {
             let number = i64::try_from(body.lower).ok()?;
             Some(Spanned::new(number, body.span))
         };
-        Written {
+        WrittenBodies {
             lower: self.list.iter().map(lower).collect(),
             list: self
                 .list
@@ -122,7 +122,7 @@ impl Bodies {
     }
 }
 
-impl Hung {
+impl ChainedBody {
     fn mass(&self) -> Option<f64> {
         match &self.weight {
             Weight::Nothing => None,
@@ -135,7 +135,7 @@ impl Hung {
             Weight::Nothing => Some(MassProperties::massless(self.span)),
             Weight::Given(mass) => mass.map(|mass| match factor {
                 Some(factor) => mass.scaled(factor),
-                None => mass,
+                None => *mass,
             }),
         };
         let mass = mass.map_or_else(WrittenMass::default, |mass| mass.written());

@@ -8,6 +8,7 @@ mod body;
 mod frame;
 mod joint;
 mod parse;
+mod text;
 mod value;
 mod write;
 

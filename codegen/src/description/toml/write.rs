@@ -5,11 +5,15 @@
 
 use std::fmt::Write as _;
 
-use crate::description::{
-    Axis, Carrier, Chart, Description, FrameRotation, Given, INERTIA_COMPONENTS, JointKind, Limits,
-    Mimic, Order, PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint,
+use crate::description::toml::text::{
+    EMPTY, binding, by_coordinate, joint_kind, limits, list, matrix, mimic_table, name, number,
+    scalar, string, table, vector,
 };
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Spanned};
+use crate::description::{
+    Carrier, Chart, Description, FrameRotation, Given, INERTIA_COMPONENTS, Order, PerCoordinate,
+    Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint,
+};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::geometry::IDENTITY;
 
 /// Writes a description, the same one always as the same text.
@@ -51,9 +55,6 @@ pub fn write(description: &Description) -> Result<String, Diagnostics> {
     }
     Err(Diagnostics::new(description.source.clone(), faults))
 }
-
-/// A table that holds nothing.
-const EMPTY: &str = "{}";
 
 #[derive(Default)]
 struct Writer {
@@ -212,139 +213,4 @@ impl Writer {
             self.line(key, value);
         }
     }
-}
-
-/// The name of one of these choices.
-fn name<T: PartialEq>(value: &T, choices: &[(&str, T)]) -> Option<String> {
-    let found = choices.iter().find(|(_, choice)| choice == value);
-    found.map(|(name, _)| quoted(name))
-}
-
-fn joint_kind(kind: &JointKind) -> Option<String> {
-    match kind {
-        JointKind::List(axes) => list(axes.iter().map(|axis| Some(quoted(axis.value.name())))),
-        named => name(named, &JointKind::NAMED),
-    }
-}
-
-fn limits(limits: &Limits) -> Option<String> {
-    let Limits {
-        lower,
-        upper,
-        velocity,
-        effort,
-    } = limits;
-    let limits = [
-        ("lower", lower),
-        ("upper", upper),
-        ("velocity", velocity),
-        ("effort", effort),
-    ];
-    table(
-        limits
-            .into_iter()
-            .filter_map(|(key, limit)| Some((key, number(limit.as_ref()?.value)))),
-    )
-}
-
-fn mimic_table(mimic: &Mimic) -> Option<String> {
-    let factor = (mimic.multiplier != 1.0).then(|| ("multiplier", number(mimic.multiplier)));
-    let offset = (mimic.offset != 0.0).then(|| ("offset", number(mimic.offset)));
-    let joint = ("joint", Some(string(&mimic.joint)));
-    table([joint].into_iter().chain(factor).chain(offset))
-}
-
-/// A table by coordinate, in the order of [`Axis::ALL`].
-fn by_coordinate(values: impl Iterator<Item = Option<(Axis, String)>>) -> Option<String> {
-    let mut values: Vec<(Axis, String)> = values.collect::<Option<_>>()?;
-    values.sort_by_key(|(axis, _)| *axis);
-    table(
-        values
-            .into_iter()
-            .map(|(axis, value)| (axis.name(), Some(value))),
-    )
-}
-
-fn scalar(scalar: Given<Scalar>) -> Option<String> {
-    binding(&scalar?.value)
-}
-
-/// A number in its binding time.
-fn binding(scalar: &Scalar) -> Option<String> {
-    match *scalar {
-        Scalar::Baked(value) => number(value),
-        Scalar::Runtime(value) => table([("runtime", number(value))]),
-    }
-}
-
-fn vector(vector: &[Given<Scalar>; 3]) -> Option<String> {
-    list(vector.map(scalar))
-}
-
-/// A rotation by rows, its columns aligned.
-fn matrix(rotation: &Rotation) -> Option<String> {
-    let mut rows = Vec::with_capacity(3);
-    for row in rotation {
-        let [x, y, z] = row.map(number);
-        rows.push([x?, y?, z?]);
-    }
-    let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
-    let widths = [width(0), width(1), width(2)];
-    let mut text = String::from("[\n");
-    for [x, y, z] in &rows {
-        let [first, second, third] = widths;
-        writeln!(text, "    [{x:>first$}, {y:>second$}, {z:>third$}],")
-            .expect("a string takes any text");
-    }
-    text.push(']');
-    Some(text)
-}
-
-/// A finite number in its shortest text that reads back bit for bit; zero has no sign.
-fn number(number: f64) -> Option<String> {
-    number.is_finite().then(|| format!("{:?}", number + 0.0))
-}
-
-fn list(values: impl IntoIterator<Item = Option<String>>) -> Option<String> {
-    let values: Vec<String> = values.into_iter().collect::<Option<_>>()?;
-    Some(format!("[{}]", values.join(", ")))
-}
-
-fn table<'k>(values: impl IntoIterator<Item = (&'k str, Option<String>)>) -> Option<String> {
-    let values = values.into_iter();
-    let values = values.map(|(key, value)| Some(format!("{key} = {}", value?)));
-    let values: Vec<String> = values.collect::<Option<_>>()?;
-    Some(if values.is_empty() {
-        EMPTY.to_owned()
-    } else {
-        format!("{{ {} }}", values.join(", "))
-    })
-}
-
-fn string(text: &Spanned<String>) -> String {
-    quoted(&text.value)
-}
-
-/// A basic string of TOML.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from('"');
-    for character in text.chars() {
-        match character {
-            '"' => quoted.push_str("\\\""),
-            '\\' => quoted.push_str("\\\\"),
-            '\n' => quoted.push_str("\\n"),
-            '\r' => quoted.push_str("\\r"),
-            '\t' => quoted.push_str("\\t"),
-            // What TOML forbids, and what an editor would not show.
-            _ if character.is_control()
-                || ('\u{2028}'..='\u{202e}').contains(&character)
-                || ('\u{2066}'..='\u{2069}').contains(&character) =>
-            {
-                write!(quoted, "\\u{:04X}", u32::from(character)).expect("a string takes any text");
-            }
-            _ => quoted.push(character),
-        }
-    }
-    quoted.push('"');
-    quoted
 }

@@ -89,12 +89,12 @@ fn read(
 }
 
 /// The bodies of a robot.
-struct Bodies {
+struct WrittenBodies {
     list: Vec<WrittenBody>,
     lower: Given<Vec<Given<i64>>>,
 }
 
-fn bodies(reader: &mut Reader, robot: Element<'_>, reading: &Reading) -> Bodies {
+fn bodies(reader: &mut Reader, robot: Element<'_>, reading: &Reading) -> WrittenBodies {
     let chart = reading.chart.unwrap_or(Chart::Quaternion);
     let (mut link_names, mut joint_names) = (Names::of("link"), Names::of("joint"));
     let mut links: Vec<LinkElement<'_>> = Vec::new();
@@ -163,14 +163,14 @@ fn assemble(
     links: &[LinkElement<'_>],
     joints: &[JointElement<'_>],
     root: &Root,
-) -> Bodies {
+) -> WrittenBodies {
     let joint_of = |link: usize| hung.joint_of[link].map(|joint| &joints[joint]);
     let body = |link: usize| {
         let joint = joint_of(link).map(|joint| joint.joint.clone());
         links[link].body(joint.unwrap_or_else(|| root.joint(links[link].span())))
     };
     let Some(order) = &hung.order else {
-        return Bodies {
+        return WrittenBodies {
             list: (0..links.len()).map(body).collect(),
             lower: None,
         };
@@ -185,5 +185,5 @@ fn assemble(
     });
     let numbers = numbers.collect();
     let lower = list.first().map(|body| Spanned::new(numbers, body.span));
-    Bodies { list, lower }
+    WrittenBodies { list, lower }
 }

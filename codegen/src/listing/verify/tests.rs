@@ -29,11 +29,17 @@ const MODEL: &str = "name = \"two\"\n\
     joint = [\"theta1\", \"s2\"]\n";
 
 fn module() -> Module {
-    let description = toml::parse(&Source::new("two.toml", MODEL.to_owned()));
+    module_of(
+        MODEL.to_owned(),
+        &["mass_matrix", "generalized_forces", "bias(sin_cos)"],
+    )
+}
+
+fn module_of(model: String, names: &[&str]) -> Module {
+    let description = toml::parse(&Source::new("two.toml", model));
     let tree = build(&description).expect("a sound description").tree;
-    let names = ["mass_matrix", "generalized_forces", "bias(sin_cos)"];
     let options = Options {
-        functions: Functions::Named(names.map(str::to_owned).to_vec()),
+        functions: Functions::Named(names.iter().map(ToString::to_string).collect()),
         ..Options::default()
     };
     let compiled = compile::compile(&tree, &options).expect("functions of the catalogue");
@@ -259,4 +265,27 @@ fn number_that_no_literal_is_is_refused() {
         }
     });
     assert_eq!(fault, Fault::NotFinite);
+}
+
+#[test]
+fn array_gives_way_to_a_coordinate_of_its_name() {
+    let n_bodies = 70;
+    let mut model = format!("name = \"many\"\nlower_bodies = {:?}\n", vec![0; n_bodies]);
+    for body in 0..n_bodies {
+        let name = if body == 3 {
+            "joint_name = \"sines_2\"\n"
+        } else {
+            ""
+        };
+        model += &format!(
+            "[[body]]\nname = \"b{body}\"\nmass = 1.0\nmass_center = [0.0, 0.0, -0.5]\n\
+             inertia = {{ xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\n\
+             attachment = [0.0, 0.0, 0.0]\njoint = [\"theta1\"]\n{name}"
+        );
+    }
+    let module = module_of(model, &["relative_rotation"]);
+    let function = module.function("relative_rotation").expect("a function");
+    let arrays = function.code.arrays.iter();
+    let names: Vec<&str> = arrays.map(|array| array.name.as_str()).collect();
+    assert_eq!(names, ["sines", "cosines", "sines_2_", "cosines_2"]);
 }

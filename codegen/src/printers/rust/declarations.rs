@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::listing::{Code, LocalId};
+use crate::listing::{Code, LocalId, Statement};
 
 /// The most `let`s in a function. Debug information opens a scope at each of them, inside that of the one before, and the
 /// compiler's stack ends after two or three thousand. In longer functions the next values of a body are declared together.
@@ -21,7 +21,7 @@ impl Declarations {
         let assigned: Vec<LocalId> = code
             .statements
             .iter()
-            .flat_map(|one| one.assigned())
+            .flat_map(Statement::assigned)
             .collect();
         if assigned.len() <= most {
             return Self(None);

@@ -21,7 +21,7 @@ pub(super) fn printed(items: Vec<Item>) -> String {
 
 /// Where a module comes from, as comments.
 pub(super) fn banner(lines: &[String]) -> String {
-    lines.iter().map(|line| format!("// {line}\n")).collect()
+    lines.iter().flat_map(|line| ["// ", line, "\n"]).collect()
 }
 
 /// An identifier. Names are made clear of Rust's keywords (`words`), so none is escaped.

@@ -4,8 +4,11 @@
 //! nothing is missing. Does not: judge whether all coordinates move mass.
 
 mod assemble;
+mod bodies;
 mod markers;
 mod merging;
 mod placing;
+mod settled;
 
-pub(crate) use assemble::{Settled, assemble};
+pub(crate) use assemble::assemble;
+pub(crate) use settled::Settled;

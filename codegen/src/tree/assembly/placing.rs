@@ -5,6 +5,7 @@
 
 use crate::geometry;
 use crate::geometry::Rotation;
+use crate::tree::assembly::settled::Settled;
 use crate::tree::body::{Part, Pose};
 use crate::tree::joints::ResolvedJoint;
 use crate::tree::offset::{Offset, Step};
@@ -31,17 +32,17 @@ pub(super) struct Seat {
 }
 
 /// What a body is placed by.
-pub(super) struct Placing<'a> {
-    pub(super) values: &'a BodyValues,
-    pub(super) rotations: &'a ConstantRotations,
-    pub(super) joint: &'a ResolvedJoint,
+struct Placing<'a> {
+    values: &'a BodyValues,
+    rotations: &'a ConstantRotations,
+    joint: &'a ResolvedJoint,
     /// How near to 0, 1 or -1 entries of rotations become exact: of products, which rounding may have left near.
-    pub(super) snap: f64,
+    snap: f64,
 }
 
 impl Placing<'_> {
     /// The body where the user's frame of the body below is at `below`.
-    pub(super) fn on(&self, below: &Pose) -> Placed {
+    fn on(&self, below: &Pose) -> Placed {
         let seat = self.seat(below);
         let pose = self.pose(&seat);
         Placed {
@@ -107,4 +108,27 @@ impl Placing<'_> {
             axes: self.product(&pose.rotation, &self.rotations.inertia),
         }
     }
+}
+
+/// The written bodies where they stand, outward.
+pub(super) fn place(settled: Settled<'_>, values: &[BodyValues]) -> Vec<Placed> {
+    let Settled {
+        outward,
+        joints,
+        rotations,
+        snap,
+        ..
+    } = settled;
+    let mut placed: Vec<Placed> = Vec::with_capacity(values.len());
+    for ((&place, lower), values) in outward.places.iter().zip(&outward.lowers).zip(values) {
+        let placing = Placing {
+            values,
+            rotations: &rotations[place],
+            joint: &joints[place],
+            snap,
+        };
+        let below = lower.map_or_else(Pose::internal, |lower| placed[lower].pose.clone());
+        placed.push(placing.on(&below));
+    }
+    placed
 }

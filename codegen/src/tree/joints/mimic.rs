@@ -16,50 +16,34 @@ pub(crate) fn follow(
     joints: &mut [ResolvedJoint],
     findings: &mut Vec<Diagnostic>,
 ) {
-    let mut links: Vec<Option<Mimicking>> = Vec::with_capacity(joints.len());
     let mut names = JointNames::of(description);
+    let links: Vec<Option<Mimicking>> = (0..joints.len())
+        .map(|body| link(description, joints, body, &mut names, findings))
+        .collect();
+    let mut chains = Chains::of(&links);
     for body in 0..joints.len() {
-        links.push(link(description, joints, body, &mut names, findings));
-    }
-    // From which body a joint was last reached, for chains that run in a circle.
-    let mut reached_from: Vec<Option<usize>> = vec![None; joints.len()];
-    let mut on_cycle = vec![false; joints.len()];
-    for body in 0..joints.len() {
-        let Some(link) = links[body] else { continue };
-        if on_cycle[body] {
-            continue;
-        }
-        let (mut multiplier, mut offset, mut leader) = (link.multiplier, link.offset, link.leader);
-        let mut chain = vec![body];
-        reached_from[body] = Some(body);
-        while let Some(next) = links[leader] {
-            if reached_from[leader] == Some(body) {
-                break;
-            }
-            reached_from[leader] = Some(body);
-            chain.push(leader);
-            offset += multiplier * next.offset;
-            multiplier *= next.multiplier;
-            leader = next.leader;
-        }
-        if links[leader].is_some() {
-            let start = chain.iter().position(|link| *link == leader).unwrap_or(0);
-            for body in &chain[start..] {
-                on_cycle[*body] = true;
-            }
-            if start == 0 {
+        let followed = match chains.end(body) {
+            End::Free(followed) => followed,
+            End::Cycle(chain) => {
                 findings.push(cycle(description, &chain));
+                continue;
             }
-            continue;
-        }
-        let Some(leading) = joints[leader].leading else {
+            End::None => continue,
+        };
+        let Some(leading) = joints[followed.leader].leading else {
             continue;
         };
-        let span = match joints[body].motions[link.motion] {
+        let span = match joints[body].motions[followed.motion] {
             Freedom::Free(span) | Freedom::Follows { span, .. } => span,
             Freedom::Locked(_) => continue,
         };
-        joints[body].motions[link.motion] = match joints[leader].motions[leading] {
+        let Mimicking {
+            motion,
+            leader,
+            multiplier,
+            offset,
+        } = followed;
+        joints[body].motions[motion] = match joints[leader].motions[leading] {
             Freedom::Locked(value) => Freedom::Locked(multiplier * value + offset + 0.0),
             _ if multiplier == 0.0 => Freedom::Locked(offset),
             _ => Freedom::Follows {
@@ -70,6 +54,68 @@ pub(crate) fn follow(
                 span,
             },
         };
+    }
+}
+
+/// What joints mimic, from one to the next.
+struct Chains<'a> {
+    links: &'a [Option<Mimicking>],
+    /// From which body a joint was last reached, for chains that run in a circle.
+    reached_from: Vec<Option<usize>>,
+    on_cycle: Vec<bool>,
+}
+
+/// The end of a chain.
+enum End {
+    /// A joint that mimics none.
+    Free(Mimicking),
+    /// The chain runs in a circle through its first body, and was not met before.
+    Cycle(Vec<usize>),
+    /// There is no chain, or one that runs in a circle, which is told elsewhere.
+    None,
+}
+
+impl<'a> Chains<'a> {
+    fn of(links: &'a [Option<Mimicking>]) -> Self {
+        Self {
+            links,
+            reached_from: vec![None; links.len()],
+            on_cycle: vec![false; links.len()],
+        }
+    }
+
+    /// Where the chain that begins at the joint of a body ends.
+    fn end(&mut self, body: usize) -> End {
+        let Some(mut to) = self.links[body].filter(|_| !self.on_cycle[body]) else {
+            return End::None;
+        };
+        let mut chain = vec![body];
+        self.reached_from[body] = Some(body);
+        while let Some(next) = self.links[to.leader] {
+            if self.reached_from[to.leader] == Some(body) {
+                break;
+            }
+            self.reached_from[to.leader] = Some(body);
+            chain.push(to.leader);
+            to.offset += to.multiplier * next.offset;
+            to.multiplier *= next.multiplier;
+            to.leader = next.leader;
+        }
+        if self.links[to.leader].is_none() {
+            return End::Free(to);
+        }
+        let start = chain
+            .iter()
+            .position(|link| *link == to.leader)
+            .unwrap_or(0);
+        for body in &chain[start..] {
+            self.on_cycle[*body] = true;
+        }
+        if start == 0 {
+            End::Cycle(chain)
+        } else {
+            End::None
+        }
     }
 }
 

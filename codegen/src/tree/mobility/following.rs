@@ -14,15 +14,6 @@ use crate::tree::mobility::sweep::{IDLE, SHARE};
 use crate::tree::mobility::units::Units;
 use crate::tree::{Coordinate, Tree, is_translation};
 
-/// True where a coordinate follows another.
-pub(crate) fn has_followers(tree: &Tree) -> bool {
-    let follows = |joint: &crate::tree::Joint, motion| {
-        matches!(joint.coordinate_of(motion), Some(Coordinate::Mimic { .. }))
-    };
-    let mut joints = tree.bodies.iter().map(|body| &body.joint);
-    joints.any(|joint| (0..6).any(|motion| follows(joint, motion)))
-}
-
 /// The motions that move no mass at a state that `random` chooses: for each the coordinates that take part.
 pub(crate) fn idle(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Vec<(BodyId, Axis)>> {
     let Velocities { columns, bounds } = velocities(tree, units, random);

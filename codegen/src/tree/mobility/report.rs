@@ -42,7 +42,7 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
 /// The motions that move no mass in any of the states that are tried.
 fn idle(tree: &Tree) -> Vec<Combination> {
     let units = Units::of(tree);
-    if following::has_followers(tree) {
+    if tree.has_followers() {
         let tried = (1..=STATES).map(|seed| following::idle(tree, &units, &mut Random::new(seed)));
         return tried.min_by_key(Vec::len).unwrap_or_default();
     }

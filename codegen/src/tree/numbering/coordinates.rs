@@ -21,6 +21,7 @@ pub(crate) struct Numbered {
 }
 
 /// The six motions of a joint, with their places.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct JointCoordinates {
     /// About the three axes.
     pub(crate) orientation: Orientation,
@@ -28,11 +29,11 @@ pub(crate) struct JointCoordinates {
     pub(crate) translations: [Coordinate; 3],
 }
 
-/// Numbers the free coordinates and speeds of the bodies that move, `moving`, by their places in the user's list.
+/// Numbers the free coordinates and speeds of the bodies that move; `moving` holds their places in the user's list.
 pub(crate) fn number(joints: &[ResolvedJoint], moving: &[usize], order: Order) -> Numbered {
     let mut next = Next::default();
     let moving_joints = || moving.iter().map(|place| &joints[*place]);
-    let (turns, shifts): (Vec<Turns>, Vec<[Motion; 3]>) = match order {
+    let (turns, shifts): (Vec<Turns>, Vec<[OwnMotion; 3]>) = match order {
         Order::Body => moving_joints()
             .map(|joint| (next.turns(joint), next.motions(joint, 3)))
             .unzip(),
@@ -42,12 +43,12 @@ pub(crate) fn number(joints: &[ResolvedJoint], moving: &[usize], order: Order) -
             (turns, shifts.collect())
         }
     };
-    let own: BTreeMap<usize, (&Turns, &[Motion; 3])> = moving
+    let own: BTreeMap<usize, (&Turns, &[OwnMotion; 3])> = moving
         .iter()
         .copied()
         .zip(turns.iter().zip(&shifts))
         .collect();
-    let coordinate = |motion: &Motion| placed(motion, &own);
+    let coordinate = |motion: &OwnMotion| placed(motion, &own);
     let joints = turns
         .iter()
         .zip(&shifts)
@@ -69,7 +70,7 @@ pub(crate) fn number(joints: &[ResolvedJoint], moving: &[usize], order: Order) -
 }
 
 /// A motion with its own places, if it is free; what it follows has not been looked up.
-enum Motion {
+enum OwnMotion {
     Free(CoordinateId, SpeedId),
     Follows {
         /// The place of the other body in the user's list.
@@ -84,7 +85,7 @@ enum Motion {
 
 /// The motions about the three axes.
 enum Turns {
-    Rates([Motion; 3]),
+    Rates([OwnMotion; 3]),
     AngularVelocity {
         chart: ChartCoordinates,
         speeds: [SpeedId; 3],
@@ -92,11 +93,11 @@ enum Turns {
 }
 
 /// The motion as a coordinate, with the places of what it follows.
-fn placed(motion: &Motion, own: &BTreeMap<usize, (&Turns, &[Motion; 3])>) -> Coordinate {
+fn placed(motion: &OwnMotion, own: &BTreeMap<usize, (&Turns, &[OwnMotion; 3])>) -> Coordinate {
     match *motion {
-        Motion::Free(coordinate, speed) => Coordinate::Free { coordinate, speed },
-        Motion::Locked(value) => Coordinate::Locked(value),
-        Motion::Follows {
+        OwnMotion::Free(coordinate, speed) => Coordinate::Free { coordinate, speed },
+        OwnMotion::Locked(value) => Coordinate::Locked(value),
+        OwnMotion::Follows {
             body,
             motion,
             multiplier,
@@ -107,7 +108,7 @@ fn placed(motion: &Motion, own: &BTreeMap<usize, (&Turns, &[Motion; 3])>) -> Coo
                 (Some((_, shifts)), 3..) => Some(&shifts[motion - 3]),
                 _ => None,
             };
-            let Some(&Motion::Free(coordinate, speed)) = leader else {
+            let Some(&OwnMotion::Free(coordinate, speed)) = leader else {
                 unreachable!("mimic: what is followed is a free coordinate with a rate")
             };
             Coordinate::Mimic {
@@ -155,22 +156,22 @@ impl Next {
     }
 
     /// The three motions from the `first` on.
-    fn motions(&mut self, joint: &ResolvedJoint, first: usize) -> [Motion; 3] {
+    fn motions(&mut self, joint: &ResolvedJoint, first: usize) -> [OwnMotion; 3] {
         [first, first + 1, first + 2].map(|motion| match joint.motions[motion] {
-            Freedom::Free(_) => Motion::Free(self.coordinate(), self.speed()),
+            Freedom::Free(_) => OwnMotion::Free(self.coordinate(), self.speed()),
             Freedom::Follows {
                 body,
                 motion,
                 multiplier,
                 offset,
                 ..
-            } => Motion::Follows {
+            } => OwnMotion::Follows {
                 body,
                 motion,
                 multiplier,
                 offset,
             },
-            Freedom::Locked(value) => Motion::Locked(value),
+            Freedom::Locked(value) => OwnMotion::Locked(value),
         })
     }
 }

@@ -4,4 +4,4 @@ mod bodies;
 mod coordinates;
 
 pub(crate) use bodies::{Outward, note_moved, outward};
-pub(crate) use coordinates::{JointCoordinates, number};
+pub(crate) use coordinates::{JointCoordinates, Numbered, number};

@@ -3,8 +3,8 @@
 //! In: rotations and axes as written. Out: those of every body, by its place in the user's list, and which of them were
 //! changed. Afterwards: rotations are orthonormal, and entries near 0, 1 and -1 are exact.
 
-use crate::description::{Description, Optional, WrittenBody, WrittenJoint};
-use crate::diagnostic::Diagnostic;
+use crate::description::{Description, WrittenBody, WrittenJoint};
+use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry::{IDENTITY, Rotation};
 use crate::tree::rotations::alignment::Alignment;
 use crate::tree::rotations::orthonormal::orthonormal;
@@ -53,14 +53,14 @@ impl Snapped {
         self.changed.push(Vec::new());
         let joint = &written.joint;
         ConstantRotations {
-            inertia: self.rotation(&written.inertia_rotation, "inertia_rotation"),
+            inertia: self.rotation(written.inertia_rotation.as_ref(), "inertia_rotation"),
             axis: self.axis(joint),
-            attachment: self.rotation(&joint.attachment_rotation, "attachment_rotation"),
-            body: self.rotation(&joint.body_rotation, "body_rotation"),
+            attachment: self.rotation(joint.attachment_rotation.as_ref(), "attachment_rotation"),
+            body: self.rotation(joint.body_rotation.as_ref(), "body_rotation"),
         }
     }
 
-    fn rotation(&mut self, written: &Optional<Rotation>, what: &'static str) -> Rotation {
+    fn rotation(&mut self, written: Option<&Spanned<Rotation>>, what: &'static str) -> Rotation {
         let Some(written) = written else {
             return IDENTITY;
         };

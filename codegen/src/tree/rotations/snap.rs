@@ -62,7 +62,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     use super::*;
-    use crate::geometry::{body_fixed_123, then};
+    use crate::geometry::{IDENTITY, body_fixed_123, then, transposed};
     use crate::tree::rotations::orthonormal::orthonormal;
 
     /// Right angles as files have them: with ten digits, and with four.

@@ -41,7 +41,7 @@ pub(crate) struct BodyValues {
 }
 
 /// A written body and what is known of it already.
-pub(crate) struct Known<'a> {
+pub(crate) struct HostedBody<'a> {
     pub(crate) written: &'a WrittenBody,
     pub(crate) joint: &'a ResolvedJoint,
     pub(crate) identifier: &'a str,
@@ -52,7 +52,7 @@ pub(crate) struct Known<'a> {
 /// The values of all bodies; `None` where one is missing, or where there are too many parameters.
 pub(crate) fn values<'a>(
     description: &Description,
-    bodies: impl Iterator<Item = Known<'a>>,
+    bodies: impl Iterator<Item = HostedBody<'a>>,
     frames: impl Iterator<Item = KnownFrame<'a>>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Values> {
@@ -89,8 +89,8 @@ fn check_count(parameters: &Parameters, place: Span, findings: &mut Vec<Diagnost
     None
 }
 
-fn of_body(parameters: &mut Parameters, body: &Known<'_>) -> Option<BodyValues> {
-    let &Known {
+fn of_body(parameters: &mut Parameters, body: &HostedBody<'_>) -> Option<BodyValues> {
+    let &HostedBody {
         written,
         joint,
         identifier,

@@ -1,6 +1,6 @@
 //! The numbers of a description become values: baked in, or parameters that the user sets at run time.
 //!
-//! In: numbers as written, and the body of the tree to which each belongs. Out: values, of which none is missing.
+//! In: numbers as written, and the body of the tree to which each belongs. Out: [`Values`], of which none is missing.
 //! Afterwards: every parameter has a name of its own. Does not: move anything into other axes.
 
 mod bodies;
@@ -8,5 +8,5 @@ mod frames;
 mod mechanics;
 mod parameters;
 
-pub(crate) use bodies::{BodyValues, Known, values};
+pub(crate) use bodies::{BodyValues, HostedBody, Values, values};
 pub(crate) use frames::{FrameValues, KnownFrame};

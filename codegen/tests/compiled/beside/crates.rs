@@ -53,6 +53,10 @@ impl Tested {
         &self.module
     }
 
+    pub(crate) fn tests(&self) -> &str {
+        &self.tests
+    }
+
     /// How many tests the module passes, which are all.
     pub(crate) fn passes(&self, name: &str) -> usize {
         let output = self.run(&self.module);

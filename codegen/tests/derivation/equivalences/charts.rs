@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     id::CoordinateId,
-    tree::{ChartCoordinates as Chart, Orientation},
+    tree::{ChartCoordinates, Orientation},
 };
 use kane_test_support::{
     compare::larger,
@@ -30,12 +30,12 @@ fn to_angular_velocities(a: &Evaluator, b: &Evaluator, state: &State) -> Mapped 
         let angles = [0, 1, 2].map(|i| state.q[own[i][0]]);
         let rates = [0, 1, 2].map(|i| state.u[own[i][1]]);
         let places: Vec<CoordinateId> = match chart {
-            Chart::Angles(places) => places.to_vec(),
-            Chart::EulerParameters(places) => places.to_vec(),
+            ChartCoordinates::Angles(places) => places.to_vec(),
+            ChartCoordinates::EulerParameters(places) => places.to_vec(),
         };
         let values = match chart {
-            Chart::Angles(_) => angles.to_vec(),
-            Chart::EulerParameters(_) => quaternion_of(angles).to_vec(),
+            ChartCoordinates::Angles(_) => angles.to_vec(),
+            ChartCoordinates::EulerParameters(_) => quaternion_of(angles).to_vec(),
         };
         for (place, value) in places.into_iter().zip(values) {
             mapped.q[place.index()] = value;

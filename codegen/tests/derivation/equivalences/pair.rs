@@ -3,7 +3,7 @@
 use kane_codegen::{
     functions::Formulation,
     id::BodyId,
-    tree::{Body, ChartCoordinates as Chart, Orientation, Tree},
+    tree::{Body, ChartCoordinates, Orientation, Tree},
 };
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
@@ -276,7 +276,7 @@ pub(super) fn plain(tree: &Tree, body: BodyId) -> Vec<[usize; 2]> {
     let skipped = match joint.orientation {
         Orientation::Rates(_) => [0, 0],
         Orientation::AngularVelocity {
-            chart: Chart::Angles(_),
+            chart: ChartCoordinates::Angles(_),
             ..
         } => [3, 3],
         Orientation::AngularVelocity { .. } => [4, 3],

@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     id::SpeedId,
-    tree::{ChartCoordinates as Chart, Orientation},
+    tree::{ChartCoordinates, Orientation},
 };
 use kane_test_support::{
     compare::larger,
@@ -28,7 +28,7 @@ fn to_turned(
             let [joint_a, joint_b] = [a, b].map(|model| &model.tree().body(body).joint);
             let turns = [joint_a, joint_b].map(|joint| match joint.orientation {
                 Orientation::AngularVelocity {
-                    chart: Chart::EulerParameters(parameters),
+                    chart: ChartCoordinates::EulerParameters(parameters),
                     speeds,
                 } => Some((parameters, speeds)),
                 _ => None,

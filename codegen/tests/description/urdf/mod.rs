@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use kane_codegen::description::{
     Base, Chart, Description, JointKind, Limits, Mimic, PerCoordinate, Reading, Rotation, Scalar,
-    WrittenBody as Body, WrittenJoint as Joint, read, urdf,
+    WrittenBody, WrittenJoint, read, urdf,
 };
 use kane_codegen::diagnostic::{Severity, Source, Spanned};
 use kane_test_support::compare::{Tolerance, assert_close};
@@ -58,7 +58,7 @@ fn parse_well(text: &str, reading: &Reading) -> Description {
 }
 
 /// The one joint of a robot, with this type and these elements.
-fn joint(kind: &str, inside: &str) -> Joint {
+fn joint(kind: &str, inside: &str) -> WrittenJoint {
     let text = robot(&[("j", kind, "a", "b", inside)]);
     let mut description = parse_well(&text, &Reading::default());
     description.bodies.remove(1).joint
@@ -86,7 +86,7 @@ fn numbers<const N: usize>(given: &[Option<Spanned<Scalar>>; N]) -> [f64; N] {
     given.map(|number| number.expect("nothing is wrong").value.nominal())
 }
 
-fn kind(body: &Body) -> &JointKind {
+fn kind(body: &WrittenBody) -> &JointKind {
     &body.joint.kind.as_ref().expect("nothing is wrong").value
 }
 
@@ -328,7 +328,7 @@ fn chart_asked_for_is_that_of_floating_joints_too() {
 }
 
 /// Lower, upper, velocity, effort.
-fn limits(joint: &Joint) -> Option<[Option<f64>; 4]> {
+fn limits(joint: &WrittenJoint) -> Option<[Option<f64>; 4]> {
     match &joint.limits {
         PerCoordinate::Same(limits) => {
             let Limits {

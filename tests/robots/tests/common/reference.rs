@@ -57,10 +57,6 @@ impl Sample<'_> {
         self.optional(key).expect("every sample has it")
     }
 
-    pub(crate) fn number(self, key: &str) -> f64 {
-        number(&self.0[key])
-    }
-
     /// What is said of a floating base in plain terms.
     pub(crate) fn base(self, key: &str) -> Vec<f64> {
         flat(&self.0["base"][key])

@@ -5,9 +5,7 @@
 //! generator's own axes, origins, merging or tracing of what follows what is used.
 
 use kane_codegen::{
-    description::{
-        Description, JointKind, Scalar, WrittenBody as Body, WrittenJoint as Joint, toml,
-    },
+    description::{Description, JointKind, Scalar, WrittenBody, WrittenJoint, toml},
     diagnostic::{Source, Spanned},
     id::BodyId,
     tree::{Frame, Tree},
@@ -73,7 +71,7 @@ impl Composition {
         usize::try_from(lower).expect("accepted").checked_sub(1)
     }
 
-    pub(super) fn joint(&self, place: usize) -> &Joint {
+    pub(super) fn joint(&self, place: usize) -> &WrittenJoint {
         &self.description.bodies[place].joint
     }
 
@@ -83,7 +81,7 @@ impl Composition {
 
     /// The place in the description of the joint with this name.
     fn named(&self, name: &str) -> usize {
-        let is_named = |body: &Body| {
+        let is_named = |body: &WrittenBody| {
             let own = body.joint.name.as_ref().or(body.name.as_ref());
             own.is_some_and(|own| own.value == name)
         };
@@ -246,7 +244,7 @@ impl Composition {
     /// By how much the tree's frame of a fixed body is off, in a state in which the bodies are `placed`.
     pub fn frame_error(&self, frame: &Frame, placed: &[Placed]) -> f64 {
         let bodies = &self.description.bodies;
-        let is_named = |body: &Body| {
+        let is_named = |body: &WrittenBody| {
             body.name
                 .as_ref()
                 .is_some_and(|name| name.value == frame.name)
@@ -306,7 +304,7 @@ fn in_plane(axis: Vector) -> [Vector; 2] {
 }
 
 /// The one value that a joint without free coordinates is held at.
-fn held(joint: &Joint) -> f64 {
+fn held(joint: &WrittenJoint) -> f64 {
     let values = joint.locked.iter();
     let mut values: Vec<_> = values
         .map(|(axis, value)| (axis.value, value.as_ref().expect("accepted").value))

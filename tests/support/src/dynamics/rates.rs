@@ -1,6 +1,6 @@
 //! The rates of coordinates, from speeds.
 
-use kane_codegen::tree::{ChartCoordinates as Chart, Orientation, Tree};
+use kane_codegen::tree::{ChartCoordinates, Orientation, Tree};
 
 use crate::rotation::{Vector, cross, dot, hamilton, rate_columns};
 
@@ -23,7 +23,7 @@ pub(super) fn q_dot(tree: &Tree, q: &[f64], u: &[f64]) -> Vec<f64> {
             let w = turns.map(|turn| u[turn.index()]);
             speeds.drain(..3);
             match chart {
-                Chart::EulerParameters(places) => {
+                ChartCoordinates::EulerParameters(places) => {
                     let e = places.map(|place| q[place.index()]);
                     let e_dot = hamilton(e, [0.0, w[0], w[1], w[2]]);
                     for (place, rate) in places.into_iter().zip(e_dot) {
@@ -31,7 +31,7 @@ pub(super) fn q_dot(tree: &Tree, q: &[f64], u: &[f64]) -> Vec<f64> {
                     }
                     coordinates.drain(..4);
                 }
-                Chart::Angles(places) => {
+                ChartCoordinates::Angles(places) => {
                     let columns = rate_columns(places.map(|place| q[place.index()]));
                     for (place, rate) in places.into_iter().zip(solved(&columns, w)) {
                         rates[place.index()] = rate;

@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     id::CoordinateId,
-    tree::{ChartCoordinates as Chart, Orientation, Tree},
+    tree::{ChartCoordinates, Orientation, Tree},
 };
 
 use super::{numbering::Maps, rates::q_dot};
@@ -116,7 +116,7 @@ pub fn quaternions(tree: &Tree) -> impl Iterator<Item = [usize; 4]> + '_ {
         .iter()
         .filter_map(|body| match body.joint.orientation {
             Orientation::AngularVelocity {
-                chart: Chart::EulerParameters(places),
+                chart: ChartCoordinates::EulerParameters(places),
                 ..
             } => Some(places.map(CoordinateId::index)),
             _ => None,

@@ -1,9 +1,13 @@
 //! What acts in the joints themselves: rotors, dampers, springs. Part of the mass matrix, the bias and the energies,
 //! whatever way the sums over bodies are associated.
 
-use super::{Accelerations, dynamics::SpeedMatrix, given};
+use super::{
+    joint::{self, Accelerations},
+    numbers::value,
+};
 use crate::{
     expr::{Expr, ExprGraph},
+    solve::SpeedMatrix,
     tree::{Joint, Mechanics, Motion, Tree, Value},
 };
 
@@ -55,14 +59,14 @@ pub fn add_forces(
         let Motion { speed, factor } = acting.motion;
         let rotor = reflected(graph, &acting);
         let own = Some(Motion { speed, factor: 1.0 });
-        let second = given::acceleration(graph, own, accelerations);
+        let second = joint::acceleration(graph, own, accelerations);
         let inertial = graph.mul(rotor, second);
-        let damping = given::value(graph, acting.mechanics.damping);
-        let rate = given::speed(graph, Some(acting.motion));
+        let damping = value(graph, acting.mechanics.damping);
+        let rate = joint::speed(graph, Some(acting.motion));
         let damped = graph.mul(damping, rate);
         let mut along = damped;
         if let Some(stretch) = stretch(graph, joint, &acting) {
-            let stiffness = given::value(graph, acting.mechanics.stiffness);
+            let stiffness = value(graph, acting.mechanics.stiffness);
             let pulled = graph.mul(stiffness, stretch);
             along = graph.add(along, pulled);
         }
@@ -77,8 +81,8 @@ pub fn add_forces(
 pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let mut twice = graph.zero();
     each(graph, tree, |graph, _, acting| {
-        let armature = given::value(graph, acting.mechanics.armature);
-        let rate = given::speed(graph, Some(acting.motion));
+        let armature = value(graph, acting.mechanics.armature);
+        let rate = joint::speed(graph, Some(acting.motion));
         let square = graph.mul(rate, rate);
         let own = graph.mul(armature, square);
         twice = graph.add(twice, own);
@@ -95,7 +99,7 @@ pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
         let Some(stretch) = stretch(graph, joint, &acting) else {
             return;
         };
-        let stiffness = given::value(graph, acting.mechanics.stiffness);
+        let stiffness = value(graph, acting.mechanics.stiffness);
         let square = graph.mul(stretch, stretch);
         let own = graph.mul(stiffness, square);
         twice = graph.add(twice, own);
@@ -107,7 +111,7 @@ pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
 
 /// The rotor's inertia as its speed feels it.
 fn reflected(graph: &mut ExprGraph, acting: &Acting<'_>) -> Expr {
-    let armature = given::value(graph, acting.mechanics.armature);
+    let armature = value(graph, acting.mechanics.armature);
     let factor = graph.number(acting.motion.factor * acting.motion.factor);
     graph.mul(factor, armature)
 }
@@ -117,7 +121,7 @@ fn stretch(graph: &mut ExprGraph, joint: &Joint, acting: &Acting<'_>) -> Option<
     if acting.mechanics.stiffness == Value::Baked(0.0) {
         return None;
     }
-    let coordinate = given::coordinate(graph, joint.coordinate_of(acting.place)?);
-    let rest = given::value(graph, acting.mechanics.rest);
+    let coordinate = joint::coordinate(graph, joint.coordinate_of(acting.place)?);
+    let rest = value(graph, acting.mechanics.rest);
     Some(graph.sub(coordinate, rest))
 }

@@ -2,7 +2,7 @@
 //!
 //! First ten seconds under a joint-space control law, called every millisecond: springs and dampers in every joint,
 //! none between the hub and the inertial frame. Then ten seconds without loads, where energy and both momenta must
-//! stay what they are. Run: `cargo run --release --example eight_body`
+//! stay what they are. Run: `cargo run --release --package kane-eight-body`
 
 #![expect(clippy::print_stdout, reason = "what it prints is what it is for")]
 

@@ -9,12 +9,12 @@ pub(super) enum Inertia {
     /// Of a rigid body.
     Rigid(Composite),
     /// Of a link from which motions were eliminated.
-    Articulated(Blocks),
+    Articulated(ArticulatedInertia),
 }
 
 /// `n = I alpha + H a`, `f = H^T alpha + M a`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Blocks {
+pub(super) struct ArticulatedInertia {
     pub(super) angular: Symmetric,
     pub(super) coupling: Matrix,
     pub(super) linear: Symmetric,
@@ -22,13 +22,13 @@ pub(super) struct Blocks {
 
 impl Inertia {
     /// Components before a rotation of what is given by those after it.
-    pub(super) fn turned_back(&self, graph: &mut ExprGraph, turn: &impl Turn) -> Self {
+    pub(super) fn turned_back(&self, graph: &mut ExprGraph, turn: &dyn Turn) -> Self {
         match self {
             Self::Rigid(composite) => Self::Rigid(turn.backward_composite(graph, composite)),
-            Self::Articulated(blocks) => Self::Articulated(Blocks {
-                angular: turn.backward_symmetric(graph, &blocks.angular),
-                coupling: turn.backward_matrix(graph, &blocks.coupling),
-                linear: turn.backward_symmetric(graph, &blocks.linear),
+            Self::Articulated(own) => Self::Articulated(ArticulatedInertia {
+                angular: turn.backward_symmetric(graph, &own.angular),
+                coupling: turn.backward_matrix(graph, &own.coupling),
+                linear: turn.backward_symmetric(graph, &own.linear),
             }),
         }
     }
@@ -37,20 +37,20 @@ impl Inertia {
     pub(super) fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
         match self {
             Self::Rigid(composite) => Self::Rigid(composite.moved(graph, d)),
-            Self::Articulated(blocks) => Self::Articulated(blocks.moved(graph, d)),
+            Self::Articulated(own) => Self::Articulated(own.moved(graph, d)),
         }
     }
 
-    fn blocks(&self, graph: &mut ExprGraph) -> Blocks {
+    fn articulated(&self, graph: &mut ExprGraph) -> ArticulatedInertia {
         match self {
-            Self::Articulated(blocks) => *blocks,
+            Self::Articulated(own) => *own,
             Self::Rigid(Composite {
                 mass,
                 moment: [x, y, z],
                 inertia,
             }) => {
                 let zero = graph.zero();
-                Blocks {
+                ArticulatedInertia {
                     angular: *inertia,
                     coupling: [[zero, -*z, *y], [*z, zero, -*x], [-*y, *x, zero]],
                     linear: Symmetric {
@@ -64,11 +64,11 @@ impl Inertia {
 
     /// The whole, for the moment and force of an angular and a linear acceleration.
     pub(super) fn rows(&self, graph: &mut ExprGraph) -> [[Expr; 6]; 6] {
-        let Blocks {
+        let ArticulatedInertia {
             angular,
             coupling,
             linear,
-        } = self.blocks(graph);
+        } = self.articulated(graph);
         std::array::from_fn(|i| {
             std::array::from_fn(|j| match (i < 3, j < 3) {
                 (true, true) => angular.entry(i, j),
@@ -89,7 +89,7 @@ impl Inertia {
             diagonal: [0, 1, 2].map(|i| rows[first + i][first + i]),
             mixed: [(1, 2), (0, 2), (0, 1)].map(|(i, j)| rows[first + i][first + j]),
         };
-        Self::Articulated(Blocks {
+        Self::Articulated(ArticulatedInertia {
             angular: symmetric(0),
             coupling: std::array::from_fn(|i| [3, 4, 5].map(|j| rows[i][j])),
             linear: symmetric(3),
@@ -100,7 +100,7 @@ impl Inertia {
         if let (Self::Rigid(own), Self::Rigid(other)) = (self, other) {
             return Self::Rigid(own.plus(graph, other));
         }
-        let (own, other) = (self.blocks(graph), other.blocks(graph));
+        let (own, other) = (self.articulated(graph), other.articulated(graph));
         let mut sum = |a: &Symmetric, b: &Symmetric| Symmetric {
             diagonal: graph.add_vectors(a.diagonal, b.diagonal),
             mixed: graph.add_vectors(a.mixed, b.mixed),
@@ -109,7 +109,7 @@ impl Inertia {
             sum(&own.angular, &other.angular),
             sum(&own.linear, &other.linear),
         );
-        Self::Articulated(Blocks {
+        Self::Articulated(ArticulatedInertia {
             angular,
             coupling: [0, 1, 2].map(|i| graph.add_vectors(own.coupling[i], other.coupling[i])),
             linear,
@@ -117,7 +117,7 @@ impl Inertia {
     }
 }
 
-impl Blocks {
+impl ArticulatedInertia {
     /// About a point from which this one's point lies at `d`: `H' = H + tilde(d) M`, `I' = I + tilde(d) H^T - H' tilde(d)`.
     fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
         if graph.is_zero_vector(d) {

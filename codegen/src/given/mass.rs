@@ -1,0 +1,78 @@
+//! How a body's mass is distributed: a body with all that is fixed to it, in internal axes.
+
+use super::numbers::{constant, fixed, value, vector};
+use crate::{
+    expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
+    tree::{Body, Part},
+};
+
+/// `m_K`: the mass of a body with all that is fixed to it.
+pub fn mass(graph: &mut ExprGraph, body: &Body) -> Expr {
+    let mut sum = graph.zero();
+    for part in &body.parts {
+        let mass = value(graph, part.mass);
+        sum = graph.add(sum, mass);
+    }
+    sum
+}
+
+/// `r_K`: from the internal origin of a body to its mass centre, internal axes; for a body without mass its own, whatever
+/// is fixed to it.
+pub fn mass_center(graph: &mut ExprGraph, body: &Body) -> Vector {
+    if let [part] = &body.parts[..] {
+        return fixed(graph, &part.mass_center);
+    }
+    let mass = mass(graph, body);
+    if graph.is_zero(mass) {
+        return fixed(graph, &body.parts[0].mass_center);
+    }
+    let mut moment = graph.zero_vector();
+    for part in &body.parts {
+        let (mass, center) = (value(graph, part.mass), fixed(graph, &part.mass_center));
+        let own = graph.scale(mass, center);
+        moment = graph.add_vectors(moment, own);
+    }
+    let inverse = graph.reciprocal(mass);
+    graph.scale(inverse, moment)
+}
+
+/// `I_GK`: the inertia of a body with all that is fixed to it about its mass centre, internal axes.
+pub fn inertia(graph: &mut ExprGraph, body: &Body) -> Symmetric {
+    if let [part] = &body.parts[..] {
+        return part_inertia(graph, part);
+    }
+    let center = mass_center(graph, body);
+    let mut sum = graph.zero_symmetric();
+    for part in &body.parts {
+        let (mass, own_center) = (value(graph, part.mass), fixed(graph, &part.mass_center));
+        let own = part_inertia(graph, part);
+        let d = graph.sub_vectors(own_center, center);
+        for axis in Axis::ALL {
+            let (a, (b, c)) = (axis.index(), axis.others());
+            // m (d·d 1 - d d^T)
+            let (bb, cc, bc) = (
+                graph.mul(d[b], d[b]),
+                graph.mul(d[c], d[c]),
+                graph.mul(d[b], d[c]),
+            );
+            let around = graph.add(bb, cc);
+            let (around, mixed) = (graph.mul(mass, around), graph.mul(mass, bc));
+            let diagonal = graph.add(own.diagonal[a], around);
+            let mixed = graph.sub(own.mixed[a], mixed);
+            sum.diagonal[a] = graph.add(sum.diagonal[a], diagonal);
+            sum.mixed[a] = graph.add(sum.mixed[a], mixed);
+        }
+    }
+    sum
+}
+
+/// The inertia of a part about its own mass centre, internal axes of its body.
+pub fn part_inertia(graph: &mut ExprGraph, part: &Part) -> Symmetric {
+    let i = &part.inertia;
+    let own = Symmetric {
+        diagonal: vector(graph, [i.xx, i.yy, i.zz]),
+        mixed: vector(graph, [i.yz, i.xz, i.xy]),
+    };
+    let axes = constant(graph, &part.axes);
+    graph.turn_back_symmetric(&axes, &own)
+}

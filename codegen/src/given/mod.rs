@@ -1,0 +1,20 @@
+//! What an equation is given, of single bodies and joints: the foundation of both formulations.
+//!
+//! In: a [`Tree`](crate::tree::Tree). Out: expressions of its numbers, coordinates, speeds and loads, of how one joint turns its
+//! body, and of what acts in it. Afterwards: all of it is in internal axes, whatever the user's are.
+//! Does not: sum over bodies; `kane` and `recursive` do, each in its way.
+
+mod joint;
+mod loads;
+mod mass;
+pub mod mechanics;
+mod numbers;
+pub mod orientation;
+
+pub use joint::{
+    Accelerations, acceleration, attachment, coordinate, offset, shift_directions, shift_speeds,
+    speed,
+};
+pub use loads::{force, moment, relative_angular_velocity};
+pub use mass::{inertia, mass, mass_center, part_inertia};
+pub use numbers::{constant, constant_back, fixed, gravity, value, vector};

@@ -1,0 +1,53 @@
+//! What a function gives names to.
+
+use crate::id::BodyId;
+
+/// A number with a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Local {
+    /// Its name: unique in the function, lower snake case.
+    pub name: String,
+    /// The body that it belongs to.
+    pub body: Option<BodyId>,
+}
+
+/// Several numbers with one name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Array {
+    /// Its name, as that of a local.
+    pub name: String,
+    /// How many.
+    pub length: usize,
+}
+
+/// A local, by its place among [`Code::locals`](super::Code::locals).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LocalId(u32);
+
+/// A local array, by its place among [`Code::arrays`](super::Code::arrays).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ArrayId(u32);
+
+impl LocalId {
+    /// The local at this place.
+    pub(super) fn new(place: usize) -> Self {
+        Self(u32::try_from(place).expect("listing: fewer than 2^32 locals"))
+    }
+
+    /// Its place.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl ArrayId {
+    /// The array at this place.
+    pub(super) fn new(place: usize) -> Self {
+        Self(u32::try_from(place).expect("listing: fewer than 2^32 arrays"))
+    }
+
+    /// Its place.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}

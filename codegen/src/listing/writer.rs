@@ -1,0 +1,157 @@
+//! Functions of a listing, from programs.
+
+use super::{
+    Code, Entry, Facts, Function, Member, Step, code,
+    code::Known,
+    function::places,
+    group::Groups,
+    name::{self, Counted},
+};
+use crate::{
+    compile::{Compiled, Emittable},
+    expr::Input,
+    functions::{Argument, Signature},
+    program::Program,
+    tree::Tree,
+};
+
+/// What functions are made from.
+pub(super) struct Writer<'a> {
+    tree: &'a Tree,
+    compiled: &'a Compiled,
+    facts: &'a Facts,
+    /// Where each prepared value stands among the fields.
+    fields: Vec<usize>,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(tree: &'a Tree, compiled: &'a Compiled, facts: &'a Facts) -> Self {
+        Self {
+            tree,
+            compiled,
+            facts,
+            fields: places_of(&compiled.fields, &facts.fields),
+        }
+    }
+
+    pub(super) fn function(&self, emittable: &Emittable) -> Function {
+        let (request, program) = (&emittable.function, &emittable.program);
+        let signature = request.signature();
+        let places = places(&signature, self.facts);
+        let code = self.code(program, &signature, places, Counted::InFunction);
+        let of_frame = request.alone_of_frame();
+        Function {
+            alone: request.alone(),
+            of_frame: of_frame.map(|(function, subject)| (function, subject.clone())),
+            pattern: self.pattern(emittable),
+            formulation: emittable.formulation,
+            has_choice: request.formulations().len() > 1,
+            fused: program.fused(),
+            ..Function::plain(signature, emittable.operations, code)
+        }
+    }
+
+    /// The pattern that stands before a function: before the first that writes such an output.
+    fn pattern(&self, emittable: &Emittable) -> Option<usize> {
+        let name = |one: &Emittable| one.function.compact().map(|function| function.name);
+        let own = name(emittable)?;
+        let mut functions = self.compiled.functions.iter();
+        let first = functions.find(|other| name(other) == Some(own))?;
+        let mut patterns = self.facts.patterns.iter();
+        let place = patterns.position(|pattern| pattern.function == own);
+        place.filter(|_| std::ptr::eq(first, emittable))
+    }
+
+    pub(super) fn prepare(&self, program: &Program) -> Function {
+        let signature = Signature::prepare();
+        let argument = signature.arguments.len() - 1;
+        let places = self.fields.iter().map(|&field| Entry {
+            argument,
+            steps: vec![Step::Member(Member::Prepared(field))],
+        });
+        let code = self.code(
+            program,
+            &signature,
+            places.collect(),
+            Counted::InPreparation,
+        );
+        Function::plain(signature, program.operations(), code)
+    }
+
+    fn code(
+        &self,
+        program: &Program,
+        signature: &Signature,
+        places: Vec<Entry>,
+        counted: Counted,
+    ) -> Code {
+        let groups = Groups::of(program);
+        let arguments = signature.arguments.iter();
+        let arguments = arguments.map(|argument| argument.name.as_str());
+        let names = name::names(program, &groups, self.tree, arguments, counted);
+        let known = Known {
+            groups: &groups,
+            names: &names,
+            entry: &|input| self.entry(input, signature),
+        };
+        code::of(program, &known, places)
+    }
+
+    /// Where a function finds an input.
+    fn entry(&self, input: Input, signature: &Signature) -> Entry {
+        let (name, steps) = match input {
+            Input::Q(id) => (Argument::Q.name(), vec![Step::Index(id.index())]),
+            Input::U(id) => (Argument::U.name(), vec![Step::Index(id.index())]),
+            Input::UDot(id) => (Argument::UDot.name(), vec![Step::Index(id.index())]),
+            Input::Tau(id) => (Argument::Tau.name(), vec![Step::Index(id.index())]),
+            Input::Sine(place) => ("sin_cos", of_member(Member::Sines, place)),
+            Input::Cosine(place) => ("sin_cos", of_member(Member::Cosines, place)),
+            Input::Force(body, axis) => (
+                Argument::Loads.name(),
+                [
+                    vec![Step::Index(body.index())],
+                    of_member(Member::Force, axis),
+                ]
+                .concat(),
+            ),
+            Input::Moment(body, axis) => (
+                Argument::Loads.name(),
+                [
+                    vec![Step::Index(body.index())],
+                    of_member(Member::Moment, axis),
+                ]
+                .concat(),
+            ),
+            Input::RelativeAngularVelocity(body, axis) => (
+                Argument::RelativeAngularVelocity.name(),
+                vec![Step::Index(body.index()), Step::Index(axis)],
+            ),
+            Input::Parameter(id) => (
+                "parameters",
+                vec![Step::Member(Member::Parameter(id.index()))],
+            ),
+            Input::Prepared(place) => (
+                "p",
+                vec![Step::Member(Member::Prepared(self.fields[place]))],
+            ),
+        };
+        let mut arguments = signature.arguments.iter();
+        let argument = arguments.position(|argument| argument.name == name);
+        let argument =
+            argument.unwrap_or_else(|| unreachable!("listing: {} has no `{name}`", signature.name));
+        Entry { argument, steps }
+    }
+}
+
+/// Where each name stands in a sorted list of them.
+fn places_of(names: &[String], sorted: &[String]) -> Vec<usize> {
+    let place = |name: &String| {
+        let place = sorted.binary_search(name);
+        place.unwrap_or_else(|_| unreachable!("listing: no field `{name}`"))
+    };
+    names.iter().map(place).collect()
+}
+
+fn of_member(member: Member, place: usize) -> Vec<Step> {
+    vec![Step::Member(member), Step::Index(place)]
+}

@@ -1,0 +1,82 @@
+//! Along which axes a joint's motions are taken.
+//!
+//! Three angles turn a link about three axes of which only the last is its own; their accelerations are, but for the rates'
+//! products, `P^-1` times an angular acceleration along its own axes, Eq. (9). Solving for the latter costs less: it enters
+//! where it is, and what is known of the link alone stays constant. The same holds of three translations.
+
+use super::plan::{Plan, Technique};
+use crate::{
+    id::BodyMap,
+    tree::{Coordinate, Joint, Mechanics, Motion, Orientation, Tree, Value},
+};
+
+/// Which of a joint's motions are taken along the axes of its link: the others are about the angles' axes and along the
+/// joint's.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinkAxes {
+    /// The three rotations: what stands in their places are components of the relative angular velocity.
+    turns: bool,
+    /// The three translations.
+    shifts: bool,
+}
+
+impl LinkAxes {
+    /// The motions as the speeds are.
+    pub(super) fn of_speeds(joint: &Joint) -> Self {
+        Self {
+            turns: matches!(joint.orientation, Orientation::AngularVelocity { .. }),
+            shifts: false,
+        }
+    }
+
+    /// The motions as they are solved for.
+    pub(super) fn of_solution(joint: &Joint, plan: &Plan) -> Self {
+        if !plan.uses(Technique::LinkAxes) {
+            return Self::of_speeds(joint);
+        }
+        let turns = match joint.orientation {
+            Orientation::Rates(angles) => are_free(angles) && !has_rotors(&joint.mechanics[..3]),
+            Orientation::AngularVelocity { .. } => true,
+        };
+        let shifts = turns && are_free(joint.translations) && !has_rotors(&joint.mechanics[3..]);
+        Self { turns, shifts }
+    }
+
+    /// The motions of a joint along its link's axes: about them, then along them, where they are taken so.
+    pub(super) fn motions(self, joint: &Joint) -> [Option<[Motion; 3]>; 2] {
+        let all = |motions: [Option<Motion>; 3]| {
+            let [a, b, c] = motions;
+            Some([a?, b?, c?])
+        };
+        [
+            all(joint.turns()).filter(|_| self.turns),
+            all(joint.shifts()).filter(|_| self.shifts),
+        ]
+    }
+
+    /// True where translations are taken along the joint's axes, before it turns.
+    pub(super) fn shift_before_turns(self) -> bool {
+        !self.shifts
+    }
+}
+
+/// The bodies that nothing holds on the inertial frame, where the plan takes them to fall.
+pub(super) fn falling(tree: &Tree, plan: &Plan) -> BodyMap<bool> {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        let joint = &tree.body(body).joint;
+        let is_loose = tree.lower(body).is_none() && are_free(joint.translations);
+        // A rotor does not fall.
+        plan.uses(Technique::Fall) && is_loose && !has_rotors(&joint.mechanics[3..])
+    })
+}
+
+fn are_free(coordinates: [Coordinate; 3]) -> bool {
+    coordinates.iter().all(|coordinate| coordinate.is_free())
+}
+
+/// A rotor acts on the rate of its own coordinate.
+fn has_rotors(mechanics: &[Mechanics]) -> bool {
+    mechanics
+        .iter()
+        .any(|own| own.armature != Value::Baked(0.0))
+}

@@ -1,0 +1,247 @@
+//! How links move, and the wrenches that they need for it.
+//!
+//! Inertia forces are taken about the link's origin, so no velocity of a mass centre is formed; gravity is an
+//! upward acceleration of the inertial frame. With `U = tilde(alpha) + tilde(w)^2` the force is `m a + U h`,
+//! and the moment is `h × a` plus products of the inertia's components with entries of U and of `w w^T`.
+
+use super::{
+    link::Link,
+    linkage::Linkage,
+    passage::{Drive, Passenger},
+    plan::Technique,
+    rotation::Turn,
+    wrench::Wrench,
+};
+use crate::{
+    expr::{Axis, ExprGraph, Matrix, Vector, negated},
+    given::{self, Accelerations},
+    id::{BodyId, BodyMap},
+    tree::{Joint, Motion},
+};
+
+/// A link's motion, link components.
+#[derive(Clone, Copy, Debug)]
+struct LinkMotion {
+    /// Angular velocity.
+    w: Vector,
+    /// `tilde(alpha) + tilde(w)^2`: what a point's position is multiplied by for its acceleration.
+    u: Matrix,
+    /// The squares of its components, and the products `w_y w_z`, `w_z w_x`, `w_x w_y`.
+    squares: Vector,
+    products: Vector,
+    /// Angular acceleration.
+    alpha: Vector,
+    /// Acceleration of the origin, less gravity.
+    a: Vector,
+}
+
+/// What each link needs to move as it does, weight included.
+pub(super) fn inertial_wrenches(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    accelerations: Accelerations,
+) -> BodyMap<Wrench> {
+    let Linkage {
+        tree, links, falls, ..
+    } = linkage;
+    let gravity = given::gravity(graph, tree);
+    let by_second = linkage.plan.uses(Technique::SecondMoments);
+    let motions = BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<LinkMotion>| {
+        graph.enter(body);
+        let lower = tree.lower(body).map(|lower| &motions[lower]);
+        let base = if falls[body] {
+            graph.zero_vector()
+        } else {
+            negated(gravity)
+        };
+        read_translations(graph, &tree.body(body).joint, accelerations);
+        let mut moving = Moving::new(graph, lower, base, accelerations);
+        links[body].passage.outward(graph, &mut moving);
+        moving.arrived(graph)
+    });
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let (link, motion) = (&links[body], &motions[body]);
+        let inertia = &link.inertia;
+        let carried = graph.scale(inertia.mass, motion.a);
+        let turned = graph.mul_vector(&motion.u, inertia.moment);
+        let lever = graph.cross(inertia.moment, motion.a);
+        let spin = euler(graph, link, motion, by_second);
+        Wrench {
+            force: graph.add_vectors(carried, turned),
+            moment: graph.add_vectors(spin, lever),
+        }
+    })
+}
+
+/// Makes inputs of the speeds and accelerations of a joint's translations, before the sums in which they then stand first.
+fn read_translations(graph: &mut ExprGraph, joint: &Joint, accelerations: Accelerations) {
+    given::shift_speeds(graph, joint);
+    for shift in joint.shifts() {
+        given::acceleration(graph, shift, accelerations);
+    }
+}
+
+/// A motion on its way outward through a joint.
+struct Moving<'a> {
+    /// That of the lower link; `None` is the inertial frame.
+    lower: Option<&'a LinkMotion>,
+    accelerations: Accelerations,
+    w: Vector,
+    alpha: Vector,
+    a: Vector,
+}
+
+impl<'a> Moving<'a> {
+    /// At the lower link's origin; `base` is the acceleration of the inertial frame, less gravity.
+    fn new(
+        graph: &mut ExprGraph,
+        lower: Option<&'a LinkMotion>,
+        base: Vector,
+        accelerations: Accelerations,
+    ) -> Self {
+        let still = graph.zero_vector();
+        let (w, alpha, a) = lower.map_or((still, still, base), |own| (own.w, own.alpha, own.a));
+        Self {
+            lower,
+            accelerations,
+            w,
+            alpha,
+            a,
+        }
+    }
+
+    /// Adds a relative angular velocity: the lower axes turn under the new ones, by `w × relative`.
+    fn add_angular_velocity(&mut self, graph: &mut ExprGraph, motions: [Motion; 3]) {
+        let relative = motions.map(|motion| given::speed(graph, Some(motion)));
+        let second =
+            motions.map(|motion| given::acceleration(graph, Some(motion), self.accelerations));
+        let turned = graph.cross(self.w, relative);
+        let alpha = graph.add_vectors(self.alpha, turned);
+        self.w = graph.add_vectors(self.w, relative);
+        self.alpha = graph.add_vectors(alpha, second);
+    }
+
+    /// The same where it is the rate of one angle.
+    fn add_rate(&mut self, graph: &mut ExprGraph, axis: Axis, motion: Motion) {
+        let rate = given::speed(graph, Some(motion));
+        let second = given::acceleration(graph, Some(motion), self.accelerations);
+        let (a, (b, c)) = (axis.index(), axis.others());
+        let (w, alpha) = (&mut self.w, &mut self.alpha);
+        let (along_b, along_c) = (graph.mul(w[c], rate), graph.mul(w[b], rate));
+        alpha[b] = graph.add(alpha[b], along_b);
+        alpha[c] = graph.sub(alpha[c], along_c);
+        alpha[a] = graph.add(alpha[a], second);
+        w[a] = graph.add(w[a], rate);
+    }
+
+    fn arrived(self, graph: &mut ExprGraph) -> LinkMotion {
+        let Self { w, alpha, a, .. } = self;
+        graph.name_vector(w, "w");
+        graph.name_vector(alpha, "alpha");
+        graph.name_vector(a, "a");
+        let squares = w.map(|component| graph.mul(component, component));
+        let products = Axis::ALL.map(|axis| {
+            let (b, c) = axis.others();
+            graph.mul(w[b], w[c])
+        });
+        let u = acceleration_matrix(graph, squares, products, alpha);
+        graph.name_matrix(&u, "u");
+        LinkMotion {
+            w,
+            u,
+            squares,
+            products,
+            alpha,
+            a,
+        }
+    }
+}
+
+impl Passenger for Moving<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        if let Some(lower) = self.lower {
+            let turned = graph.mul_vector(&lower.u, offset);
+            self.a = graph.add_vectors(self.a, turned);
+        }
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        [self.w, self.alpha] = [self.w, self.alpha].map(|v| rotation.forward(graph, v));
+        if let Drive::Angle(axis, motion) = drive {
+            self.add_rate(graph, axis, motion);
+        }
+        self.a = rotation.forward(graph, self.a);
+        if let Drive::AngularVelocity(motions) = drive {
+            self.add_angular_velocity(graph, motions);
+        }
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let s_dot = motions.map(|motion| given::speed(graph, motion));
+        let s_ddot = motions.map(|motion| given::acceleration(graph, motion, self.accelerations));
+        let two = graph.number(2.0);
+        let twice = graph.scale(two, s_dot);
+        let coriolis = graph.cross(self.w, twice);
+        self.a = graph.add_vectors(self.a, coriolis);
+        self.a = graph.add_vectors(self.a, s_ddot);
+    }
+}
+
+/// `tilde(alpha) + tilde(w)^2`.
+fn acceleration_matrix(
+    graph: &mut ExprGraph,
+    squares: Vector,
+    products: Vector,
+    alpha: Vector,
+) -> Matrix {
+    let mut u = [[graph.zero(); 3]; 3];
+    for axis in Axis::ALL {
+        let (a, (b, c)) = (axis.index(), axis.others());
+        u[a][a] = -graph.add(squares[b], squares[c]);
+        u[b][c] = graph.sub(products[a], alpha[a]);
+        u[c][b] = graph.add(products[a], alpha[a]);
+    }
+    u
+}
+
+/// `I alpha + tilde(w) I w` by the entries of `U`: about x it is
+/// `I_xx alpha_x + (I_zz - I_yy) w_y w_z - I_xy U_zx + I_xz U_yx + I_yz (U_yy - U_zz)`.
+///
+/// With the second moments `S = tr(I) 1 / 2 - I` the first two terms are `S_yy U_zy - S_zz U_yz`: one, where a second moment
+/// is zero.
+fn euler(graph: &mut ExprGraph, link: &Link, motion: &LinkMotion, by_second: bool) -> Vector {
+    let LinkMotion {
+        u,
+        squares,
+        products,
+        alpha,
+        ..
+    } = motion;
+    let tensor = &link.inertia.inertia;
+    Axis::ALL.map(|axis| {
+        let (a, (b, c)) = (axis.index(), axis.others());
+        let second = [link.second[b], link.second[c]];
+        let zeros = second.map(|moment| graph.is_zero(moment));
+        let [first, gyroscopic] = if by_second && zeros[0] != zeros[1] {
+            [(second[0], u[c][b]), (-second[1], u[b][c])]
+        } else {
+            let spread = graph.sub(tensor.diagonal[c], tensor.diagonal[b]);
+            [(tensor.diagonal[a], alpha[a]), (spread, products[a])]
+        };
+        // U_yy - U_zz without what cancels.
+        let tilt = graph.sub(squares[b], squares[c]);
+        let products = [
+            gyroscopic,
+            (-tensor.entry(a, b), u[c][a]),
+            (tensor.entry(a, c), u[b][a]),
+            (tensor.entry(b, c), tilt),
+        ];
+        let mut sum = graph.mul(first.0, first.1);
+        for (constant, motion) in products {
+            let term = graph.mul(constant, motion);
+            sum = graph.add(sum, term);
+        }
+        sum
+    })
+}

@@ -1,0 +1,75 @@
+//! Wrenches, and the generalized forces that are read off them.
+
+use crate::{
+    expr::{Expr, ExprGraph, Vector},
+    tree::Motion,
+};
+
+/// A force and its moment about the link's origin, link components.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wrench {
+    pub(super) force: Vector,
+    pub(super) moment: Vector,
+}
+
+impl Wrench {
+    /// Both together, about the same point.
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            force: graph.add_vectors(self.force, other.force),
+            moment: graph.add_vectors(self.moment, other.moment),
+        }
+    }
+
+    /// About a point from which this one's point lies at `offset`.
+    pub(super) fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
+        let lever = graph.cross(offset, self.force);
+        Self {
+            force: self.force,
+            moment: graph.add_vectors(self.moment, lever),
+        }
+    }
+
+    /// The same function of force and moment, in this order.
+    pub(super) fn map(&self, mut f: impl FnMut(Vector) -> Vector) -> Self {
+        Self {
+            force: f(self.force),
+            moment: f(self.moment),
+        }
+    }
+
+    /// The moment's components, then the force's.
+    pub(super) fn parts(&self) -> [Expr; 6] {
+        let ([nx, ny, nz], [fx, fy, fz]) = (self.moment, self.force);
+        [nx, ny, nz, fx, fy, fz]
+    }
+
+    pub(super) fn of_parts([nx, ny, nz, fx, fy, fz]: [Expr; 6]) -> Self {
+        Self {
+            force: [fx, fy, fz],
+            moment: [nx, ny, nz],
+        }
+    }
+}
+
+/// Adds what acts along motions, by the axes of these, to the generalized forces of their speeds.
+pub(super) fn read_off(
+    graph: &mut ExprGraph,
+    tau: &mut [Expr],
+    motions: [Option<Motion>; 3],
+    along: Vector,
+) {
+    for (motion, along) in motions.into_iter().zip(along) {
+        add(graph, tau, motion, along);
+    }
+}
+
+/// Adds what acts along a motion to the generalized force of its speed.
+pub(super) fn add(graph: &mut ExprGraph, tau: &mut [Expr], motion: Option<Motion>, along: Expr) {
+    let Some(Motion { speed, factor }) = motion else {
+        return;
+    };
+    let factor = graph.number(factor);
+    let share = graph.mul(factor, along);
+    tau[speed.index()] = graph.add(tau[speed.index()], share);
+}

@@ -1,0 +1,4 @@
+mod dense;
+mod followers;
+mod sweeps;
+mod trees;

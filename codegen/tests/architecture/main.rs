@@ -1,0 +1,85 @@
+//! How the source is laid out: no files that import each other, modules in the order in which they import one another, and
+//! nothing too long to be read at once.
+//!
+//! A file imports another one where a path in it names something that stands there: a path of a `use`, or one in the code
+//! whose first name is `crate`, `self`, `super`, or known in the module. What a `use` passes on under its name belongs to the
+//! file in which it stands, not to the one that passes it on. So `mod` lines are no imports, nor is a `pub use`, unless the
+//! file itself speaks of what it passes on. A path that ends at a module is an import of that module's file. What is compiled
+//! for tests alone is left out, and what a macro quotes.
+#![expect(
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "a test stops where it fails, its helpers too"
+)]
+
+mod imports;
+mod krate;
+mod lengths;
+mod order;
+mod planted;
+mod resolve;
+mod walk;
+
+use std::path::{Path, PathBuf};
+
+use krate::Crate;
+use walk::Sources;
+
+/// The crates, by their folders and roots.
+const CRATES: [(&str, &str); 3] = [
+    ("codegen/src", "lib.rs"),
+    ("codegen/src", "main.rs"),
+    ("src", "lib.rs"),
+];
+
+/// Where people write Rust.
+const FOLDERS: [&str; 5] = ["codegen/src", "codegen/tests", "src", "tests", "examples"];
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+#[test]
+fn no_files_import_each_other() {
+    let circles = CRATES.iter().flat_map(|(folder, root)| {
+        let sources = Sources::read(&repository().join(folder));
+        let circles = order::circles(&Crate::read(&sources, root).imports());
+        circles
+            .into_iter()
+            .map(move |circle| format!("{folder}:\n{circle}"))
+    });
+    let circles: Vec<String> = circles.collect();
+    assert!(
+        circles.is_empty(),
+        "files import each other:\n{}\nput what they share into a file of its own",
+        circles.concat()
+    );
+}
+
+#[test]
+fn modules_import_from_those_above_them_in_the_list() {
+    let breaches = CRATES.iter().flat_map(|(folder, root)| {
+        let sources = Sources::read(&repository().join(folder));
+        let breaches = order::breaches(&Crate::read(&sources, root));
+        breaches
+            .into_iter()
+            .map(move |breach| format!("{folder}/{breach}\n"))
+    });
+    let breaches: Vec<String> = breaches.collect();
+    assert!(
+        breaches.is_empty(),
+        "modules import from those below them:\n{}",
+        breaches.concat()
+    );
+}
+
+#[test]
+fn files_and_functions_can_be_read_at_once() {
+    let long = FOLDERS.iter().flat_map(|folder| {
+        let sources = Sources::read(&repository().join(folder));
+        let long = lengths::too_long(&sources);
+        long.into_iter().map(move |one| format!("{folder}/{one}\n"))
+    });
+    let long: Vec<String> = long.collect();
+    assert!(long.is_empty(), "too long:\n{}", long.concat());
+}
