@@ -63,7 +63,7 @@ impl Request {
 
     /// True where a packed mass matrix is among the outputs.
     pub fn is_packed(&self) -> bool {
-        let mut outputs = self.parts.iter().flat_map(|part| part.outputs());
+        let mut outputs = self.parts.iter().flat_map(Part::outputs);
         outputs.any(|output| output.shape.has(Axis::SpeedPairs))
     }
 
@@ -110,7 +110,7 @@ impl Request {
     fn outputs_of(&self, part: &Part) -> Vec<Output> {
         let arguments = self.arguments();
         let is_free = |name: &str| {
-            let all = self.parts.iter().flat_map(|part| part.outputs());
+            let all = self.parts.iter().flat_map(Part::outputs);
             let among = all.filter(|output| output.name == name);
             among.count() == 1 && arguments.iter().all(|argument| argument.name() != name)
         };

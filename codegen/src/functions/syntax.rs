@@ -135,12 +135,11 @@ impl<'a> Reader<'a> {
     }
 
     fn take(&mut self, character: char) -> bool {
-        self.skip();
-        let is_next = self.rest().starts_with(character);
-        if is_next {
-            self.at += character.len_utf8();
-        }
-        is_next
+        let Some(rest) = self.rest().strip_prefix(character) else {
+            return false;
+        };
+        self.at = self.text.len() - rest.len();
+        true
     }
 
     fn expect(&mut self, character: char, expected: &'static str) -> Result<(), Unexpected> {

@@ -121,19 +121,18 @@ limits = { theta1 = { lower = -1.0 }, s2 = { effort = 5.0 } }
 mimic = { joint = "finger_1", multiplier = -2.0, offset = 0.1 }
 
 [[frame]]
-name = "tool"
-body = "palm"
-position = [0.0, { runtime = 0.1 }, -0.5]
-rotation = { runtime = [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]] }
-
-[[frame]]
-name = "table"
-position = [1.0, 0.0, 0.0]
+name = "stand"
+position = [1.0, 0.0, { runtime = 2.0 }]
 rotation = [
-    [ 0.6, 0.8, 0.0],
-    [-0.8, 0.6, 0.0],
+    [ 0.0, 1.0, 0.0],
+    [-1.0, 0.0, 0.0],
     [ 0.0, 0.0, 1.0],
 ]
+
+[[frame]]
+name = "tool0"
+body = "left \"finger\""
+rotation = { runtime = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]] }
 "#;
 
 #[test]
@@ -389,22 +388,6 @@ fn joint(random: &mut Random) -> WrittenJoint {
     }
 }
 
-fn frame(random: &mut Random) -> WrittenFrame {
-    WrittenFrame {
-        span: PLACE,
-        name: Some(at(string(random))),
-        body: match random.below(3) {
-            0 => Carrier::Inertial,
-            _ => Carrier::Body(Some(at(string(random)))),
-        },
-        position: vector(random),
-        rotation: Some(at(match random.below(3) {
-            0 => FrameRotation::Runtime([(); 3].map(|()| [(); 3].map(|()| number(random)))),
-            _ => FrameRotation::Baked(rotation(random)),
-        })),
-    }
-}
-
 fn random_description(random: &mut Random) -> Description {
     let n_bodies = 1 + random.below(3);
     let body = |random: &mut Random| WrittenBody {
@@ -415,6 +398,20 @@ fn random_description(random: &mut Random) -> Description {
         inertia: [(); 6].map(|()| Some(at(scalar(random)))),
         inertia_rotation: perhaps(random, rotation),
         joint: joint(random),
+    };
+    let frame = |random: &mut Random| WrittenFrame {
+        span: PLACE,
+        name: Some(at(string(random))),
+        body: match perhaps(random, string) {
+            Some(body) => Carrier::Body(Some(body)),
+            None => Carrier::Inertial,
+        },
+        position: vector(random),
+        rotation: Some(at(match random.below(3) {
+            0 => FrameRotation::Baked(kane_codegen::geometry::IDENTITY),
+            1 => FrameRotation::Baked(rotation(random)),
+            _ => FrameRotation::Runtime([(); 3].map(|()| [(); 3].map(|()| number(random)))),
+        })),
     };
     let lower_bodies = (0..n_bodies).map(|_| Some(at([-1, 0, 1, 2, 3][random.below(5)])));
     Description {

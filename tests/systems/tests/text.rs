@@ -169,9 +169,7 @@ impl<'ast> Visit<'ast> for Anywhere {
     }
 
     fn visit_signature(&mut self, signature: &'ast syn::Signature) {
-        if signature.unsafety.is_some()
-            || signature.asyncness.is_some()
-            || signature.abi.is_some()
+        if signature.unsafety.is_some() || signature.asyncness.is_some() || signature.abi.is_some()
         {
             self.0.push("a function of another kind");
         }

@@ -22,17 +22,8 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     let names = written_names(settled)?;
     let identifiers = names::identifiers(&names, findings);
     let merged = merge(settled.outward, settled.joints);
-    let marked = markers(description, settled.outward, &merged.hosts)?;
-    let marker_names = marked.iter().map(|marker| marker.name.as_str());
-    let marker_identifiers = names::frame_identifiers(marker_names, &identifiers);
-    let known = Known {
-        settled,
-        identifiers: &identifiers,
-        merged: &merged,
-        marked: &marked,
-        marker_identifiers: &marker_identifiers,
-    };
-    let values = known.values(findings)?;
+    let markers = markers(description, settled.outward, &merged.hosts, &identifiers)?;
+    let values = values_of(settled, (&identifiers, &markers), &merged, findings)?;
     let moving = places_of_moving(settled, &merged);
     let numbered = number(settled.joints, &moving, order);
     check_size(settled, moving.len(), &numbered, findings)?;
@@ -46,13 +37,12 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     };
     let bodies = pieces.bodies(&merged, numbered.joints);
     let frames = pieces.frames(&merged, &bodies, &values.parameters);
-    let markers = pieces.markers(
-        &marked,
-        marker_identifiers,
-        &values.frames,
-        &bodies,
-        &values.parameters,
-    );
+    let markers = markers.into_iter().zip(&values.frames);
+    let markers = markers.map(|(marker, own)| {
+        let standing = (&placed[..], &bodies[..]);
+        marker.frame(own, standing, &values.parameters, settled.snap)
+    });
+    let markers = markers.collect();
     note_moved(description, &moving, findings);
     note_merged(&frames, &bodies, findings);
     let tree = Tree {
@@ -86,41 +76,28 @@ fn places_of_moving(settled: Settled<'_>, merged: &Merged) -> Vec<usize> {
     places.collect()
 }
 
-/// What is known of bodies and frames before their values; each list of bodies is outward.
-struct Known<'a> {
-    settled: Settled<'a>,
-    identifiers: &'a [String],
-    merged: &'a Merged,
-    marked: &'a [Marker],
-    marker_identifiers: &'a [String],
-}
-
-impl Known<'_> {
-    /// The values of all bodies, outward, and of all frames.
-    fn values(&self, findings: &mut Vec<Diagnostic>) -> Option<Values> {
-        let Settled {
-            description,
-            outward,
-            joints,
-            ..
-        } = self.settled;
-        let places = outward.places.iter();
-        let bodies = places.zip(self.identifiers).zip(&self.merged.hosts);
-        let bodies = bodies.map(|((&place, identifier), &host)| HostedBody {
-            written: &description.bodies[place],
-            joint: &joints[place],
-            identifier,
-            host,
-        });
-        let frames = description.frames.iter().zip(self.marked);
-        let frames = frames.zip(self.marker_identifiers);
-        let frames = frames.map(|((written, marker), identifier)| KnownFrame {
-            written,
-            identifier,
-            host: marker.host,
-        });
-        values(description, bodies, frames, findings)
-    }
+/// The values of all bodies, outward, and of the frames that mark places.
+fn values_of(
+    settled: Settled<'_>,
+    (identifiers, markers): (&[String], &[Marker]),
+    merged: &Merged,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Values> {
+    let places = settled.outward.places.iter();
+    let known = places.zip(identifiers).zip(&merged.hosts);
+    let known = known.map(|((&place, identifier), &host)| HostedBody {
+        written: &settled.description.bodies[place],
+        joint: &settled.joints[place],
+        identifier,
+        host,
+    });
+    let frames = settled.description.frames.iter().zip(markers);
+    let frames = frames.map(|(written, marker)| KnownFrame {
+        written,
+        identifier: &marker.name.identifier,
+        host: marker.host,
+    });
+    values(settled.description, known, frames, findings)
 }
 
 /// Where coordinates follow others, bodies and speeds must be few enough to judge them.

@@ -1,7 +1,6 @@
 //! Bodies, joints and frames, each made at once of all that belongs to it.
 
 use crate::diagnostic::Spanned;
-use crate::tree::assembly::markers::Marker;
 use crate::tree::assembly::merging::{Merged, Moving};
 use crate::tree::assembly::placing::Placed;
 use crate::tree::assembly::settled::Settled;
@@ -10,7 +9,7 @@ use crate::tree::frames::{Frame, FrameName};
 use crate::tree::joint::Joint;
 use crate::tree::numbering::JointCoordinates;
 use crate::tree::value::Parameter;
-use crate::tree::values::{BodyValues, FrameValues};
+use crate::tree::values::BodyValues;
 
 /// What bodies are made from; each list is outward.
 pub(super) struct Pieces<'a> {
@@ -47,23 +46,6 @@ impl Pieces<'_> {
             Frame::new(name, host, poses, parameters, self.settled.snap)
         };
         merged.fixed.iter().map(frame).collect()
-    }
-
-    /// The frames that only mark places.
-    pub(super) fn markers(
-        &self,
-        marked: &[Marker],
-        identifiers: Vec<String>,
-        values: &[FrameValues],
-        bodies: &[Body],
-        parameters: &[Parameter],
-    ) -> Vec<Frame> {
-        let markers = marked.iter().zip(identifiers).zip(values);
-        let markers = markers.map(|((marker, identifier), own)| {
-            let snap = self.settled.snap;
-            marker.frame(identifier, own, (self.placed, bodies), parameters, snap)
-        });
-        markers.collect()
     }
 
     fn body(&self, moving: &Moving, coordinates: JointCoordinates) -> Body {

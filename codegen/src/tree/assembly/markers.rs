@@ -1,11 +1,12 @@
 //! Frames that only mark places: in which body each is, and where there.
 
-use crate::description::{Carrier, Description};
+use crate::description::{Carrier, Description, WrittenFrame};
 use crate::geometry;
 use crate::id::BodyId;
 use crate::tree::assembly::placing::Placed;
 use crate::tree::body::{Body, Pose};
 use crate::tree::frames::{Frame, FrameName};
+use crate::tree::names;
 use crate::tree::numbering::Outward;
 use crate::tree::offset::Offset;
 use crate::tree::rotations::{orthonormal, snapped};
@@ -14,22 +15,34 @@ use crate::tree::values::FrameValues;
 
 /// A frame whose body is known.
 pub(super) struct Marker {
-    /// The name, as the user wrote it.
-    pub(super) name: String,
+    /// What it is called.
+    pub(super) name: FrameName,
     /// The written body that carries it, by its place in the outward order; `None` is the inertial frame.
     pub(super) carrier: Option<usize>,
     /// The body of the tree in which that is.
     pub(super) host: Option<BodyId>,
 }
 
-/// The frames of a description; `None` where a name is missing, or a body is not there.
+/// The frames of a description, called unlike the bodies, which have these identifiers; `None` where a name is missing, or a
+/// body is not there.
 pub(super) fn markers(
     description: &Description,
     outward: &Outward,
     hosts: &[Option<BodyId>],
+    bodies: &[String],
 ) -> Option<Vec<Marker>> {
     let frames = description.frames.iter();
-    let marker = |frame: &crate::description::WrittenFrame| {
+    let written = frames.clone().map(|frame| frame.name.as_ref());
+    let written: Vec<_> = written.collect::<Option<_>>()?;
+    let written = written.iter().map(|name| name.value.as_str());
+    let identifiers = names::frame_identifiers(written.clone(), bodies);
+    let names = written
+        .zip(identifiers)
+        .map(|(name, identifier)| FrameName {
+            name: name.to_owned(),
+            identifier,
+        });
+    let marker = |(frame, name): (&WrittenFrame, FrameName)| {
         let carrier = match &frame.body {
             Carrier::Inertial => None,
             Carrier::Body(name) => {
@@ -38,23 +51,22 @@ pub(super) fn markers(
                     let body = description.bodies[*place].name.as_ref();
                     body.is_some_and(|body| body.value == name.value)
                 };
-                Some(outward.places.iter().position(|place| is_named(place))?)
+                Some(outward.places.iter().position(is_named)?)
             }
         };
         Some(Marker {
-            name: frame.name.as_ref()?.value.clone(),
+            name,
             carrier,
             host: carrier.and_then(|carrier| hosts[carrier]),
         })
     };
-    frames.map(marker).collect()
+    frames.zip(names).map(marker).collect()
 }
 
 impl Marker {
     /// The frame, in the internal axes of the body in which it is.
     pub(super) fn frame(
-        &self,
-        identifier: String,
+        self,
         values: &FrameValues,
         (placed, bodies): (&[Placed], &[Body]),
         parameters: &[Parameter],
@@ -70,11 +82,7 @@ impl Marker {
         };
         let base = self.host.map(|host| bodies[host.index()].pose.clone());
         let base = base.unwrap_or_else(Pose::internal);
-        let name = FrameName {
-            name: self.name.clone(),
-            identifier,
-        };
-        let frame = Frame::new(name, self.host, [&base, &pose], parameters, snap);
+        let frame = Frame::new(self.name, self.host, [&base, &pose], parameters, snap);
         match values.turn {
             Some(turn) => frame.turned(turn, parameters),
             None => frame,

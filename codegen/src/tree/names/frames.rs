@@ -56,16 +56,13 @@ fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagno
     let fault = Diagnostic::error(format!(
         "frame {number} is fixed in `{shown}`, which is no body"
     ));
-    let help = match nearest(&body.value, names) {
-        Some(near) => format!("did you mean `{}`?", near.escape_debug()),
-        None => {
-            let names = names.iter().take(MOST_LISTED);
-            let names: Vec<String> = names.map(|name| name.escape_debug().to_string()).collect();
-            format!(
-                "bodies are {}; without `body` it is fixed in the inertial frame",
-                names.join(", ")
-            )
-        }
+    let help = if let Some(near) = nearest(&body.value, names) {
+        format!("did you mean `{}`?", near.escape_debug())
+    } else {
+        let names = names.iter().take(MOST_LISTED);
+        let names: Vec<String> = names.map(|name| name.escape_debug().to_string()).collect();
+        let names = names.join(", ");
+        format!("bodies are {names}; without `body` it is fixed in the inertial frame")
     };
     fault.at(body.span, "unknown body").help(help)
 }
