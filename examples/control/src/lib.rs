@@ -62,7 +62,8 @@ fn in_double<R: Into<f64>, const N: usize>(values: [R; N]) -> [f64; N] {
 /// Raises `peak` to the greatest magnitude of `values`, if that is greater; what is not a number is not passed over.
 fn raise(peak: &mut f64, values: impl IntoIterator<Item = f64>) {
     for value in values {
-        let below = value.abs() <= *peak;
+        // What is not a number stays.
+        let below = peak.is_nan() || value.abs() <= *peak;
         *peak = if below { *peak } else { value.abs() };
     }
 }

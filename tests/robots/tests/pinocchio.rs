@@ -168,7 +168,7 @@ fn angles_agree_too(name: &str) {
     }
     check_dynamics(&*compiled, &reference, EXACT, &mut errors);
     check_rest(&*compiled, name, &reference, EXACT, &mut errors);
-    errors.show(&format!("{name}, angles"));
+    errors.show(format!("{name}, angles"));
 }
 
 fn notes_agree_too(name: &str) {
@@ -177,7 +177,7 @@ fn notes_agree_too(name: &str) {
         .notes
         .expect("it is compiled in the notes' formulation")();
     check_dynamics(&*compiled, &Reference::new(name), EXACT, &mut errors);
-    errors.show(&format!("{name}, the notes' formulation"));
+    errors.show(format!("{name}, the notes' formulation"));
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn snapping_costs_little(name: &str) {
     let mut errors = Errors::default();
     check_dynamics(&*compiled, &reference, SNAPPED, &mut errors);
     check_rest(&*compiled, name, &reference, SNAPPED, &mut errors);
-    errors.show(&format!("{name}, snapped"));
+    errors.show(format!("{name}, snapped"));
 }
 
 fn joints_and_limits_are_those_of_pinocchio(name: &str) {
