@@ -42,7 +42,7 @@ enum ParsedPart {
 pub type Place = (bool, Vec<(usize, Option<(String, Axes)>)>, bool);
 
 impl Parsed {
-    /// Reads a request; the grammar is that of [`syntax`].
+    /// Reads a request; the grammar stands in the module `syntax`.
     ///
     /// # Errors
     /// The first thing that is wrong with it.

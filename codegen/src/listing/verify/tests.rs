@@ -277,11 +277,12 @@ fn array_gives_way_to_a_coordinate_of_its_name() {
         } else {
             ""
         };
-        model += &format!(
+        let body = format!(
             "[[body]]\nname = \"b{body}\"\nmass = 1.0\nmass_center = [0.0, 0.0, -0.5]\n\
              inertia = {{ xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }}\n\
              attachment = [0.0, 0.0, 0.0]\njoint = [\"theta1\"]\n{name}"
         );
+        model += &body;
     }
     let module = module_of(model, &["relative_rotation"]);
     let function = module.function("relative_rotation").expect("a function");
