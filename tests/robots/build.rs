@@ -73,7 +73,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     joined(model("panda"), "panda")?;
     joined(model("solo12").base(Base::Free), "solo12")?;
     joined(Build::new("gripper/gripper.urdf"), "gripper")?;
+    frames()?;
     mjcf()
+}
+
+/// Functions of the hand's frame, which is a link fixed to the last that moves.
+fn frames() -> Result<(), Error> {
+    let build = model("panda").functions([
+        "pose(panda_hand_tcp)",
+        "velocity(panda_hand_tcp)",
+        "velocity(panda_hand_tcp, local)",
+        "pose(panda_hand_tcp)+velocity(panda_hand_tcp)",
+    ]);
+    build.name("panda_frames").run()?;
+    Ok(())
 }
 
 /// Functions as they stand in the catalogue, joined, and with their sines and cosines given.

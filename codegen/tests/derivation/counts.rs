@@ -91,6 +91,32 @@ fn robots() {
 }
 
 /// A chain of free bodies with all numbers different from one another and from zero.
+#[test]
+fn frames_of_robots() {
+    let mut text = String::new();
+    for (robot, frame) in [
+        ("ur5", "tool0"),
+        ("panda", "panda_hand_tcp"),
+        ("solo12", "FL_FOOT"),
+        ("talos", "gripper_left_base_link"),
+    ] {
+        let path = format!("tests/robots/{robot}/{robot}.urdf");
+        let base = ["solo12", "talos"].contains(&robot).then_some(Base::Free);
+        let tree = read(&path, &Reading { base, chart: None });
+        let requests = [
+            format!("pose({frame})"),
+            format!("velocity({frame})"),
+            format!("velocity({frame}, local)"),
+            format!("pose({frame})+velocity({frame})"),
+        ];
+        let functions = Functions::Named(requests.to_vec());
+        let mut counts = counts(&tree, functions, Formulation::Cheapest);
+        counts.retain(|(name, _)| !["q_dot", "normalize"].contains(&name.as_str()));
+        write!(text, "{robot}\n{}", table(&counts)).unwrap();
+    }
+    insta::assert_snapshot!(text);
+}
+
 fn chain(n: usize) -> Tree {
     let lower: Vec<String> = (0..n).map(|k| k.to_string()).collect();
     let mut text = format!(

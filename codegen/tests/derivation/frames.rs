@@ -59,7 +59,17 @@ fn request(tree: &Tree, text: &str) -> Request {
 }
 
 fn evaluate(tree: &Tree, request: &Request, formulation: Formulation, state: &State) -> Vec<f64> {
-    let derived = request.derive(tree, formulation, &Plan::plain(tree));
+    evaluate_by(tree, request, formulation, &Plan::full(tree), state)
+}
+
+fn evaluate_by(
+    tree: &Tree,
+    request: &Request,
+    formulation: Formulation,
+    plan: &Plan,
+    state: &State,
+) -> Vec<f64> {
+    let derived = request.derive(tree, formulation, plan);
     let graph = &derived.graph;
     graph.evaluate(&derived.roots, |given| input(tree, state, given))
 }
@@ -99,13 +109,15 @@ fn poses_and_velocities_are_the_same_in_both_formulations() {
             ] {
                 let request = request(&tree, &text);
                 assert_eq!(request.formulations().len(), 2);
-                let of = |formulation| evaluate(&tree, &request, formulation, &state);
-                let (notes, recursive) = (of(Formulation::Notes), of(Formulation::Recursive));
-                assert_within(
-                    format!("{seed}, {text}"),
-                    relative(&recursive, &notes),
-                    EXACT,
-                );
+                let notes = evaluate(&tree, &request, Formulation::Notes, &state);
+                let full = Plan::full(&tree);
+                let turning = full.with_parallel(None, false);
+                for plan in [Plan::plain(&tree), full, turning] {
+                    let by = Formulation::Recursive;
+                    let recursive = evaluate_by(&tree, &request, by, &plan, &state);
+                    let error = relative(&recursive, &notes);
+                    assert_within(format!("{seed}, {text}, {plan:?}"), error, EXACT);
+                }
             }
         }
     }

@@ -66,7 +66,16 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
         "partial_velocity(sin_cos)",
     ];
     let functions = CATALOGUE.iter().map(|function| function.name);
-    let functions = functions.chain(joined).map(str::to_owned).collect();
+    let functions = functions.chain(joined).map(str::to_owned);
+    let last = model.rsplit("[[body]]").next();
+    let last = last.and_then(|body| body.split('"').nth(1));
+    let last = last.expect("a body begins with its name");
+    let of_frame = [
+        format!("pose(\"{last}\")"),
+        format!("velocity(\"{last}\")+pose(\"{last}\")"),
+        format!("velocity(\"{last}\", local)"),
+    ];
+    let functions = functions.chain(of_frame).collect();
     let options = Options {
         functions: Functions::Named(functions),
         companions: [Kind::Manifest, Kind::Abi(Abi::C)].into(),

@@ -54,6 +54,8 @@ modules! {
     panda_held
     /// With functions in one, and at sines and cosines.
     panda_joined
+    /// Functions of its hand's frame.
+    panda_frames
     /// As its file is.
     solo12
     /// With fused multiply-add.

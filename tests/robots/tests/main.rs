@@ -3,6 +3,7 @@
 mod changes;
 mod charts;
 mod common;
+mod frames;
 mod joined;
 mod lanes;
 mod mujoco;
