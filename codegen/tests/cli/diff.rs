@@ -54,6 +54,17 @@ fn changed_mass_is_a_value_and_breaks_nothing() {
 }
 
 #[test]
+fn frames_are_told_by_their_names() {
+    let frame = "\n[[frame]]\nname = \"tip\"\nbody = \"fore\"\nposition = [0.0, 0.0, 0.8]\n";
+    let ran = told(|text| text.to_owned() + frame, &["--functions", "bias"]);
+    assert_eq!(ran.code, 1);
+    assert_eq!(
+        ran.out,
+        "values\n  added    frame tip: body      fore\n  added    frame tip: position  [0.0, 0.0, 0.8]\n"
+    );
+}
+
+#[test]
 fn number_that_becomes_a_parameter_is_told_with_the_operations_that_it_costs() {
     let (_, said) = edited(|text| text.replace("mass = 1.5", "mass = { runtime = 1.5 }"));
     assert!(

@@ -123,7 +123,9 @@ fn code(text: &str) -> String {
 /// What two modules of one model have in common.
 fn note(report: &Report) -> Option<String> {
     let [old, new] = report.fingerprints;
-    let is_same_model = old.is_some() && old == new && !report.is_same();
+    // Frames that only mark a place are no part of what is hashed.
+    let says_the_same = old == new && report.differences.values.is_empty();
+    let is_same_model = old.is_some() && says_the_same && !report.is_same();
     is_same_model.then(|| "the model is the same: its options or the generator differ".to_owned())
 }
 

@@ -20,13 +20,8 @@ impl Outline {
         let mut system: Table = text.parse().expect("what we write is TOML");
         let lower_bodies = system.remove("lower_bodies");
         let lower_bodies = lower_bodies.as_ref().and_then(Value::as_array);
-        let tables = system.remove("body");
-        let tables = tables.as_ref().and_then(Value::as_array);
-        let tables: Vec<&Table> = tables
-            .into_iter()
-            .flatten()
-            .filter_map(Value::as_table)
-            .collect();
+        let [bodies, frames] = ["body", "frame"].map(|key| system.remove(key));
+        let [tables, frames] = [&bodies, &frames].map(tables_of);
         let name = |table: &Table| table["name"].as_str().unwrap_or_default().to_owned();
         let lower = |number: &Value| {
             let number = usize::try_from(number.as_integer()?).ok()?;
@@ -48,6 +43,12 @@ impl Outline {
         for (key, value) in &system {
             flatten(key, value, &mut values);
         }
+        for frame in frames {
+            for (key, value) in frame.iter().filter(|(key, _)| *key != "name") {
+                let key = format!("frame {}: {key}", name(frame));
+                flatten(&key, value, &mut values);
+            }
+        }
         let names = tree.bodies.iter().map(|body| body.name.clone());
         let parameters = tree
             .parameters
@@ -65,6 +66,13 @@ impl Outline {
             ],
         })
     }
+}
+
+/// The tables of a list.
+fn tables_of(list: &Option<Value>) -> Vec<&Table> {
+    let list = list.as_ref().and_then(Value::as_array);
+    let tables = list.into_iter().flatten();
+    tables.filter_map(Value::as_table).collect()
 }
 
 /// Keys of tables with dots between them; a number in its binding time is one value.
