@@ -21,7 +21,7 @@ impl Outline {
         let lower_bodies = system.remove("lower_bodies");
         let lower_bodies = lower_bodies.as_ref().and_then(Value::as_array);
         let [bodies, frames] = ["body", "frame"].map(|key| system.remove(key));
-        let [tables, frames] = [&bodies, &frames].map(tables_of);
+        let [tables, frames] = [&bodies, &frames].map(|list| tables_of(list.as_ref()));
         let name = |table: &Table| table["name"].as_str().unwrap_or_default().to_owned();
         let lower = |number: &Value| {
             let number = usize::try_from(number.as_integer()?).ok()?;
@@ -69,8 +69,8 @@ impl Outline {
 }
 
 /// The tables of a list.
-fn tables_of(list: &Option<Value>) -> Vec<&Table> {
-    let list = list.as_ref().and_then(Value::as_array);
+fn tables_of(list: Option<&Value>) -> Vec<&Table> {
+    let list = list.and_then(Value::as_array);
     let tables = list.into_iter().flatten();
     tables.filter_map(Value::as_table).collect()
 }
