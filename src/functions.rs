@@ -40,8 +40,35 @@
 //! | [`PotentialEnergy`] | `potential_energy(q, energy)` | `R` | |
 //! | [`LinearMomentum`] | `linear_momentum(q, u, out)` | `[R; 3]` | |
 //! | [`AngularMomentum`] | `angular_momentum(q, u, out)` | `[R; 3]` | |
+//! | [`MassMatrixProduct`] | `mass_matrix_product(q, u_dot, tau)` | `U` | (42) |
+//! | [`MassMatrixSolve`] | `mass_matrix_solve(q, tau, u_dot)` | `U` | (42) |
+//! | [`MassMatrixInverse`] | `mass_matrix_inverse(q, inverse)` | `Matrix` | (42) |
+//! | [`MassMatrixInversePacked`] | `mass_matrix_inverse_packed(q, entries)` | `Entries`, `PLACES` | (42) |
+//! | [`MassMatrixFactors`] | `mass_matrix_factors(q, entries)` | `Entries`, `PLACES`, `ORDER` | `M = Lᵀ D L` |
+//! | [`CoriolisMatrix`] | `coriolis_matrix(q, u, c)` | `Matrix` | (15), (20), (32), (33) |
+//! | [`MassMatrixDot`] | `mass_matrix_dot(q, u, m_dot)` | `Matrix` | `M_dot = C + Cᵀ` |
+//! | [`LoadedInverseDynamics`] | `loaded_inverse_dynamics(q, u, u_dot, loads, tau)` | `U` | (36), (43) |
+//! | [`LoadedForwardDynamics`] | `loaded_forward_dynamics(q, u, tau, loads, u_dot)` | `U` | (36), (41) |
+//! | [`KineticEnergies`] | `kinetic_energies(q, u, energies)` | `Scalars` | |
+//! | [`PotentialEnergies`] | `potential_energies(q, energies)` | `Scalars` | |
+//! | [`JointWrenches`] | `joint_wrenches(q, u, u_dot, loads, force, moment)` | `Vectors`, `Vectors` | |
+//! | [`CenterOfMass`] | `center_of_mass(q, position)` | `[R; 3]` | (23) |
+//! | [`CenterOfMassVelocity`] | `center_of_mass_velocity(q, u, velocity)` | `[R; 3]` | (27) |
+//! | [`CenterOfMassJacobian`] | `center_of_mass_jacobian(q, jacobian)` | `[U; 3]` | (32) |
+//! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
+//! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
+//! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Matrix` | (36), (43) |
+//! | [`JointRegressor`] | `joint_regressor(q, u, u_dot, y)` | `Terms` | |
 //! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
 //! | [`Velocity`] of a frame | `velocity(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (25), (11) |
+//! | [`Acceleration`] of a frame | `acceleration(q, u, u_dot, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
+//! | [`Jacobian`] of a frame | `jacobian(q, linear, angular)` | `[U; 3]`, `[U; 3]`, `SPEEDS` | (28), (15) |
+//! | [`JacobianPacked`] of a frame | `jacobian_packed(q, linear, angular)` | `[Columns; 3]`, `[Columns; 3]`, `SPEEDS` | (28), (15) |
+//! | [`PointJacobian`] of a frame | `point_jacobian(q, point, linear, angular)` | `[U; 3]`, `[U; 3]`, `SPEEDS` | (28), (15) |
+//! | [`JacobianDotU`] of a frame | `jacobian_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (34), (20) |
+//! | [`GeneralizedForce`] of a frame | `generalized_force(q, force, moment, tau)` | `U` | (36) |
+//! | [`OperationalInverseInertia`] of frames | `operational_inverse_inertia(q, inverse_inertia)` | `Matrix` | `J M⁻¹ Jᵀ` |
+//! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};
@@ -104,6 +131,14 @@ macro_rules! partial_traits {
         }
     )+};
 }
+
+// What the macros above are used in stands after them.
+mod matrices;
+
+pub use matrices::{
+    CoriolisMatrix, MassMatrixDot, MassMatrixFactors, MassMatrixInverse, MassMatrixInversePacked,
+    MassMatrixProduct, MassMatrixSolve, solve_factored,
+};
 
 function_traits! {
     /// Rotation matrix `JR_K` of each body: components in `J` to components in `K`. Eq. (4).
@@ -276,24 +311,114 @@ function_traits! {
     AngularMomentum: angular_momentum(q: &Self::Q, u: &Self::U, out: &mut [R; 3]);
 }
 
-/// A frame's own axes in place of the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
-#[derive(Clone, Copy, Debug)]
-pub struct Local<F>(core::marker::PhantomData<F>);
+function_traits! {
+    /// Inverse dynamics under loads: [`InverseDynamics`] less the [`GeneralizedForces`] of the loads, N m and N. Often
+    /// called RNEA with external forces.
+    LoadedInverseDynamics: loaded_inverse_dynamics(q: &Self::Q, u: &Self::U, u_dot: &Self::U, loads: &Self::Loads, tau: &mut Self::U);
 
-/// Pose of the frame `F`, one of the types in the generated module's `frames`.
-///
-/// `rotation` maps inertial components to components along the frame's axes, by rows; `position` is that of the frame's
-/// origin from the inertial origin, inertial components, m. Often called the frame placement, or forward kinematics.
-pub trait Pose<R: Real, F>: System<R> {
-    /// Writes the pose at `q`.
-    fn pose(&self, q: &Self::Q, rotation: &mut [[R; 3]; 3], position: &mut [R; 3]);
+    /// Forward dynamics under loads: the `u_dot` that solves `M u_dot + bias = tau + generalized_forces`, rad/s² and m/s².
+    /// Often called ABA with external forces.
+    ///
+    /// Nothing is checked, as in [`ForwardDynamics`].
+    LoadedForwardDynamics: loaded_forward_dynamics(q: &Self::Q, u: &Self::U, tau: &Self::U, loads: &Self::Loads, u_dot: &mut Self::U);
+
+    /// Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, J.
+    KineticEnergies: kinetic_energies(q: &Self::Q, u: &Self::U, energies: &mut Self::Scalars);
+
+    /// Potential energy of each body, with that of the springs of its joint, J: that of weight is zero at the inertial
+    /// origin, that of a spring at rest.
+    PotentialEnergies: potential_energies(q: &Self::Q, energies: &mut Self::Scalars);
 }
 
-/// Velocity of the frame `F`, one of the types in the generated module's `frames`, in the inertial frame.
+/// All that each joint transmits to its body from the lower body, by which bearings and structures are sized.
 ///
-/// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s: inertial components, or for
-/// [`Local`] components along the frame's own axes. Often called the twist.
-pub trait Velocity<R: Real, F>: System<R> {
-    /// Writes the velocity at `q`, `u`.
-    fn velocity(&self, q: &Self::Q, u: &Self::U, linear: &mut [R; 3], angular: &mut [R; 3]);
+/// `force`, N, and `moment`, N m, are body components, about the point of the body where its joint sits: its origin, or its
+/// `body_attachment` where it has one. Weight and the loads on all bodies outward of the joint are in it, and so are motors,
+/// springs and dampers, which act through the joint. Often called joint reactions.
+pub trait JointWrenches<R: Real>: System<R> {
+    /// Overwrites `force` and `moment`; meaning, frame and unit are those of [`JointWrenches`].
+    fn joint_wrenches(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        loads: &Self::Loads,
+        force: &mut Self::Vectors,
+        moment: &mut Self::Vectors,
+    );
 }
+
+function_traits! {
+    /// Mass centre of all bodies from the inertial origin, inertial components, m. Often called the centre of mass, `CoM`.
+    ///
+    /// Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.
+    CenterOfMass: center_of_mass(q: &Self::Q, position: &mut [R; 3]);
+
+    /// Velocity of the mass centre of all bodies in the inertial frame, inertial components, m/s.
+    CenterOfMassVelocity: center_of_mass_velocity(q: &Self::Q, u: &Self::U, velocity: &mut [R; 3]);
+
+    /// Partial velocities of the mass centre of all bodies, inertial components, `jacobian[component][speed]`: its velocity
+    /// is this matrix times `u`. Often called the `CoM` Jacobian.
+    CenterOfMassJacobian: center_of_mass_jacobian(q: &Self::Q, jacobian: &mut [Self::U; 3]);
+}
+
+/// Momentum of all bodies about their mass centre for a unit of each speed, inertial components, `[component][speed]`: linear,
+/// kg m/s, and angular, kg m²/s, are these matrices times `u`. Often called the CMM, `A_G`.
+pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
+    /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrix`].
+    fn centroidal_momentum_matrix(
+        &self,
+        q: &Self::Q,
+        linear: &mut [Self::U; 3],
+        angular: &mut [Self::U; 3],
+    );
+}
+
+/// Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`, inertial
+/// components: what [`CentroidalMomentumMatrix`] times `u_dot` leaves of the rates. Often called `A_G_dot u`.
+pub trait CentroidalMomentumMatrixDotU<R: Real>: System<R> {
+    /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrixDotU`].
+    fn centroidal_momentum_matrix_dot_u(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        linear: &mut [R; 3],
+        angular: &mut [R; 3],
+    );
+}
+
+/// Inertia forces and weight as they are linear in the inertial parameters `pi` of the bodies, `y[speed][body][parameter]`:
+/// [`InverseDynamics`] is the sum of `y pi` over all bodies and parameters, and what springs, dampers and rotors need.
+///
+/// Ten parameters a body, with all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`,
+/// `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's own values
+/// are not read. Often called the joint torque regressor, or identification matrix.
+pub trait Regressor<R: Real>: System<R> {
+    /// `[[R; 10]; NB]`: of one speed.
+    type Row: Array<[R; 10]>;
+    /// `[[[R; 10]; NB]; NU]`.
+    type Matrix: Array<Self::Row>;
+    /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
+    fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
+}
+
+/// Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of its
+/// three numbers, the speed, its sign and its rate, times its viscous damping, N m s or N s/m, its Coulomb friction, N m or N,
+/// and its rotor inertia, kg m² or kg.
+///
+/// A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their
+/// multiplier squared, friction times its magnitude. The sign is branch-free: it falls to zero where the speed is less than
+/// about `1e-14`.
+pub trait JointRegressor<R: Real>: System<R> {
+    /// `[[R; 3]; NU]`.
+    type Terms: Array<[R; 3]>;
+    /// Overwrites the last argument; meaning, frame and unit are those of [`JointRegressor`].
+    fn joint_regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Terms);
+}
+
+mod frames;
+
+pub use frames::{
+    Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked, Local,
+    OperationalInverseInertia, PointJacobian, Pose, Seen, Velocity,
+};

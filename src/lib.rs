@@ -43,6 +43,7 @@ pub mod batch;
 pub mod chart;
 pub mod checked;
 pub mod integrate;
+pub mod inverse_kinematics;
 pub mod self_test;
 #[cfg(feature = "simulate")]
 pub mod simulate;

@@ -27,7 +27,7 @@ use crate::{
     input,
     options::{
         Formulation, Functions, Options,
-        companion::{Abi, Kind},
+        companion::{Abi, CompanionKind},
     },
     output::{self, Overwrite},
     recursive::Technique,
@@ -140,21 +140,21 @@ impl Build {
     /// Writes the manifest beside the module too: what it holds, as JSON, `arm.json` for `arm.rs`.
     #[must_use]
     pub fn manifest(mut self) -> Self {
-        self.options.companions.insert(Kind::Manifest);
+        self.options.companions.insert(CompanionKind::Manifest);
         self
     }
 
     /// Writes the module's functions for other languages beside it too: for C `arm_c.rs` and `arm.h`.
     #[must_use]
     pub fn abi(mut self, abi: Abi) -> Self {
-        self.options.companions.insert(Kind::Abi(abi));
+        self.options.companions.insert(CompanionKind::Abi(abi));
         self
     }
 
     /// Writes tests of the module beside it too, `arm_tests.rs` for `arm.rs`; `kane::self_test` says what they hold.
     #[must_use]
     pub fn with_tests(mut self) -> Self {
-        self.options.companions.insert(Kind::Tests);
+        self.options.companions.insert(CompanionKind::Tests);
         self
     }
 

@@ -68,6 +68,8 @@ pub mod generate;
 // What is asked for of all systems of a repository: `kane.toml`.
 pub mod budget;
 pub mod config;
+// How files of ours are known.
+pub mod signs;
 // Files.
 pub mod input;
 pub mod output;

@@ -3,22 +3,58 @@
 use std::{env, error::Error, fs, path::Path};
 
 use kane_codegen::{
+    build_script::Build,
     compile::Options,
     config::Functions,
-    description::{self, Reading, Scalar, no_includes, toml},
+    description::{self, Base, Reading, Scalar, no_includes, toml},
     diagnostic::Source,
     generate::generate,
     output::{self, Overwrite},
 };
 
+const UR5: [&str; 7] = [
+    "gravity_forces",
+    "forward_dynamics",
+    "mass_matrix_product",
+    "coriolis_matrix",
+    "pose(payload)",
+    "jacobian(payload)",
+    "generalized_force(payload)",
+];
+
+const PANDA: [&str; 8] = [
+    "inverse_dynamics",
+    "forward_dynamics",
+    "mass_matrix_inverse",
+    "pose(payload)",
+    "velocity(payload)",
+    "jacobian(payload)",
+    "jacobian_dot_u(payload)",
+    "generalized_force(payload)",
+];
+
+const SOLO12: [&str; 10] = [
+    "pose(base_link)",
+    "jacobian(base_link)",
+    "pose(FL_FOOT)",
+    "jacobian(FL_FOOT)",
+    "pose(FR_FOOT)",
+    "jacobian(FR_FOOT)",
+    "pose(HL_FOOT)",
+    "jacobian(HL_FOOT)",
+    "pose(HR_FOOT)",
+    "jacobian(HR_FOOT)",
+];
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    with_payload("ur5", "tool0", &["gravity_forces", "forward_dynamics"])?;
-    with_payload(
-        "panda",
-        "panda_hand_tcp",
-        &["inverse_dynamics", "forward_dynamics"],
-    )
+    with_payload("ur5", "tool0", &UR5)?;
+    with_payload("panda", "panda_hand_tcp", &PANDA)?;
+    Build::new("../../tests/robots/solo12/solo12.urdf")
+        .base(Base::Free)
+        .functions(SOLO12)
+        .run()?;
+    Ok(())
 }
 
 /// The massless link at the tool's tip becomes the payload, a point mass; by hand, `kane convert` and an editor do that. Where

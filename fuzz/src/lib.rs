@@ -18,7 +18,8 @@ use kane_test_support::promises::{self, Files};
 /// The names of models, by their format.
 const MODELS: [&str; 3] = ["model.toml", "model.urdf", "model.xml"];
 
-/// Up to this many bodies every function is generated, up to the other one alone, and of more nothing: a run is to be fast.
+/// Up to this many bodies every function is generated, up to the other one alone or those of one frame, and of more nothing: a
+/// run is to be fast.
 const FEW_BODIES: (usize, usize) = (2, 6);
 
 /// Reads a model as the command does, but for bytes that are no text, which the command refuses. How it is read follows from
@@ -51,6 +52,14 @@ pub fn generate(data: &[u8]) {
     if n_bodies > FEW_BODIES.1 {
         return;
     }
+    let of_frames = || {
+        let frame = promises::frame(&files, reading, usize::from(function));
+        let asked = frame.map_or_else(Vec::new, |frame| promises::of_frame(&frame));
+        match how & 64 {
+            0 => asked,
+            _ => vec![asked.join("+") + "(sin_cos)"],
+        }
+    };
     let function = &CATALOGUE[usize::from(function) % CATALOGUE.len()];
     let options = Options {
         reading,
@@ -58,6 +67,7 @@ pub fn generate(data: &[u8]) {
         functions: match how % 4 {
             0 if n_bodies <= FEW_BODIES.0 => Functions::All,
             1 => Functions::Named(vec![format!("{}(sin_cos)", function.name)]),
+            2 => Functions::Named(of_frames()),
             _ => Functions::Named(vec![function.name.to_owned()]),
         },
         formulation: Formulation::ALL[usize::from(how / 4) % Formulation::ALL.len()].1,
@@ -71,7 +81,7 @@ pub fn generate(data: &[u8]) {
         companions: if how & 32 == 0 {
             BTreeSet::new()
         } else {
-            companions::Kind::ALL.into()
+            companions::CompanionKind::ALL.into()
         },
         module: "model".to_owned(),
     };

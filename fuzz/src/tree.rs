@@ -6,6 +6,8 @@ use arbitrary::{Result, Unstructured};
 
 /// Most bodies of a tree.
 const MOST_BODIES: u8 = 4;
+/// Most frames beside them.
+const MOST_FRAMES: u8 = 2;
 /// Numbers that are often special, beside any other.
 const NUMBERS: [f64; 16] = [
     0.0,
@@ -87,17 +89,48 @@ pub(crate) fn text(bytes: &mut Unstructured<'_>) -> Result<String> {
     if bytes.ratio(1, 3)? {
         text += "order = \"notes\"\n";
     }
-    for body in 0..n_bodies {
-        self::body(bytes, &mut text, body)?;
+    let names: Vec<String> = (0..n_bodies)
+        .map(|body| self::body(bytes, &mut text, body))
+        .collect::<Result<_>>()?;
+    for frame in 0..bytes.int_in_range(0..=MOST_FRAMES)? {
+        self::frame(bytes, &mut text, frame, &names)?;
     }
     Ok(text)
 }
 
-fn body(bytes: &mut Unstructured<'_>, text: &mut String, body: u8) -> Result<()> {
-    let name = bytes
-        .choose(&NAMES)?
-        .replace('\\', "\\\\")
-        .replace('"', "\\\"");
+/// Writes a `[[frame]]`.
+fn frame(
+    bytes: &mut Unstructured<'_>,
+    text: &mut String,
+    frame: u8,
+    bodies: &[String],
+) -> Result<()> {
+    let name = name(bytes)?;
+    *text += &format!("\n[[frame]]\nname = \"{name} {frame}\"\n");
+    if bytes.ratio(3, 4)? {
+        *text += &format!("body = \"{}\"\n", bytes.choose(bodies)?);
+    }
+    if bytes.ratio(3, 4)? {
+        *text += &format!("position = {}\n", vector(bytes)?);
+    }
+    let rotation = bytes.choose(&ROTATIONS)?;
+    match bytes.int_in_range(0..=3)? {
+        0 => {}
+        1 => *text += &format!("rotation = {{ runtime = {rotation} }}\n"),
+        _ => *text += &format!("rotation = {rotation}\n"),
+    }
+    Ok(())
+}
+
+/// A name, as it stands between quotes.
+fn name(bytes: &mut Unstructured<'_>) -> Result<String> {
+    let name = bytes.choose(&NAMES)?;
+    Ok(name.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+/// Writes a `[[body]]`, and gives its name.
+fn body(bytes: &mut Unstructured<'_>, text: &mut String, body: u8) -> Result<String> {
+    let name = name(bytes)?;
     let mut line = |key: &str, value: &str| {
         writeln!(text, "{key} = {value}").map_err(|_| arbitrary::Error::IncorrectFormat)
     };
@@ -155,7 +188,7 @@ fn body(bytes: &mut Unstructured<'_>, text: &mut String, body: u8) -> Result<()>
             ),
         )?;
     }
-    Ok(())
+    Ok(format!("{name}{body}"))
 }
 
 fn vector(bytes: &mut Unstructured<'_>) -> Result<String> {

@@ -34,6 +34,8 @@ pub fn mul_add_f32(a: f32, b: f32, c: f32) -> f32 { Real::mul_add(a, b, c) }
 #[unsafe(no_mangle)]
 pub fn negated_f64(a: f64, b: f64, c: f64) -> f64 { Real::mul_add(-a, b, -c) }
 
+#[path = "one_coordinate.rs"]
+mod one_coordinate;
 #[path = "oscillator.rs"]
 mod oscillator;
 use oscillator::Oscillator;
@@ -76,11 +78,10 @@ fn instructions(opt_level: &str, options: &[&str]) -> BTreeMap<String, Vec<Strin
     let common = [&common[..], options].concat();
     let (folder, external) = library(&common);
     fs::write(folder.join("probe.rs"), PROBE).unwrap();
-    fs::copy(
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/runtime/common/oscillator.rs"),
-        folder.join("oscillator.rs"),
-    )
-    .unwrap();
+    for name in ["one_coordinate.rs", "oscillator.rs"] {
+        let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/runtime/common");
+        fs::copy(common.join(name), folder.join(name)).unwrap();
+    }
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let (source, assembly) = (path("probe.rs"), path("probe.s"));
     let probe = [

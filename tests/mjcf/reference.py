@@ -66,6 +66,17 @@ def joints(model):
         }
 
 
+def sites(model):
+    """The sites that have names."""
+    return [site for site in range(model.nsite) if model.site(site).name]
+
+
+def quaternion(matrix):
+    result = np.zeros(4)
+    mujoco.mju_mat2Quat(result, matrix)
+    return result
+
+
 def qpos(model, random):
     values = random.uniform(-1.5, 1.5, model.nq)
     for joint in range(model.njnt):
@@ -100,6 +111,9 @@ def state(model, random):
         "potential_energy": data.energy[0],
         "kinetic_energy": data.energy[1],
     }
+    if sites(model):
+        values["site_xpos"] = data.site_xpos[sites(model)]
+        values["site_xquat"] = [quaternion(data.site_xmat[site]) for site in sites(model)]
     close(mass_matrix @ data.qacc + bias, tau)
     close(0.5 * data.qvel @ mass_matrix @ data.qvel, data.energy[1])
     data.qacc[:] = random.normal(size=model.nv) * 3
@@ -139,6 +153,7 @@ def text(value, indent=""):
 def reference(path):
     m = model(path)
     random = np.random.default_rng(zlib.crc32(path.stem.encode()))
+    named = [{"name": m.site(site).name, "body": int(m.site_bodyid[site])} for site in sites(m)]
     return {
         "mujoco": mujoco.__version__,
         "model": path.name,
@@ -146,6 +161,7 @@ def reference(path):
         "nv": m.nv,
         "bodies": list(bodies(m)),
         "joints": list(joints(m)),
+        **({"sites": named} if named else {}),
         "states": [state(m, random) for _ in range(8 if m.nv <= MANY_SPEEDS else 4)],
     }
 

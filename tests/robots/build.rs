@@ -34,6 +34,14 @@ const DYNAMICS: [&str; 5] = [
     "forward_dynamics",
 ];
 
+/// Functions of the mass centre that have a value in the references.
+const OF_CENTER: [&str; 4] = [
+    "center_of_mass",
+    "center_of_mass_velocity",
+    "center_of_mass_jacobian",
+    "centroidal_momentum_matrix",
+];
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     for name in [
@@ -74,6 +82,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     joined(model("solo12").base(Base::Free), "solo12")?;
     joined(Build::new("gripper/gripper.urdf"), "gripper")?;
     frames()?;
+    matrices()?;
+    systems()?;
     mjcf()
 }
 
@@ -84,8 +94,62 @@ fn frames() -> Result<(), Error> {
         "velocity(panda_hand_tcp)",
         "velocity(panda_hand_tcp, local)",
         "pose(panda_hand_tcp)+velocity(panda_hand_tcp)",
+        "acceleration(panda_hand_tcp)",
+        "acceleration(panda_hand_tcp, local)",
+        "jacobian(panda_hand_tcp)",
+        "jacobian(panda_hand_tcp, local)",
+        "jacobian(panda_hand_tcp, panda_link4)",
+        "jacobian_packed(panda_link4)",
+        "jacobian(panda_link4)",
+        "point_jacobian(panda_hand_tcp)",
+        "jacobian_dot_u(panda_hand_tcp)",
+        "generalized_force(panda_hand_tcp)",
+        "imu(panda_hand_tcp)",
     ]);
     build.name("panda_frames").run()?;
+    Ok(())
+}
+
+/// Matrices over speeds.
+fn matrices() -> Result<(), Error> {
+    for (name, base) in [
+        ("cartpole", Base::Fixed),
+        ("double_pendulum", Base::Fixed),
+        ("ur5", Base::Fixed),
+        ("panda", Base::Fixed),
+        ("solo12", Base::Free),
+        ("talos", Base::Free),
+    ] {
+        let build = unsnapped(name).base(base).functions([
+            "mass_matrix",
+            "mass_matrix_product",
+            "mass_matrix_solve",
+            "mass_matrix_inverse",
+            "mass_matrix_factors",
+            "coriolis_matrix",
+            "mass_matrix_dot",
+        ]);
+        build.name(format!("{name}_matrices")).run()?;
+    }
+    Ok(())
+}
+
+/// Functions of the mass centre, and the regressors for which there are references.
+fn systems() -> Result<(), Error> {
+    for (name, base) in [
+        ("cartpole", Base::Fixed),
+        ("ur5", Base::Fixed),
+        ("panda", Base::Fixed),
+        ("solo12", Base::Free),
+        ("talos", Base::Free),
+    ] {
+        let build = unsnapped(name).base(base).name(format!("{name}_center"));
+        build.functions(OF_CENTER).run()?;
+        if base == Base::Fixed {
+            let build = unsnapped(name).name(format!("{name}_regressor"));
+            build.functions(["regressor"]).run()?;
+        }
+    }
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! The runtime: the scalar and its lanes, batches, integration, checks, charts, and the traits of systems.
+//! The runtime: the scalar and its lanes, batches, integration, inverse kinematics, checks, charts, and the traits of systems.
 
 #[cfg(feature = "eight_body")]
 mod batch;
@@ -7,8 +7,11 @@ mod chart;
 mod checked;
 mod common;
 mod integrate;
+mod inverse_kinematics;
 #[cfg(feature = "wide")]
 mod lanes;
+#[cfg(feature = "eight_body")]
+mod operators;
 mod real;
 mod self_test;
 #[cfg(feature = "simulate")]

@@ -8,8 +8,9 @@ use std::{
 use clap::Args;
 use kane_codegen::{
     generate::Generated,
-    origin, output,
+    output,
     report::{self, Comparison},
+    signs,
 };
 use similar::TextDiff;
 
@@ -82,7 +83,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         write_file(out, file)?;
         match &file.found {
             Found::Same => continue,
-            Found::Differs(old) if !origin::is_ours(old.as_bytes()) => force = " --force",
+            Found::Differs(old) if !signs::is_ours(old.as_bytes()) => force = " --force",
             Found::Missing | Found::Differs(_) => {}
         }
         outcome = Outcome::Differs;
@@ -154,7 +155,7 @@ fn write_file(out: &mut dyn Write, file: &Compared<'_>) -> io::Result<()> {
                     "{path} differs in layout only: `#[rustfmt::skip]` at its `mod` keeps `cargo fmt` from it"
                 )?;
             }
-            if !origin::is_ours(old.as_bytes()) {
+            if !signs::is_ours(old.as_bytes()) {
                 writeln!(out, "{path} was not written by `kane generate`")?;
             }
             write_comparison(out, file, old)?;

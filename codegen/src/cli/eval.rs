@@ -11,10 +11,11 @@ use kane_codegen::{
     compile,
     diagnostic::Source,
     error::Error,
-    functions::{Block, Request},
+    functions::{Block, Packed, Request},
     input,
     options::{Formulation, Options},
     recursive::Technique,
+    solve,
     tree::Tree,
 };
 use serde_json::{Map, Value, json};
@@ -27,7 +28,7 @@ use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, pa
 /// shape of the function's output: a number, a list, or nested lists, matrices by rows. A number that is not finite is
 /// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
 /// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
-/// `columns`, all from 0. The packed mass matrix comes as `entries`, and `places`, the row and column of each. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
+/// `columns`, all from 0. Packed matrices come as `entries`, and `places`, the row and column of each, factors with the `order` of elimination. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "The state file holds what the function is given, in SI units:\n  \
@@ -121,8 +122,8 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
 fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) -> Value {
     let mut rest = numbers;
     let mut outputs = Map::new();
-    for output in function.outputs() {
-        let lengths = output.shape.lengths(tree, numbers.len() / 3);
+    let lengths = function.lengths(tree, numbers.len() / 3);
+    for (output, lengths) in function.outputs().into_iter().zip(lengths) {
         let (own, others) = rest.split_at(lengths.iter().product());
         outputs.insert(output.name.into_owned(), json::array(own, &lengths));
         rest = others;
@@ -130,8 +131,16 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
     if function.compact().is_some() {
         outputs.insert("blocks".to_owned(), blocks(compact));
     }
-    if function.is_packed() {
-        outputs.insert("places".to_owned(), json!(tree.coupled_speeds()));
+    let packed = function.packed();
+    for own in &packed {
+        let name = match &packed[..] {
+            [_] => "places".to_owned(),
+            _ => format!("{}_places", own.function()),
+        };
+        outputs.insert(name, json!(own.places(tree)));
+    }
+    if packed.contains(&Packed::Factors) {
+        outputs.insert("order".to_owned(), json!(solve::elimination(tree)));
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);
     only.cloned().unwrap_or(Value::Object(outputs))

@@ -323,7 +323,7 @@ fn write_counts(out: &mut dyn Write, counts: &[Counts]) -> io::Result<()> {
 /// True for a function of the default set.
 fn is_default(count: &Counts) -> bool {
     let alone = count.function.alone();
-    alone.is_some_and(|function| function.is_default)
+    alone.is_some_and(|part| part.function.is_default)
 }
 
 fn operations(count: &Counts, formulation: Formulation) -> Option<Operations> {

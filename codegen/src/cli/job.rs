@@ -9,9 +9,11 @@ use std::{
 use kane_codegen::{
     budget::{self, Budget, Excess},
     companions,
+    config::Named,
     description::{self, Reading},
     diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
+    functions::RequestError,
     generate::{self, Generated},
     input,
     options::Options,
@@ -43,6 +45,8 @@ pub(crate) struct Job {
 pub(crate) struct Listing {
     pub(crate) config: Arc<Source>,
     pub(crate) model: Span,
+    /// Those that it names there, unless others are asked for.
+    pub(crate) functions: Named,
 }
 
 /// Where a module goes.
@@ -67,11 +71,22 @@ impl Job {
 
     /// Why the model cannot be read, where it is listed.
     fn unreadable(&self, error: Error) -> Failures {
-        let Some(Listing { config, model }) = &self.listing else {
+        let Some(Listing { config, model, .. }) = &self.listing else {
             return error.into();
         };
         let fault = Diagnostic::error(format!("{error:?}")).at(*model, "listed here");
         Diagnostics::new(Source::clone(config), vec![fault]).into()
+    }
+
+    /// Why what is asked for cannot be had of the model, at its place where it has one.
+    fn not_had(&self, fault: RequestError) -> Failures {
+        let listing = self.listing.as_ref();
+        let placed = listing.and_then(|listing| Some((listing, listing.functions.fault(&fault)?)));
+        let Some((listing, placed)) = placed else {
+            return Error::Request(fault).into();
+        };
+        let placed = placed.at(listing.model, "the model");
+        Diagnostics::new(Source::clone(&listing.config), vec![placed]).into()
     }
 
     /// What would ask for a file beside the module, if it can be one.
@@ -79,7 +94,7 @@ impl Job {
         let Target::File(module) = &self.target else {
             return None;
         };
-        let mut kinds = companions::Kind::ALL.into_iter();
+        let mut kinds = companions::CompanionKind::ALL.into_iter();
         let kind = kinds.find(|kind| kind.beside(module).any(|beside| beside == file))?;
         Some(kind.key())
     }
@@ -237,6 +252,7 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }
+        Error::Request(fault) => job.not_had(fault),
         error => error.into(),
     })
 }

@@ -76,6 +76,7 @@ impl Listed {
             listing: Some(Listing {
                 config: Arc::clone(&self.source),
                 model: system.model.span,
+                functions: system.named.clone(),
             }),
             model,
         })

@@ -103,6 +103,11 @@ impl OptionsArguments {
 }
 
 impl Asked<'_> {
+    /// True where it says which functions.
+    pub(crate) fn names_functions(&self) -> bool {
+        self.functions.is_some()
+    }
+
     /// Sets what is asked for, above what was said before.
     pub(crate) fn set(&self, options: &mut Options) {
         let arguments = self.arguments;

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use kane_codegen::{
-    companions::{Abi, Kind},
+    companions::{Abi, CompanionKind},
+    config::Named,
     error::Error,
     options::Options,
 };
@@ -98,6 +99,14 @@ pub(crate) struct Whole {
 }
 
 impl Selection {
+    /// What can be asked for beside the module, or not: the option, and what it was given.
+    fn switches(&self) -> [(CompanionKind, &'static str, Option<bool>); 2] {
+        [
+            (CompanionKind::Manifest, "--manifest", self.manifest),
+            (CompanionKind::Tests, "--with-tests", self.with_tests),
+        ]
+    }
+
     /// The systems that are selected.
     pub(crate) fn plan(&self) -> Result<Plan, Failures> {
         let asked = self.options.read()?;
@@ -124,10 +133,7 @@ impl Selection {
             push("--output");
             push(&output.to_string_lossy());
         }
-        for (option, given) in [
-            ("--manifest", self.manifest),
-            ("--with-tests", self.with_tests),
-        ] {
+        for (_, option, given) in self.switches() {
             match given {
                 Some(true) => push(option),
                 Some(false) => push(&format!("{option}=false")),
@@ -212,17 +218,17 @@ impl Selection {
             model.clone_into(&mut job.model);
             let options = &mut job.options;
             asked.set(options);
-            for (kind, given) in [
-                (Kind::Manifest, self.manifest),
-                (Kind::Tests, self.with_tests),
-            ] {
+            if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_functions()) {
+                listing.functions = Named::default();
+            }
+            for (kind, _, given) in self.switches() {
                 match given {
                     Some(true) => options.companions.insert(kind),
                     Some(false) => options.companions.remove(&kind),
                     None => false,
                 };
             }
-            options.companions.extend(self.abi.map(Kind::Abi));
+            options.companions.extend(self.abi.map(CompanionKind::Abi));
             // There the module stands alone.
             if job.target == Target::StandardOutput {
                 options.companions.clear();

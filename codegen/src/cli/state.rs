@@ -96,7 +96,7 @@ impl Reader<'_> {
     }
 
     fn argument(&mut self, argument: Argument, value: &Value) {
-        let lengths = argument.shape().lengths(self.tree, 0);
+        let lengths = argument.lengths(self.tree);
         let expected = self.expected(argument);
         let mut place = 0;
         self.array(
@@ -156,7 +156,7 @@ impl Reader<'_> {
     /// What an argument should be.
     fn expected(&self, argument: Argument) -> String {
         let shape = argument.shape();
-        let lengths = shape.lengths(self.tree, 0);
+        let lengths = argument.lengths(self.tree);
         let (Some((length, inner)), Some(axis)) = (lengths.split_first(), shape.axes.first())
         else {
             return numbers(&lengths);

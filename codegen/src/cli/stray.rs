@@ -12,7 +12,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::{error::Error, origin};
+use kane_codegen::{error::Error, signs};
 
 use super::{Failures, job::Job, paths};
 
@@ -105,7 +105,7 @@ fn visit(
 fn is_ours(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
     File::open(path)?
-        .take(origin::SIGN_BYTES)
+        .take(signs::SIGN_BYTES)
         .read_to_end(&mut start)?;
-    Ok(origin::is_ours(&start))
+    Ok(signs::is_ours(&start))
 }

@@ -1,7 +1,7 @@
 //! Files beside a module, for those who ask for them.
 //!
 //! In: a module ready to be emitted. Out: texts, each with its place beside the module. Afterwards: each begins with the sign
-//! of its format, [`origin::SIGNS`](crate::origin::SIGNS), and follows from what the module follows from. Does not: change
+//! of its format, [`SIGNS`](crate::signs::SIGNS), and follows from what the module follows from. Does not: change
 //! the module's own text.
 
 use std::{
@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-pub use crate::options::companion::{Abi, Kind, can_be_beside};
+pub use crate::options::companion::{Abi, CompanionKind, can_be_beside};
 
 use crate::{
     compile::Compiled,
@@ -51,7 +51,7 @@ pub(crate) struct Given<'a> {
 /// The files of these kinds, beside the module `name`, or why one of them cannot be.
 pub(crate) fn of(
     given: &Given<'_>,
-    kinds: &BTreeSet<Kind>,
+    kinds: &BTreeSet<CompanionKind>,
     name: &str,
 ) -> Result<Vec<Companion>, Error> {
     let mut companions = Vec::new();
@@ -63,14 +63,14 @@ pub(crate) fn of(
 }
 
 /// The texts of the files of one kind.
-fn texts(kind: Kind, given: &Given<'_>, name: &str) -> Result<Vec<String>, Error> {
+fn texts(kind: CompanionKind, given: &Given<'_>, name: &str) -> Result<Vec<String>, Error> {
     let module = given.module;
     Ok(match kind {
-        Kind::Manifest => vec![json::manifest(module)],
-        Kind::Tests => {
+        CompanionKind::Manifest => vec![json::manifest(module)],
+        CompanionKind::Tests => {
             let (samples, values) = samples::of(given.tree, given.compiled, module)?;
             vec![rust::self_tests(module, &samples, &values)]
         }
-        Kind::Abi(Abi::C) => vec![rust::interface(module, name), c::header(module, name)],
+        CompanionKind::Abi(Abi::C) => vec![rust::interface(module, name), c::header(module, name)],
     })
 }

@@ -223,6 +223,7 @@ impl Search<'_> {
                 let says_something = match technique {
                     Technique::Articulated => self.factors_have_a_chance(),
                     Technique::LinkAxes | Technique::Fall => self.function.solves(),
+                    Technique::Inward => self.function.is_of_frames(),
                     _ => true,
                 };
                 if says_something && !without.contains(&technique) {

@@ -9,7 +9,7 @@ use crate::{
     error::Error,
     functions::{Argument, Request},
     limits,
-    options::{Formulation, Options, companion::Kind},
+    options::{Formulation, Options, companion::CompanionKind},
     recursive::Technique,
     solve,
     tree::Tree,
@@ -37,7 +37,7 @@ pub fn check(tree: &Tree, requests: &[Request], options: &Options) -> Result<(),
 fn check_companions(
     tree: &Tree,
     requests: &[Request],
-    companions: &BTreeSet<Kind>,
+    companions: &BTreeSet<CompanionKind>,
 ) -> Result<(), Error> {
     let evaluated = companions.iter().flat_map(|kind| kind.evaluated(requests));
     let evaluated: Vec<Request> = evaluated.collect();
@@ -61,6 +61,12 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
             limits::TERMS,
         )?;
     }
+    bound(
+        &format!("`{name}` writes"),
+        request.n_solved(tree),
+        "numbers of solutions",
+        limits::SOLVED,
+    )?;
     let is_factorised = options.formulation == Formulation::Notes
         || options.without.contains(&Technique::Articulated)
         || !Technique::Articulated.is_possible(tree);

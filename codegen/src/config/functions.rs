@@ -7,14 +7,22 @@ use crate::{
     options::Functions,
 };
 
+/// The functions that a system names, where they stand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Named {
+    /// The list, in the words of messages.
+    what: String,
+    entries: Vec<Spanned<String>>,
+}
+
 /// Reads `functions` of a system.
 pub(super) fn read(
     reader: &mut Reader,
     system: &Table<'_, '_>,
     known: &[&str],
-) -> Option<Functions> {
+) -> Option<(Functions, Named)> {
     let Some(item) = system.get("functions") else {
-        return Some(Functions::Default);
+        return Some((Functions::Default, Named::default()));
     };
     let what = system.what("functions");
     let entries = reader.list(item, &what, "names")?;
@@ -47,7 +55,7 @@ pub(super) fn read(
     }
     let all = names.iter().find(|name| name.value == "all");
     match all {
-        Some(_) if entries.len() == 1 => Some(Functions::All),
+        Some(_) if entries.len() == 1 => Some((Functions::All, Named::default())),
         Some(all) => {
             let fault = Diagnostic::error(format!("{what} names functions beside `all`"));
             reader
@@ -55,9 +63,44 @@ pub(super) fn read(
                 .push(fault.at(all.span, "this names them all"));
             None
         }
-        None => Some(Functions::Named(
-            names.into_iter().map(|name| name.value).collect(),
-        )),
+        None => {
+            let functions = names.iter().map(|name| name.value.clone()).collect();
+            let entries = names;
+            Some((Functions::Named(functions), Named { what, entries }))
+        }
+    }
+}
+
+impl Named {
+    /// What is wrong with them on a model, at the entries that it is about; `None` where it is about none.
+    pub fn fault(&self, fault: &RequestError) -> Option<Diagnostic> {
+        match fault {
+            RequestError::SameName { first, second, .. } => {
+                let second = self.entry(second)?.span;
+                let shown = Diagnostic::error(format!("{}: {fault}", self.what));
+                let shown = shown.at(second, "the second one");
+                // The first may be one that every module has.
+                Some(match self.entry(first) {
+                    Some(first) => shown.at(first.span, "the first one"),
+                    None => shown,
+                })
+            }
+            RequestError::UnknownFrame { request, .. } => Some(part_fault(
+                self.entry(request)?,
+                &self.what,
+                fault,
+                "unknown frame",
+            )),
+            _ => None,
+        }
+    }
+
+    /// The entry that asks for this, however it writes that.
+    fn entry(&self, request: &str) -> Option<&Spanned<String>> {
+        let text = |request: &str| Parsed::read(request).ok().map(|request| request.text());
+        let asked = text(request);
+        let mut entries = self.entries.iter();
+        entries.find(|entry| text(&entry.value) == asked)
     }
 }
 
@@ -77,7 +120,7 @@ pub(super) fn request_fault(
         Err(fault) => fault,
     };
     let RequestError::Unknown { name: part } = fault else {
-        return Some(part_fault(name, what, &fault));
+        return Some(part_fault(name, what, &fault, "here"));
     };
     let whole = if part == name.value {
         String::new()
@@ -96,7 +139,7 @@ pub(super) fn request_fault(
 }
 
 /// What is wrong with a request of known functions, with its place in the text where that stands there as it is.
-fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Diagnostic {
+fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError, label: &str) -> Diagnostic {
     let shown = Diagnostic::error(format!("{what}: {fault}"));
     let Some(place) = fault.place() else {
         return shown.at(name.span, "cannot be joined");
@@ -109,5 +152,5 @@ fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Diagn
     } else {
         name.span
     };
-    shown.at(span, "here")
+    shown.at(span, label)
 }

@@ -11,6 +11,7 @@ mod outputs;
 mod path;
 mod system;
 
+pub use functions::Named;
 pub use system::System;
 
 pub use crate::options::{Formulation, Functions};

@@ -9,7 +9,7 @@ use std::{
 use crate::{
     description::toml_reader::{Reader, Table},
     diagnostic::{Diagnostic, Spanned},
-    options::companion::{self, Kind},
+    options::companion::{self, CompanionKind},
 };
 
 use super::path;
@@ -46,7 +46,7 @@ impl Output {
         reader: &mut Reader,
         system: &Table<'_, '_>,
         module: Spanned<String>,
-        companions: &BTreeSet<Kind>,
+        companions: &BTreeSet<CompanionKind>,
     ) -> Self {
         let path = Path::new(&module.value);
         let name = path.file_stem().unwrap_or_default();

@@ -8,13 +8,14 @@ use crate::{
     diagnostic::Spanned,
     options::{
         Formulation, Functions, Options,
-        companion::{Abi, Kind},
+        companion::{Abi, CompanionKind},
     },
     recursive::Technique,
 };
 
 use super::{
-    budget, changes, functions,
+    budget, changes,
+    functions::{self, Named},
     outputs::{self, Output},
     path,
 };
@@ -28,6 +29,8 @@ pub struct System {
     pub output: String,
     /// What is generated, and how.
     pub options: Options,
+    /// The functions that it names, where they stand: what is wrong with one may follow from the model.
+    pub named: Named,
     /// How many operations its functions may need.
     pub budget: Vec<Budget>,
 }
@@ -66,6 +69,7 @@ pub(super) fn read(
     let companions = companions(reader, &table);
     let output = output.map(|module| Output::new(reader, &table, module, &companions));
     let functions = functions::read(reader, &table, known);
+    let (functions, named) = functions.unzip();
     let budget = budget::read(reader, &table, functions.as_ref(), known);
     let options = options(reader, &table, functions, companions, output.as_ref());
     let system = || {
@@ -73,6 +77,7 @@ pub(super) fn read(
             model: model?,
             output: output.as_ref()?.module.value.clone(),
             options: options?,
+            named: named?,
             budget,
         })
     };
@@ -84,7 +89,7 @@ fn options(
     reader: &mut Reader,
     system: &Table<'_, '_>,
     functions: Option<Functions>,
-    companions: BTreeSet<Kind>,
+    companions: BTreeSet<CompanionKind>,
     output: Option<&Output>,
 ) -> Option<Options> {
     let reading = changes::reading(reader, system);
@@ -111,9 +116,9 @@ fn truth(reader: &mut Reader, system: &Table<'_, '_>, key: &str) -> bool {
     value.unwrap_or_default()
 }
 
-fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Kind> {
+fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<CompanionKind> {
     let mut companions = BTreeSet::new();
-    for (key, kind) in [("manifest", Kind::Manifest), ("tests", Kind::Tests)] {
+    for (key, kind) in CompanionKind::SWITCHED {
         if truth(reader, system, key) {
             companions.insert(kind);
         }
@@ -121,7 +126,7 @@ fn companions(reader: &mut Reader, system: &Table<'_, '_>) -> BTreeSet<Kind> {
     let abi = system.get("abi");
     let abi =
         abi.and_then(|item| reader.choice(item, &system.what("abi"), &Abi::ALL, "unknown ABI"));
-    let abi = abi.map(|abi| Kind::Abi(abi.value));
+    let abi = abi.map(|abi| CompanionKind::Abi(abi.value));
     companions.extend(abi);
     companions
 }

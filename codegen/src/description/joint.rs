@@ -1,6 +1,6 @@
 //! A joint, as the user wrote it: its motions, its frames, and what acts along its coordinates.
 
-use crate::description::axis::Axis;
+use crate::description::coordinate_name::CoordinateName;
 use crate::description::value::{Given, Limits, Optional, PerCoordinate, Scalar};
 use crate::diagnostic::Spanned;
 use crate::geometry::Rotation;
@@ -26,7 +26,7 @@ pub struct WrittenJoint {
     /// From the joint's axes, moved, to the body's; absent: the same.
     pub body_rotation: Optional<Rotation>,
     /// The constant values of coordinates that are not free; those not listed are zero.
-    pub locked: Vec<(Spanned<Axis>, Given<f64>)>,
+    pub locked: Vec<(Spanned<CoordinateName>, Given<f64>)>,
     /// How the orientation is described, where all three angles are free; absent: by the angles.
     pub chart: Optional<Chart>,
     /// What the speeds of rotation are; absent: the angles' rates, or with a quaternion the angular velocity.
@@ -69,7 +69,7 @@ pub enum JointKind {
     /// All six coordinates.
     Free,
     /// These coordinates.
-    List(Vec<Spanned<Axis>>),
+    List(Vec<Spanned<CoordinateName>>),
 }
 
 impl JointKind {

@@ -7,8 +7,8 @@
 //!
 //! Reading never fails: a file that is no description at all is an empty description with faults.
 
-mod axis;
 mod body;
+mod coordinate_name;
 mod format;
 mod frame;
 mod joint;
@@ -25,8 +25,8 @@ pub(crate) mod cycles;
 pub(crate) mod toml_reader;
 pub(crate) mod xml;
 
-pub use axis::Axis;
 pub use body::{INERTIA_COMPONENTS, WrittenBody};
+pub use coordinate_name::CoordinateName;
 pub use format::read;
 pub use frame::{Carrier, FrameRotation, WrittenFrame};
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};

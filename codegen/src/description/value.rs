@@ -1,6 +1,6 @@
 //! Values as the user wrote them: with their places, in their binding times, and for which coordinates they stand.
 
-use crate::description::axis::Axis;
+use crate::description::coordinate_name::CoordinateName;
 use crate::diagnostic::Spanned;
 
 /// A value with its place; `None` where the file holds none that can be used, which is then among the faults.
@@ -36,7 +36,7 @@ pub enum PerCoordinate<T> {
     /// One for every free coordinate.
     Same(Spanned<T>),
     /// One for each of these coordinates.
-    Each(Vec<(Spanned<Axis>, Spanned<T>)>),
+    Each(Vec<(Spanned<CoordinateName>, Spanned<T>)>),
 }
 
 /// Limits of a coordinate; what is absent is unlimited.

@@ -55,6 +55,12 @@ pub enum Input {
     Moment(BodyId, usize),
     /// A component of a relative angular velocity, body components.
     RelativeAngularVelocity(BodyId, usize),
+    /// A component of a point's position from a frame's origin, the frame's components.
+    Point(usize),
+    /// A component of a force at a frame's origin.
+    FrameForce(usize),
+    /// A component of a moment on a frame.
+    FrameMoment(usize),
     /// A field of `Parameters`.
     Parameter(ParameterId),
     /// A field of `Prepared`, by its place in the module's list.

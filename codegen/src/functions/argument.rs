@@ -25,6 +25,12 @@ pub enum Argument {
     Loads,
     /// `w_rel: &[[R; 3]; NB]`.
     RelativeAngularVelocity,
+    /// `point: &[R; 3]`.
+    Point,
+    /// `force: &[R; 3]`.
+    Force,
+    /// `moment: &[R; 3]`.
+    Moment,
 }
 
 /// A row of the table.
@@ -39,43 +45,56 @@ struct Row {
     input: fn(usize) -> Input,
 }
 
+impl Row {
+    /// Numbers that `kane::self_test::State` holds.
+    fn of_state(
+        name: &'static str,
+        shape: Shape,
+        meaning: &'static str,
+        input: fn(usize) -> Input,
+    ) -> Self {
+        Self {
+            name,
+            element: Element::Scalar,
+            shape,
+            meaning,
+            sampled: None,
+            input,
+        }
+    }
+}
+
 impl Argument {
     /// All of them, in the order in which functions are given them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 9] = [
         Self::Q,
         Self::U,
         Self::UDot,
         Self::Tau,
         Self::Loads,
         Self::RelativeAngularVelocity,
+        Self::Point,
+        Self::Force,
+        Self::Moment,
     ];
 
     fn row(self) -> Row {
         match self {
-            Self::Q => Row {
-                name: "q",
-                element: Element::Scalar,
-                shape: Shape::COORDINATES,
-                meaning: "coordinates, rad and m; quaternions have no unit",
-                sampled: None,
-                input: |place| Input::Q(CoordinateId::new(place)),
-            },
-            Self::U => Row {
-                name: "u",
-                element: Element::Scalar,
-                shape: Shape::SPEEDS,
-                meaning: "speeds, rad/s and m/s",
-                sampled: None,
-                input: |place| Input::U(SpeedId::new(place)),
-            },
-            Self::UDot => Row {
-                name: "u_dot",
-                element: Element::Scalar,
-                shape: Shape::SPEEDS,
-                meaning: "rates of the speeds, rad/s^2 and m/s^2",
-                sampled: None,
-                input: |place| Input::UDot(SpeedId::new(place)),
-            },
+            Self::Q => Row::of_state(
+                "q",
+                Shape::COORDINATES,
+                "coordinates, rad and m; quaternions have no unit",
+                |place| Input::Q(CoordinateId::new(place)),
+            ),
+            Self::U => Row::of_state("u", Shape::SPEEDS, "speeds, rad/s and m/s", |place| {
+                Input::U(SpeedId::new(place))
+            }),
+            Self::UDot => Row::of_state(
+                "u_dot",
+                Shape::SPEEDS,
+                "rates of the speeds, rad/s^2 and m/s^2",
+                |place| Input::UDot(SpeedId::new(place)),
+            ),
             Self::Tau => Row {
                 name: "tau",
                 element: Element::Scalar,
@@ -107,6 +126,30 @@ impl Argument {
                 sampled: Some("RELATIVE_ANGULAR_VELOCITIES"),
                 input: |place| Input::RelativeAngularVelocity(BodyId::new(place / 3), place % 3),
             },
+            Self::Point => Row {
+                name: "point",
+                element: Element::Scalar,
+                shape: Shape::VECTOR,
+                meaning: "from the frame's origin, along the frame's axes, m",
+                sampled: Some("POINTS"),
+                input: Input::Point,
+            },
+            Self::Force => Row {
+                name: "force",
+                element: Element::Scalar,
+                shape: Shape::VECTOR,
+                meaning: "force at the frame's origin, N",
+                sampled: Some("FRAME_FORCES"),
+                input: Input::FrameForce,
+            },
+            Self::Moment => Row {
+                name: "moment",
+                element: Element::Scalar,
+                shape: Shape::VECTOR,
+                meaning: "moment on the frame, N m",
+                sampled: Some("FRAME_MOMENTS"),
+                input: Input::FrameMoment,
+            },
         }
     }
 
@@ -135,10 +178,20 @@ impl Argument {
         self.row().sampled
     }
 
+    /// The lengths of its nested arrays, outermost first.
+    pub fn lengths(self, tree: &Tree) -> Vec<usize> {
+        let of_tree = |axis| unreachable!("functions: an argument has no axis {axis:?}");
+        self.shape().lengths(tree, of_tree)
+    }
+
+    /// True for what belongs to the frame that a function is of: two functions cannot share it.
+    pub fn is_of_frame(self) -> bool {
+        matches!(self, Self::Point | Self::Force | Self::Moment)
+    }
+
     /// How many numbers it holds.
     pub fn n_numbers(self, tree: &Tree) -> usize {
-        let entries: usize = self.shape().lengths(tree, 0).iter().product();
-        entries * self.element().n_numbers()
+        self.lengths(tree).iter().product::<usize>() * self.element().n_numbers()
     }
 
     /// The input that stands at a place, all numbers counted one after the other.

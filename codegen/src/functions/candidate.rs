@@ -25,36 +25,32 @@ pub enum Formulation {
 
 /// One way to derive a function.
 #[derive(Clone, Copy, Debug)]
-pub struct Candidate<R> {
+pub struct Candidate {
     /// How sums over bodies are associated.
     pub formulation: Formulation,
     /// How many terms its sums have at least: where another candidate needs fewer operations than that, this one need
     /// not be derived to know which is cheaper.
     pub least_terms: fn(&Tree) -> usize,
-    pub(super) rule: R,
+    rule: Rule,
 }
 
-/// How entries of a function of the whole system are built.
+/// How entries are built.
 #[derive(Clone, Copy)]
-pub enum Rule {
+enum Rule {
     /// From the tree.
     Plain(fn(&mut ExprGraph, &Tree) -> Vec<Expr>),
     /// From the tree, by a plan that is searched for.
     Planned(fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>),
-    /// Compact partial velocities.
+    /// Compact partial velocities, from the tree.
     Columns(fn(&mut ExprGraph, &Tree) -> BodyMap<Row>),
+    /// Of frames, along the links of a plan, or by the notes' equations, which need none.
+    OfFrame(OfFrame),
 }
 
-/// How entries of a function of a frame are built.
-#[derive(Clone, Copy)]
-pub enum FrameRule {
-    /// From the tree.
-    Plain(fn(&mut ExprGraph, &Tree, &Subject) -> Vec<Expr>),
-    /// From the tree, by a plan that is searched for.
-    Planned(fn(&mut ExprGraph, &Tree, &Plan, &Subject) -> Vec<Expr>),
-}
+/// The entries of a function of frames; without a plan, by the notes' equations.
+pub(super) type OfFrame = fn(&mut ExprGraph, &Tree, Option<&Plan>, &Subject) -> Vec<Expr>;
 
-impl Candidate<Rule> {
+impl Candidate {
     /// The notes' equations.
     pub(super) const fn plain(entries: fn(&mut ExprGraph, &Tree) -> Vec<Expr>) -> Self {
         Self::new(Formulation::Notes, Rule::Plain(entries))
@@ -65,73 +61,20 @@ impl Candidate<Rule> {
         Self::new(Formulation::Notes, Rule::Columns(rows))
     }
 
+    /// Both, for a function of frames.
+    pub(super) const fn of_frame(entries: OfFrame) -> [Self; 2] {
+        [
+            Self::new(Formulation::Notes, Rule::OfFrame(entries)),
+            Self::new(Formulation::Recursive, Rule::OfFrame(entries)),
+        ]
+    }
+
     /// Sums re-associated along the tree, by a plan.
     pub(super) const fn planned(entries: fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>) -> Self {
         Self::new(Formulation::Recursive, Rule::Planned(entries))
     }
 
-    /// True where a plan is to be searched for.
-    pub(super) fn takes_plan(&self) -> bool {
-        matches!(self.rule, Rule::Planned(_))
-    }
-
-    /// Adds the entries to what was derived before.
-    pub(super) fn derive_in(&self, derived: &mut Derived, tree: &Tree, plan: &Plan) {
-        let graph = &mut derived.graph;
-        match self.rule {
-            Rule::Plain(entries) => derived.roots.extend(entries(graph, tree)),
-            Rule::Planned(entries) => derived.roots.extend(entries(graph, tree, plan)),
-            Rule::Columns(rows) => {
-                let rows = rows(graph, tree);
-                derived.blocks = pattern(tree, &rows);
-                for row in rows.iter() {
-                    let columns = row.columns(graph, tree);
-                    let columns = columns.into_iter().flat_map(|(_, column)| column);
-                    derived.roots.extend(columns);
-                }
-            }
-        }
-    }
-}
-
-impl Candidate<FrameRule> {
-    /// The notes' equations.
-    pub(super) const fn plain_of_frame(
-        entries: fn(&mut ExprGraph, &Tree, &Subject) -> Vec<Expr>,
-    ) -> Self {
-        Self::new(Formulation::Notes, FrameRule::Plain(entries))
-    }
-
-    /// Along the links of a plan.
-    pub(super) const fn planned_of_frame(
-        entries: fn(&mut ExprGraph, &Tree, &Plan, &Subject) -> Vec<Expr>,
-    ) -> Self {
-        Self::new(Formulation::Recursive, FrameRule::Planned(entries))
-    }
-
-    /// True where a plan is to be searched for.
-    pub(super) fn takes_plan(&self) -> bool {
-        matches!(self.rule, FrameRule::Planned(_))
-    }
-
-    /// Adds the entries to what was derived before.
-    pub(super) fn derive_in(
-        &self,
-        derived: &mut Derived,
-        tree: &Tree,
-        plan: &Plan,
-        subject: &Subject,
-    ) {
-        let graph = &mut derived.graph;
-        derived.roots.extend(match self.rule {
-            FrameRule::Plain(entries) => entries(graph, tree, subject),
-            FrameRule::Planned(entries) => entries(graph, tree, plan, subject),
-        });
-    }
-}
-
-impl<R: Copy> Candidate<R> {
-    const fn new(formulation: Formulation, rule: R) -> Self {
+    const fn new(formulation: Formulation, rule: Rule) -> Self {
         Self {
             formulation,
             least_terms: |_| 0,
@@ -145,6 +88,41 @@ impl<R: Copy> Candidate<R> {
             least_terms,
             ..self
         }
+    }
+
+    /// True where a plan is to be searched for.
+    pub(super) fn takes_plan(&self) -> bool {
+        match self.rule {
+            Rule::Plain(_) | Rule::Columns(_) => false,
+            Rule::Planned(_) => true,
+            Rule::OfFrame(_) => self.formulation == Formulation::Recursive,
+        }
+    }
+
+    /// Adds the entries to what was derived before.
+    pub(super) fn derive_in(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        plan: &Plan,
+        subject: Option<&Subject>,
+    ) {
+        let graph = &mut derived.graph;
+        let entries = match self.rule {
+            Rule::Plain(entries) => entries(graph, tree),
+            Rule::Planned(entries) => entries(graph, tree, plan),
+            Rule::OfFrame(entries) => {
+                let subject = subject.expect("functions: what is of a frame has one");
+                entries(graph, tree, self.takes_plan().then_some(plan), subject)
+            }
+            Rule::Columns(rows) => {
+                let rows = rows(graph, tree);
+                derived.blocks = pattern(tree, &rows);
+                let columns = rows.iter().flat_map(|row| row.columns(graph, tree));
+                columns.flat_map(|(_, column)| column).collect()
+            }
+        };
+        derived.roots.extend(entries);
     }
 }
 
@@ -164,15 +142,7 @@ impl fmt::Debug for Rule {
             Self::Plain(_) => "Plain",
             Self::Planned(_) => "Planned",
             Self::Columns(_) => "Columns",
-        })
-    }
-}
-
-impl fmt::Debug for FrameRule {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Plain(_) => "Plain",
-            Self::Planned(_) => "Planned",
+            Self::OfFrame(_) => "OfFrame",
         })
     }
 }

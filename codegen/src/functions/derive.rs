@@ -3,7 +3,7 @@
 use super::user_axes;
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector},
-    given::{Accelerations, mechanics},
+    given::{Accelerations, Loads, mechanics},
     id::BodyMap,
     kane::{angular, dynamics, energy, orientation, position, velocity},
     partition::Row,
@@ -148,7 +148,7 @@ fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> SpeedM
     a
 }
 
-fn with_forces(
+pub(super) fn with_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
     accelerations: Accelerations,
@@ -259,9 +259,14 @@ pub(super) fn inverse_dynamics_recursive(
 
 pub(super) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let bias = bias(graph, tree);
+    accelerated(graph, tree, &bias)
+}
+
+/// The accelerations by what is left of `tau` beside what a motion without any needs.
+pub(super) fn accelerated(graph: &mut ExprGraph, tree: &Tree, needed: &[Expr]) -> Vec<Expr> {
     let factors = factors(graph, tree);
     let mut net = applied(graph, tree);
-    solve::subtract(graph, tree, &mut net, &bias);
+    solve::subtract(graph, tree, &mut net, needed);
     factors.solve(graph, net)
 }
 
@@ -270,15 +275,24 @@ pub(super) fn forward_dynamics_recursive(
     tree: &Tree,
     plan: &Plan,
 ) -> Vec<Expr> {
+    accelerated_recursive(graph, tree, plan, Loads::Absent)
+}
+
+pub(super) fn accelerated_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    loads: Loads,
+) -> Vec<Expr> {
     let mut net = applied(graph, tree);
     let zero = vec![graph.zero(); net.len()];
     let taken = with_forces(graph, tree, Accelerations::Zero, zero);
     solve::subtract(graph, tree, &mut net, &taken);
-    recursive::forward_dynamics::forward_dynamics(graph, tree, plan, net)
+    recursive::forward_dynamics::forward_dynamics(graph, tree, plan, net, loads)
 }
 
 /// `tau`, each entry in the scope of its body.
-fn applied(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+pub(super) fn applied(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids() {
         graph.enter(body);
@@ -289,12 +303,12 @@ fn applied(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     tau
 }
 
-fn factors(graph: &mut ExprGraph, tree: &Tree) -> Factors {
+pub(super) fn factors(graph: &mut ExprGraph, tree: &Tree) -> Factors {
     let a = matrix(graph, tree);
     solve::factorise(graph, tree, a)
 }
 
-fn factors_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Factors {
+pub(super) fn factors_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Factors {
     let a = matrix_recursive(graph, tree, plan);
     solve::factorise(graph, tree, a)
 }

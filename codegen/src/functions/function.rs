@@ -4,15 +4,17 @@ use std::borrow::Cow;
 
 use super::{
     argument::Argument,
-    candidate::{Candidate, Formulation, FrameRule, Rule},
-    derived::Derived,
+    candidate::{Candidate, Formulation},
     shape::{Axis, Shape},
+    subject::View,
 };
-use crate::{recursive::Plan, tree::Tree};
+use crate::tree::Tree;
 
-/// A function of the generated module: of the whole system, or, as a [`FrameFunction`], of a frame.
+/// A function of the generated module.
 #[derive(Debug)]
-pub struct Function<R: 'static = Rule> {
+pub struct Function {
+    /// What it is of.
+    pub of: Of,
     /// The name, of the free function and of the trait's method; of a frame's function the frame stands before it.
     pub name: &'static str,
     /// The runtime crate's trait; `None` for `q_dot` and `normalize`, which are part of `System`.
@@ -25,17 +27,36 @@ pub struct Function<R: 'static = Rule> {
     pub is_default: bool,
     /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
     pub solves: bool,
-    /// True for a function of a frame whose vectors may be along the frame's own axes too.
-    pub has_local: bool,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
-    /// function of a frame `{frame}` and `{axes}` stand for these.
+    /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
     /// The ways to derive it; of two that need as many operations the first is emitted.
-    pub candidates: &'static [Candidate<R>],
+    pub candidates: &'static [Candidate],
 }
 
-/// A function of a frame: `pose(tool0)`.
-pub type FrameFunction = Function<FrameRule>;
+/// What a function is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// The whole system: `bias`.
+    System,
+    /// A frame that may be seen in these ways: `pose(tool0)`.
+    Frame(&'static [View]),
+    /// Frames, one or more, that may be seen in these ways: `operational_inverse_inertia(left_foot, right_foot)`.
+    Frames(&'static [View]),
+}
+
+/// What most functions are, where the catalogue does not say otherwise.
+pub(super) const PLAIN: Function = Function {
+    of: Of::System,
+    name: "",
+    trait_name: None,
+    arguments: &[],
+    outputs: &[],
+    is_default: false,
+    solves: false,
+    doc: &[],
+    candidates: &[],
+};
 
 /// An output of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,7 +77,7 @@ impl Output {
     }
 }
 
-impl<R> Function<R> {
+impl Function {
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> Vec<Formulation> {
         let candidates = self.candidates.iter();
@@ -71,7 +92,7 @@ impl<R> Function<R> {
     }
 
     /// The candidate of this formulation, or the first.
-    pub(super) fn candidate(&self, formulation: Formulation) -> &Candidate<R> {
+    pub(super) fn candidate(&self, formulation: Formulation) -> &Candidate {
         let mut candidates = self.candidates.iter();
         candidates
             .find(|candidate| candidate.formulation == formulation)
@@ -82,16 +103,12 @@ impl<R> Function<R> {
     pub(super) fn writes(&self, axis: Axis) -> bool {
         self.outputs.iter().any(|output| output.shape.has(axis))
     }
-}
 
-impl Function {
-    /// Derives the function; one that has a single formulation takes no notice of `formulation`, and only the recursive one
-    /// of `plan`.
-    pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
-        let mut derived = Derived::default();
-        let candidate = self.candidate(formulation);
-        candidate.derive_in(&mut derived, tree, plan);
-        derived
+    /// True for a function of a frame whose columns belong to speeds: a constant beside it says which are not zero.
+    pub fn has_frame_speeds(&self) -> bool {
+        let shapes = [Shape::VECTOR_BY_SPEEDS, Shape::VECTOR_BY_FRAME_SPEEDS];
+        let mut outputs = self.outputs.iter();
+        self.of != Of::System && outputs.any(|output| shapes.contains(&output.shape))
     }
 
     /// True where the output is compact.

@@ -4,15 +4,13 @@
 //! part is of the catalogue and of what it can be of, none is there twice, and what is joined has no compact output. Does
 //! not: know which frames there are.
 
-use std::ops::Range;
-
 use super::{
     catalogue::{CATALOGUE, OF_FRAMES},
-    function::{FrameFunction, Function},
+    function::{Function, Of},
     part::{LOCAL, Part, text_of},
     request::Request,
     request_error::RequestError,
-    subject::{Axes, Subject},
+    subject::{Subject, SubjectFrame, View},
     syntax::{self, AT_SIN_COS, Kind, Word},
 };
 use crate::{diagnostic, tree::Tree};
@@ -27,19 +25,20 @@ pub struct Parsed {
 }
 
 #[derive(Clone, Debug)]
-enum ParsedPart {
-    System(&'static Function),
-    Frame {
-        function: &'static FrameFunction,
-        frame: String,
-        axes: Axes,
-        /// Where the frame is named.
-        place: Range<usize>,
-    },
+struct ParsedPart {
+    function: &'static Function,
+    subject: Option<ParsedSubject>,
+}
+
+/// Frames that are named, before it is known whether the model has them.
+#[derive(Clone, Debug)]
+struct ParsedSubject {
+    frames: Vec<Word>,
+    view: View,
 }
 
 /// Where a request stands in a module: whether it is the catalogue's, its parts, whether it is given sines and cosines.
-pub type Place = (bool, Vec<(usize, Option<(String, Axes)>)>, bool);
+pub type Place = (bool, Vec<(usize, Option<(Vec<String>, View)>)>, bool);
 
 impl Parsed {
     /// Reads a request; the grammar stands in the module `syntax`.
@@ -60,12 +59,22 @@ impl Parsed {
             }
             parts.push(part);
         }
-        let mut functions = parts.iter().filter_map(ParsedPart::function);
+        let mut functions = parts.iter().map(|part| part.function);
         let compact = functions.find(|function| function.is_compact());
         if let Some(function) = compact.filter(|_| parts.len() > 1) {
             return Err(RequestError::Compact {
                 request: text.to_owned(),
                 name: function.name.to_owned(),
+            });
+        }
+        let of_frame = |part: &&ParsedPart| {
+            let mut arguments = part.function.arguments.iter();
+            arguments.any(|argument| argument.is_of_frame())
+        };
+        if let [_, second, ..] = &parts.iter().filter(of_frame).collect::<Vec<_>>()[..] {
+            return Err(RequestError::OwnArguments {
+                request: text.to_owned(),
+                name: second.text(),
             });
         }
         Ok(Self {
@@ -99,13 +108,13 @@ impl Parsed {
 
     /// The functions of the whole system among the parts.
     pub fn functions(&self) -> impl Iterator<Item = &'static Function> {
-        self.parts.iter().filter_map(ParsedPart::function)
+        self.parts.iter().filter_map(ParsedPart::of_system)
     }
 
-    /// The function of the catalogue, where it is one as it stands there.
+    /// The function of the whole system, where it is one alone.
     pub fn alone(&self) -> Option<&'static Function> {
         match &self.parts[..] {
-            [part] if !self.at_sin_cos => part.function(),
+            [part] if !self.at_sin_cos => part.of_system(),
             _ => None,
         }
     }
@@ -132,106 +141,129 @@ impl ParsedPart {
                 place,
             });
         };
-        if let Some(function) = Function::find(&name.text) {
-            return match of[..] {
-                [] => Ok(Self::System(function)),
-                _ => Err(RequestError::FrameNotTaken {
-                    name: name.text.clone(),
-                    place,
-                }),
-            };
-        }
-        let Some(function) = FrameFunction::of_frame(&name.text) else {
+        let Some(function) = Function::find(&name.text) else {
             return Err(RequestError::Unknown {
                 name: name.text.clone(),
             });
         };
-        let Some((frame, rest)) = of.split_first() else {
-            return Err(RequestError::FrameMissing {
-                name: name.text.clone(),
-                place,
-            });
+        let name = || name.text.clone();
+        let subject = match (function.of, &of[..]) {
+            (Of::System, []) => None,
+            (Of::System, _) => {
+                return Err(RequestError::FrameNotTaken {
+                    name: name(),
+                    place,
+                });
+            }
+            (Of::Frame(_) | Of::Frames(_), []) => {
+                return Err(RequestError::FrameMissing {
+                    name: name(),
+                    place,
+                });
+            }
+            (Of::Frame(views), [frame, rest @ ..]) => {
+                Some(ParsedSubject::new(function, frame, rest, views)?)
+            }
+            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(frames, views)),
         };
-        Ok(Self::Frame {
-            function,
-            frame: frame.text.clone(),
-            axes: axes(function, rest)?,
-            place: frame.place.clone(),
-        })
+        Ok(Self { function, subject })
     }
 
     fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, RequestError> {
-        match self {
-            Self::System(function) => Ok(Part::System(function)),
-            Self::Frame {
-                function,
-                frame,
-                axes,
-                place,
-            } => {
-                let subject = tree.and_then(|tree| Subject::find(tree, frame, *axes));
-                let subject = subject.ok_or_else(|| RequestError::UnknownFrame {
-                    request: text.to_owned(),
-                    name: frame.clone(),
-                    known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, frame)),
-                    place: place.clone(),
-                })?;
-                Ok(Part::Frame(function, subject))
-            }
-        }
+        let subject = self.subject.as_ref();
+        Ok(Part {
+            function: self.function,
+            subject: subject.map(|subject| subject.on(text, tree)).transpose()?,
+        })
     }
 
-    fn function(&self) -> Option<&'static Function> {
-        match self {
-            Self::System(function) => Some(function),
-            Self::Frame { .. } => None,
-        }
+    /// The function, where it is of the whole system.
+    fn of_system(&self) -> Option<&'static Function> {
+        self.subject.is_none().then_some(self.function)
     }
 
     fn text(&self) -> String {
-        match self {
-            Self::System(function) => function.name.to_owned(),
-            Self::Frame {
-                function,
-                frame,
-                axes,
-                ..
-            } => text_of(function, frame, *axes),
+        match &self.subject {
+            None => self.function.name.to_owned(),
+            Some(subject) => text_of(self.function, subject.names(), subject.view),
         }
     }
 
-    fn place(&self) -> (usize, Option<(String, Axes)>) {
-        match self {
-            Self::System(function) => (position(&CATALOGUE, function.name), None),
-            Self::Frame {
-                function,
-                frame,
-                axes,
-                ..
-            } => {
-                let place = CATALOGUE.len() + position(&OF_FRAMES, function.name);
-                (place, Some((frame.clone(), *axes)))
-            }
-        }
+    fn place(&self) -> (usize, Option<(Vec<String>, View)>) {
+        let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
+        let position = functions.position(|function| function.name == self.function.name);
+        let subject = self.subject.as_ref();
+        (
+            position.expect("functions: a part is of the catalogue"),
+            subject.map(|subject| (subject.names().map(str::to_owned).collect(), subject.view)),
+        )
     }
 }
 
-/// The axes that are named behind a frame.
-fn axes(function: &FrameFunction, rest: &[Word]) -> Result<Axes, RequestError> {
-    let fault = |word: &Word, expected| {
-        Err(RequestError::Axes {
-            name: function.name.to_owned(),
-            found: word.text.clone(),
-            expected,
-            place: word.place.clone(),
+impl ParsedSubject {
+    /// A frame, and what is said behind it of how it is seen.
+    fn new(
+        function: &Function,
+        frame: &Word,
+        rest: &[Word],
+        views: &[View],
+    ) -> Result<Self, RequestError> {
+        let fault = |word: &Word, expected| {
+            Err(RequestError::View {
+                name: function.name.to_owned(),
+                found: word.text.clone(),
+                expected,
+                place: word.place.clone(),
+            })
+        };
+        let (has_local, has_other) = (views.contains(&View::Local), views.contains(&View::Other));
+        let (frames, view) = match rest {
+            [] => (vec![frame], View::Inertial),
+            [word] if has_local && word.is(LOCAL) => (vec![frame], View::Local),
+            [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
+            [other] if has_other => (vec![frame, other], View::Other),
+            [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
+            [word] => return fault(word, "expected `local`, for the frame's own axes"),
+            [_, word, ..] if has_other => return fault(word, "expected no more than one word"),
+            [_, word, ..] => return fault(word, "expected no more than `local`"),
+        };
+        let frames = frames.into_iter().cloned().collect();
+        Ok(Self { frames, view })
+    }
+
+    /// Frames, and at the end perhaps that their own axes are meant.
+    fn of_several(words: &[Word], views: &[View]) -> Self {
+        let has_local = views.contains(&View::Local);
+        let (frames, view) = match words {
+            [frames @ .., last] if has_local && last.is(LOCAL) && !frames.is_empty() => {
+                (frames, View::Local)
+            }
+            frames => (frames, View::Inertial),
+        };
+        Self {
+            frames: frames.to_vec(),
+            view,
+        }
+    }
+
+    fn names(&self) -> impl Iterator<Item = &str> {
+        self.frames.iter().map(|frame| frame.text.as_str())
+    }
+
+    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Subject, RequestError> {
+        let found = |word: &Word| {
+            let frame = tree.and_then(|tree| SubjectFrame::find(tree, &word.text));
+            frame.ok_or_else(|| RequestError::UnknownFrame {
+                request: text.to_owned(),
+                name: word.text.clone(),
+                known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
+                place: word.place.clone(),
+            })
+        };
+        Ok(Subject {
+            frames: self.frames.iter().map(found).collect::<Result<_, _>>()?,
+            view: self.view,
         })
-    };
-    match rest {
-        [] => Ok(Axes::Inertial),
-        [word, ..] if !function.has_local => fault(word, "expected nothing there"),
-        [word] if word.text == LOCAL => Ok(Axes::Local),
-        [word] => fault(word, "expected `local`, for the frame's own axes"),
-        [_, word, ..] => fault(word, "expected no more than `local`"),
     }
 }
 
@@ -244,12 +276,6 @@ fn nearest_first(tree: &Tree, name: &str) -> Vec<String> {
         known.sort_by_key(|known| *known != nearest);
     }
     known.into_iter().map(str::to_owned).collect()
-}
-
-fn position<R>(functions: &[Function<R>], name: &str) -> usize {
-    let mut functions = functions.iter();
-    let position = functions.position(|function| function.name == name);
-    position.expect("functions: a part is of the catalogue")
 }
 
 impl Request {

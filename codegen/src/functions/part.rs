@@ -1,12 +1,12 @@
 //! A part of a request: a function of the catalogue, and what it is of.
 
 use super::{
-    argument::Argument,
     candidate::Formulation,
     derived::Derived,
-    function::{FrameFunction, Function, Output},
-    shape::Axis,
-    subject::{Axes, Subject},
+    function::{Function, Output},
+    packed::Packed,
+    shape::{Axis, Length},
+    subject::{Subject, View},
     syntax::written,
     terms,
 };
@@ -17,119 +17,166 @@ pub(super) const LOCAL: &str = "local";
 
 /// A part of a request, on the tree of a model.
 #[derive(Clone, Debug)]
-pub enum Part {
-    /// A function of the whole system.
-    System(&'static Function),
-    /// A function of a frame.
-    Frame(&'static FrameFunction, Subject),
+pub struct Part {
+    /// The function of the catalogue.
+    pub function: &'static Function,
+    /// The frames that it is of; `None` of the whole system.
+    pub subject: Option<Subject>,
 }
 
-/// A function of a frame as it is asked for: `velocity(tool0, local)`.
-pub(super) fn text_of(function: &FrameFunction, frame: &str, axes: Axes) -> String {
-    let (name, frame) = (function.name, written(frame));
-    match axes {
-        Axes::Inertial => format!("{name}({frame})"),
-        Axes::Local => format!("{name}({frame}, {LOCAL})"),
-    }
+/// A function of frames as it is asked for: `velocity(tool0, local)`.
+pub(super) fn text_of<'a>(
+    function: &Function,
+    frames: impl Iterator<Item = &'a str>,
+    view: View,
+) -> String {
+    let mut words: Vec<String> = frames.map(written).collect();
+    words.extend((view == View::Local).then(|| LOCAL.to_owned()));
+    format!("{}({})", function.name, words.join(", "))
 }
 
 impl Part {
     /// As it is asked for.
     pub fn text(&self) -> String {
-        match self {
-            Self::System(function) => function.name.to_owned(),
-            Self::Frame(function, subject) => text_of(function, &subject.name, subject.axes),
-        }
+        let Some(subject) = &self.subject else {
+            return self.function.name.to_owned();
+        };
+        let frames = subject.frames.iter().map(|frame| frame.name.as_str());
+        text_of(self.function, frames, subject.view)
     }
 
     /// Its name in generated code: `bias`, `tool0_velocity_local`.
     pub fn name(&self) -> String {
-        match self {
-            Self::System(function) => function.name.to_owned(),
-            Self::Frame(function, subject) => {
-                let local = match subject.axes {
-                    Axes::Inertial => String::new(),
-                    Axes::Local => format!("_{LOCAL}"),
-                };
-                format!("{}_{}{local}", subject.identifier, function.name)
-            }
+        self.name_of(self.function.name)
+    }
+
+    /// What its frames and how they are seen make of a name.
+    fn name_of(&self, name: &str) -> String {
+        let Some(subject) = &self.subject else {
+            return name.to_owned();
+        };
+        let frames = subject.frames.iter();
+        let frames: Vec<&str> = frames.map(|frame| frame.identifier.as_str()).collect();
+        match (subject.view, &frames[..]) {
+            (View::Other, [frame, other]) => format!("{frame}_{name}_from_{other}"),
+            (View::Local, frames) => format!("{}_{name}_{LOCAL}", frames.join("_")),
+            (_, frames) => format!("{}_{name}", frames.join("_")),
         }
     }
 
-    /// What it is given besides the parameters, in order.
-    pub fn arguments(&self) -> &'static [Argument] {
-        match self {
-            Self::System(function) => function.arguments,
-            Self::Frame(function, _) => function.arguments,
-        }
+    /// The constant that says which speeds move the frame that it is of.
+    pub fn speeds_constant(&self) -> String {
+        self.name_of("speeds").to_uppercase()
+    }
+
+    /// The constant that says how many these are.
+    pub fn speeds_len_constant(&self) -> String {
+        self.name_of("speeds_len").to_uppercase()
     }
 
     /// What it writes, in order.
     pub fn outputs(&self) -> &'static [Output] {
-        match self {
-            Self::System(function) => function.outputs,
-            Self::Frame(function, _) => function.outputs,
-        }
+        self.function.outputs
     }
 
     /// Lines of documentation.
     pub fn doc(&self) -> Vec<String> {
-        match self {
-            Self::System(function) => function.doc.iter().map(ToString::to_string).collect(),
-            Self::Frame(function, subject) => {
-                let axes = match subject.axes {
-                    Axes::Inertial => "inertial components",
-                    Axes::Local => "components along the frame's own axes",
-                };
-                let frame = format!("`{}`", subject.name.escape_debug());
-                let line = |line: &&str| line.replace("{frame}", &frame).replace("{axes}", axes);
-                function.doc.iter().map(line).collect()
-            }
-        }
-    }
-
-    /// True where accelerations are solved for.
-    pub fn solves(&self) -> bool {
-        match self {
-            Self::System(function) => function.solves,
-            Self::Frame(function, _) => function.solves,
-        }
-    }
-
-    /// The formulations in which it can be derived.
-    pub fn formulations(&self) -> Vec<Formulation> {
-        match self {
-            Self::System(function) => function.formulations(),
-            Self::Frame(function, _) => function.formulations(),
-        }
-    }
-
-    /// How many terms the notes' sums have at least.
-    pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
-        match self {
-            Self::System(function) => function.literal_terms(tree),
-            Self::Frame(function, _) => function.literal_terms(tree),
-        }
+        let lines = self.function.doc.iter();
+        let Some(subject) = &self.subject else {
+            return lines.map(ToString::to_string).collect();
+        };
+        let names = subject.frames.iter();
+        let names: Vec<String> = names
+            .map(|frame| format!("`{}`", frame.name.escape_debug()))
+            .collect();
+        let (frames, from) = match (subject.view, &names[..]) {
+            (View::Other, [frame, other]) => (frame.clone(), other.as_str()),
+            _ => (names.join(", "), "the inertial frame"),
+        };
+        let axes = match subject.view {
+            View::Inertial => "inertial components".to_owned(),
+            View::Local => "components along the frame's own axes".to_owned(),
+            View::Other => format!("components along the axes of {from}"),
+        };
+        let is_other = subject.view == View::Other;
+        let words = [
+            ("{frame}", frames),
+            (
+                "{seen}",
+                match subject.view {
+                    View::Other => {
+                        format!("as it is seen from {from}, which may move itself, {axes}")
+                    }
+                    View::Inertial | View::Local => format!("in {from}, {axes}"),
+                },
+            ),
+            (
+                "{from}",
+                if is_other {
+                    format!(" as it is seen from {from}")
+                } else {
+                    String::new()
+                },
+            ),
+            (
+                "{base}",
+                if is_other {
+                    format!("{from}'s")
+                } else {
+                    "inertial".to_owned()
+                },
+            ),
+            (
+                "{origin}",
+                if is_other {
+                    format!("{from}'s")
+                } else {
+                    "the inertial origin".to_owned()
+                },
+            ),
+            ("{axes}", axes),
+            ("{speeds}", format!("`{}`", self.speeds_constant())),
+        ];
+        let line = |line: &&str| {
+            let line = (*line).to_owned();
+            words
+                .iter()
+                .fold(line, |line, (word, text)| line.replace(word, text))
+        };
+        lines.map(line).collect()
     }
 
     /// How many numbers it writes, or somewhat more, where joints follow others.
     pub(super) fn n_numbers(&self, tree: &Tree) -> usize {
         let of_output = |output: &Output| {
             let length = |axis: &Axis| match axis {
-                Axis::Columns => terms::of_vector(tree),
-                Axis::SpeedPairs => terms::pairs(tree),
-                axis => axis.length(tree, 0),
+                Axis::Packed(Packed::MassMatrix) => terms::pairs(tree),
+                // Elimination couples more only where joints follow others.
+                Axis::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
+                axis => axis
+                    .length(tree)
+                    .unwrap_or_else(|| self.own_length(*axis, tree, terms::of_vector(tree))),
             };
             output.shape.axes.iter().map(length).product::<usize>()
         };
         self.outputs().iter().map(of_output).sum()
     }
 
-    /// True where this formulation needs a plan.
-    pub(super) fn takes_plan(&self, formulation: Formulation) -> bool {
-        match self {
-            Self::System(function) => function.candidate(formulation).takes_plan(),
-            Self::Frame(function, _) => function.candidate(formulation).takes_plan(),
+    /// The length of an axis that is its own; `n_columns` is the number of a compact output's columns.
+    pub fn own_length(&self, axis: Axis, tree: &Tree, n_columns: usize) -> usize {
+        match (axis, &self.subject) {
+            (Axis::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
+            (Axis::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
+            _ => n_columns,
+        }
+    }
+
+    /// The same, as generated code names it.
+    pub(super) fn own_declared(&self, axis: Axis) -> Length {
+        match (axis, &self.subject) {
+            (Axis::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
+            (Axis::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
+            _ => Length::Constant(self.function.columns_constant()),
         }
     }
 
@@ -141,15 +188,7 @@ impl Part {
         formulation: Formulation,
         plan: &Plan,
     ) {
-        match self {
-            Self::System(function) => {
-                let candidate = function.candidate(formulation);
-                candidate.derive_in(derived, tree, plan);
-            }
-            Self::Frame(function, subject) => {
-                let candidate = function.candidate(formulation);
-                candidate.derive_in(derived, tree, plan, subject);
-            }
-        }
+        let candidate = self.function.candidate(formulation);
+        candidate.derive_in(derived, tree, plan, self.subject.as_ref());
     }
 }

@@ -6,10 +6,9 @@ use super::{
     argument::Argument,
     candidate::Formulation,
     derived::Derived,
-    function::{FrameFunction, Function, Output},
+    function::{Function, Output},
+    packed::Packed,
     part::Part,
-    shape::Axis,
-    subject::Subject,
     syntax::AT_SIN_COS,
 };
 use crate::{recursive::Plan, tree::Tree};
@@ -31,18 +30,10 @@ impl Request {
         &self.parts
     }
 
-    /// The function of the catalogue, where it is one as it stands there.
-    pub fn alone(&self) -> Option<&'static Function> {
-        match self.parts[..] {
-            [Part::System(function)] if !self.at_sin_cos => Some(function),
-            _ => None,
-        }
-    }
-
-    /// The function of a frame, where it is one alone.
-    pub fn alone_of_frame(&self) -> Option<(&'static FrameFunction, &Subject)> {
+    /// The part, where it is one as the catalogue has it.
+    pub fn alone(&self) -> Option<&Part> {
         match &self.parts[..] {
-            [Part::Frame(function, subject)] if !self.at_sin_cos => Some((function, subject)),
+            [part] if !self.at_sin_cos => Some(part),
             _ => None,
         }
     }
@@ -50,21 +41,26 @@ impl Request {
     /// True where some part is of a frame.
     pub fn is_of_frames(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(|part| matches!(part, Part::Frame(..)))
+        parts.any(|part| part.subject.is_some())
     }
 
     /// The function of a compact output.
     pub fn compact(&self) -> Option<&'static Function> {
-        self.parts.iter().find_map(|part| match part {
-            Part::System(function) if function.is_compact() => Some(*function),
-            _ => None,
-        })
+        let mut functions = self.functions();
+        functions.find(|function| function.is_compact())
     }
 
-    /// True where a packed mass matrix is among the outputs.
-    pub fn is_packed(&self) -> bool {
-        let mut outputs = self.parts.iter().flat_map(Part::outputs);
-        outputs.any(|output| output.shape.has(Axis::SpeedPairs))
+    fn functions(&self) -> impl Iterator<Item = &'static Function> {
+        self.parts.iter().map(|part| part.function)
+    }
+
+    /// The packed matrices among the outputs, each once.
+    pub fn packed(&self) -> Vec<Packed> {
+        let is_written = |packed: &Packed| {
+            let mut outputs = self.parts.iter().flat_map(Part::outputs);
+            outputs.any(|output| output.shape.packed() == Some(*packed))
+        };
+        Packed::ALL.into_iter().filter(is_written).collect()
     }
 
     /// True where the sines and cosines of the angles among the coordinates are given, after `q`.
@@ -94,8 +90,8 @@ impl Request {
     /// What it is given besides the parameters: whatever one of its parts is given, in the order of all functions.
     pub fn arguments(&self) -> Vec<Argument> {
         let is_given = |argument: &Argument| {
-            let mut parts = self.parts.iter();
-            parts.any(|part| part.arguments().contains(argument))
+            let mut functions = self.functions();
+            functions.any(|function| function.arguments.contains(argument))
         };
         Argument::ALL.into_iter().filter(is_given).collect()
     }
@@ -107,7 +103,18 @@ impl Request {
         parts.flat_map(|part| self.outputs_of(part)).collect()
     }
 
-    fn outputs_of(&self, part: &Part) -> Vec<Output> {
+    /// The lengths of each output's nested arrays, outermost first; `n_columns` is the number of a compact output's columns.
+    pub fn lengths(&self, tree: &Tree, n_columns: usize) -> Vec<Vec<usize>> {
+        let of_part = |part: &Part| {
+            let own = |axis| part.own_length(axis, tree, n_columns);
+            let outputs = part.outputs().iter();
+            let lengths = outputs.map(|output| output.shape.lengths(tree, own));
+            lengths.collect::<Vec<_>>()
+        };
+        self.parts.iter().flat_map(of_part).collect()
+    }
+
+    pub(super) fn outputs_of(&self, part: &Part) -> Vec<Output> {
         let arguments = self.arguments();
         let is_free = |name: &str| {
             let all = self.parts.iter().flat_map(Part::outputs);
@@ -164,12 +171,13 @@ impl Request {
 
     /// True where accelerations are solved for.
     pub fn solves(&self) -> bool {
-        self.parts.iter().any(Part::solves)
+        self.functions().any(|function| function.solves)
     }
 
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> Vec<Formulation> {
-        let mut all: Vec<Formulation> = self.parts.iter().flat_map(Part::formulations).collect();
+        let functions = self.functions();
+        let mut all: Vec<_> = functions.flat_map(Function::formulations).collect();
         all.sort_unstable();
         all.dedup();
         all
@@ -178,7 +186,9 @@ impl Request {
     /// How many terms the notes' sums have at least: where another formulation needs fewer operations than that, the notes'
     /// need not be derived to know which is cheaper. Parts may have all theirs in common.
     pub fn literal_terms(&self, tree: &Tree) -> usize {
-        let terms = self.parts.iter().map(|part| part.literal_terms(tree));
+        let terms = self
+            .functions()
+            .map(|function| function.literal_terms(tree));
         terms.max().unwrap_or(0)
     }
 
@@ -187,9 +197,16 @@ impl Request {
         self.parts.iter().map(|part| part.n_numbers(tree)).sum()
     }
 
+    /// As [`Self::n_numbers`], of the parts that solve.
+    pub fn n_solved(&self, tree: &Tree) -> usize {
+        let parts = self.parts.iter().filter(|part| part.function.solves);
+        parts.map(|part| part.n_numbers(tree)).sum()
+    }
+
     /// True where this formulation needs a plan, which is searched for.
     pub fn takes_plan(&self, formulation: Formulation) -> bool {
-        self.parts.iter().any(|part| part.takes_plan(formulation))
+        let mut functions = self.functions();
+        functions.any(|function| function.candidate(formulation).takes_plan())
     }
 
     /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no
@@ -205,7 +222,17 @@ impl Request {
 }
 
 impl From<&'static Function> for Request {
+    /// A function of the whole system.
     fn from(function: &'static Function) -> Self {
-        Self::new(vec![Part::System(function)], false)
+        let subject = None;
+        Self::new(vec![Part { function, subject }], false)
+    }
+}
+
+impl Function {
+    /// Derives a function of the whole system; one that has a single formulation takes no notice of `formulation`, and only
+    /// the recursive one of `plan`.
+    pub fn derive(&'static self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
+        Request::from(self).derive(tree, formulation, plan)
     }
 }

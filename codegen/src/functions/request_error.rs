@@ -30,6 +30,16 @@ pub enum RequestError {
         /// The part.
         name: String,
     },
+    /// Two parts that are each given something of their own frame.
+    #[error(
+        "`{request}` joins `{name}` to another that is given a point, force or moment of its frame"
+    )]
+    OwnArguments {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
     /// What is no request at all.
     #[error("`{}` is no request: {expected}", request.escape_debug())]
     Syntax {
@@ -58,7 +68,7 @@ pub enum RequestError {
     },
     /// What stands behind the frame is not understood.
     #[error("`{}` behind the frame of `{name}`: {expected}", found.escape_debug())]
-    Axes {
+    View {
         /// The function.
         name: String,
         /// What was found.
@@ -116,12 +126,13 @@ impl RequestError {
             Self::Syntax { place, .. }
             | Self::FrameMissing { place, .. }
             | Self::FrameNotTaken { place, .. }
-            | Self::Axes { place, .. }
+            | Self::View { place, .. }
             | Self::UnknownFrame { place, .. }
             | Self::NotAvailable { place, .. } => Some(place.clone()),
             Self::Unknown { .. }
             | Self::Repeated { .. }
             | Self::Compact { .. }
+            | Self::OwnArguments { .. }
             | Self::SameName { .. } => None,
         }
     }

@@ -1,11 +1,14 @@
 //! Arrays that functions are given and write: axes, each with a constant's name and a length, and what they are of.
 
+use super::packed::Packed;
 use crate::tree::Tree;
 
-/// The constant that holds the length of a packed mass matrix.
-pub const PACKED_LEN: &str = "MASS_MATRIX_PACKED_LEN";
-/// The constant that holds where its entries stand.
-pub const PACKED_PLACES: &str = "MASS_MATRIX_PACKED_PLACES";
+/// The constant that holds the number of bodies.
+pub const N_BODIES: &str = "NB";
+/// The constant that holds the number of coordinates.
+pub const N_COORDINATES: &str = "NQ";
+/// The constant that holds the number of speeds.
+pub const N_SPEEDS: &str = "NU";
 
 /// What an axis of an array counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,12 +19,18 @@ pub enum Axis {
     Coordinates,
     /// Speeds.
     Speeds,
-    /// Every pair of [`Tree::coupled_speeds`].
-    SpeedPairs,
+    /// The places of a packed matrix over speeds.
+    Packed(Packed),
     /// Bodies.
     Bodies,
+    /// The inertial parameters of a body.
+    Parameters,
     /// The columns of a compact output's non-zero partitions, with their pattern beside the function.
     Columns,
+    /// The speeds that move the frame that a function is of, with their places beside the function.
+    FrameSpeeds,
+    /// The components of frames' motions and of the wrenches on them: six a frame, linear before angular.
+    FrameComponents,
 }
 
 /// The axes of nested arrays, outermost first; none for one element. Row-major.
@@ -49,35 +58,49 @@ pub enum Element {
 /// The length of an array, as generated code names it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Length {
-    /// The components of a vector.
-    Three,
+    /// A number.
+    Number(usize),
     /// A constant of the module: `NQ`.
     Constant(String),
 }
 
 impl Axis {
-    /// How many there are of what it counts; `n_columns` is the number of a compact output's columns.
-    pub fn length(self, tree: &Tree, n_columns: usize) -> usize {
-        match self {
+    /// How many there are of what it counts; `None` where the function decides.
+    pub fn length(self, tree: &Tree) -> Option<usize> {
+        Some(match self {
             Self::Three => 3,
+            Self::Parameters => 10,
             Self::Coordinates => tree.n_coordinates,
             Self::Speeds => tree.n_speeds,
-            Self::SpeedPairs => tree.coupled_speeds().len(),
+            Self::Packed(packed) => packed.places(tree).len(),
             Self::Bodies => tree.bodies.len(),
-            Self::Columns => n_columns,
+            Self::Columns | Self::FrameSpeeds | Self::FrameComponents => return None,
+        })
+    }
+
+    /// The constant that holds its length, where modules have one of the same name.
+    pub fn constant(self) -> Option<&'static str> {
+        match self {
+            Self::Three
+            | Self::Parameters
+            | Self::Columns
+            | Self::FrameSpeeds
+            | Self::FrameComponents => None,
+            Self::Coordinates => Some(N_COORDINATES),
+            Self::Speeds => Some(N_SPEEDS),
+            Self::Packed(packed) => Some(packed.length_constant()),
+            Self::Bodies => Some(N_BODIES),
         }
     }
 
-    /// Its length as generated code names it; `columns` names that of a compact output.
-    fn declared(self, columns: impl FnOnce() -> String) -> Length {
-        Length::Constant(match self {
-            Self::Three => return Length::Three,
-            Self::Coordinates => "NQ".to_owned(),
-            Self::Speeds => "NU".to_owned(),
-            Self::SpeedPairs => PACKED_LEN.to_owned(),
-            Self::Bodies => "NB".to_owned(),
-            Self::Columns => columns(),
-        })
+    /// Its length as generated code names it; `own` names what the function decides.
+    fn declared(self, own: impl FnOnce(Self) -> Length) -> Length {
+        match (self, self.constant()) {
+            (Self::Three, _) => Length::Number(3),
+            (Self::Parameters, _) => Length::Number(10),
+            (_, Some(constant)) => Length::Constant(constant.to_owned()),
+            (_, None) => own(self),
+        }
     }
 
     /// One of what it counts, in words.
@@ -86,9 +109,12 @@ impl Axis {
             Self::Three => "an axis",
             Self::Coordinates => "a coordinate",
             Self::Speeds => "a speed",
-            Self::SpeedPairs => "a pair of speeds",
+            Self::Packed(_) => "a pair of speeds",
             Self::Bodies => "a body",
+            Self::Parameters => "a parameter",
             Self::Columns => "a column",
+            Self::FrameSpeeds => "a speed that moves the frame",
+            Self::FrameComponents => "a component of a frame",
         }
     }
 }
@@ -116,9 +142,29 @@ impl Shape {
     pub const SPEED_MATRIX: Self = Self {
         axes: &[Axis::Speeds, Axis::Speeds],
     };
+    /// `[[R; NU]; 3]`.
+    pub const SPEED_COLUMNS: Self = Self {
+        axes: &[Axis::Three, Axis::Speeds],
+    };
+    /// `[[R; 3]; NU]`.
+    pub const SPEED_VECTORS: Self = Self {
+        axes: &[Axis::Speeds, Axis::Three],
+    };
+    /// `[[[R; 10]; NB]; NU]`.
+    pub const BODY_PARAMETERS: Self = Self {
+        axes: &[Axis::Speeds, Axis::Bodies, Axis::Parameters],
+    };
     /// `[R; MASS_MATRIX_PACKED_LEN]`.
-    pub const SPEED_PAIRS: Self = Self {
-        axes: &[Axis::SpeedPairs],
+    pub const MASS_MATRIX_PACKED: Self = Self {
+        axes: &[Axis::Packed(Packed::MassMatrix)],
+    };
+    /// `[R; MASS_MATRIX_INVERSE_PACKED_LEN]`.
+    pub const INVERSE_PACKED: Self = Self {
+        axes: &[Axis::Packed(Packed::Inverse)],
+    };
+    /// `[R; MASS_MATRIX_FACTORS_LEN]`.
+    pub const FACTORS: Self = Self {
+        axes: &[Axis::Packed(Packed::Factors)],
     };
     /// `[R; NB]`.
     pub const BODY_SCALARS: Self = Self {
@@ -132,21 +178,43 @@ impl Shape {
     pub const BODY_MATRICES: Self = Self {
         axes: &[Axis::Bodies, Axis::Three, Axis::Three],
     };
+    /// `[[R; NU]; 3]`.
+    pub const VECTOR_BY_SPEEDS: Self = Self {
+        axes: &[Axis::Three, Axis::Speeds],
+    };
+    /// `[[R; NAME_SPEEDS_LEN]; 3]`.
+    pub const VECTOR_BY_FRAME_SPEEDS: Self = Self {
+        axes: &[Axis::Three, Axis::FrameSpeeds],
+    };
+    /// `[[R; 6]; 6]`, of one frame.
+    pub const FRAME_MATRIX: Self = Self {
+        axes: &[Axis::FrameComponents, Axis::FrameComponents],
+    };
     /// `[[R; 3]; NAME_COLUMNS]`.
     pub const COLUMNS: Self = Self {
         axes: &[Axis::Columns, Axis::Three],
     };
 
-    /// The lengths of the nested arrays, outermost first; `n_columns` is the number of a compact output's columns.
-    pub fn lengths(self, tree: &Tree, n_columns: usize) -> Vec<usize> {
+    /// The lengths of the nested arrays, outermost first; `own` knows those that the function decides.
+    pub fn lengths(self, tree: &Tree, own: impl Fn(Axis) -> usize) -> Vec<usize> {
         let axes = self.axes.iter();
-        axes.map(|axis| axis.length(tree, n_columns)).collect()
+        axes.map(|axis| axis.length(tree).unwrap_or_else(|| own(*axis)))
+            .collect()
     }
 
-    /// The lengths as generated code names them; `columns` names that of a compact output.
-    pub fn declared(self, columns: impl Fn() -> String) -> Vec<Length> {
+    /// The lengths as generated code names them; `own` names those that the function decides.
+    pub fn declared(self, own: impl Fn(Axis) -> Length) -> Vec<Length> {
         let axes = self.axes.iter();
-        axes.map(|axis| axis.declared(&columns)).collect()
+        axes.map(|axis| axis.declared(&own)).collect()
+    }
+
+    /// The packed matrix that it is, if it is one.
+    pub fn packed(self) -> Option<Packed> {
+        let mut axes = self.axes.iter();
+        axes.find_map(|axis| match axis {
+            Axis::Packed(packed) => Some(*packed),
+            _ => None,
+        })
     }
 
     /// True where some axis counts this.

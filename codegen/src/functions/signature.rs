@@ -3,8 +3,10 @@
 use super::{
     argument::Argument,
     function::Function,
+    packed::{ELIMINATION, Packed},
+    part::Part,
     request::Request,
-    shape::{Element, Length, PACKED_PLACES},
+    shape::{Element, Length},
 };
 
 /// A function as its callers see it.
@@ -118,6 +120,16 @@ impl Declared {
         }
     }
 
+    /// One of its elements: of `[[R; n]; 3]`, `[R; n]`.
+    #[must_use]
+    pub fn row(&self) -> Self {
+        let lengths = self.lengths.get(1..).unwrap_or_default();
+        Self {
+            lengths: lengths.to_vec(),
+            ..self.clone()
+        }
+    }
+
     fn prepared() -> Self {
         Self::read("p", Element::Prepared, "prepared parameters")
     }
@@ -127,7 +139,9 @@ impl Argument {
     /// How it is declared.
     pub fn declared(self) -> Declared {
         Declared {
-            lengths: self.shape().declared(String::new),
+            lengths: self
+                .shape()
+                .declared(|axis| unreachable!("functions: an argument has no axis {axis:?}")),
             ..Declared::read(self.name(), self.element(), self.meaning())
         }
     }
@@ -144,15 +158,12 @@ impl Request {
                 arguments.push(Declared::read("sin_cos", Element::SinCos, meaning));
             }
         }
-        let columns = || {
-            let compact = self.compact();
-            let compact = compact.expect("functions: its output is compact");
-            compact.columns_constant()
-        };
-        arguments.extend(self.outputs().into_iter().map(|output| Declared {
-            lengths: output.shape.declared(columns),
-            ..Declared::written(&output.name, Element::Scalar)
-        }));
+        for part in self.parts() {
+            arguments.extend(self.outputs_of(part).into_iter().map(|output| Declared {
+                lengths: output.shape.declared(|axis| part.own_declared(axis)),
+                ..Declared::written(&output.name, Element::Scalar)
+            }));
+        }
         Signature {
             name: self.name(),
             doc: self.doc(),
@@ -160,9 +171,21 @@ impl Request {
             arguments,
         }
     }
+
     fn tables(&self) -> Vec<String> {
         let compact = self.compact().map(Function::blocks_constant);
-        let packed = self.is_packed().then(|| PACKED_PLACES.to_owned());
-        compact.into_iter().chain(packed).collect()
+        let packed = self.packed();
+        let order = packed.contains(&Packed::Factors);
+        let order = order.then(|| ELIMINATION.to_owned());
+        let packed = packed
+            .iter()
+            .map(|packed| packed.places_constant().to_owned());
+        let of_frames = self
+            .parts()
+            .iter()
+            .filter(|part| part.function.has_frame_speeds());
+        let of_frames = of_frames.map(Part::speeds_constant);
+        let tables = compact.into_iter().chain(packed).chain(order);
+        tables.chain(of_frames).collect()
     }
 }

@@ -1,39 +1,88 @@
-//! What a function of a frame is of: the frame, and the axes of its outputs.
+//! What a function of frames is of: the frames, and how their motion is seen.
 
-use crate::tree::{NamedFrame, Tree};
+use crate::{
+    id::SpeedId,
+    tree::{NamedFrame, Tree},
+};
 
-/// The frame that a function is of, on the tree of a model.
+/// The frames that a function is of, on the tree of a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Subject {
-    /// The frame's name, as the user wrote it in the model.
+    /// One, but where a function is of several, or of one as it is seen from another, which stands last.
+    pub frames: Vec<SubjectFrame>,
+    /// How they are seen.
+    pub view: View,
+}
+
+/// A frame that a function is of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SubjectFrame {
+    /// Its name, as the user wrote it in the model.
     pub name: String,
     /// The Rust identifier that stands for it in generated code.
     pub identifier: String,
     /// The frame.
     pub frame: NamedFrame,
-    /// The axes of what is written.
-    pub axes: Axes,
 }
 
-/// Along which axes a function of a frame writes vectors.
+/// From where the motion of frames is seen, and along which axes vectors are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Axes {
-    /// The inertial ones.
+pub enum View {
+    /// From the inertial frame, along its axes.
     Inertial,
-    /// The frame's own: `velocity(tool0, local)`.
+    /// From the inertial frame, along the frame's own axes: `velocity(tool0, local)`.
     Local,
+    /// From the last of the frames, along its axes, its own motion included: `jacobian(tool0, camera)`.
+    Other,
 }
 
-impl Subject {
+impl SubjectFrame {
     /// The frame with this name, if the model has one.
-    pub fn find(tree: &Tree, name: &str, axes: Axes) -> Option<Self> {
+    pub fn find(tree: &Tree, name: &str) -> Option<Self> {
         let mut frames = tree.named_frames();
         let frame = frames.find(|frame| tree.frame_name(*frame) == name)?;
         Some(Self {
             name: name.to_owned(),
             identifier: tree.frame_identifier(frame).to_owned(),
             frame,
-            axes,
         })
+    }
+}
+
+impl Subject {
+    /// The frame, or the first of several.
+    pub fn frame(&self) -> NamedFrame {
+        self.frames[0].frame
+    }
+
+    /// The frame from which it is seen, where it is not the inertial one.
+    pub fn other(&self) -> Option<NamedFrame> {
+        let other = self.frames.last().filter(|_| self.view == View::Other);
+        other.map(|other| other.frame)
+    }
+
+    /// The speeds that move the frames as they are seen, in their order.
+    pub fn speeds(&self, tree: &Tree) -> Vec<SpeedId> {
+        let path = |frame: &SubjectFrame| {
+            let body = tree.frame_body(frame.frame);
+            body.into_iter().flat_map(|body| tree.path(body))
+        };
+        let count = |body| {
+            let frames = self.frames.iter();
+            frames
+                .filter(|frame| path(frame).any(|one| one == body))
+                .count()
+        };
+        let moves = |body: &_| match (self.view, count(*body)) {
+            // What carries both moves neither against the other.
+            (View::Other, count) => count == 1,
+            (View::Inertial | View::Local, count) => count > 0,
+        };
+        let bodies = tree.body_ids().filter(moves);
+        let motions = bodies.flat_map(|body| tree.body(body).joint.motions());
+        let mut speeds: Vec<SpeedId> = motions.flatten().map(|motion| motion.speed).collect();
+        speeds.sort_unstable();
+        speeds.dedup();
+        speeds
     }
 }

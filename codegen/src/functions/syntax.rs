@@ -6,10 +6,10 @@
 //!         | ("jvp" | "vjp") "(" part ";" words ")"
 //!         | word ["(" words ")"]
 //! words   = word ("," word)*
-//! word    = characters other than + ( ) , ; " | '"' characters other than " '"'
+//! word    = characters other than + ( ) , ; " | '"' (a character other than " | '""')* '"'
 //! ```
 //!
-//! White space around words says nothing. Does not: know a function, a frame or a variable.
+//! White space around words says nothing. Between quotes, `""` is one quote. Does not: know a function, a frame or a variable.
 
 use std::ops::Range;
 
@@ -50,6 +50,13 @@ pub(super) struct Word {
     pub(super) text: String,
     pub(super) place: Range<usize>,
     is_quoted: bool,
+}
+
+impl Word {
+    /// True for this word without quotes, which is then no name.
+    pub(super) fn is(&self, word: &str) -> bool {
+        !self.is_quoted && self.text == word
+    }
 }
 
 /// What the grammar does not allow, and where.
@@ -107,7 +114,7 @@ pub(super) fn written(word: &str) -> String {
     if is_plain {
         word.to_owned()
     } else {
-        format!("\"{word}\"")
+        format!("\"{}\"", word.replace('"', "\"\""))
     }
 }
 
@@ -234,17 +241,7 @@ impl<'a> Reader<'a> {
         self.skip();
         let start = self.at;
         if self.take('"') {
-            let rest = &self.text[self.at..];
-            let Some(length) = rest.find('"') else {
-                self.at = self.text.len();
-                return Err(self.unexpected("expected `\"`"));
-            };
-            self.at += length + 1;
-            return Ok(Word {
-                text: rest[..length].to_owned(),
-                place: start..self.at,
-                is_quoted: true,
-            });
+            return self.quoted(start);
         }
         let rest = &self.text[start..];
         let text = rest[..rest.find(is_special).unwrap_or(rest.len())].trim_end();
@@ -253,6 +250,30 @@ impl<'a> Reader<'a> {
             text: text.to_owned(),
             place: start..self.at,
             is_quoted: false,
+        })
+    }
+
+    /// A word in quotes, after the first of them, which stands at `start`.
+    fn quoted(&mut self, start: usize) -> Result<Word, Unexpected> {
+        let mut text = String::new();
+        loop {
+            let rest = &self.text[self.at..];
+            let Some(length) = rest.find('"') else {
+                self.at = self.text.len();
+                return Err(self.unexpected("expected `\"`"));
+            };
+            text.push_str(&rest[..length]);
+            self.at += length + 1;
+            if !self.text[self.at..].starts_with('"') {
+                break;
+            }
+            text.push('"');
+            self.at += 1;
+        }
+        Ok(Word {
+            text,
+            place: start..self.at,
+            is_quoted: true,
         })
     }
 }
@@ -304,10 +325,31 @@ mod tests {
     }
 
     #[test]
+    fn any_name_can_be_asked_for() {
+        let names = [
+            "a\"b", "\"", "\"\"", "a\"", "\"a", "a, b", "a)", "\\", "a\\\"", " a ", "é\"+;",
+        ];
+        for name in names {
+            let request = format!("pose({}, local)", written(name));
+            let sum = read(&request).unwrap();
+            let Kind::Named { of, .. } = &sum.parts[0].kind else {
+                panic!("{sum:?}");
+            };
+            assert_eq!([&of[0].text, &of[1].text], [name, "local"]);
+            let list = format!("bias,{request},q_dot");
+            assert_eq!(
+                split(&list).collect::<Vec<_>>(),
+                ["bias", &request, "q_dot"]
+            );
+        }
+    }
+
+    #[test]
     fn what_is_not_in_the_grammar_is_pointed_at() {
         assert_eq!(expected("pose(tool0"), ("expected `,` or `)`", 10..10));
         assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
         assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));
+        assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));
         assert_eq!(expected("d(bias)/q"), ("expected `/d(VARIABLES)`", 8..9));
         assert_eq!(expected("jvp(bias)"), ("expected `; VARIABLES`", 8..9));
     }

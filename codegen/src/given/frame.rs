@@ -2,7 +2,7 @@
 
 use super::numbers::{constant, fixed, vector};
 use crate::{
-    expr::{ExprGraph, Matrix, Vector},
+    expr::{ExprGraph, Input, Matrix, Vector},
     tree::{NamedFrame, Tree},
 };
 
@@ -15,12 +15,12 @@ pub struct FramePose {
     pub position: Vector,
 }
 
-/// How a frame moves in the inertial one.
+/// How a frame moves: its velocity or acceleration, or what a unit speed contributes to it.
 #[derive(Clone, Copy, Debug)]
-pub struct FrameVelocity {
-    /// Velocity of its origin.
+pub struct FrameMotion {
+    /// Of its origin.
     pub linear: Vector,
-    /// Angular velocity.
+    /// Angular.
     pub angular: Vector,
 }
 
@@ -33,6 +33,18 @@ pub fn frame_rotation(graph: &mut ExprGraph, tree: &Tree, frame: NamedFrame) -> 
     };
     let turn = turn.map(|row| vector(graph, row));
     graph.mul_matrices(&turn, &baked)
+}
+
+/// The force and the moment that a frame is given.
+pub fn frame_wrench(graph: &mut ExprGraph) -> (Vector, Vector) {
+    let force = [0, 1, 2].map(|axis| graph.input(Input::FrameForce(axis)));
+    let moment = [0, 1, 2].map(|axis| graph.input(Input::FrameMoment(axis)));
+    (force, moment)
+}
+
+/// The position of a point that a frame is given, from its origin, along its axes.
+pub fn frame_point(graph: &mut ExprGraph) -> Vector {
+    [0, 1, 2].map(|axis| graph.input(Input::Point(axis)))
 }
 
 /// From the internal origin of the body that holds a frame to the frame's, internal axes.

@@ -7,6 +7,15 @@ use crate::{
     tree::Tree,
 };
 
+/// The loads with which forces are evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loads {
+    /// `loads` as an argument.
+    Given,
+    /// None.
+    Absent,
+}
+
 /// A load's force at the mass centre, internal axes.
 pub fn force(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Vector {
     let force = [0, 1, 2].map(|i| graph.input(Input::Force(body, i)));

@@ -3,7 +3,7 @@
 use super::numbers::{constant, fixed, value, vector};
 use crate::{
     expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
-    tree::{Body, Part},
+    tree::{Body, RigidPart, Tree},
 };
 
 /// `m_K`: the mass of a body with all that is fixed to it.
@@ -14,6 +14,35 @@ pub fn mass(graph: &mut ExprGraph, body: &Body) -> Expr {
         sum = graph.add(sum, mass);
     }
     sum
+}
+
+/// The mass of all bodies.
+fn total_mass(graph: &mut ExprGraph, tree: &Tree) -> Expr {
+    let mut sum = graph.zero();
+    for body in tree.body_ids() {
+        graph.enter(body);
+        let own = mass(graph, tree.body(body));
+        graph.enter(None);
+        sum = graph.add(sum, own);
+    }
+    graph.name(sum, "mass");
+    sum
+}
+
+/// One over the mass of all bodies; `None` where none has any.
+pub fn inverse_total_mass(graph: &mut ExprGraph, tree: &Tree) -> Option<Expr> {
+    let mass = total_mass(graph, tree);
+    (!graph.is_zero(mass)).then(|| graph.reciprocal(mass))
+}
+
+/// A vector over the mass of all bodies, as one of the system; zero where none has any.
+pub fn over_total_mass(graph: &mut ExprGraph, tree: &Tree, v: Vector) -> Vector {
+    let inverse = inverse_total_mass(graph, tree);
+    graph.enter(None);
+    match inverse {
+        Some(inverse) => graph.scale(inverse, v),
+        None => graph.zero_vector(),
+    }
 }
 
 /// `r_K`: from the internal origin of a body to its mass centre, internal axes; for a body without mass its own, whatever
@@ -67,7 +96,7 @@ pub fn inertia(graph: &mut ExprGraph, body: &Body) -> Symmetric {
 }
 
 /// The inertia of a part about its own mass centre, internal axes of its body.
-pub fn part_inertia(graph: &mut ExprGraph, part: &Part) -> Symmetric {
+pub fn part_inertia(graph: &mut ExprGraph, part: &RigidPart) -> Symmetric {
     let i = &part.inertia;
     let own = Symmetric {
         diagonal: vector(graph, [i.xx, i.yy, i.zz]),

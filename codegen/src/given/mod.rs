@@ -12,11 +12,11 @@ pub mod mechanics;
 mod numbers;
 pub mod orientation;
 
-pub use frame::{FramePose, FrameVelocity, frame_origin, frame_rotation};
+pub use frame::{FrameMotion, FramePose, frame_origin, frame_point, frame_rotation, frame_wrench};
 pub use joint::{
     Accelerations, acceleration, attachment, coordinate, offset, shift_directions, shift_speeds,
     speed,
 };
-pub use loads::{force, moment, relative_angular_velocity};
-pub use mass::{inertia, mass, mass_center, part_inertia};
+pub use loads::{Loads, force, moment, relative_angular_velocity};
+pub use mass::{inertia, inverse_total_mass, mass, mass_center, over_total_mass, part_inertia};
 pub use numbers::{constant, constant_back, fixed, gravity, value, vector};

@@ -2,7 +2,7 @@
 
 use super::{orientation, velocity};
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, negated},
+    expr::{Expr, ExprGraph, Input, Matrix, Symmetric, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap, SpeedId},
     partition::Row,
@@ -38,6 +38,35 @@ pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     a
 }
 
+/// `A y_dot`, `A` of Eq. (42): `sum_K m_K V_G_K^T (V_G_K y_dot) + W_K^T I_K (W_K y_dot)`.
+pub fn mass_matrix_product(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let relative = orientation::relative(graph, tree);
+    let partials = velocity::partials(graph, tree, &relative);
+    let wrenches = BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let mass = given::mass(graph, tree.body(body));
+        let inertia = given::inertia(graph, tree.body(body));
+        let a = times_accelerations(graph, tree, &partials.mass_center[body]);
+        let alpha = times_accelerations(graph, tree, &partials.angular[body]);
+        Wrench {
+            force: graph.scale(mass, a),
+            moment: graph.mul_symmetric(&inertia, alpha),
+        }
+    });
+    generalized(graph, tree, &wrenches)
+}
+
+/// A row of partial velocities times `y_dot`.
+fn times_accelerations(graph: &mut ExprGraph, tree: &Tree, row: &Row) -> Vector {
+    let mut sum = graph.zero_vector();
+    for (speed, column) in row.columns(graph, tree) {
+        let acceleration = graph.input(Input::UDot(speed));
+        let term = graph.scale(acceleration, column);
+        sum = graph.add_vectors(sum, term);
+    }
+    sum
+}
+
 /// Adds `columns^T B columns` to a symmetric matrix.
 fn add_gram(
     graph: &mut ExprGraph,
@@ -71,6 +100,33 @@ pub fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
         }
     });
     generalized(graph, tree, &net)
+}
+
+/// `A y_dot - f` with its loads: `tau` for given accelerations, the bias less the loads' generalized forces for none.
+pub fn loaded_inverse_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    accelerations: Accelerations,
+) -> Vec<Expr> {
+    let needed = needed(graph, tree, accelerations);
+    generalized(graph, tree, &needed)
+}
+
+/// What each body needs to move as it does, weight included, less the load on it: about its mass centre.
+pub(super) fn needed(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    accelerations: Accelerations,
+) -> BodyMap<Wrench> {
+    let inertial = inertia_and_weight(graph, tree, accelerations);
+    let loads = loads(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        Wrench {
+            force: graph.sub_vectors(inertial[body].force, loads[body].force),
+            moment: graph.sub_vectors(inertial[body].moment, loads[body].moment),
+        }
+    })
 }
 
 /// `A y_dot - f` without loads: `tau` for given accelerations, the bias for none.
@@ -143,7 +199,12 @@ fn inertia_and_weight(
 }
 
 /// `I alpha + tilde(w) I w`.
-fn euler(graph: &mut ExprGraph, inertia: &Symmetric, w: Vector, alpha: Vector) -> Vector {
+pub(super) fn euler(
+    graph: &mut ExprGraph,
+    inertia: &Symmetric,
+    w: Vector,
+    alpha: Vector,
+) -> Vector {
     let momentum = graph.mul_symmetric(inertia, w);
     let accelerating = graph.mul_symmetric(inertia, alpha);
     let gyroscopic = graph.cross(w, momentum);

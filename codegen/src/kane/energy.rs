@@ -11,19 +11,7 @@ use crate::{
 
 /// `1/2 sum_K m_K v_G_K · v_G_K + w_K · I_K w_K`, and that of the rotors, J.
 pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
-    let rotational = velocity::rotational(graph, tree);
-    let v_origin = velocity::origin(graph, tree, &rotational);
-    let v = velocity::mass_center(graph, tree, &rotational, &v_origin);
-    let twice = BodyMap::outward(tree.bodies.len(), |body, _| {
-        graph.enter(body);
-        let mass = given::mass(graph, tree.body(body));
-        let inertia = given::inertia(graph, tree.body(body));
-        let square = graph.dot(v[body], v[body]);
-        let translational = graph.mul(mass, square);
-        let momentum = graph.mul_symmetric(&inertia, rotational.w[body]);
-        let turning = graph.dot(rotational.w[body], momentum);
-        graph.add(translational, turning)
-    });
+    let twice = twice_kinetic(graph, tree);
     let twice = gather(graph, tree, twice);
     graph.enter(None);
     let half = graph.number(0.5);
@@ -32,21 +20,65 @@ pub fn kinetic(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     graph.add(of_bodies, of_rotors)
 }
 
+/// The same of each body, with the rotors of its joint.
+pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
+    let twice = twice_kinetic(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        let of_rotors = mechanics::twice_kinetic_of(graph, tree, body);
+        let whole = graph.add(twice[body], of_rotors);
+        let half = graph.number(0.5);
+        graph.mul(half, whole)
+    })
+}
+
+/// `m_K v_G_K · v_G_K + w_K · I_K w_K`.
+fn twice_kinetic(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
+    let rotational = velocity::rotational(graph, tree);
+    let v_origin = velocity::origin(graph, tree, &rotational);
+    let v = velocity::mass_center(graph, tree, &rotational, &v_origin);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let mass = given::mass(graph, tree.body(body));
+        let inertia = given::inertia(graph, tree.body(body));
+        let square = graph.dot(v[body], v[body]);
+        let translational = graph.mul(mass, square);
+        let momentum = graph.mul_symmetric(&inertia, rotational.w[body]);
+        let turning = graph.dot(rotational.w[body], momentum);
+        graph.add(translational, turning)
+    })
+}
+
 /// `-sum_K m_K g · p_G_K`, zero at the inertial origin, and that of the springs, zero at rest, J.
 pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
+    let potentials = of_weight(graph, tree);
+    let of_weights = gather(graph, tree, potentials);
+    let of_springs = mechanics::potential(graph, tree);
+    graph.add(of_weights, of_springs)
+}
+
+/// The same of each body, with the springs of its joint.
+pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
+    let of_weight = of_weight(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        let twice = mechanics::twice_potential_of(graph, tree, body);
+        let half = graph.number(0.5);
+        let of_springs = graph.mul(half, twice);
+        graph.add(of_weight[body], of_springs)
+    })
+}
+
+/// `-m_K g · p_G_K`.
+fn of_weight(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
     let relative = orientation::relative(graph, tree);
     let origins = position::origin(graph, tree, &relative);
     let centers = position::mass_center(graph, tree, &origins);
     let gravity = super::dynamics::gravity_in_bodies(graph, tree, &relative);
-    let potentials = BodyMap::outward(tree.bodies.len(), |body, _| {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let mass = given::mass(graph, tree.body(body));
         let along = graph.dot(gravity[body], centers[body]);
         -graph.mul(mass, along)
-    });
-    let of_weights = gather(graph, tree, potentials);
-    let of_springs = mechanics::potential(graph, tree);
-    graph.add(of_weights, of_springs)
+    })
 }
 
 /// `sum_K m_K v_G_K`, kg m/s, inertial components.
@@ -102,7 +134,7 @@ fn gather(graph: &mut ExprGraph, tree: &Tree, mut shares: BodyMap<Expr>) -> Expr
 }
 
 /// The sum over all bodies of vectors in body components: inertial components.
-fn gather_vectors(
+pub(super) fn gather_vectors(
     graph: &mut ExprGraph,
     tree: &Tree,
     relative: &BodyMap<Matrix>,

@@ -5,9 +5,13 @@
 //! Does not: re-associate the sums over bodies; that is `recursive`.
 
 pub mod angular;
+pub mod center;
+pub mod coriolis;
 pub mod dynamics;
 pub mod energy;
 pub mod frame;
+pub mod joint_wrench;
 pub mod orientation;
 pub mod position;
+pub mod regressor;
 pub mod velocity;

@@ -1,8 +1,8 @@
 //! The constants of a module: their names, what they mean, what they hold. Printers write them in this order; what compares
 //! committed modules finds them by the same names.
 
-use super::{Facts, Frame, Function, Joint, Module, Pattern, Size};
-use crate::functions::{Block, PACKED_LEN, PACKED_PLACES};
+use super::{Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
+use crate::functions::{Block, ELIMINATION, N_BODIES, N_COORDINATES, N_SPEEDS};
 
 /// The system's name.
 pub(crate) const NAME: &str = "NAME";
@@ -46,7 +46,7 @@ pub enum Data<'a> {
     /// Names.
     Texts(&'static str, Vec<&'a str>),
     /// Whole numbers.
-    Integers(&'static str, Vec<usize>),
+    Integers(&'a str, Vec<usize>),
     /// Numbers; some may be infinite.
     Numbers(&'static str, &'a [f64]),
     /// Rows and columns.
@@ -66,7 +66,7 @@ const COORDINATES_DOC: &str = "The coordinates' names: theta in rad, about the x
 impl Facts {
     /// The constants of every module, but for its hash and costs.
     pub fn constants(&self) -> Vec<Constant<'_>> {
-        let sizes = ["NB", "NQ", "NU"].into_iter();
+        let sizes = [N_BODIES, N_COORDINATES, N_SPEEDS].into_iter();
         let sizes = sizes.filter_map(|name| self.sizes.named(name));
         let mut constants: Vec<Constant<'_>> = sizes.map(size).collect();
         constants.extend(self.tree());
@@ -84,32 +84,32 @@ impl Facts {
             constant(
                 LOWER_BODIES,
                 "The body-connection array: the number of each body's lower body (parent), counted from 1; 0 is the inertial frame.",
-                Data::Integers("NB", lower.collect()),
+                Data::Integers(N_BODIES, lower.collect()),
             ),
             constant(
                 BODY_NAMES,
                 "The bodies' names.",
-                Data::Texts("NB", bodies.collect()),
+                Data::Texts(N_BODIES, bodies.collect()),
             ),
             constant(
                 COORDINATE_NAMES,
                 COORDINATES_DOC,
-                texts("NQ", &self.coordinates),
+                texts(N_COORDINATES, &self.coordinates),
             ),
             constant(
                 SPEED_NAMES,
                 "The speeds' names, rad/s and m/s; w is a component of the relative angular velocity.",
-                texts("NU", &self.speeds),
+                texts(N_SPEEDS, &self.speeds),
             ),
             constant(
                 "SPEED_BODIES",
                 "The body that each speed moves relative to its lower body, as an index into `BODY_NAMES`.",
-                Data::Integers("NU", self.speed_bodies.clone()),
+                Data::Integers(N_SPEEDS, self.speed_bodies.clone()),
             ),
             constant(
                 JOINTS,
                 "Each body's joint: the places of its coordinates and speeds.",
-                Data::Joints("NB", &self.joints),
+                Data::Joints(N_BODIES, &self.joints),
             ),
             constant(
                 FRAMES,
@@ -125,27 +125,27 @@ impl Facts {
             constant(
                 "LOWER_LIMITS",
                 "The least value of each coordinate, rad, m: data only.",
-                Data::Numbers("NQ", &limits.lower),
+                Data::Numbers(N_COORDINATES, &limits.lower),
             ),
             constant(
                 "UPPER_LIMITS",
                 "The greatest value of each coordinate, rad, m: data only.",
-                Data::Numbers("NQ", &limits.upper),
+                Data::Numbers(N_COORDINATES, &limits.upper),
             ),
             constant(
                 "VELOCITY_LIMITS",
                 "The greatest magnitude of each speed, rad/s, m/s: data only.",
-                Data::Numbers("NU", &limits.velocity),
+                Data::Numbers(N_SPEEDS, &limits.velocity),
             ),
             constant(
                 "EFFORT_LIMITS",
                 "The greatest magnitude of each generalized force, N m, N: data only.",
-                Data::Numbers("NU", &limits.effort),
+                Data::Numbers(N_SPEEDS, &limits.effort),
             ),
             constant(
                 "FRICTION",
                 "Coulomb friction along each speed, N m, N: data only, no part of any function.",
-                Data::Numbers("NU", &limits.friction),
+                Data::Numbers(N_SPEEDS, &limits.friction),
             ),
         ]
     }
@@ -157,24 +157,44 @@ impl Facts {
             constant(
                 "ANGLE_NAMES",
                 "The names of the angles among the coordinates, in the order of `q`.",
-                Data::Texts("NA", names.collect()),
+                Data::Texts(N_ANGLES, names.collect()),
             )
         });
-        let n_angles = self.sizes.named("NA").map(size);
+        let n_angles = self.sizes.named(N_ANGLES).map(size);
         n_angles.into_iter().chain(angles).collect()
     }
 
-    /// The constants of modules in which a mass matrix is packed.
+    /// The constants of modules in which matrices are packed, or factors of them.
     pub fn packed_constants(&self) -> Vec<Constant<'_>> {
-        let places = self.packed.iter().map(|places| {
+        let packed = self.packed.iter().flat_map(|(packed, places)| {
+            let length = self.sizes.named(packed.length_constant()).map(size);
+            let places = constant(
+                packed.places_constant(),
+                packed.written(),
+                Data::Places(packed.length_constant(), places),
+            );
+            length.into_iter().chain([places])
+        });
+        let order = self.elimination.iter().map(|order| {
             constant(
-                PACKED_PLACES,
-                "The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.",
-                Data::Places(PACKED_LEN, places),
+                ELIMINATION,
+                "The speeds in the order in which `mass_matrix_factors` eliminates them.",
+                Data::Integers("NU", order.clone()),
             )
         });
-        let length = self.sizes.named(PACKED_LEN).map(size);
-        length.into_iter().chain(places).collect()
+        packed.chain(order).collect()
+    }
+
+    /// The constants of Jacobians: which speeds move the frames.
+    pub fn frame_speed_constants(&self) -> Vec<Constant<'_>> {
+        let frames = self.frame_speeds.iter();
+        let constants = frames.flat_map(|frame| {
+            let speeds = Data::Integers(&frame.length, frame.speeds.clone());
+            let length = self.sizes.named(&frame.length).map(size);
+            let speeds = constant(&frame.constant, &frame.doc, speeds);
+            length.into_iter().chain([speeds])
+        });
+        constants.collect()
     }
 
     /// The constants of a compact output.

@@ -1,6 +1,6 @@
 //! Which numbers an argument holds, and in what order.
 
-use super::{Member, Sizes, Step};
+use super::{Member, N_ANGLES, Sizes, Step};
 use crate::functions::{Declared, Element};
 
 /// What an argument holds, as sizes.
@@ -23,7 +23,7 @@ impl Extent {
             n_members: match argument.element {
                 Element::Scalar => 1,
                 Element::Load => 3,
-                Element::SinCos => sizes.named("NA").map_or(0, |size| size.value),
+                Element::SinCos => sizes.named(N_ANGLES).map_or(0, |size| size.value),
                 Element::Parameters => n_parameters,
                 Element::Prepared => n_fields,
             },

@@ -1,11 +1,14 @@
 //! What is known of a system and its module, beside the functions.
 
-use super::{Chart, Extent, Frame, Joint, Limits, Size, Sizes};
+use std::collections::BTreeSet;
+
+use super::{Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size, Sizes};
 use crate::{
-    functions::{Block, Declared, PACKED_LEN},
+    functions::{Axis, Block, Declared, Packed},
     id::BodyId,
     origin::Origin,
     passes::sines,
+    solve,
     tree::{Parameter, Tree},
 };
 
@@ -38,10 +41,14 @@ pub struct Facts {
     pub fields: Vec<String>,
     /// The angles among the coordinates, where functions are given their sines and cosines.
     pub angles: Option<Vec<Angle>>,
-    /// The row and column of each entry of a packed mass matrix, where a function writes one.
-    pub packed: Option<Vec<[usize; 2]>>,
+    /// The row and column of each entry of the packed matrices that functions write.
+    pub packed: Vec<(Packed, Vec<[usize; 2]>)>,
+    /// The speeds in the order of their elimination, where a function writes factors of a mass matrix.
+    pub elimination: Option<Vec<usize>>,
     /// The patterns of compact outputs, each once.
     pub patterns: Vec<Pattern>,
+    /// The speeds that move frames, each frame's once.
+    pub frame_speeds: Vec<FrameSpeeds>,
 }
 
 /// A body of the system.
@@ -86,17 +93,23 @@ pub struct Pattern {
 pub(super) struct Wanted {
     /// Some are given sines and cosines.
     pub(super) angles: bool,
-    /// Some write a packed mass matrix.
-    pub(super) packed: bool,
+    /// The packed matrices that some write, each once.
+    pub(super) packed: BTreeSet<Packed>,
     /// What those with compact outputs write, each once.
     pub(super) patterns: Vec<Pattern>,
+    /// The speeds that move the frames of Jacobians, each frame's once.
+    pub(super) frame_speeds: Vec<FrameSpeeds>,
 }
 
 impl Facts {
     pub(super) fn of(tree: &Tree, origin: Origin, fields: &[String], wanted: Wanted) -> Self {
         let coordinates = tree.coordinate_names();
         let angles = wanted.angles.then(|| angles(tree, &coordinates));
-        let packed = wanted.packed.then(|| Vec::from_iter(tree.coupled_speeds()));
+        let elimination = wanted.packed.contains(&Packed::Factors);
+        let elimination = elimination.then(|| solve::elimination(tree));
+        let packed = wanted.packed.iter().copied();
+        let packed = packed.map(|packed| (packed, Vec::from_iter(packed.places(tree))));
+        let packed: Vec<_> = packed.collect();
         let bodies = tree.body_ids().map(|id| Body {
             name: tree.body(id).name.clone(),
             identifier: tree.body(id).identifier.clone(),
@@ -108,12 +121,7 @@ impl Facts {
         Self {
             origin,
             name: tree.name.clone(),
-            sizes: sizes(
-                tree,
-                angles.as_ref().map(Vec::len),
-                packed.as_ref().map(Vec::len),
-                &wanted.patterns,
-            ),
+            sizes: sizes(tree, angles.as_ref().map(Vec::len), &packed, &wanted),
             bodies: bodies.collect(),
             coordinates,
             speeds: tree.speed_names(),
@@ -129,7 +137,9 @@ impl Facts {
             fields,
             angles,
             packed,
+            elimination,
             patterns: wanted.patterns,
+            frame_speeds: wanted.frame_speeds,
         }
     }
 
@@ -142,7 +152,7 @@ impl Facts {
     /// True where `q` holds quaternions, which a function normalizes.
     pub fn has_quaternions(&self) -> bool {
         let mut joints = self.joints.iter();
-        joints.any(|joint| joint.chart == Chart::EulerParameters)
+        joints.any(|joint| joint.chart == JointChart::EulerParameters)
     }
 }
 
@@ -157,42 +167,55 @@ fn angles(tree: &Tree, coordinates: &[String]) -> Vec<Angle> {
         .collect()
 }
 
+/// What arrays of every system count, in words, and what else is said of it beside the functions.
+const COUNTED: [(Axis, &str, &str); 3] = [
+    (Axis::Bodies, "Number of bodies", ""),
+    (
+        Axis::Coordinates,
+        "Number of generalized coordinates",
+        ", the length of `q`",
+    ),
+    (
+        Axis::Speeds,
+        "Number of generalized speeds",
+        ", the length of `u`",
+    ),
+];
+
 fn sizes(
     tree: &Tree,
     n_angles: Option<usize>,
-    n_packed: Option<usize>,
-    patterns: &[Pattern],
+    packed: &[(Packed, Vec<[usize; 2]>)],
+    wanted: &Wanted,
 ) -> Sizes {
-    let size = |name: &str, value, brief, more: &str| Size {
-        name: name.to_owned(),
-        value,
-        doc: format!("{brief}{more}."),
-        brief,
-    };
-    let mut sizes = vec![
-        size("NB", tree.bodies.len(), "Number of bodies", ""),
-        size(
-            "NQ",
-            tree.n_coordinates,
-            "Number of generalized coordinates",
-            ", the length of `q`",
-        ),
-        size(
-            "NU",
-            tree.n_speeds,
-            "Number of generalized speeds",
-            ", the length of `u`",
-        ),
-    ];
-    let angles = "Number of angles among the coordinates";
-    sizes.extend(n_angles.map(|n_angles| size("NA", n_angles, angles, "")));
-    sizes.extend(n_packed.map(|n_packed| Size {
-        name: PACKED_LEN.to_owned(),
-        value: n_packed,
-        doc: "Number of entries that `mass_matrix_packed` writes.".to_owned(),
-        brief: "Number of entries of a packed mass matrix",
+    let counted = COUNTED.into_iter().filter_map(|(axis, brief, more)| {
+        Some(Size {
+            name: axis.constant()?.to_owned(),
+            value: axis.length(tree)?,
+            doc: format!("{brief}{more}."),
+            brief,
+        })
+    });
+    let mut sizes: Vec<Size> = counted.collect();
+    sizes.extend(n_angles.map(|n_angles| Size {
+        name: N_ANGLES.to_owned(),
+        value: n_angles,
+        doc: "Number of angles among the coordinates.".to_owned(),
+        brief: "Number of angles among the coordinates",
     }));
-    sizes.extend(patterns.iter().map(|pattern| Size {
+    sizes.extend(packed.iter().map(|(packed, places)| Size {
+        name: packed.length_constant().to_owned(),
+        value: places.len(),
+        doc: format!("Number of entries that `{}` writes.", packed.function()),
+        brief: packed.brief(),
+    }));
+    sizes.extend(wanted.frame_speeds.iter().map(|frame| Size {
+        name: frame.length.clone(),
+        value: frame.speeds.len(),
+        doc: "Number of speeds that move the frame.".to_owned(),
+        brief: "Number of speeds that move a frame",
+    }));
+    sizes.extend(wanted.patterns.iter().map(|pattern| Size {
         name: pattern.columns.clone(),
         value: pattern.n_columns,
         doc: format!("Number of columns that `{}` writes.", pattern.function),

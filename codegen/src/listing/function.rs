@@ -2,7 +2,7 @@
 
 use super::{Code, Counted, Entry, Facts};
 use crate::{
-    functions::{self, Access, Declared, Formulation, Signature},
+    functions::{Access, Declared, Formulation, Part, Signature},
     program::Operations,
 };
 
@@ -11,10 +11,8 @@ use crate::{
 pub struct Function {
     /// How it is declared, and what it means.
     pub signature: Signature,
-    /// The function of the catalogue, where it is one as it stands there.
-    pub alone: Option<&'static functions::Function>,
-    /// The function of a frame, where it is one alone.
-    pub of_frame: Option<(&'static functions::FrameFunction, functions::Subject)>,
+    /// The part of a request, where it is one as the catalogue has it.
+    pub alone: Option<Part>,
     /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
     pub pattern: Option<usize>,
     /// How its sums over bodies are associated.
@@ -35,7 +33,6 @@ impl Function {
         Self {
             signature,
             alone: None,
-            of_frame: None,
             pattern: None,
             formulation: Formulation::Notes,
             has_choice: false,

@@ -11,7 +11,7 @@ pub struct Joint {
     /// Its name, as the user wrote it.
     pub name: String,
     /// How its orientation is told.
-    pub chart: Chart,
+    pub chart: JointChart,
     /// The places in `q` of theta1, theta2, theta3 or e0, e1, e2, e3, then s1, s2, s3; none for what is locked.
     pub q: [Option<usize>; 7],
     /// The places in `u` of the speeds of the three rotations and the three translations.
@@ -20,7 +20,7 @@ pub struct Joint {
 
 /// How an orientation is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chart {
+pub enum JointChart {
     /// Angles, with their rates for speeds.
     AngleRates,
     /// Angles, with components of the angular velocity for speeds.
@@ -42,7 +42,7 @@ pub struct Frame {
     pub position: [f64; 3],
 }
 
-impl Chart {
+impl JointChart {
     /// The kinds of the coordinates that have a place in [`Joint::q`]; of angles the fourth place has none.
     pub(crate) fn coordinates(self) -> [&'static str; 7] {
         match self {
@@ -70,15 +70,15 @@ impl Chart {
 impl Joint {
     pub(super) fn of(joint: &tree::Joint) -> Self {
         let chart = match joint.orientation {
-            Orientation::Rates(_) => Chart::AngleRates,
+            Orientation::Rates(_) => JointChart::AngleRates,
             Orientation::AngularVelocity {
                 chart: tree::ChartCoordinates::Angles(_),
                 ..
-            } => Chart::Angles,
+            } => JointChart::Angles,
             Orientation::AngularVelocity {
                 chart: tree::ChartCoordinates::EulerParameters(_),
                 ..
-            } => Chart::EulerParameters,
+            } => JointChart::EulerParameters,
         };
         let kinds = chart.coordinates();
         let mut q = [None; 7];

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{
-    Facts, Function, Pattern,
+    Facts, FrameSpeeds, Function, Pattern,
     facts::Wanted,
     plain::{nominal, sin_cos},
     verify::{verify, verify_facts},
@@ -38,7 +38,12 @@ impl Module {
     /// # Panics
     /// Where the listing breaks a promise: a bug of ours.
     pub fn new(tree: &Tree, origin: Origin, compiled: &Compiled) -> Self {
-        let facts = Facts::of(tree, origin, &compiled.fields, wanted(&compiled.functions));
+        let facts = Facts::of(
+            tree,
+            origin,
+            &compiled.fields,
+            wanted(tree, &compiled.functions),
+        );
         let writer = Writer::new(tree, compiled, &facts);
         let module = Self {
             nominal: nominal(&facts),
@@ -83,7 +88,7 @@ impl Module {
 }
 
 /// What the functions want of the facts.
-fn wanted(functions: &[Emittable]) -> Wanted {
+fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
     let any = |is: fn(&Request) -> bool| functions.iter().any(|one| is(&one.function));
     let mut known = BTreeSet::new();
     let patterns = functions.iter().filter_map(|emittable| {
@@ -102,7 +107,11 @@ fn wanted(functions: &[Emittable]) -> Wanted {
     });
     Wanted {
         patterns: patterns.collect(),
+        frame_speeds: FrameSpeeds::of(tree, functions),
         angles: any(Request::is_at_sin_cos),
-        packed: any(Request::is_packed),
+        packed: functions
+            .iter()
+            .flat_map(|one| one.function.packed())
+            .collect(),
     }
 }

@@ -14,23 +14,36 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 29] = [
+pub const RESERVED: [&str; 45] = [
     "accelerations",
     "alpha",
+    "angular",
+    "angular_velocity",
     "bias",
+    "c",
     "columns",
     "cosines",
     "distances",
+    "energies",
     "energy",
     "entries",
     "f",
+    "force",
+    "inverse",
+    "inverse_inertia",
+    "jacobian",
+    "linear",
     "loads",
     "m",
+    "m_dot",
+    "moment",
     "momentum",
     "normalized",
     "p",
     "parameters",
     "pivots",
+    "point",
+    "position",
     "positions",
     "q",
     "q_dot",
@@ -38,12 +51,15 @@ pub const RESERVED: [&str; 29] = [
     "rotations",
     "sin_cos",
     "sines",
+    "specific_force",
     "tau",
     "u",
     "u_dot",
     "velocities",
+    "velocity",
     "w",
     "w_rel",
+    "y",
 ];
 
 /// What the values of a program are called that are only counted.

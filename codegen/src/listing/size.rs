@@ -2,6 +2,9 @@
 
 use crate::functions::Length;
 
+/// The size that counts the angles among the coordinates.
+pub(crate) const N_ANGLES: &str = "NA";
+
 /// A size with a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Size {
@@ -31,7 +34,7 @@ impl Sizes {
     /// Where no size has the name: signatures and sizes are made from the same functions.
     pub fn length(&self, length: &Length) -> usize {
         match length {
-            Length::Three => 3,
+            Length::Number(number) => *number,
             Length::Constant(name) => {
                 let size = self.named(name);
                 size.unwrap_or_else(|| unreachable!("listing: no size `{name}`"))

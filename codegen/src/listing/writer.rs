@@ -1,5 +1,7 @@
 //! Functions of a listing, from programs.
 
+use std::collections::BTreeMap;
+
 use super::{
     Code, Entry, Facts, Function, Member, Step, code,
     code::Known,
@@ -22,6 +24,7 @@ pub(super) struct Writer<'a> {
     facts: &'a Facts,
     /// Where each prepared value stands among the fields.
     fields: Vec<usize>,
+    given: BTreeMap<Input, (&'static str, Vec<Step>)>,
 }
 
 impl<'a> Writer<'a> {
@@ -31,6 +34,7 @@ impl<'a> Writer<'a> {
             compiled,
             facts,
             fields: places_of(&compiled.fields, &facts.fields),
+            given: given(tree, facts),
         }
     }
 
@@ -39,10 +43,8 @@ impl<'a> Writer<'a> {
         let signature = request.signature();
         let places = places(&signature, self.facts);
         let code = self.code(program, &signature, places, Counted::InFunction);
-        let of_frame = request.alone_of_frame();
         Function {
-            alone: request.alone(),
-            of_frame: of_frame.map(|(function, subject)| (function, subject.clone())),
+            alone: request.alone().cloned(),
             pattern: self.pattern(emittable),
             formulation: emittable.formulation,
             has_choice: request.formulations().len() > 1,
@@ -100,32 +102,8 @@ impl<'a> Writer<'a> {
     /// Where a function finds an input.
     fn entry(&self, input: Input, signature: &Signature) -> Entry {
         let (name, steps) = match input {
-            Input::Q(id) => (Argument::Q.name(), vec![Step::Index(id.index())]),
-            Input::U(id) => (Argument::U.name(), vec![Step::Index(id.index())]),
-            Input::UDot(id) => (Argument::UDot.name(), vec![Step::Index(id.index())]),
-            Input::Tau(id) => (Argument::Tau.name(), vec![Step::Index(id.index())]),
             Input::Sine(place) => ("sin_cos", of_member(Member::Sines, place)),
             Input::Cosine(place) => ("sin_cos", of_member(Member::Cosines, place)),
-            Input::Force(body, axis) => (
-                Argument::Loads.name(),
-                [
-                    vec![Step::Index(body.index())],
-                    of_member(Member::Force, axis),
-                ]
-                .concat(),
-            ),
-            Input::Moment(body, axis) => (
-                Argument::Loads.name(),
-                [
-                    vec![Step::Index(body.index())],
-                    of_member(Member::Moment, axis),
-                ]
-                .concat(),
-            ),
-            Input::RelativeAngularVelocity(body, axis) => (
-                Argument::RelativeAngularVelocity.name(),
-                vec![Step::Index(body.index()), Step::Index(axis)],
-            ),
             Input::Parameter(id) => (
                 "parameters",
                 vec![Step::Member(Member::Parameter(id.index()))],
@@ -134,6 +112,7 @@ impl<'a> Writer<'a> {
                 "p",
                 vec![Step::Member(Member::Prepared(self.fields[place]))],
             ),
+            given => self.given[&given].clone(),
         };
         let mut arguments = signature.arguments.iter();
         let argument = arguments.position(|argument| argument.name == name);
@@ -141,6 +120,17 @@ impl<'a> Writer<'a> {
             argument.unwrap_or_else(|| unreachable!("listing: {} has no `{name}`", signature.name));
         Entry { argument, steps }
     }
+}
+
+/// Where each input of the equations stands that is no parameter: the argument's name, and the steps in it.
+fn given(tree: &Tree, facts: &Facts) -> BTreeMap<Input, (&'static str, Vec<Step>)> {
+    let all = Argument::ALL.into_iter();
+    let all = all.flat_map(|argument| {
+        let extent = facts.extent(&argument.declared());
+        let inputs = argument.inputs(tree).enumerate();
+        inputs.map(move |(place, input)| (input, (argument.name(), extent.steps(place))))
+    });
+    all.collect()
 }
 
 /// Where each name stands in a sorted list of them.

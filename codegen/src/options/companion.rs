@@ -14,7 +14,7 @@ use crate::{
 
 /// What can stand beside a module: a file, or several that belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum CompanionKind {
     /// What the module holds, for programs: sizes, names, functions with their operations.
     Manifest,
     /// Tests of the module.
@@ -42,9 +42,12 @@ impl Abi {
     pub const ALL: [(&str, Self); 1] = [("c", Self::C)];
 }
 
-impl Kind {
+impl CompanionKind {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Manifest, Self::Tests, Self::Abi(Abi::C)];
+
+    /// Those that a key of their own in `kane.toml` asks for, `true` or `false`.
+    pub const SWITCHED: [(&str, Self); 2] = [("manifest", Self::Manifest), ("tests", Self::Tests)];
 
     /// The endings of its files.
     pub fn endings(self) -> &'static [&'static str] {
@@ -95,7 +98,7 @@ pub(crate) fn beside(module: &Path, ending: &str) -> PathBuf {
 }
 
 /// True where files of these kinds can stand beside a module of this name.
-pub fn can_be_beside(kinds: &BTreeSet<Kind>, name: &str) -> bool {
+pub fn can_be_beside(kinds: &BTreeSet<CompanionKind>, name: &str) -> bool {
     !kinds.iter().any(|kind| kind.names_module()) || is_of_c(name)
 }
 

@@ -48,7 +48,7 @@ pub struct Options {
     /// The techniques to leave out.
     pub without: BTreeSet<Technique>,
     /// What else is written, beside the module.
-    pub companions: BTreeSet<companion::Kind>,
+    pub companions: BTreeSet<companion::CompanionKind>,
     /// The module's name, that of its file without the ending, for what is beside it and speaks of it. Where nothing is, it
     /// says nothing.
     pub module: String,

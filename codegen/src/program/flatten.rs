@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Definition, Instruction, Operand, Operation, Program, Value, ValueId};
+use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
 use crate::{
     expr::{Expr, ExprGraph, Node, NodeId},
     id::BodyId,
@@ -78,7 +78,7 @@ impl Flattening<'_> {
     fn labelled(&mut self, definition: Definition, id: NodeId, label: Option<String>) -> ValueId {
         let value =
             u32::try_from(self.program.values.len()).expect("program: fewer than 2^32 values");
-        self.program.values.push(Value {
+        self.program.values.push(ValueFacts {
             definition,
             scope: self.graph.scope(id),
             label,

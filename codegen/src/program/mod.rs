@@ -29,7 +29,7 @@ pub struct ValueId(u32);
 #[derive(Clone, Debug)]
 pub struct Program {
     /// The values, by id.
-    pub values: Vec<Value>,
+    pub values: Vec<ValueFacts>,
     /// What is computed, in order.
     pub instructions: Vec<Instruction>,
     /// What is stored, row-major; where the stores stand in the text is the listing's choice.
@@ -38,7 +38,7 @@ pub struct Program {
 
 /// What is known of a value.
 #[derive(Clone, Debug)]
-pub struct Value {
+pub struct ValueFacts {
     /// Where it comes from.
     pub definition: Definition,
     /// The body that it belongs to.
@@ -134,7 +134,7 @@ impl Program {
     }
 
     /// The value with this id.
-    pub fn value(&self, id: ValueId) -> &Value {
+    pub fn value(&self, id: ValueId) -> &ValueFacts {
         &self.values[id.index()]
     }
 }

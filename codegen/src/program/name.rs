@@ -77,11 +77,13 @@ impl InputNames {
 
     /// The name of an input.
     pub(crate) fn input(&self, tree: &Tree, input: Input) -> String {
+        let of_frame =
+            |quantity: &str, axis: usize| format!("{quantity}_{}", ["x", "y", "z"][axis]);
         let component = |body: BodyId, quantity: &str, axis: usize| {
             format!(
-                "{}_{quantity}_{}",
+                "{}_{}",
                 tree.body(body).identifier,
-                ["x", "y", "z"][axis]
+                of_frame(quantity, axis)
             )
         };
         let sine = |place: usize, function: &str| {
@@ -98,6 +100,9 @@ impl InputNames {
             Input::Force(body, axis) => component(body, "force", axis),
             Input::Moment(body, axis) => component(body, "moment", axis),
             Input::RelativeAngularVelocity(body, axis) => component(body, "w_rel", axis),
+            Input::Point(axis) => of_frame("point", axis),
+            Input::FrameForce(axis) => of_frame("force", axis),
+            Input::FrameMoment(axis) => of_frame("moment", axis),
             Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
             Input::Prepared(place) => format!("prepared_{place}"),
         }

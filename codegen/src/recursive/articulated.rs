@@ -9,15 +9,16 @@ use std::collections::BTreeMap;
 
 use super::{
     articulated_inertia::Inertia,
-    inertia, link_motion,
+    inertia,
     linkage::Linkage,
+    loaded,
     passage::{Drive, Passenger},
     rotation::Turn,
     wrench::Wrench,
 };
 use crate::{
     expr::{Expr, ExprGraph, Vector},
-    given::{self, Accelerations},
+    given::{self, Accelerations, Loads},
     id::{BodyId, BodyMap, SpeedId},
     tree::{Joint, Motion},
 };
@@ -26,8 +27,8 @@ use crate::{
 #[derive(Clone, Debug)]
 struct Eliminated {
     place: usize,
-    /// What is left of the joint's force for it, over what resists it.
-    own: Expr,
+    /// What is left of the joint's force for it, over what resists it, for each right-hand side.
+    own: Vec<Expr>,
     /// What the other parts of the acceleration take from it.
     factors: [Expr; 6],
     /// True where a rotor resists the motion as well.
@@ -35,14 +36,46 @@ struct Eliminated {
 }
 
 /// Accelerations with `M u_dot + bias = tau`, of the linkage's motions; `tau` is theirs, less what springs and dampers take.
-pub(super) fn solution(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &[Expr]) -> Vec<Expr> {
+pub(super) fn solution(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    tau: Vec<Expr>,
+    loads: Loads,
+) -> Vec<Expr> {
+    let wrenches = loaded::needed(graph, linkage, Accelerations::Zero, loads);
+    let wrenches = BodyMap::outward(linkage.tree.bodies.len(), |body, _| vec![wrenches[body]]);
+    let mut solutions = solutions(graph, linkage, wrenches, &[tau]);
+    solutions.remove(0)
+}
+
+/// Accelerations with `M u_dot = tau` for several `tau`, of the linkage's motions: all are at rest, without weight.
+pub(super) fn solutions_at_rest(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    taus: &[Vec<Expr>],
+) -> Vec<Vec<Expr>> {
+    let still = graph.zero_vector();
+    let none = Wrench {
+        force: still,
+        moment: still,
+    };
+    let wrenches = BodyMap::outward(linkage.tree.bodies.len(), |_, _| vec![none; taus.len()]);
+    solutions(graph, linkage, wrenches, taus)
+}
+
+/// The same for right-hand sides, each of which has a wrench that every link needs beside its accelerations.
+fn solutions(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    mut wrenches: BodyMap<Vec<Wrench>>,
+    taus: &[Vec<Expr>],
+) -> Vec<Vec<Expr>> {
     let Linkage {
         tree,
         links,
         passages,
         ..
     } = linkage;
-    let mut wrenches = link_motion::inertial_wrenches(graph, linkage, Accelerations::Zero);
     let mut inertias = BodyMap::outward(tree.bodies.len(), |body, _| {
         Inertia::Rigid(links[body].inertia)
     });
@@ -52,8 +85,8 @@ pub(super) fn solution(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &[Expr
         let mut resisting = Resisting {
             joint: &tree.body(body).joint,
             inertia: inertias[body],
-            wrench: wrenches[body],
-            tau,
+            wrenches: std::mem::take(&mut wrenches[body]),
+            taus,
             eliminated: &mut eliminated,
         };
         resisting.name(graph);
@@ -61,21 +94,29 @@ pub(super) fn solution(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &[Expr
         if let Some(lower) = tree.lower(body) {
             passages[body].inward_from_joint(graph, &mut resisting);
             let Resisting {
-                inertia, wrench, ..
+                inertia,
+                wrenches: arrived,
+                ..
             } = resisting;
             graph.enter(lower);
-            wrenches[lower] = wrenches[lower].plus(graph, &wrench);
+            for (below, wrench) in wrenches[lower].iter_mut().zip(&arrived) {
+                *below = below.plus(graph, wrench);
+            }
             inertias[lower] = inertias[lower].plus(graph, &inertia);
         }
     }
-    recovered(graph, linkage, &eliminated)
+    let sides = 0..taus.len();
+    sides
+        .map(|side| recovered(graph, linkage, &eliminated, side))
+        .collect()
 }
 
-/// The accelerations of the motions, from the inertial frame outward.
+/// The accelerations of the motions for one right-hand side, from the inertial frame outward.
 fn recovered(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     eliminated: &BTreeMap<SpeedId, Eliminated>,
+    side: usize,
 ) -> Vec<Expr> {
     let Linkage { tree, passages, .. } = linkage;
     let mut accelerations = vec![graph.zero(); tree.n_speeds];
@@ -85,6 +126,7 @@ fn recovered(
         let mut accelerating = Accelerating {
             added: below.unwrap_or([graph.zero_vector(); 2]),
             eliminated,
+            side,
             accelerations: &mut accelerations,
         };
         passages[body].outward(graph, &mut accelerating);
@@ -100,13 +142,15 @@ fn recovered(
 struct Accelerating<'a> {
     added: [Vector; 2],
     eliminated: &'a BTreeMap<SpeedId, Eliminated>,
+    side: usize,
     accelerations: &'a mut [Expr],
 }
 
 impl Accelerating<'_> {
     fn recover(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         for Motion { speed, .. } in motions.into_iter().flatten() {
-            let acceleration = self.eliminated[&speed].recover(graph, &mut self.added);
+            let eliminated = &self.eliminated[&speed];
+            let acceleration = eliminated.recover(graph, self.side, &mut self.added);
             self.accelerations[speed.index()] = acceleration;
         }
     }
@@ -131,8 +175,8 @@ impl Passenger for Accelerating<'_> {
 
 impl Eliminated {
     /// The acceleration of the motion, which is added to the link's.
-    fn recover(&self, graph: &mut ExprGraph, added: &mut [Vector; 2]) -> Expr {
-        let mut sum = self.own;
+    fn recover(&self, graph: &mut ExprGraph, side: usize, added: &mut [Vector; 2]) -> Expr {
+        let mut sum = self.own[side];
         for (place, &factor) in self.factors.iter().enumerate() {
             // Without a rotor its own factor is one: the sum is the whole new part, whatever it was before.
             if place != self.place || self.has_rotor {
@@ -151,18 +195,20 @@ impl Eliminated {
     }
 }
 
-/// A link's inertia and wrench on their way inward through a joint, past which motions are eliminated.
+/// A link's inertia and wrenches, one a right-hand side, on their way inward through a joint, past which motions are eliminated.
 struct Resisting<'a> {
     joint: &'a Joint,
     inertia: Inertia,
-    wrench: Wrench,
-    tau: &'a [Expr],
+    wrenches: Vec<Wrench>,
+    taus: &'a [Vec<Expr>],
     eliminated: &'a mut BTreeMap<SpeedId, Eliminated>,
 }
 
 impl Passenger for Resisting<'_> {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
-        self.wrench = self.wrench.moved(graph, offset);
+        for wrench in &mut self.wrenches {
+            *wrench = wrench.moved(graph, offset);
+        }
         self.inertia = self.inertia.moved(graph, offset);
     }
 
@@ -170,7 +216,9 @@ impl Passenger for Resisting<'_> {
         for (axis, motion) in drive.motions().into_iter().enumerate().rev() {
             self.eliminate(graph, axis, motion);
         }
-        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
+        for wrench in &mut self.wrenches {
+            *wrench = wrench.map(|v| rotation.backward(graph, v));
+        }
         self.inertia = self.inertia.turned_back(graph, rotation);
     }
 
@@ -184,8 +232,10 @@ impl Passenger for Resisting<'_> {
 
 impl Resisting<'_> {
     fn name(&self, graph: &mut ExprGraph) {
-        graph.name_vector(self.wrench.force, "f");
-        graph.name_vector(self.wrench.moment, "n");
+        for wrench in &self.wrenches {
+            graph.name_vector(wrench.force, "f");
+            graph.name_vector(wrench.moment, "n");
+        }
         match &self.inertia {
             Inertia::Rigid(composite) => inertia::name(graph, &composite.inertia, "composite"),
             Inertia::Articulated(own) => {
@@ -203,7 +253,7 @@ impl Resisting<'_> {
         };
         let name = self.joint.motion_names()[place];
         let mut rows = self.inertia.rows(graph);
-        let mut needed = self.wrench.parts();
+        let mut needed: Vec<_> = self.wrenches.iter().map(Wrench::parts).collect();
         let column = rows.map(|row| row[place]);
         let rotor = given::value(graph, self.joint.mechanics[place].armature);
         let has_rotor = !graph.is_zero(rotor);
@@ -211,9 +261,19 @@ impl Resisting<'_> {
         graph.name(pivot, format!("pivot_{name}"));
         let inverse = graph.reciprocal(pivot);
         graph.name(inverse, format!("inverse_{name}"));
-        let force = self.tau[motion.speed.index()];
-        let rest = graph.sub(force, needed[place]);
-        graph.name(rest, format!("rest_{name}"));
+        let forces: Vec<Expr> = self
+            .taus
+            .iter()
+            .map(|tau| tau[motion.speed.index()])
+            .collect();
+        let rests: Vec<Expr> = forces
+            .iter()
+            .zip(&needed)
+            .map(|(force, needed)| graph.sub(*force, needed[place]))
+            .collect();
+        for rest in &rests {
+            graph.name(*rest, format!("rest_{name}"));
+        }
         let letters = ["nx", "ny", "nz", "fx", "fy", "fz"];
         let mut factors = [graph.zero(); 6];
         for (i, factor) in factors.iter_mut().enumerate() {
@@ -235,16 +295,19 @@ impl Resisting<'_> {
                 };
                 (rows[i][j], rows[j][i]) = (entry, entry);
             }
-            needed[i] = if i == place && !has_rotor {
-                force
-            } else {
-                let taken = graph.mul(factors[i], rest);
-                graph.add(needed[i], taken)
-            };
+            for (needed, (force, rest)) in needed.iter_mut().zip(forces.iter().zip(&rests)) {
+                needed[i] = if i == place && !has_rotor {
+                    *force
+                } else {
+                    let taken = graph.mul(factors[i], *rest);
+                    graph.add(needed[i], taken)
+                };
+            }
         }
-        let own = graph.mul(rest, inverse);
+        let own = rests.iter().map(|rest| graph.mul(*rest, inverse));
+        let own = own.collect();
         self.inertia = Inertia::of_rows(graph, &rows);
-        self.wrench = Wrench::of_parts(needed);
+        self.wrenches = needed.into_iter().map(Wrench::of_parts).collect();
         let eliminated = Eliminated {
             place,
             own,

@@ -48,6 +48,16 @@ impl Column {
         }
     }
 
+    /// The body that moves with the speed.
+    pub(super) fn body(&self) -> BodyId {
+        self.body
+    }
+
+    /// Linear and angular momentum.
+    pub(super) fn parts(&self) -> [Vector; 2] {
+        [self.linear, self.angular]
+    }
+
     /// To the axes before a rotation.
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);

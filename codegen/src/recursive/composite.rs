@@ -9,9 +9,10 @@ use super::{
     plan::Plan,
     rotation::Turn,
     shortcut::Shortcuts,
+    speed_matrix,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{ExprGraph, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -94,7 +95,7 @@ impl Carried<'_, '_> {
         let last = self.columns.len() - 1;
         for (i, column) in self.columns.iter().enumerate() {
             let entry = column.momentum(place);
-            add(graph, self.a, motion, column.motion, entry, i == last);
+            speed_matrix::add_mirrored(graph, self.a, [motion, column.motion], entry, i == last);
         }
     }
 }
@@ -112,10 +113,8 @@ impl Passenger for Carried<'_, '_> {
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         for (axis, motion) in drive.motions().into_iter().enumerate() {
             let Some(motion) = motion else { continue };
-            let unit = graph.unit_vector(axis);
-            let linear = graph.cross(unit, self.composite.moment);
-            let angular = self.composite.inertia.column(axis);
-            self.begin(graph, motion, axis, [linear, angular]);
+            let momentum = self.composite.turned_about(graph, axis);
+            self.begin(graph, motion, axis, momentum);
         }
         if let Drive::Angle(..) = drive {
             self.shortcuts.take(graph, self.body, &mut self.columns);
@@ -131,31 +130,8 @@ impl Passenger for Carried<'_, '_> {
         // Inside a body the translations' columns are read first: they are the sparsest.
         for (axis, motion) in motions.into_iter().enumerate() {
             let Some(motion) = motion else { continue };
-            let unit = graph.unit_vector(axis);
-            let linear = graph.scale(self.composite.mass, unit);
-            let angular = graph.cross(self.composite.moment, unit);
-            self.begin(graph, motion, 3 + axis, [linear, angular]);
+            let momentum = self.composite.shifted_along(graph, axis);
+            self.begin(graph, motion, 3 + axis, momentum);
         }
     }
-}
-
-/// Adds an entry, and its mirror image where it is not on the diagonal of all motions.
-fn add(
-    graph: &mut ExprGraph,
-    a: &mut SpeedMatrix,
-    row: Motion,
-    column: Motion,
-    entry: Expr,
-    is_diagonal: bool,
-) {
-    let factor = graph.number(row.factor * column.factor);
-    let entry = graph.mul(factor, entry);
-    let (row, column) = (row.speed.index(), column.speed.index());
-    let mut sum = graph.add(a[row][column], entry);
-    if row == column && !is_diagonal {
-        // Two motions of one speed: the entry and its mirror image fall together.
-        sum = graph.add(sum, entry);
-    }
-    a[row][column] = sum;
-    a[column][row] = sum;
 }

@@ -5,6 +5,7 @@ use crate::{
     expr::{Expr, ExprGraph, Vector},
     given::{self, orientation},
     id::{BodyId, SpeedId},
+    solve::SpeedMatrix,
     tree::{Motion, Orientation, Tree},
 };
 
@@ -54,6 +55,32 @@ pub(super) fn accelerations(graph: &mut ExprGraph, linkage: &Linkage<'_>, soluti
                 let entry = &mut solution[motion.speed.index()];
                 *entry = graph.add(*entry, g);
             }
+        }
+    }
+}
+
+/// A symmetric matrix that makes accelerations of forces, of the motions that were solved for, as that of the speeds; without
+/// weight.
+pub(super) fn compliance(graph: &mut ExprGraph, linkage: &Linkage<'_>, h: &mut SpeedMatrix) {
+    for _ in 0..2 {
+        // All columns, then all rows, which are the columns of the mirrored matrix.
+        let n = h.len();
+        for column in 0..n {
+            let mut own: Vec<Expr> = h.iter().map(|row| row[column]).collect();
+            accelerations(graph, linkage, &mut own);
+            for (row, entry) in h.iter_mut().zip(own) {
+                row[column] = entry;
+            }
+        }
+        *h = (0..n)
+            .map(|column| h.iter().map(|row| row[column]).collect())
+            .collect();
+    }
+    // Rounded in another order, the mirrored entries would differ.
+    for place in 0..h.len() {
+        let (above, own) = h.split_at_mut(place);
+        for (row, entry) in above.iter_mut().zip(&own[0]) {
+            row[place] = *entry;
         }
     }
 }

@@ -7,24 +7,26 @@ use super::{
 };
 use crate::{
     expr::{Expr, ExprGraph},
-    given::{Accelerations, mechanics},
+    given::{Accelerations, Loads, mechanics},
     solve,
     tree::Tree,
 };
 
-/// `u_dot` with `M u_dot + bias = tau`; `tau` is less what springs and dampers take.
+/// `u_dot` with `M u_dot + bias = tau`, and the loads' generalized forces beside `tau` where there are any; `tau` is less what
+/// springs and dampers take.
 pub fn forward_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
     mut tau: Vec<Expr>,
+    loads: Loads,
 ) -> Vec<Expr> {
     let linkage = Linkage::of_solution(graph, tree, plan);
     exchange::forces(graph, &linkage, &mut tau);
     let mut solution = if plan.uses(Technique::Articulated) {
-        articulated::solution(graph, &linkage, &tau)
+        articulated::solution(graph, &linkage, tau, loads)
     } else {
-        let bias = inverse_dynamics::inertial_forces(graph, &linkage, Accelerations::Zero);
+        let bias = inverse_dynamics::forces(graph, &linkage, Accelerations::Zero, loads);
         let mut matrix = composite::matrix(graph, &linkage);
         mechanics::add_rotors(graph, tree, &mut matrix);
         let factors = solve::factorise(graph, tree, matrix);

@@ -4,7 +4,7 @@ use crate::{
     expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
     given,
     id::BodyMap,
-    tree::{Body, Part, Tree},
+    tree::{Body, RigidPart, Tree},
 };
 
 /// Mass, first moment and inertia about a point that moves with the bodies.
@@ -57,7 +57,7 @@ pub(super) fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
     own
 }
 
-fn of_part(graph: &mut ExprGraph, part: &Part) -> Composite {
+fn of_part(graph: &mut ExprGraph, part: &RigidPart) -> Composite {
     let mass = given::value(graph, part.mass);
     let at_center = given::part_inertia(graph, part);
     let center = given::fixed(graph, &part.mass_center);
@@ -122,6 +122,18 @@ impl Composite {
             let twice = graph.sub(around, diagonal[a]);
             graph.mul(half, twice)
         })
+    }
+
+    /// Linear and angular momentum for a unit angular velocity about an axis.
+    pub(super) fn turned_about(&self, graph: &mut ExprGraph, axis: usize) -> [Vector; 2] {
+        let unit = graph.unit_vector(axis);
+        [graph.cross(unit, self.moment), self.inertia.column(axis)]
+    }
+
+    /// The same for a unit velocity along an axis.
+    pub(super) fn shifted_along(&self, graph: &mut ExprGraph, axis: usize) -> [Vector; 2] {
+        let unit = graph.unit_vector(axis);
+        [graph.scale(self.mass, unit), graph.cross(self.moment, unit)]
     }
 
     /// Both together, about the same point.

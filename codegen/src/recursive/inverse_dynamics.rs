@@ -1,9 +1,8 @@
 //! Right-hand sides in two passes: motion outward, forces inward (Luh, Walker and Paul 1980).
 
 use super::{
-    link::Link,
-    link_motion,
     linkage::Linkage,
+    loaded::{self, load},
     passage::{Drive, Passenger},
     plan::Plan,
     rotation::Turn,
@@ -11,7 +10,7 @@ use super::{
 };
 use crate::{
     expr::{Expr, ExprGraph, Vector},
-    given::{self, Accelerations},
+    given::{Accelerations, Loads},
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
 };
@@ -24,29 +23,38 @@ pub fn inverse_dynamics(
     accelerations: Accelerations,
 ) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
-    inertial_forces(graph, &linkage, accelerations)
+    forces(graph, &linkage, accelerations, Loads::Absent)
+}
+
+/// The same with the loads.
+pub fn loaded_inverse_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    accelerations: Accelerations,
+) -> Vec<Expr> {
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    forces(graph, &linkage, accelerations, Loads::Given)
 }
 
 /// The same on links that are there.
-pub(super) fn inertial_forces(
+pub(super) fn forces(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     accelerations: Accelerations,
+    loads: Loads,
 ) -> Vec<Expr> {
-    let wrenches = link_motion::inertial_wrenches(graph, linkage, accelerations);
+    let wrenches = loaded::needed(graph, linkage, accelerations, loads);
     project(graph, linkage, wrenches)
 }
 
 /// `f`, Eq. (43): the loads less the bias.
 pub fn forcing(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
-    let inertial = link_motion::inertial_wrenches(graph, &linkage, Accelerations::Zero);
+    let inertial = loaded::needed(graph, &linkage, Accelerations::Zero, Loads::Absent);
     let net = BodyMap::outward(tree.bodies.len(), |body, _| {
         let load = load(graph, tree, &linkage.links[body], body);
-        Wrench {
-            force: graph.sub_vectors(load.force, inertial[body].force),
-            moment: graph.sub_vectors(load.moment, inertial[body].moment),
-        }
+        load.minus(graph, &inertial[body])
     });
     project(graph, &linkage, net)
 }
@@ -60,25 +68,8 @@ pub fn generalized_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Ve
     project(graph, &linkage, loads)
 }
 
-/// The load of a body about its link's origin.
-fn load(graph: &mut ExprGraph, tree: &Tree, link: &Link, body: BodyId) -> Wrench {
-    graph.enter(body);
-    let center = given::mass_center(graph, tree.body(body));
-    let center = link.point_of_body(graph, center);
-    let (force, moment) = (
-        given::force(graph, tree, body),
-        given::moment(graph, tree, body),
-    );
-    let [force, moment] = [force, moment].map(|v| link.of_body(graph, v));
-    let lever = graph.cross(center, force);
-    Wrench {
-        force,
-        moment: graph.add_vectors(moment, lever),
-    }
-}
-
 /// The generalized force of every motion, from the wrench on every link: from the leaves inward.
-fn project(
+pub(super) fn project(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     mut wrenches: BodyMap<Wrench>,
@@ -103,9 +94,9 @@ fn project(
 }
 
 /// A wrench on its way inward through a joint, whose motions read off it what acts along them.
-struct Acting<'a> {
-    wrench: Wrench,
-    tau: &'a mut [Expr],
+pub(super) struct Acting<'a> {
+    pub(super) wrench: Wrench,
+    pub(super) tau: &'a mut [Expr],
 }
 
 impl Passenger for Acting<'_> {

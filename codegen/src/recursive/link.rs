@@ -10,11 +10,11 @@ use super::{
     passage::{Arm, Passage},
     plan::Plan,
     regroup,
-    rotation::{ConstantRotation, Turn},
+    rotation::{AxisRotation, ConstantRotation, Turn},
     rounding,
 };
 use crate::{
-    expr::{ExprGraph, Vector},
+    expr::{ExprGraph, Matrix, Symmetric, Vector},
     geometry, given,
     id::{BodyId, BodyMap},
     tree::{Body, Tree},
@@ -30,8 +30,19 @@ pub(super) struct Link {
     /// Its second moments `S_aa = (I_bb + I_cc - I_aa) / 2`.
     pub(super) second: Vector,
     layout: Layout,
-    /// What its axes would turn by, if they do not follow the joint.
-    unturned: Option<AngleRotation>,
+    /// What its axes turn by where it turns about one axis alone, or would, if they do not follow the joint.
+    rotation: Option<AngleRotation>,
+    follows: bool,
+}
+
+/// A way to a link, turned further by a constant angle.
+pub(super) struct Phased {
+    /// The way to axes that are turned further.
+    pub(super) passage: Passage,
+    /// The turn.
+    pub(super) turn: AxisRotation,
+    /// Rows that were along the link's axes, along these.
+    pub(super) axes: Matrix,
 }
 
 /// The links of a plan.
@@ -45,7 +56,7 @@ pub(super) fn links(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<
     let stays = parallel::unturned(tree, plan, &layouts);
     let links = BodyMap::outward(tree.bodies.len(), |body, links: &BodyMap<Link>| {
         graph.enter(body);
-        let below = tree.lower(body).and_then(|lower| links[lower].unturned);
+        let below = tree.lower(body).and_then(|lower| links[lower].unturned());
         let joint = &tree.body(body).joint;
         let layout = layouts[body];
         let passage = passages[body].clone();
@@ -60,7 +71,8 @@ pub(super) fn links(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<
             inertia: inertia.composite,
             second: inertia.second,
             layout,
-            unturned,
+            rotation,
+            follows: unturned.is_none(),
         }
     });
     name(graph, tree, &links);
@@ -106,7 +118,16 @@ impl Link {
     pub(super) fn of_body(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         let axes = given::constant(graph, &self.layout.axes);
         let turned = axes.forward(graph, v);
-        self.unturned(graph, turned)
+        self.before(graph, turned)
+    }
+
+    /// Components along the body's internal axes of a vector given by its link components.
+    pub(super) fn to_body(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        let turned = match self.unturned() {
+            None => v,
+            Some(unturned) => unturned.forward(graph, v),
+        };
+        given::constant_back(graph, &self.layout.axes, turned)
     }
 
     /// The position from the link's origin of a point given from the body's internal one, each along its axes.
@@ -114,13 +135,63 @@ impl Link {
         let axes = given::constant(graph, &self.layout.axes);
         let turned = axes.forward(graph, position);
         let from_origin = graph.add_vectors(self.layout.origin, turned);
-        self.unturned(graph, from_origin)
+        self.before(graph, from_origin)
     }
 
-    fn unturned(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
-        match &self.unturned {
+    /// A tensor of the body along the link's axes, given along the body's internal ones.
+    pub(super) fn tensor_of_body(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Symmetric {
+        let axes = ConstantRotation::new(graph, &geometry::transposed(&self.layout.axes));
+        let turned = axes.backward_symmetric(graph, tensor);
+        match self.unturned() {
+            None => turned,
+            Some(unturned) => unturned.backward_symmetric(graph, &turned),
+        }
+    }
+
+    /// The way turned further about the joint's axis, so that rows given along the link's axes become sparse; where they are
+    /// numbers, and one of them is along that axis.
+    pub(super) fn phased(&self, graph: &mut ExprGraph, axes: &Matrix) -> Option<Phased> {
+        let rotation = self.rotation.filter(|_| self.follows)?;
+        let (a, (b, c)) = (rotation.axis().index(), rotation.axis().others());
+        let mut numbers = [[0.0; 3]; 3];
+        for (numbers, row) in numbers.iter_mut().zip(axes) {
+            for (number, &entry) in numbers.iter_mut().zip(row) {
+                *number = graph.as_number(entry)?;
+            }
+        }
+        // One row is along the axis, the others are across it, and not sparse yet.
+        let mut across = numbers.iter().filter(|row| row[a] == 0.0);
+        let (Some(across), Some(_), None) = (across.next(), across.next(), across.next()) else {
+            return None;
+        };
+        if [across[b], across[c]].contains(&0.0) {
+            return None;
+        }
+        let phase = libm::atan2(across[c], across[b]);
+        let phased = rotation.with_phase(graph, phase);
+        let (sine, cosine) = (graph.number(across[c]), graph.number(across[b]));
+        let turn = AxisRotation {
+            axis: rotation.axis(),
+            sine,
+            cosine,
+        };
+        let rows = axes.map(|row| turn.forward(graph, row));
+        Some(Phased {
+            passage: self.passage.clone().with_rotation(phased),
+            turn,
+            axes: rows.map(|row| rounding::exact_row(graph, row)),
+        })
+    }
+
+    fn before(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        match self.unturned() {
             None => v,
             Some(unturned) => unturned.backward(graph, v),
         }
+    }
+
+    /// What its axes would turn by, if they do not follow the joint.
+    fn unturned(&self) -> Option<AngleRotation> {
+        self.rotation.filter(|_| !self.follows)
     }
 }

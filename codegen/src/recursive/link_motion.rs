@@ -21,32 +21,31 @@ use crate::{
 
 /// A link's motion, link components.
 #[derive(Clone, Copy, Debug)]
-struct LinkMotion {
+pub(super) struct LinkMotion {
     /// Angular velocity.
-    w: Vector,
+    pub(super) w: Vector,
     /// `tilde(alpha) + tilde(w)^2`: what a point's position is multiplied by for its acceleration.
-    u: Matrix,
+    pub(super) u: Matrix,
     /// The squares of its components, and the products `w_y w_z`, `w_z w_x`, `w_x w_y`.
-    squares: Vector,
-    products: Vector,
+    pub(super) squares: Vector,
+    pub(super) products: Vector,
     /// Angular acceleration.
-    alpha: Vector,
+    pub(super) alpha: Vector,
     /// Acceleration of the origin, less gravity.
-    a: Vector,
+    pub(super) a: Vector,
 }
 
-/// What each link needs to move as it does, weight included.
-pub(super) fn inertial_wrenches(
+/// How each link moves.
+pub(super) fn motions(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     accelerations: Accelerations,
-) -> BodyMap<Wrench> {
+) -> BodyMap<LinkMotion> {
     let Linkage {
         tree, links, falls, ..
     } = linkage;
     let gravity = given::gravity(graph, tree);
-    let by_second = linkage.plan.uses(Technique::SecondMoments);
-    let motions = BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<LinkMotion>| {
+    BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<LinkMotion>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| &motions[lower]);
         let base = if falls[body] {
@@ -58,7 +57,18 @@ pub(super) fn inertial_wrenches(
         let mut moving = Moving::new(graph, lower, base, accelerations);
         links[body].passage.outward(graph, &mut moving);
         moving.arrived(graph)
-    });
+    })
+}
+
+/// What each link needs to move as it does, weight included.
+pub(super) fn inertial_wrenches(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    accelerations: Accelerations,
+) -> BodyMap<Wrench> {
+    let Linkage { tree, links, .. } = linkage;
+    let by_second = linkage.plan.uses(Technique::SecondMoments);
+    let motions = motions(graph, linkage, accelerations);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let (link, motion) = (&links[body], &motions[body]);
@@ -140,16 +150,23 @@ impl<'a> Moving<'a> {
         graph.name_vector(w, "w");
         graph.name_vector(alpha, "alpha");
         graph.name_vector(a, "a");
+        let arrived = LinkMotion::new(graph, w, alpha, a);
+        graph.name_matrix(&arrived.u, "u");
+        arrived
+    }
+}
+
+impl LinkMotion {
+    /// The motion with these velocities and accelerations.
+    pub(super) fn new(graph: &mut ExprGraph, w: Vector, alpha: Vector, a: Vector) -> Self {
         let squares = w.map(|component| graph.mul(component, component));
         let products = Axis::ALL.map(|axis| {
             let (b, c) = axis.others();
             graph.mul(w[b], w[c])
         });
-        let u = acceleration_matrix(graph, squares, products, alpha);
-        graph.name_matrix(&u, "u");
-        LinkMotion {
+        Self {
             w,
-            u,
+            u: acceleration_matrix(graph, squares, products, alpha),
             squares,
             products,
             alpha,

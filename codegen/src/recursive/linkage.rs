@@ -33,12 +33,34 @@ impl<'a> Linkage<'a> {
         Self::along(graph, tree, plan, axes, falls)
     }
 
+    /// As [`Self::of_speeds`], but all bodies are taken to fall: they feel no gravity.
+    pub(super) fn weightless(graph: &mut ExprGraph, tree: &'a Tree, plan: &'a Plan) -> Self {
+        let falls = BodyMap::outward(tree.bodies.len(), |_, _| true);
+        Self {
+            falls,
+            ..Self::of_speeds(graph, tree, plan)
+        }
+    }
+
     /// Forces and accelerations are those of the motions that are solved for.
     pub(super) fn of_solution(graph: &mut ExprGraph, tree: &'a Tree, plan: &'a Plan) -> Self {
         let axes = BodyMap::outward(tree.bodies.len(), |body, _| {
             LinkAxes::of_solution(&tree.body(body).joint, plan)
         });
         Self::along(graph, tree, plan, axes, link_axes::falling(tree, plan))
+    }
+
+    /// The same where nothing has weight.
+    pub(super) fn of_solution_without_weight(
+        graph: &mut ExprGraph,
+        tree: &'a Tree,
+        plan: &'a Plan,
+    ) -> Self {
+        let axes = BodyMap::outward(tree.bodies.len(), |body, _| {
+            LinkAxes::of_solution(&tree.body(body).joint, plan)
+        });
+        let falls = BodyMap::outward(tree.bodies.len(), |_, _| false);
+        Self::along(graph, tree, plan, axes, falls)
     }
 
     fn along(

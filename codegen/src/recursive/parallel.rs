@@ -12,7 +12,7 @@ use super::{
     rounding,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
     given,
     id::{BodyId, BodyMap},
     tree::{Joint, Tree},
@@ -113,6 +113,25 @@ impl AngleRotation {
         Self { rotation, angle }
     }
 
+    /// The axis.
+    pub(super) fn axis(&self) -> Axis {
+        self.rotation.axis
+    }
+
+    /// The same, further by a constant angle.
+    pub(super) fn with_phase(&self, graph: &mut ExprGraph, phase: f64) -> AxisRotation {
+        let Angle {
+            coordinates,
+            phase: own,
+        } = self.angle;
+        let (sine, cosine) = rounding::phased(graph, coordinates, own + phase);
+        AxisRotation {
+            axis: self.rotation.axis,
+            sine,
+            cosine,
+        }
+    }
+
     /// Passage and inertia of a link that does not turn by it: its axes are the joint's.
     pub(super) fn left_out(
         &self,
@@ -128,6 +147,20 @@ impl AngleRotation {
     /// Components along the joint's axes of a vector given along the axes that it turns to.
     pub(super) fn backward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
         self.rotation.backward(graph, v)
+    }
+
+    /// Components along the axes that it turns to of a vector given along the joint's.
+    pub(super) fn forward(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        self.rotation.forward(graph, v)
+    }
+
+    /// As [`Self::backward`], of a symmetric tensor.
+    pub(super) fn backward_symmetric(
+        &self,
+        graph: &mut ExprGraph,
+        tensor: &Symmetric,
+    ) -> Symmetric {
+        self.rotation.backward_symmetric(graph, tensor)
     }
 
     fn before(&self, graph: &mut ExprGraph, inertia: &LinkInertia) -> LinkInertia {

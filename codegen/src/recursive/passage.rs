@@ -63,6 +63,16 @@ impl Drive {
             Self::AngularVelocity(motions) => motions.map(Some),
         }
     }
+
+    /// The angular velocity that it adds, along the axes after the rotation.
+    pub(super) fn speeds(self, graph: &mut ExprGraph) -> Vector {
+        speeds(graph, self.motions())
+    }
+}
+
+/// The speeds of motions, x, y, z; zero where there is none.
+pub(super) fn speeds(graph: &mut ExprGraph, motions: [Option<Motion>; 3]) -> Vector {
+    motions.map(|motion| given::speed(graph, motion))
 }
 
 /// The way from a lower link to a link.

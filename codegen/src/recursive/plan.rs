@@ -24,6 +24,8 @@ pub enum Technique {
     SecondMoments,
     /// What the inertial frame feels of a joint's motion is taken there at once, past joints at the same point.
     Shortcut,
+    /// Where a frame is passes inward from it, and not outward from the inertial frame.
+    Inward,
     /// Accelerations are solved for by articulated bodies.
     Articulated,
     /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
@@ -36,7 +38,7 @@ pub enum Technique {
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 11] = [
+    pub const ALL: [(&str, Self); 12] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -44,6 +46,7 @@ impl Technique {
         ("parallel", Self::Parallel),
         ("second_moments", Self::SecondMoments),
         ("shortcut", Self::Shortcut),
+        ("inward", Self::Inward),
         ("articulated", Self::Articulated),
         ("link_axes", Self::LinkAxes),
         ("fall", Self::Fall),

@@ -31,6 +31,14 @@ pub(super) fn exact(row: [f64; 3]) -> [f64; 3] {
     }
 }
 
+/// The same of expressions, where all of them are numbers.
+pub(super) fn exact_row(graph: &mut ExprGraph, row: Vector) -> Vector {
+    match row.map(|entry| graph.as_number(entry)) {
+        [Some(x), Some(y), Some(z)] => exact([x, y, z]).map(|entry| graph.number(entry)),
+        _ => row,
+    }
+}
+
 /// Sine and cosine of an angle with a phase, of which right angles cost nothing.
 pub(super) fn phased(graph: &mut ExprGraph, angle: Expr, phase: f64) -> (Expr, Expr) {
     let quarters = libm::round(phase / FRAC_PI_2);

@@ -1,7 +1,12 @@
 //! Wrenches, and the generalized forces that are read off them.
 
+use super::{
+    passage::{Drive, Passenger},
+    rotation::Turn,
+};
 use crate::{
     expr::{Expr, ExprGraph, Vector},
+    id::BodyId,
     tree::Motion,
 };
 
@@ -18,6 +23,14 @@ impl Wrench {
         Self {
             force: graph.add_vectors(self.force, other.force),
             moment: graph.add_vectors(self.moment, other.moment),
+        }
+    }
+
+    /// This one less another, about the same point.
+    pub(super) fn minus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            force: graph.sub_vectors(self.force, other.force),
+            moment: graph.sub_vectors(self.moment, other.moment),
         }
     }
 
@@ -50,6 +63,19 @@ impl Wrench {
             moment: [nx, ny, nz],
         }
     }
+}
+
+/// Nothing is read off it on the way.
+impl Passenger for Wrench {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        *self = self.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
+        *self = self.map(|v| rotation.backward(graph, v));
+    }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
 }
 
 /// Adds what acts along motions, by the axes of these, to the generalized forces of their speeds.

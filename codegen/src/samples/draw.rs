@@ -7,7 +7,7 @@ use super::sample::Sample;
 use crate::{
     expr::Input,
     functions::{Argument, Derived, Formulation, Function, Request},
-    id::{CoordinateId, ParameterId},
+    id::{BodyId, ParameterId},
     number::Rounded,
     options::companion::SCALES,
     random::Random,
@@ -17,6 +17,9 @@ use crate::{
 
 /// All that the equations are given in a state.
 pub(super) type Inputs = BTreeMap<Input, Rounded>;
+
+/// Numbers for what the equations are given, or for some of it.
+type Numbers = BTreeMap<Input, f64>;
 
 /// Powers of ten, each as exact as it is written.
 const POWERS: [f64; 25] = [
@@ -49,58 +52,75 @@ impl<'a> Sampler<'a> {
     pub(super) fn draw(&self, parameters: Vec<f64>, seed: u64) -> Sample {
         let tree = self.tree;
         let mut random = Random::new(seed);
-        let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect::<Vec<f64>>();
-        let (n_bodies, n_speeds) = (tree.bodies.len(), tree.n_speeds);
-        let mut sample = Sample {
-            parameters,
-            q: numbers(tree.n_coordinates),
-            u: numbers(n_speeds),
-            u_dot: numbers(n_speeds),
-            tau: vec![0.0; n_speeds],
-            loads: numbers(6 * n_bodies),
-            w_rel: numbers(3 * n_bodies),
+        let mut drawn = |argument: Argument| -> Vec<(Input, f64)> {
+            let inputs = argument.inputs(tree);
+            inputs.map(|input| (input, random.number())).collect()
         };
-        let factors = numbers(n_speeds);
-        normalize(tree, &mut sample.q);
-        let length = self.length(&sample);
-        scale(tree, &mut sample, length);
+        let (of_frames, others): (Vec<_>, Vec<_>) = Argument::ALL
+            .into_iter()
+            .partition(|argument| argument.is_of_frame());
+        let all_but_forces = others
+            .into_iter()
+            .filter(|&argument| argument != Argument::Tau);
+        let given: Vec<(Input, f64)> = all_but_forces.flat_map(&mut drawn).collect();
+        let factors = drawn(Argument::Tau);
+        let of_frames: Vec<(Input, f64)> = of_frames.into_iter().flat_map(&mut drawn).collect();
+        let given = of_parameters(&parameters)
+            .chain(given)
+            .chain(of_frames)
+            .collect();
+        let given = with_unit_quaternions(tree, given);
+        let scales = scales(tree, self.length(&given));
+        let given = scaled(given, &scales);
         // Forces that would be nothing beside those of the motion, or everything, would show nothing of one of them.
-        let forces = evaluated(tree, &self.forces, &sample);
-        let pairs = forces.iter().zip(factors);
-        sample.tau = pairs.map(|(force, factor)| factor * force).collect();
-        sample
+        let forces = evaluated(&self.forces, &given);
+        let forces = forces.iter().zip(factors);
+        let forces = forces.map(|(force, (input, factor))| (input, factor * force));
+        let all: Numbers = given.into_iter().chain(forces).collect();
+        let arguments = Argument::ALL.map(|argument| {
+            let numbers = argument.inputs(tree).map(|input| all[&input]);
+            (argument, numbers.collect())
+        });
+        Sample {
+            parameters,
+            arguments: arguments.into(),
+        }
     }
 
     /// The power of ten next to the largest distance in the tree at rest; at most a metre.
-    fn length(&self, sample: &Sample) -> f64 {
-        let mut resting = sample.clone();
-        for body in &self.tree.bodies {
-            for (kind, coordinate) in body.joint.coordinates() {
-                if is_translation(kind) {
-                    resting.q[coordinate.index()] = 0.0;
-                }
-            }
-        }
-        let positions = evaluated(self.tree, &self.positions, &resting);
+    fn length(&self, numbers: &Numbers) -> f64 {
+        let mut resting = numbers.clone();
+        resting.extend(translations(self.tree).map(|translation| (translation, 0.0)));
+        let positions = evaluated(&self.positions, &resting);
         let largest = positions.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         power_of_ten(largest).min(1.0)
     }
 }
 
-fn normalize(tree: &Tree, q: &mut [f64]) {
+/// The coordinates along axes.
+fn translations(tree: &Tree) -> impl Iterator<Item = Input> + '_ {
+    let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
+    coordinates
+        .filter(|&(kind, _)| is_translation(kind))
+        .map(|(_, coordinate)| Input::Q(coordinate))
+}
+
+/// The same numbers, with quaternions of length one.
+fn with_unit_quaternions(tree: &Tree, mut numbers: Numbers) -> Numbers {
     for body in &tree.bodies {
         if let Orientation::AngularVelocity {
             chart: ChartCoordinates::EulerParameters(parameters),
             ..
         } = body.joint.orientation
         {
-            let places = parameters.map(CoordinateId::index);
-            let square: f64 = places.iter().map(|&place| q[place] * q[place]).sum();
-            for place in places {
-                q[place] /= libm::sqrt(square);
-            }
+            let given = parameters.map(|parameter| numbers[&Input::Q(parameter)]);
+            let square: f64 = given.iter().map(|number| number * number).sum();
+            let length = libm::sqrt(square);
+            let units = parameters.into_iter().zip(given);
+            numbers.extend(units.map(|(parameter, number)| (Input::Q(parameter), number / length)));
         }
     }
+    numbers
 }
 
 /// The least power of ten that is no less; one where there is none.
@@ -110,46 +130,55 @@ fn power_of_ten(number: f64) -> f64 {
     least.filter(|_| number > 0.0).unwrap_or(1.0)
 }
 
-/// Scales translations to a length, and loads to it and to the mass of what they act on.
-fn scale(tree: &Tree, sample: &mut Sample, length: f64) {
-    for body in &tree.bodies {
-        for (kind, coordinate) in body.joint.coordinates() {
-            if is_translation(kind) {
-                sample.q[coordinate.index()] *= length;
-            }
-        }
+/// By what numbers are scaled that are not about one: translations by a length, loads by it and the mass of what they act on.
+fn scales(tree: &Tree, length: f64) -> Numbers {
+    let mut scales: Numbers = translations(tree).map(|input| (input, length)).collect();
+    for (place, body) in tree.bodies.iter().enumerate() {
         for (motion, speed) in body.joint.speeds() {
             if motion >= 3 {
-                sample.u[speed.index()] *= length;
-                sample.u_dot[speed.index()] *= length;
+                scales.extend([Input::U(speed), Input::UDot(speed)].map(|input| (input, length)));
             }
         }
-    }
-    for (body, load) in tree.bodies.iter().zip(sample.loads.chunks_mut(6)) {
+        let id = BodyId::new(place);
         let masses = body.parts.iter().map(|part| tree.nominal(part.mass));
         let mass = power_of_ten(masses.sum());
-        for (axis, number) in load.iter_mut().enumerate() {
-            *number *= if axis < 3 { mass } else { mass * length };
+        for axis in 0..3 {
+            scales.insert(Input::Force(id, axis), mass);
+            scales.insert(Input::Moment(id, axis), mass * length);
         }
     }
+    for axis in 0..3 {
+        scales.extend([Input::Point(axis), Input::FrameMoment(axis)].map(|input| (input, length)));
+    }
+    scales
 }
 
-fn evaluated(tree: &Tree, derived: &Derived, sample: &Sample) -> Vec<f64> {
-    let inputs = inputs(tree, sample);
+fn scaled(numbers: Numbers, scales: &Numbers) -> Numbers {
+    let scaled = numbers.into_iter();
+    let scaled = scaled.map(|(input, number)| match scales.get(&input) {
+        Some(scale) => (input, number * scale),
+        None => (input, number),
+    });
+    scaled.collect()
+}
+
+fn evaluated(derived: &Derived, numbers: &Numbers) -> Vec<f64> {
     let graph = &derived.graph;
-    graph.evaluate(&derived.roots, |input| inputs[&input].value)
+    graph.evaluate(&derived.roots, |input| numbers[&input])
+}
+
+fn of_parameters(values: &[f64]) -> impl Iterator<Item = (Input, f64)> + '_ {
+    let values = values.iter().enumerate();
+    values.map(|(place, &value)| (Input::Parameter(ParameterId::new(place)), value))
 }
 
 /// What a sample is to the equations.
 pub(super) fn inputs(tree: &Tree, sample: &Sample) -> Inputs {
-    let mut inputs = BTreeMap::new();
-    for argument in Argument::ALL {
-        let values = argument.inputs(tree).zip(sample.of(argument));
-        inputs.extend(values.map(|(input, &value)| (input, Rounded::exact(value))));
-    }
-    for (place, &value) in sample.parameters.iter().enumerate() {
-        let parameter = Input::Parameter(ParameterId::new(place));
-        inputs.insert(parameter, Rounded::exact(value));
-    }
-    inputs
+    let arguments = Argument::ALL.into_iter().flat_map(|argument| {
+        let numbers = sample.of(argument).iter().copied();
+        argument.inputs(tree).zip(numbers)
+    });
+    let all = arguments.chain(of_parameters(&sample.parameters));
+    all.map(|(input, value)| (input, Rounded::exact(value)))
+        .collect()
 }

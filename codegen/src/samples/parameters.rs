@@ -4,7 +4,7 @@
 use crate::{
     id::ParameterId,
     random::Random,
-    tree::{Parameter, Part, Tree, Units, Value, principal},
+    tree::{Parameter, RigidPart, Tree, Units, Value, principal},
 };
 
 /// What a moment of a real body may be below zero, relative to the largest: by rounding.
@@ -62,7 +62,7 @@ fn scale(tree: &Tree, units: &Units, unit: &str) -> f64 {
 fn inertia(
     tree: &Tree,
     units: &Units,
-    part: &Part,
+    part: &RigidPart,
     random: &mut Random,
 ) -> Vec<(ParameterId, f64)> {
     let of = part.inertia;

@@ -5,6 +5,11 @@
 //! eliminating from the leaves inward fills nothing), and each pivot is inverted once.
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
+mod inverse;
+mod projected;
+
+use std::collections::BTreeSet;
+
 use crate::{
     expr::{Expr, ExprGraph},
     id::{BodyId, SpeedId},
@@ -109,8 +114,22 @@ pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Fact
 }
 
 impl Factors {
-    /// The accelerations `x` with `A x = b`.
-    pub fn solve(&self, graph: &mut ExprGraph, mut b: Vec<Expr>) -> Vec<Expr> {
+    /// D on the diagonal, beside it the entries of L, each at the place of its two speeds and at the mirrored one.
+    pub fn entries(&self, graph: &mut ExprGraph) -> SpeedMatrix {
+        let n = self.pivots.len();
+        let mut entries = vec![vec![graph.zero(); n]; n];
+        for (&k, row) in self.order.iter().zip(&self.couplings) {
+            entries[k.index()][k.index()] = self.pivots[k.index()];
+            for &(speed, factor) in row {
+                entries[k.index()][speed.index()] = factor;
+                entries[speed.index()][k.index()] = factor;
+            }
+        }
+        entries
+    }
+
+    /// `L^-T b`: the first half of a solution.
+    fn eliminated(&self, graph: &mut ExprGraph, mut b: Vec<Expr>) -> Vec<Expr> {
         for (&k, row) in self.order.iter().zip(&self.couplings) {
             for &(speed, factor) in row {
                 graph.enter(speed.body);
@@ -118,6 +137,23 @@ impl Factors {
                 b[speed.index()] = graph.sub(b[speed.index()], term);
             }
         }
+        b
+    }
+
+    /// `D^-1 b`.
+    fn scaled(&self, graph: &mut ExprGraph, b: &[Expr]) -> Vec<Expr> {
+        let mut scaled = b.to_vec();
+        for &k in &self.order {
+            graph.enter(k.body);
+            let inverse = inverse(graph, k, self.pivots[k.index()]);
+            scaled[k.index()] = graph.mul(b[k.index()], inverse);
+        }
+        scaled
+    }
+
+    /// The accelerations `x` with `A x = b`.
+    pub fn solve(&self, graph: &mut ExprGraph, b: Vec<Expr>) -> Vec<Expr> {
+        let mut b = self.eliminated(graph, b);
         for (&k, row) in self.order.iter().zip(&self.couplings).rev() {
             graph.enter(k.body);
             let inverse = inverse(graph, k, self.pivots[k.index()]);
@@ -131,6 +167,52 @@ impl Factors {
         }
         b
     }
+}
+
+/// The speeds in the order in which they are eliminated.
+pub fn elimination(tree: &Tree) -> Vec<usize> {
+    let order = elimination_order(tree).into_iter();
+    order.map(BodySpeed::index).collect()
+}
+
+/// The pairs of speeds, `[row, column]` with `column <= row`, row after row, at which the factors of a mass matrix may have
+/// entries: those that are coupled, and where joints follow others on several branches those that elimination couples.
+pub fn factor_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
+    let mut places = tree.coupled_speeds();
+    if !tree.has_followers() {
+        return places;
+    }
+    let pair = |a: usize, b: usize| [a.max(b), a.min(b)];
+    let order = elimination(tree);
+    for (place, &k) in order.iter().enumerate() {
+        let coupled = order[place + 1..].iter().copied();
+        let coupled: Vec<usize> = coupled
+            .filter(|&own| places.contains(&pair(k, own)))
+            .collect();
+        for (i, &own) in coupled.iter().enumerate() {
+            places.extend(coupled[..i].iter().map(|&other| pair(own, other)));
+        }
+    }
+    places
+}
+
+/// The pairs of speeds, as above, at which the inverse of a mass matrix may have entries: those of one tree at the root, and
+/// of trees that a joint which follows another couples.
+pub fn inverse_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
+    // The first speed of all that are coupled, directly or by others.
+    let mut group: Vec<usize> = (0..tree.n_speeds).collect();
+    for [row, column] in tree.coupled_speeds() {
+        let (low, high) = (group[row].min(group[column]), group[row].max(group[column]));
+        for own in &mut group {
+            if *own == high {
+                *own = low;
+            }
+        }
+    }
+    let pairs = (0..tree.n_speeds).flat_map(|row| (0..=row).map(move |column| [row, column]));
+    pairs
+        .filter(|&[row, column]| group[row] == group[column])
+        .collect()
 }
 
 /// One over the pivot of a speed.

@@ -23,7 +23,7 @@ pub struct Body {
     /// The bodies whose lower body it is, in their order.
     pub uppers: Vec<BodyId>,
     /// What the body is made of: itself, and what is fixed to it.
-    pub parts: Vec<Part>,
+    pub parts: Vec<RigidPart>,
     /// The joint with the lower body, whose internal axes are meant where it speaks of the lower body's.
     pub joint: Joint,
     /// The user's axes and origin.
@@ -32,7 +32,7 @@ pub struct Body {
 
 /// A rigid part of a body.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct RigidPart {
     /// Mass, kg.
     pub mass: Value,
     /// r'_K: from the body's internal origin to the part's mass centre, internal axes, m.

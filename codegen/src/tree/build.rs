@@ -108,12 +108,13 @@ fn joints_that_stand(
     let joints = joints::joints(description, rotations);
     let before = findings.len();
     joints::check(description, &joints, findings);
-    let mut joints: Vec<ResolvedJoint> = joints.into_iter().collect::<Option<_>>()?;
-    if !findings[before..].iter().any(Diagnostic::is_error) {
-        joints::change(description, &mut joints, changes, findings);
-        joints::follow(description, &mut joints, findings);
-        joints::check_motions(description, &joints, findings);
+    let stand = |findings: &[Diagnostic]| !findings[before..].iter().any(Diagnostic::is_error);
+    let joints: Vec<ResolvedJoint> = joints.into_iter().collect::<Option<_>>()?;
+    if !stand(findings) {
+        return None;
     }
-    let stand = !findings[before..].iter().any(Diagnostic::is_error);
-    stand.then_some(joints)
+    let joints = joints::change(description, joints, changes, findings);
+    let joints = joints::follow(description, joints, findings);
+    joints::check_motions(description, &joints, findings);
+    stand(findings).then_some(joints)
 }

@@ -37,7 +37,7 @@ mod canonical;
 mod named;
 
 pub use crate::description::Order;
-pub use body::{Body, Inertia, Part, Pose};
+pub use body::{Body, Inertia, Pose, RigidPart};
 pub use build::{Checked, build, build_with};
 pub use canonical::{canonical, canonical_frame};
 pub use changes::Changes;

@@ -21,5 +21,6 @@ mod interface;
 #[cfg(unix)]
 mod kills;
 mod project;
+mod requests;
 mod revisions;
 mod verify;

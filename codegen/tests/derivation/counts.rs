@@ -90,6 +90,55 @@ fn robots() {
     insta::assert_snapshot!(text);
 }
 
+const OF_SYSTEMS: [&str; 11] = [
+    "loaded_inverse_dynamics",
+    "loaded_forward_dynamics",
+    "kinetic_energies",
+    "potential_energies",
+    "joint_wrenches",
+    "center_of_mass",
+    "center_of_mass_velocity",
+    "center_of_mass_jacobian",
+    "centroidal_momentum_matrix",
+    "centroidal_momentum_matrix_dot_u",
+    "regressor",
+];
+
+const MATRICES: [&str; 6] = [
+    "mass_matrix_product",
+    "mass_matrix_solve",
+    "mass_matrix_inverse",
+    "mass_matrix_factors",
+    "coriolis_matrix",
+    "mass_matrix_dot",
+];
+
+/// The counts of functions of the robots, those with legs on a free base.
+fn of_robots(names: &[&str]) -> String {
+    let mut text = String::new();
+    for robot in ["ur5", "panda", "solo12", "talos"] {
+        let path = format!("tests/robots/{robot}/{robot}.urdf");
+        let base = ["solo12", "talos"].contains(&robot).then_some(Base::Free);
+        let tree = read(&path, &Reading { base, chart: None });
+        let names = names.iter().map(|name| (*name).to_owned());
+        let functions = Functions::Named(names.collect());
+        let mut counts = counts(&tree, functions, Formulation::Cheapest);
+        counts.retain(|(name, _)| !["q_dot", "normalize"].contains(&name.as_str()));
+        write!(text, "{robot}\n{}", table(&counts)).unwrap();
+    }
+    text
+}
+
+#[test]
+fn matrices_of_robots() {
+    insta::assert_snapshot!(of_robots(&MATRICES));
+}
+
+#[test]
+fn systems_of_robots() {
+    insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
+}
+
 /// A chain of free bodies with all numbers different from one another and from zero.
 #[test]
 fn frames_of_robots() {
@@ -108,6 +157,18 @@ fn frames_of_robots() {
             format!("velocity({frame})"),
             format!("velocity({frame}, local)"),
             format!("pose({frame})+velocity({frame})"),
+            format!("acceleration({frame})"),
+            format!("acceleration({frame}, local)"),
+            format!("jacobian({frame})"),
+            format!("jacobian({frame}, local)"),
+            format!("jacobian_packed({frame})"),
+            format!("point_jacobian({frame})"),
+            format!("jacobian_dot_u({frame})"),
+            format!("generalized_force({frame})"),
+            format!("generalized_force({frame}, local)"),
+            format!("imu({frame})"),
+            format!("operational_inverse_inertia({frame})"),
+            format!("pose({frame})+jacobian({frame})"),
         ];
         let functions = Functions::Named(requests.to_vec());
         let mut counts = counts(&tree, functions, Formulation::Cheapest);

@@ -14,7 +14,11 @@ use kane_codegen::{
     tree::Tree,
 };
 use kane_test_support::{
-    dynamics::{Model, State, composition::Composition},
+    dynamics::{
+        Model, State,
+        composition::Composition,
+        state::{FRAME_FORCE, FRAME_MOMENT, FRAME_POINT},
+    },
     systems::{RandomSystem, tree},
 };
 
@@ -90,7 +94,7 @@ impl Model for Evaluator {
 }
 
 /// Derives, factors, hoists and flattens.
-fn flat(tree: &Tree, function: &Function, formulation: Formulation, plan: &Plan) -> Flat {
+fn flat(tree: &Tree, function: &'static Function, formulation: Formulation, plan: &Plan) -> Flat {
     let derived = function.derive(tree, formulation, plan);
     let (graph, roots) = if function.is_compact() {
         (derived.graph, derived.roots)
@@ -131,6 +135,9 @@ pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
         Input::Force(body, axis) => state.loads[body.index()][axis],
         Input::Moment(body, axis) => state.loads[body.index()][3 + axis],
         Input::RelativeAngularVelocity(body, axis) => state.w_rel[body.index()][axis],
+        Input::Point(axis) => FRAME_POINT[axis],
+        Input::FrameForce(axis) => FRAME_FORCE[axis],
+        Input::FrameMoment(axis) => FRAME_MOMENT[axis],
         Input::Parameter(id) => tree.parameters[id.index()].nominal,
         Input::Sine(_) | Input::Cosine(_) => unreachable!("no function is given them here"),
         Input::Prepared(_) => unreachable!("prepared values are hoisted"),

@@ -6,6 +6,7 @@ mod counts;
 mod equivalences;
 mod evaluator;
 mod expr;
+mod frame_identities;
 mod frames;
 mod fused;
 mod identities;

@@ -142,6 +142,6 @@ fn budgets_limit_all_operations_or_some_kind() {
     );
     assert_eq!(
         config.systems[0].options.companions,
-        [companions::Kind::Manifest].into()
+        [companions::CompanionKind::Manifest].into()
     );
 }

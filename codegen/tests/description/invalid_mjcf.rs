@@ -87,6 +87,7 @@ files! {
     robot
     several_faults
     shell
+    sites_with_fromto
     size_is_zero
     size_too_short
     sphere_with_fromto

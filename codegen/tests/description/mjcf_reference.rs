@@ -1,4 +1,4 @@
-//! What is read from the models of `tests/mjcf` moves as MuJoCo moves it: masses, positions and energies, computed here
+//! What is read from the models of `tests/mjcf` moves as MuJoCo moves it: masses, positions, sites and energies, computed here
 //! from the description alone, against `reference.json`.
 #![allow(
     clippy::unwrap_used,
@@ -10,7 +10,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use kane_codegen::description::{
-    Description, JointKind, PerCoordinate, Reading, Rotation, Scalar, WrittenBody, mjcf,
+    Description, FrameRotation, JointKind, PerCoordinate, Reading, Rotation, Scalar, WrittenBody,
+    WrittenFrame, mjcf,
 };
 use kane_codegen::diagnostic::{Diagnostics, Severity, Source};
 use kane_test_support::compare::{Tolerance, assert_close};
@@ -239,7 +240,41 @@ fn check_masses(bodies: &[&WrittenBody], reference: &Value) {
     }
 }
 
-fn check_state(description: &Description, own: &[usize], state: &Value) {
+/// The named sites, where MuJoCo has them.
+fn check_sites(
+    description: &Description,
+    own: &[usize],
+    motions: &[Motion],
+    (sites, state): (&[Value], &Value),
+) {
+    for (place, site) in sites.iter().enumerate() {
+        let name = site["name"].as_str().unwrap();
+        // One that is called as a body gives way to that.
+        let is_named = |frame: &&WrittenFrame| {
+            let found = &frame.name.as_ref().unwrap().value;
+            found.strip_suffix("_site").unwrap_or(found) == name
+        };
+        let frame = description.frames.iter().find(is_named).unwrap();
+        // 0 is the world, before the bodies.
+        let body = usize::try_from(site["body"].as_u64().unwrap()).unwrap();
+        let motion = &motions[body.checked_sub(1).map_or(0, |body| own[body] + 1)];
+        let arm = out(&motion.rotation, vector(frame.position));
+        let FrameRotation::Baked(rotation) = frame.rotation.unwrap().value else {
+            panic!("MJCF has no numbers of run time");
+        };
+        let expected = three(&numbers(&state["site_xpos"][place]));
+        let axes = quaternion(&numbers(&state["site_xquat"][place]));
+        let found = product(&rotation, &motion.rotation);
+        for i in 0..3 {
+            close(add(motion.position, arm)[i], expected[i], name);
+            for (found, expected) in found[i].iter().zip(axes[i]) {
+                close(*found, expected, name);
+            }
+        }
+    }
+}
+
+fn check_state(description: &Description, own: &[usize], sites: &[Value], state: &Value) {
     let (q, u) = (numbers(&state["qpos"]), numbers(&state["qvel"]));
     let (mut q, mut u) = (&q[..], &u[..]);
     let gravity = vector(description.gravity);
@@ -282,6 +317,7 @@ fn check_state(description: &Description, own: &[usize], state: &Value) {
             }
         }
     }
+    check_sites(description, own, &motions, (sites, state));
     close(
         potential,
         state["potential_energy"].as_f64().unwrap(),
@@ -311,12 +347,15 @@ fn moves_as_in_mujoco(name: &str) {
         .map(|index| &description.bodies[*index])
         .collect();
     check_masses(&bodies, &reference);
+    let sites = reference["sites"].as_array();
+    let sites = sites.map_or(&[][..], Vec::as_slice);
+    assert_eq!(description.frames.len(), sites.len());
     for state in reference["states"].as_array().unwrap() {
-        check_state(&description, &own, state);
+        check_state(&description, &own, sites, state);
     }
 }
 
-/// Makes a test of each model named, and the list of their names.
+/// Makes a test of each model, and the list of their names.
 macro_rules! models {
     ($($name:ident)*) => {
         const MODELS: &[&str] = &[$(stringify!($name)),*];
@@ -328,26 +367,7 @@ macro_rules! models {
     };
 }
 
-models! {
-    adjusted_inertias
-    ant
-    ball_joint_arm
-    cart_with_springs
-    cheetah
-    extrinsic_angles
-    frames
-    free_bodies
-    humanoid
-    inertias
-    legged
-    mixed_angles
-    no_gravity
-    orientations
-    several_joints
-    two_link_arm
-    walker
-    welded
-}
+kane_test_support::mjcf_models!(models);
 
 #[test]
 fn every_model_is_listed() {

@@ -224,7 +224,16 @@ impl Names {
                     "columns" => return None,
                     "entries" => *self.of_entries.get(places[0])?,
                     "rotations" | "distances" | "positions" | "velocities" | "alpha" | "rates"
-                    | "w_rel" => places[0],
+                    | "w_rel" | "energies" | "force" | "moment" => places[0],
+                    // A vector of the system, or a column for each speed.
+                    "linear" | "angular" | "jacobian" | "position" | "velocity" => {
+                        let Some(speed) = places.get(1) else {
+                            return Some("system");
+                        };
+                        *self.of_speeds.get(*speed)?
+                    }
+                    "y" if places.len() == 3 => places[1],
+                    "y" => *self.of_speeds.get(places[0])?,
                     _ => *self.of_speeds.get(*places.iter().max()?)?,
                 };
                 return self.bodies.get(body).map(String::as_str);

@@ -5,7 +5,7 @@
 use std::{fs, path::Path};
 
 use kane_codegen::{
-    companions::{Abi, Kind, can_be_beside},
+    companions::{Abi, CompanionKind, can_be_beside},
     compile::Options,
     config::Functions,
     description::no_includes,
@@ -20,7 +20,7 @@ fn generated(name: &str) -> Result<Generated, Error> {
     let source = Source::new("pendulum.toml", fs::read_to_string(path).unwrap());
     let options = Options {
         functions: Functions::Named(vec!["mass_matrix".to_owned()]),
-        companions: [Kind::Abi(Abi::C)].into(),
+        companions: [CompanionKind::Abi(Abi::C)].into(),
         module: name.to_owned(),
         ..Options::default()
     };
@@ -56,7 +56,7 @@ fn names_begin_with_the_module_s_so_that_two_of_one_model_can_be_linked() {
 
 #[test]
 fn name_that_cannot_begin_names_of_c_is_refused() {
-    let kinds = [Kind::Abi(Abi::C)].into();
+    let kinds = [CompanionKind::Abi(Abi::C)].into();
     for name in [
         "", "2dof", "_arm", "my-arm", "träger", "fn", "gen", "arm v2",
     ] {

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use kane_codegen::description::{
-    Axis, Carrier, Chart, Description, FrameRotation, Given, JointKind, Limits, Mimic, Optional,
-    PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint, toml,
+    Carrier, Chart, CoordinateName, Description, FrameRotation, Given, JointKind, Limits, Mimic,
+    Optional, PerCoordinate, Rotation, Scalar, Speeds, WrittenBody, WrittenFrame, WrittenJoint,
+    toml,
 };
 use kane_codegen::diagnostic::{Diagnostic, Source, Span, Spanned};
 use kane_codegen::tree::Order;
@@ -316,8 +317,10 @@ fn rotation(random: &mut Random) -> Rotation {
 }
 
 /// Some of the coordinates, in their order.
-fn axes(random: &mut Random) -> Vec<Spanned<Axis>> {
-    let some = Axis::ALL.into_iter().filter(|_| random.below(2) == 0);
+fn axes(random: &mut Random) -> Vec<Spanned<CoordinateName>> {
+    let some = CoordinateName::ALL
+        .into_iter()
+        .filter(|_| random.below(2) == 0);
     some.map(at).collect()
 }
 
@@ -326,7 +329,7 @@ fn per_coordinate<T>(
     mut one: impl FnMut(&mut Random) -> T,
 ) -> PerCoordinate<T> {
     let mut axes = axes(random);
-    axes.push(at(Axis::S3));
+    axes.push(at(CoordinateName::S3));
     axes.dedup();
     match random.below(4) {
         0 => PerCoordinate::Same(at(one(random))),

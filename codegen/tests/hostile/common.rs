@@ -6,7 +6,7 @@ use std::{
 };
 
 use kane_codegen::{
-    companions::Kind,
+    companions::CompanionKind,
     compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
@@ -18,7 +18,7 @@ use kane_codegen::{
 pub(crate) fn everything() -> Options {
     Options {
         functions: Functions::All,
-        companions: Kind::ALL.into(),
+        companions: CompanionKind::ALL.into(),
         module: "hostile".to_owned(),
         ..Options::default()
     }

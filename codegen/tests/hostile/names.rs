@@ -68,11 +68,12 @@ fn name_in(module: &str) -> Option<String> {
 
 #[test]
 fn names_reach_the_output_as_what_they_are_or_are_refused() {
-    let options = Options {
-        functions: Functions::Named(vec!["bias".to_owned()]),
-        ..everything()
-    };
     for name in NAMES {
+        let asked = [vec!["bias".to_owned()], promises::of_frame(name)];
+        let options = Options {
+            functions: Functions::Named(asked.concat()),
+            ..everything()
+        };
         for (file, text) in named(name) {
             let files = Files::new(file, &text);
             promises::reading(&files, Reading::default());

@@ -1,7 +1,7 @@
 //! Models too deep, too long, too many, or at the ends of what numbers there are.
 
 use kane_codegen::{
-    companions::Kind,
+    companions::CompanionKind,
     compile::Options,
     config::Functions,
     description::{self, Reading, no_includes},
@@ -252,7 +252,7 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
         ..named("mass_matrix")
     };
     let tested = Options {
-        companions: [Kind::Tests].into(),
+        companions: [CompanionKind::Tests].into(),
         ..named("mass_matrix_packed")
     };
     let factorised = Options {
@@ -287,7 +287,7 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
         (
             1200,
             Options {
-                companions: [Kind::Tests].into(),
+                companions: [CompanionKind::Tests].into(),
                 ..named("q_dot")
             },
             "the functions, `inverse_dynamics` most of all, have for the tests 5764800 terms; expected at most 4000000",

@@ -16,6 +16,8 @@
 #ifndef KANE_CART_POLE_H
 #define KANE_CART_POLE_H
 
+#include <math.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -50,6 +52,54 @@ enum {
 /// The angles among the coordinates, in the order of their sines and cosines.
 enum {
     CART_POLE_ANGLE_POLE_THETA2 = 0
+};
+
+/// The bodies' names.
+static const char *const CART_POLE_BODY_NAMES[CART_POLE_NB] = {
+    "cart",
+    "pole"
+};
+
+/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.
+static const char *const CART_POLE_COORDINATE_NAMES[CART_POLE_NQ] = {
+    "cart_s1",
+    "pole_theta2"
+};
+
+/// The speeds' names, rad/s and m/s; w is a component of the relative angular velocity.
+static const char *const CART_POLE_SPEED_NAMES[CART_POLE_NU] = {
+    "cart_s1_dot",
+    "pole_theta2_dot"
+};
+
+/// The least value of each coordinate, rad, m: data only.
+static const double CART_POLE_LOWER_LIMITS[CART_POLE_NQ] = {
+    -HUGE_VAL,
+    -HUGE_VAL
+};
+
+/// The greatest value of each coordinate, rad, m: data only.
+static const double CART_POLE_UPPER_LIMITS[CART_POLE_NQ] = {
+    HUGE_VAL,
+    HUGE_VAL
+};
+
+/// The greatest magnitude of each speed, rad/s, m/s: data only.
+static const double CART_POLE_VELOCITY_LIMITS[CART_POLE_NU] = {
+    HUGE_VAL,
+    HUGE_VAL
+};
+
+/// The greatest magnitude of each generalized force, N m, N: data only.
+static const double CART_POLE_EFFORT_LIMITS[CART_POLE_NU] = {
+    HUGE_VAL,
+    HUGE_VAL
+};
+
+/// Coulomb friction along each speed, N m, N: data only, no part of any function.
+static const double CART_POLE_FRICTION[CART_POLE_NU] = {
+    0.0,
+    0.0
 };
 
 #ifndef KANE_LOAD

@@ -60,6 +60,116 @@ enum {
     PANDA_U_PANDA_JOINT7_DOT = 6
 };
 
+#ifndef KANE_FRAME
+#define KANE_FRAME
+/// A frame that is part of a body: its name; the body, counted from 0, or -1 for the inertial frame; the matrix from the body's axes
+/// to the frame's; the position of its origin from the body's, the body's axes, m.
+typedef struct kane_frame {
+    const char *name;
+    int body;
+    double rotation[3][3];
+    double position[3];
+} kane_frame;
+#endif
+
+/// The bodies' names.
+static const char *const PANDA_BODY_NAMES[PANDA_NB] = {
+    "panda_link1",
+    "panda_link2",
+    "panda_link3",
+    "panda_link4",
+    "panda_link5",
+    "panda_link6",
+    "panda_link7"
+};
+
+/// The coordinates' names: theta in rad, about the x, y, z of a 1-2-3 body-fixed sequence; e of a unit quaternion, scalar first; s in m, along the joint's axes in the lower body.
+static const char *const PANDA_COORDINATE_NAMES[PANDA_NQ] = {
+    "panda_joint1",
+    "panda_joint2",
+    "panda_joint3",
+    "panda_joint4",
+    "panda_joint5",
+    "panda_joint6",
+    "panda_joint7"
+};
+
+/// The speeds' names, rad/s and m/s; w is a component of the relative angular velocity.
+static const char *const PANDA_SPEED_NAMES[PANDA_NU] = {
+    "panda_joint1_dot",
+    "panda_joint2_dot",
+    "panda_joint3_dot",
+    "panda_joint4_dot",
+    "panda_joint5_dot",
+    "panda_joint6_dot",
+    "panda_joint7_dot"
+};
+
+/// Frames of the model's bodies that are fixed to others, and part of them.
+static const kane_frame PANDA_FRAMES[6] = {
+    {"panda_link0", -1, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.0}},
+    {"panda_link8", 6, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.107}},
+    {"panda_hand", 6, {{0.7071067811865476, -0.7071067811865475, 0.0}, {0.7071067811865475, 0.7071067811865476, 0.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.107}},
+    {"panda_leftfinger", 6, {{0.7071067811865476, -0.7071067811865475, 0.0}, {0.7071067811865475, 0.7071067811865476, 0.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.1654}},
+    {"panda_rightfinger", 6, {{0.7071067811865476, -0.7071067811865475, 0.0}, {0.7071067811865475, 0.7071067811865476, 0.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.1654}},
+    {"panda_hand_tcp", 6, {{0.7071067811865476, -0.7071067811865475, 0.0}, {0.7071067811865475, 0.7071067811865476, 0.0}, {0.0, 0.0, 1.0}}, {0.0, 0.0, 0.2104}}
+};
+
+/// The least value of each coordinate, rad, m: data only.
+static const double PANDA_LOWER_LIMITS[PANDA_NQ] = {
+    -2.8973,
+    -1.7628,
+    -2.8973,
+    -3.0718,
+    -2.8973,
+    -0.0175,
+    -2.8973
+};
+
+/// The greatest value of each coordinate, rad, m: data only.
+static const double PANDA_UPPER_LIMITS[PANDA_NQ] = {
+    2.8973,
+    1.7628,
+    2.8973,
+    -0.0698,
+    2.8973,
+    3.7525,
+    2.8973
+};
+
+/// The greatest magnitude of each speed, rad/s, m/s: data only.
+static const double PANDA_VELOCITY_LIMITS[PANDA_NU] = {
+    2.175,
+    2.175,
+    2.175,
+    2.175,
+    2.61,
+    2.61,
+    2.61
+};
+
+/// The greatest magnitude of each generalized force, N m, N: data only.
+static const double PANDA_EFFORT_LIMITS[PANDA_NU] = {
+    87.0,
+    87.0,
+    87.0,
+    87.0,
+    12.0,
+    12.0,
+    12.0
+};
+
+/// Coulomb friction along each speed, N m, N: data only, no part of any function.
+static const double PANDA_FRICTION[PANDA_NU] = {
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0
+};
+
 /// Values set at run time.
 typedef struct panda_parameters_f64 {
     /// Nothing: C has no empty structures.

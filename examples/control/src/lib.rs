@@ -6,8 +6,10 @@
 //!
 //! `cargo run --release --package kane-examples --example swing_up`
 
+pub mod collision;
 pub mod computed_torque;
 pub mod gravity_compensation;
+pub mod impedance;
 pub mod reorientation;
 pub mod swing_up;
 
@@ -34,6 +36,8 @@ robots! {
     ur5
     /// The Panda, with a payload.
     panda
+    /// The Solo 12, with a free base.
+    solo12
 }
 
 /// The control period, and the step with which plants are integrated, s.

@@ -1,7 +1,9 @@
 //! What each loop achieves, and that it allocates nothing while it does.
 
 use allocation_counter::measure;
-use kane_examples::{CallTimes, computed_torque, gravity_compensation, reorientation, swing_up};
+use kane_examples::{
+    CallTimes, collision, computed_torque, gravity_compensation, impedance, reorientation, swing_up,
+};
 
 /// What a run reports, which has not allocated, and has called its controller so often.
 fn without_allocating<T>(calls: u64, run: impl FnOnce(&mut CallTimes) -> T) -> T {
@@ -76,4 +78,33 @@ fn the_hub_is_turned_without_angular_momentum() {
     assert!(report.joint_error < 2e-3, "{report:?}");
     // Nothing acts from outside: what there is comes from integration, where joints alone have up to 12 kg m²/s.
     assert!(report.momentum < 1e-7, "{report:?}");
+}
+
+#[test]
+fn the_hand_presses_as_strongly_as_asked_and_its_elbow_is_quiet() {
+    let [known, mistaken] = [20e3, 16e3]
+        .map(|believed| without_allocating(10_500, |calls| impedance::run(20e3, believed, calls)));
+    assert!(known.force_error < 1e-4, "{known:?}");
+    // Of two springs in a row, the softer one decides: a wall that is a quarter stiffer than believed changes little.
+    assert!(mistaken.force_error < 1e-2, "{mistaken:?}");
+    assert!(mistaken.force_error > 5e-3, "{mistaken:?}");
+    for report in [known, mistaken] {
+        assert!(report.position_error < 1e-6, "{report:?}");
+        assert!(report.null_speed < 0.1, "{report:?}");
+        assert!(report.null_speed_at_rest < 1e-5, "{report:?}");
+        assert!(report.impact < 25.0 && report.effort < 1.0, "{report:?}");
+    }
+}
+
+#[test]
+fn the_arm_feels_collisions_and_nothing_else() {
+    let (mut times, mut report) = (CallTimes::default(), None);
+    let allocations = measure(|| report = Some(collision::run(&mut times)));
+    let report = report.expect("the run has ended");
+    assert_eq!(allocations.count_total, 0);
+    assert!(report.duration > 59.99, "{report:?}");
+    assert_eq!(report.false_alarms, 0, "{report:?}");
+    assert!(report.quiet > 0.3, "there is noise: {report:?}");
+    assert!(report.collisions > 1000, "{report:?}");
+    assert!(report.delay <= 0.02, "{report:?}");
 }

@@ -50,6 +50,7 @@ fn all<R: Real + Numbers>() {
         force: core::array::from_fn(|i| entry(5, (3 * body + i) as i64)),
         moment: core::array::from_fn(|i| entry(6, (3 * body + i) as i64)),
     });
+    let (point, force, moment): ([R; 3], [R; 3], [R; 3]) = (entries(7), entries(8), entries(9));
     let zero = R::from_f64(0.0);
     let mut sin_cos = SinCos { sines: [zero; claw::NA], cosines: [zero; claw::NA] };
     claw::sin_cos(&p, &q, &mut sin_cos);
@@ -95,11 +96,15 @@ static void all_SCALAR(void)
     claw_prepared_SCALAR p;
     claw_prepare_SCALAR(&parameters, &p);
     REAL q[CLAW_NQ], u[CLAW_NU], u_dot[CLAW_NU], tau[CLAW_NU], w_rel[3 * CLAW_NB];
+    REAL point[3], force[3], moment[3];
     fill_SCALAR(0, CLAW_NQ, q);
     fill_SCALAR(1, CLAW_NU, u);
     fill_SCALAR(2, CLAW_NU, u_dot);
     fill_SCALAR(3, CLAW_NU, tau);
     fill_SCALAR(4, 3 * CLAW_NB, w_rel);
+    fill_SCALAR(7, 3, point);
+    fill_SCALAR(8, 3, force);
+    fill_SCALAR(9, 3, moment);
     kane_load_SCALAR loads[CLAW_NB];
     for (long place = 0; place < 3 * CLAW_NB; place++) {
         loads[place / 3].force[place % 3] = (REAL)entry(5, place);

@@ -3,7 +3,7 @@
 use std::{fmt::Write as _, fs, process::Command};
 
 use kane_codegen::{
-    companions::{Abi, Kind},
+    companions::{Abi, CompanionKind},
     compile::Options,
     config::Functions,
     description::no_includes,
@@ -74,11 +74,13 @@ pub(crate) fn module(name: &str, model: &str) -> Generated {
         format!("pose(\"{last}\")"),
         format!("velocity(\"{last}\")+pose(\"{last}\")"),
         format!("velocity(\"{last}\", local)"),
+        format!("point_jacobian(\"{last}\")+jacobian_packed(\"{last}\", local)"),
+        format!("generalized_force(\"{last}\")"),
     ];
     let functions = functions.chain(of_frame).collect();
     let options = Options {
         functions: Functions::Named(functions),
-        companions: [Kind::Manifest, Kind::Abi(Abi::C)].into(),
+        companions: [CompanionKind::Manifest, CompanionKind::Abi(Abi::C)].into(),
         module: name.to_owned(),
         ..Options::default()
     };

@@ -4,8 +4,10 @@
 //! numbers that Pinocchio and MuJoCo have for the same files, and for one another's.
 
 mod robot;
+mod systems;
 
 pub use robot::{Dynamics, Limits, Robot};
+pub use systems::{Center, Identified};
 
 macro_rules! modules {
     ($($(#[$meaning:meta])* $name:ident)+) => {$(
@@ -20,12 +22,16 @@ macro_rules! modules {
 modules! {
     /// As its file is.
     cartpole
+    /// Matrices over speeds.
+    cartpole_matrices
     /// Snapped.
     cartpole_snapped
     /// In the notes' formulation.
     cartpole_notes
     /// As its file is.
     double_pendulum
+    /// Matrices over speeds.
+    double_pendulum_matrices
     /// Snapped.
     double_pendulum_snapped
     /// In the notes' formulation.
@@ -38,12 +44,16 @@ modules! {
     double_pendulum_continuous_notes
     /// As its file is.
     ur5
+    /// Matrices over speeds.
+    ur5_matrices
     /// Snapped.
     ur5_snapped
     /// In the notes' formulation.
     ur5_notes
     /// As its file is.
     panda
+    /// Matrices over speeds.
+    panda_matrices
     /// Snapped.
     panda_snapped
     /// In the notes' formulation.
@@ -58,6 +68,8 @@ modules! {
     panda_frames
     /// As its file is.
     solo12
+    /// Matrices over speeds.
+    solo12_matrices
     /// With fused multiply-add.
     solo12_fused
     /// With functions in one, and at sines and cosines.
@@ -72,10 +84,28 @@ modules! {
     solo12_notes
     /// As its file is.
     talos
+    /// Matrices over speeds.
+    talos_matrices
     /// Its base described by angles.
     talos_angles
     /// Snapped.
     talos_snapped
+    /// Functions of its mass centre.
+    cartpole_center
+    /// Functions of its mass centre.
+    ur5_center
+    /// Functions of its mass centre.
+    panda_center
+    /// Functions of its mass centre.
+    solo12_center
+    /// Functions of its mass centre.
+    talos_center
+    /// Its regressor.
+    cartpole_regressor
+    /// Its regressor.
+    ur5_regressor
+    /// Its regressor.
+    panda_regressor
     /// A joint and the two that follow it.
     gripper
     /// In the notes' formulation.
@@ -160,6 +190,27 @@ pub const ROBOTS: [Compiled; 7] = [
         Some(make!(solo12_angles))
     ),
     compiled!(talos, talos_snapped, None, Some(make!(talos_angles))),
+];
+
+/// Makes a robot with the functions of its mass centre.
+pub type MakeCenter = fn() -> Box<dyn Center>;
+/// Makes a robot with its regressor.
+pub type MakeIdentified = fn() -> Box<dyn Identified>;
+
+/// Robots with the functions of their mass centres.
+pub const CENTERS: [(&str, MakeCenter); 5] = [
+    ("cartpole", make!(cartpole_center)),
+    ("ur5", make!(ur5_center)),
+    ("panda", make!(panda_center)),
+    ("solo12", make!(solo12_center)),
+    ("talos", make!(talos_center)),
+];
+
+/// Robots with their regressors.
+pub const IDENTIFIED: [(&str, MakeIdentified); 3] = [
+    ("cartpole", make!(cartpole_regressor)),
+    ("ur5", make!(ur5_regressor)),
+    ("panda", make!(panda_regressor)),
 ];
 
 /// The panda with fused multiply-add.

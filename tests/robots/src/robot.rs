@@ -201,7 +201,7 @@ where
     }
 }
 
-fn array<A: Array<f64>>(values: &[f64]) -> A {
+pub(crate) fn array<A: Array<f64>>(values: &[f64]) -> A {
     assert_eq!(values.len(), A::LEN, "as many numbers as the system has");
     A::from_fn(|place| values[place])
 }

@@ -1,9 +1,13 @@
 //! Functions of a frame, compiled: through the runtime's traits as by name, and velocities as rates of poses.
 
-use kane::functions::{Local, Pose, Velocity};
+use kane::functions::{
+    Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked, Local,
+    PointJacobian, Pose, Seen, Velocity,
+};
 use kane_test_robots::panda_frames::{
-    NQ, NU, Prepared, frames::PandaHandTcp, panda_hand_tcp_pose,
-    panda_hand_tcp_pose_and_panda_hand_tcp_velocity, panda_hand_tcp_velocity,
+    NQ, NU, Prepared,
+    frames::{PandaHandTcp, PandaLink4},
+    panda_hand_tcp_pose, panda_hand_tcp_pose_and_panda_hand_tcp_velocity, panda_hand_tcp_velocity,
     panda_hand_tcp_velocity_local,
 };
 use kane_test_support::{
@@ -119,5 +123,165 @@ fn pose_and_velocity_in_one_are_those_alone() {
             expected.as_flattened(),
             EXACT,
         );
+    }
+}
+
+/// Rows of a Jacobian times speeds.
+fn times<U: kane::Array<f64>>(rows: &[U; 3], u: &[f64]) -> [f64; 3] {
+    rows.each_ref()
+        .map(|row| row.as_ref().iter().zip(u).map(|(a, b)| a * b).sum())
+}
+
+fn jacobian<F, S: Jacobian<f64, F>>(system: &S, q: &S::Q) -> [[S::U; 3]; 2] {
+    let [mut linear, mut angular] = [[kane::Array::filled(f64::NAN); 3]; 2];
+    system.jacobian(q, &mut linear, &mut angular);
+    [linear, angular]
+}
+
+#[test]
+fn jacobians_times_speeds_are_velocities() {
+    let system = Prepared::<f64>::nominal();
+    for (q, u) in states() {
+        let found = jacobian::<PandaHandTcp, _>(&system, &q).map(|rows| times(&rows, &u));
+        let expected = velocity::<PandaHandTcp, _>(&system, &q, &u);
+        assert_close(
+            "inertial",
+            found.as_flattened(),
+            expected.as_flattened(),
+            EXACT,
+        );
+        let found = jacobian::<Local<PandaHandTcp>, _>(&system, &q).map(|rows| times(&rows, &u));
+        let expected = velocity::<Local<PandaHandTcp>, _>(&system, &q, &u);
+        assert_close(
+            "local",
+            found.as_flattened(),
+            expected.as_flattened(),
+            EXACT,
+        );
+    }
+}
+
+#[test]
+fn only_joints_between_two_frames_move_them_against_each_other() {
+    type Between = Seen<PandaHandTcp, PandaLink4>;
+    let speeds = <Prepared<f64> as Jacobian<f64, Between>>::SPEEDS;
+    assert_eq!(speeds, [4, 5, 6]);
+    let system = Prepared::<f64>::nominal();
+    for (q, _) in states() {
+        for row in jacobian::<Between, _>(&system, &q).as_flattened() {
+            assert_eq!(row[..4], [0.0; 4]);
+        }
+    }
+}
+
+#[test]
+fn packed_columns_are_those_of_the_speeds_that_move_the_frame() {
+    let speeds = <Prepared<f64> as JacobianPacked<f64, PandaLink4>>::SPEEDS;
+    assert_eq!(speeds, [0, 1, 2, 3]);
+    let system = Prepared::<f64>::nominal();
+    for (q, _) in states() {
+        let [mut linear, mut angular] = [[[f64::NAN; 4]; 3]; 2];
+        JacobianPacked::<f64, PandaLink4>::jacobian_packed(&system, &q, &mut linear, &mut angular);
+        let whole = jacobian::<PandaLink4, _>(&system, &q);
+        for (packed, whole) in [linear, angular]
+            .as_flattened()
+            .iter()
+            .zip(whole.as_flattened())
+        {
+            assert_eq!(packed[..], whole[..4]);
+            assert_eq!(whole[4..], [0.0; 3]);
+        }
+    }
+}
+
+#[test]
+fn accelerations_are_those_of_the_jacobian_and_its_rate() {
+    let system = Prepared::<f64>::nominal();
+    for (q, u) in states() {
+        let u_dot = std::array::from_fn(|place| q[place] - 2.0 * u[place]);
+        let [mut linear, mut angular] = [[f64::NAN; 3]; 2];
+        JacobianDotU::<f64, PandaHandTcp>::jacobian_dot_u(
+            &system,
+            &q,
+            &u,
+            &mut linear,
+            &mut angular,
+        );
+        let of_u_dot = jacobian::<PandaHandTcp, _>(&system, &q).map(|rows| times(&rows, &u_dot));
+        let expected = [linear, angular];
+        let expected: Vec<f64> = expected
+            .as_flattened()
+            .iter()
+            .zip(of_u_dot.as_flattened())
+            .map(|(a, b)| a + b)
+            .collect();
+        Acceleration::<f64, PandaHandTcp>::acceleration(
+            &system,
+            &q,
+            &u,
+            &u_dot,
+            &mut linear,
+            &mut angular,
+        );
+        assert_close(
+            "acceleration",
+            &[linear, angular].concat(),
+            &expected,
+            EXACT,
+        );
+
+        // Along its own axes, less gravity.
+        Acceleration::<f64, Local<PandaHandTcp>>::acceleration(
+            &system,
+            &q,
+            &u,
+            &u_dot,
+            &mut linear,
+            &mut angular,
+        );
+        let pose = pose::<PandaHandTcp, _>(&system, &q);
+        let expected: [f64; 3] = std::array::from_fn(|i| linear[i] + 9.81 * pose[3 * i + 2]);
+        let [mut force, mut turning] = [[f64::NAN; 3]; 2];
+        Imu::<f64, PandaHandTcp>::imu(&system, &q, &u, &u_dot, &mut force, &mut turning);
+        assert_close("specific force", &force, &expected, EXACT);
+        let [_, expected] = velocity::<Local<PandaHandTcp>, _>(&system, &q, &u);
+        assert_close("angular velocity", &turning, &expected, EXACT);
+    }
+}
+
+#[test]
+fn forces_and_points_follow_from_the_jacobian() {
+    let system = Prepared::<f64>::nominal();
+    let (force, moment, point) = ([3.0, -1.0, 2.0], [0.5, 0.25, -0.75], [0.1, -0.2, 0.3]);
+    for (q, u) in states() {
+        let mut tau = [f64::NAN; NU];
+        GeneralizedForce::<f64, PandaHandTcp>::generalized_force(
+            &system, &q, &force, &moment, &mut tau,
+        );
+        let [linear, angular] = jacobian::<PandaHandTcp, _>(&system, &q);
+        let expected: [f64; NU] = std::array::from_fn(|speed| {
+            (0..3)
+                .map(|row| linear[row][speed] * force[row] + angular[row][speed] * moment[row])
+                .sum()
+        });
+        assert_close("tau", &tau, &expected, EXACT);
+
+        let [mut of_point, mut turning] = [[[f64::NAN; NU]; 3]; 2];
+        PointJacobian::<f64, PandaHandTcp>::point_jacobian(
+            &system,
+            &q,
+            &point,
+            &mut of_point,
+            &mut turning,
+        );
+        assert_eq!(turning, angular);
+        let pose = pose::<PandaHandTcp, _>(&system, &q);
+        let lever: [f64; 3] =
+            std::array::from_fn(|i| (0..3).map(|j| pose[3 * j + i] * point[j]).sum());
+        let [v, w] = [linear, angular].map(|rows| times(&rows, &u));
+        let cross =
+            |i: usize| w[(i + 1) % 3] * lever[(i + 2) % 3] - w[(i + 2) % 3] * lever[(i + 1) % 3];
+        let expected: [f64; 3] = std::array::from_fn(|i| v[i] + cross(i));
+        assert_close("point", &times(&of_point, &u), &expected, EXACT);
     }
 }

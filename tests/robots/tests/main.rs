@@ -6,6 +6,8 @@ mod common;
 mod frames;
 mod joined;
 mod lanes;
+mod matrices;
 mod mujoco;
 mod multiply_add;
 mod pinocchio;
+mod systems;

@@ -105,23 +105,4 @@ macro_rules! agree {
     };
 }
 
-agree! {
-    adjusted_inertias
-    ant
-    ball_joint_arm
-    cart_with_springs
-    cheetah
-    extrinsic_angles
-    frames
-    free_bodies
-    humanoid
-    inertias
-    legged
-    mixed_angles
-    no_gravity
-    orientations
-    several_joints
-    two_link_arm
-    walker
-    welded
-}
+kane_test_support::mjcf_models!(agree);

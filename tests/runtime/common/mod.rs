@@ -2,6 +2,7 @@
 
 mod cart_pole;
 mod gimbal;
+mod one_coordinate;
 mod oscillator;
 mod pendulum;
 

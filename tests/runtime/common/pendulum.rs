@@ -1,5 +1,7 @@
+use kane::Real;
 use kane::functions::{ForwardDynamics, KineticEnergy, PotentialEnergy};
-use kane::{Load, Real, System};
+
+use super::one_coordinate::one_coordinate;
 
 /// A point of 1 kg on a massless rod of 1 m, `theta` (rad) from hanging: `u_dot = tau - gravity sin(theta)`.
 pub(crate) struct Pendulum<R> {
@@ -17,25 +19,7 @@ impl Pendulum<f64> {
     }
 }
 
-impl<R: Real> System<R> for Pendulum<R> {
-    type Q = [R; 1];
-    type U = [R; 1];
-    type Loads = [Load<R>; 1];
-    type Scalars = [R; 1];
-    type Vectors = [[R; 3]; 1];
-    type Rotations = [[[R; 3]; 3]; 1];
-
-    const NAME: &'static str = "pendulum";
-    const BODY_NAMES: &'static [&'static str] = &["rod"];
-    const COORDINATE_NAMES: &'static [&'static str] = &["rod_theta1"];
-    const SPEED_NAMES: &'static [&'static str] = &["rod_theta1_dot"];
-    const LOWER_BODIES: &'static [usize] = &[0];
-    const SPEED_BODIES: &'static [usize] = &[0];
-
-    fn q_dot(&self, _: &[R; 1], u: &[R; 1], q_dot: &mut [R; 1]) {
-        *q_dot = *u;
-    }
-}
+one_coordinate!(Pendulum, "pendulum", body "rod", coordinate "rod_theta1");
 
 impl<R: Real> ForwardDynamics<R> for Pendulum<R> {
     fn forward_dynamics(&self, q: &[R; 1], _: &[R; 1], tau: &[R; 1], u_dot: &mut [R; 1]) {

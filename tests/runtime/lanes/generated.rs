@@ -116,6 +116,8 @@ macro_rules! eight_bodies {
                 potential_energy(q);
                 linear_momentum(q, u);
                 angular_momentum(q, u);
+                mass_matrix_product(q, u_dot);
+                mass_matrix_solve(q, tau);
             ));
         }
     )+};

@@ -15,6 +15,7 @@ pub mod dynamics;
 pub mod errors;
 #[cfg(feature = "json")]
 pub mod json;
+pub mod mjcf;
 #[cfg(feature = "generator")]
 pub mod models;
 pub mod mutant;

@@ -13,8 +13,9 @@ use kane_codegen::compile::Options;
 use kane_codegen::description::{self, Description, Reading, toml};
 use kane_codegen::diagnostic::{Diagnostic, Diagnostics, Source, SourceFile};
 use kane_codegen::error::Error;
+use kane_codegen::functions::{OF_FRAMES, Parsed};
 use kane_codegen::generate::{Generated, generate};
-use kane_codegen::tree::{self, Changes, canonical};
+use kane_codegen::tree::{self, Changes, Tree, canonical};
 
 use crate::shown::steers;
 
@@ -97,7 +98,7 @@ fn is_the_same_written(description: &Description, tree: &str) {
 pub fn generating(files: &Files<'_>, options: &Options) {
     let include = |path: &str| files.include(path);
     match generate(&files.model, "model", options, &include) {
-        Ok(generated) => is_code(&generated, options),
+        Ok(generated) => is_code(&generated, options, &tree_of(files, options)),
         Err(Error::Invalid(faults)) => can_be_shown(&faults),
         Err(error) => {
             let text = error.to_string();
@@ -107,7 +108,7 @@ pub fn generating(files: &Files<'_>, options: &Options) {
 }
 
 /// The functions asked for, in texts that can be parsed.
-fn is_code(generated: &Generated, options: &Options) {
+fn is_code(generated: &Generated, options: &Options, tree: &Tree) {
     can_be_shown(&generated.warnings);
     let names: Vec<&str> = generated
         .functions
@@ -115,8 +116,7 @@ fn is_code(generated: &Generated, options: &Options) {
         .map(|(name, _)| name.as_str())
         .collect();
     let asked = options.functions.requests();
-    // How functions of frames are called, the model says.
-    let asked = asked.iter().filter_map(|asked| asked.of_any_model().ok());
+    let asked = asked.iter().map(|asked| asked.on(tree).unwrap());
     let missing = asked
         .map(|asked| asked.name())
         .find(|name| !names.contains(&name.as_str()));
@@ -138,6 +138,33 @@ fn is_code(generated: &Generated, options: &Options) {
             _ => drop(syn::parse_file(&companion.text).unwrap()),
         }
     }
+}
+
+/// The tree of a model that is right.
+fn tree_of(files: &Files<'_>, options: &Options) -> Tree {
+    let include = |path: &str| files.include(path);
+    let description = description::read(&files.model, &options.reading, &include);
+    let checked = tree::build_with(&description, &options.changes);
+    checked.unwrap_or_else(|faults| panic!("{faults}")).tree
+}
+
+/// All functions of the frame of this name, as they are asked for: each in every kind of axes that it can have.
+pub fn of_frame(name: &str) -> Vec<String> {
+    let name = name.replace('"', "\"\"");
+    let asked = OF_FRAMES.iter().flat_map(|function| {
+        let axes = ["", ", local"];
+        axes.map(|axes| format!("{}(\"{name}\"{axes})", function.name))
+    });
+    asked.filter(|asked| Parsed::read(asked).is_ok()).collect()
+}
+
+/// The name of one of the frames of a model, where it is right.
+pub fn frame(files: &Files<'_>, reading: Reading, choice: usize) -> Option<String> {
+    let description = description::read(&files.model, &reading, &|path| files.include(path));
+    let tree = tree::build(&description).ok()?.tree;
+    let frames: Vec<_> = tree.named_frames().collect();
+    let frame = frames.get(choice.checked_rem(frames.len())?)?;
+    Some(tree.frame_name(*frame).to_owned())
 }
 
 /// The bodies of a model, as far as they can be read.

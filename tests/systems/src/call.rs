@@ -2,12 +2,16 @@
 //!
 //! Outputs are filled with NaN before the call: what a function leaves unwritten shows.
 
+mod further;
+
+pub use further::Further;
+
 use kane::{
     Array, Block, Load, Real, System, block,
     functions::{
         AngleRates, AngularAcceleration, AngularMomentum, AngularVelocity, Bias, Forcing,
         ForwardDynamics, ForwardDynamicsPivots, GeneralizedForces, GravityForces, InverseDynamics,
-        KineticEnergy, LinearMomentum, MassCenterAcceleration, MassCenterPosition,
+        JointRegressor, KineticEnergy, LinearMomentum, MassCenterAcceleration, MassCenterPosition,
         MassCenterVelocity, MassMatrix, MassMatrixPacked, OriginPosition, OriginVelocity,
         PartialAngularVelocity, PartialAngularVelocityDot, PartialVelocity, PartialVelocityDot,
         PartialVelocityOrigin, PartialVelocityOriginDot, PotentialEnergy, RelativeAngularVelocity,
@@ -113,11 +117,7 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
         "mass_matrix" => {
             let mut m = S::Matrix::filled(out);
             system.mass_matrix(&q, &mut m);
-            return m
-                .as_ref()
-                .iter()
-                .flat_map(|row| numbers(row.as_ref()))
-                .collect();
+            return rows(m.as_ref());
         }
         "mass_matrix_packed" => {
             let mut entries = S::Entries::filled(R::from_f64(f64::NAN));
@@ -136,7 +136,38 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
     numbers(out.as_ref())
 }
 
-/// A system with every function.
+fn rows<R: Real + Into<f64>, Row: Array<R>>(rows: &[Row]) -> Vec<f64> {
+    let rows = rows.iter();
+    rows.flat_map(|row| numbers(row.as_ref())).collect()
+}
+
+/// Any function that has two formulations.
+///
+/// # Panics
+/// If there is no such function.
+pub fn both<R: Real + Into<f64>, S: Dynamics<R> + Further<R>>(
+    system: &S,
+    function: &str,
+    state: &State,
+) -> Vec<f64> {
+    further::call(system, function, state).unwrap_or_else(|| dynamics(system, function, state))
+}
+
+/// Any function.
+///
+/// # Panics
+/// If there is no such function.
+pub fn every<R: Real + Into<f64>, S: All<R> + Further<R> + JointRegressor<R>, const NU: usize>(
+    system: &S,
+    function: &str,
+    state: &State,
+) -> Vec<f64> {
+    further::call(system, function, state)
+        .or_else(|| further::joint_regressor(system, function, state))
+        .unwrap_or_else(|| all::<R, S, NU>(system, function, state))
+}
+
+/// A system with every function but the further ones.
 pub trait All<R: Real>:
     Dynamics<R>
     + RelativeRotation<R>
@@ -191,7 +222,7 @@ impl<R: Real, S> All<R> for S where
 {
 }
 
-/// Any function.
+/// Any function but the further ones.
 ///
 /// # Panics
 /// If there is no such function.

@@ -21,15 +21,15 @@ macro_rules! systems {
 }
 
 systems! {
-    /// Reference, every function.
+    /// Reference.
     one_body
-    /// Reference, every function.
+    /// Reference.
     chain3
-    /// Reference, every function.
+    /// Reference.
     star5
-    /// Reference, every function.
+    /// Reference.
     two_roots
-    /// Reference, every function.
+    /// Reference.
     tree12
     /// Reference, in the notes' formulation.
     one_body_notes
@@ -102,9 +102,9 @@ pub struct Reference {
     pub name: &'static str,
     /// Its description.
     pub model: &'static str,
-    /// Every function, along the tree: `f64`.
+    /// Along the tree: `f64`.
     pub f64: Call,
-    /// Every function, along the tree: `f32`.
+    /// Along the tree: `f32`.
     pub f32: Call,
     /// The notes' formulation: `f64`.
     pub notes_f64: Call,
@@ -112,70 +112,46 @@ pub struct Reference {
     pub notes_f32: Call,
 }
 
-macro_rules! all {
-    ($name:path, $scalar:ty) => {{
+macro_rules! call {
+    (all, $name:path, $scalar:ty) => {{
         use $name as module;
         |function, state| {
             call::all::<$scalar, _, { module::NU }>(&module::Prepared::nominal(), function, state)
         }
     }};
-}
-
-macro_rules! dynamics {
-    ($name:path, $scalar:ty) => {{
+    (every, $name:path, $scalar:ty) => {{
         use $name as module;
         |function, state| {
-            call::dynamics::<$scalar, _>(&module::Prepared::nominal(), function, state)
+            call::every::<$scalar, _, { module::NU }>(&module::Prepared::nominal(), function, state)
         }
+    }};
+    ($which:ident, $name:path, $scalar:ty) => {{
+        use $name as module;
+        |function, state| call::$which::<$scalar, _>(&module::Prepared::nominal(), function, state)
     }};
 }
 
 macro_rules! reference {
-    ($name:literal, $folder:literal, $module:path, $notes:path) => {
+    ($name:literal, $folder:literal, $of:ident $module:path, $of_notes:ident $notes:path) => {
         Reference {
             name: $name,
             model: include_str!(concat!("../../../", $folder, "/", $name, ".toml")),
-            f64: all!($module, f64),
-            f32: all!($module, f32),
-            notes_f64: dynamics!($notes, f64),
-            notes_f32: dynamics!($notes, f32),
+            f64: call!($of, $module, f64),
+            f32: call!($of, $module, f32),
+            notes_f64: call!($of_notes, $notes, f64),
+            notes_f32: call!($of_notes, $notes, f32),
         }
     };
 }
 
-/// The systems with reference values.
+/// The systems with reference values, without the further functions.
 pub const REFERENCES: [Reference; 6] = [
-    reference!(
-        "one_body",
-        "tests/reference",
-        crate::one_body,
-        crate::one_body_notes
-    ),
-    reference!(
-        "chain3",
-        "tests/reference",
-        crate::chain3,
-        crate::chain3_notes
-    ),
-    reference!("star5", "tests/reference", crate::star5, crate::star5_notes),
-    reference!(
-        "eight_body",
-        "models",
-        kane::eight_body,
-        crate::eight_body_notes
-    ),
-    reference!(
-        "two_roots",
-        "tests/reference",
-        crate::two_roots,
-        crate::two_roots_notes
-    ),
-    reference!(
-        "tree12",
-        "tests/reference",
-        crate::tree12,
-        crate::tree12_notes
-    ),
+    reference!("one_body", "tests/reference", all crate::one_body, dynamics crate::one_body_notes),
+    reference!("chain3", "tests/reference", all crate::chain3, dynamics crate::chain3_notes),
+    reference!("star5", "tests/reference", all crate::star5, dynamics crate::star5_notes),
+    reference!("eight_body", "models", all kane::eight_body, dynamics crate::eight_body_notes),
+    reference!("two_roots", "tests/reference", all crate::two_roots, dynamics crate::two_roots_notes),
+    reference!("tree12", "tests/reference", all crate::tree12, dynamics crate::tree12_notes),
 ];
 
 macro_rules! compiled {
@@ -183,7 +159,7 @@ macro_rules! compiled {
         Compiled {
             name: stringify!($name),
             model: include_str!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".toml")),
-            f64: all!(crate::$name, f64),
+            f64: call!(every, crate::$name, f64),
         },
     )+]};
 }
@@ -203,25 +179,28 @@ pub const TWINS: [Compiled; 3] = compiled![body_order, notes_order, renumbered];
 pub const BAKED_RUNTIME_CHANGED: [Compiled; 3] = compiled![baked, runtime, changed];
 
 /// The renumbered system in the notes' formulation.
-pub const RENUMBERED_NOTES: Call = dynamics!(crate::renumbered_notes, f64);
+pub const RENUMBERED_NOTES: Call = call!(both, crate::renumbered_notes, f64);
 
 /// The system with runtime values, given those of the changed one.
 pub const RUNTIME_GIVEN_CHANGED: Call = |function, state| {
     let prepared = runtime::Prepared::new(&changed_parameters());
-    call::all::<f64, _, { runtime::NU }>(&prepared, function, state)
+    call::every::<f64, _, { runtime::NU }>(&prepared, function, state)
 };
 
 /// The renumbered system, with the sines that the generator evaluates with: its results are the same to the bit.
-pub const RENUMBERED_LIBM: Call = all!(crate::renumbered, Libm);
+pub const RENUMBERED_LIBM: Call = call!(every, crate::renumbered, Libm);
 
 /// As [`RENUMBERED_LIBM`], of the first two systems with joints of every kind.
-pub const FRAMED_LIBM: [Call; 2] = [all!(crate::random_500, Libm), all!(crate::random_501, Libm)];
+pub const FRAMED_LIBM: [Call; 2] = [
+    call!(every, crate::random_500, Libm),
+    call!(every, crate::random_501, Libm),
+];
 
 /// As [`RENUMBERED_LIBM`], in the notes' formulation.
-pub const RENUMBERED_NOTES_LIBM: Call = dynamics!(crate::renumbered_notes, Libm);
+pub const RENUMBERED_NOTES_LIBM: Call = call!(both, crate::renumbered_notes, Libm);
 
 /// As [`RENUMBERED_LIBM`], of the system with runtime values.
-pub const RUNTIME_LIBM: Call = all!(crate::runtime, Libm);
+pub const RUNTIME_LIBM: Call = call!(every, crate::runtime, Libm);
 
 /// The values with which the changed system is baked.
 #[allow(clippy::unreadable_literal, reason = "the digits are the model's")]

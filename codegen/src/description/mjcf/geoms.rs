@@ -3,11 +3,12 @@
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
+use crate::description::mjcf::segment::Segment;
 use crate::description::mjcf::settings::{Settings, TRUTH};
 use crate::description::mjcf::solid::{Amount, Primitive, Solid};
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Spanned};
-use crate::geometry::{IDENTITY, difference, length, scaled, sum};
+use crate::geometry::{IDENTITY, length};
 
 /// Density where a geom says nothing, kg/m³.
 const WATER: f64 = 1000.0;
@@ -134,29 +135,11 @@ fn span_of(
     if !geom.has("fromto") {
         return Some((placement(reader, geom, settings), None));
     }
-    if kind == GeomType::Sphere {
-        let message = format!(
-            "{} has `fromto`, but is a sphere; expected a capsule, cylinder, ellipsoid or box",
-            geom.owner
-        );
-        let fault = Diagnostic::error(message).at(geom.place("fromto"), "no length");
-        reader.faults.push(fault);
-        return None;
-    }
-    let [x1, y1, z1, x2, y2, z2] = geom.vector(reader, "fromto")?;
-    let (from, to) = ([x1, y1, z1], [x2, y2, z2]);
-    let along = difference(to, from);
-    let Some(rotation) = z_axis(along) else {
-        let message = format!(
-            "{} leads nowhere: both ends are the same",
-            geom.what("fromto")
-        );
-        let fault = Diagnostic::error(message).at(geom.place("fromto"), "expected two points");
-        reader.faults.push(fault);
-        return None;
-    };
+    let segment = Segment::read(reader, geom, kind == GeomType::Sphere)?;
+    let along = segment.along();
+    let rotation = z_axis(along)?;
     let placement = Placement {
-        position: scaled(sum(from, to), 0.5),
+        position: segment.center(),
         // The first two axes do not matter: the shapes are the same about the third.
         rotation: if along[0] == 0.0 && along[1] == 0.0 {
             IDENTITY

@@ -30,6 +30,7 @@ mod others;
 mod parse;
 mod placement;
 mod seat;
+mod segment;
 mod settings;
 mod sites;
 mod solid;

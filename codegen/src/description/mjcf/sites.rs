@@ -1,18 +1,30 @@
 //! Sites: frames that only mark places.
 //!
-//! A site without a name is left out, for nothing can ask for it, and so is one whose place follows from the two ends of a
-//! shape (`fromto`).
+//! A site without a name is left out, for nothing can ask for it. Its shape does not matter, but where that leads from one
+//! point to another (`fromto`): the site is then in their middle.
 
 use std::collections::BTreeSet;
 
+use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::contents::Inside;
 use crate::description::mjcf::defaults::ElementKind;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::orientation::placement;
+use crate::description::mjcf::orientation::{placement, z_axis};
+use crate::description::mjcf::placement::Placement;
+use crate::description::mjcf::segment::Segment;
 use crate::description::xml::{Reader, shown};
 use crate::description::{Carrier, FrameRotation, WrittenBody, WrittenFrame};
 use crate::diagnostic::Spanned;
+
+/// The shapes of sites, and whether they can lead from one point to another. A site is a sphere where it does not say.
+const TYPES: [(&str, bool); 5] = [
+    ("sphere", false),
+    ("capsule", true),
+    ("cylinder", true),
+    ("ellipsoid", true),
+    ("box", true),
+];
 
 /// A site, and the number of its body, from 1, or 0 for the world.
 pub(super) struct Site<'d> {
@@ -58,10 +70,11 @@ fn frame<'d>(
     let owner = format!("site `{}`", shown(name.value));
     let defaults = &model.defaults;
     let given = defaults.attributes(reader, element, &owner, ElementKind::Site, inside.class);
-    if given.has("fromto") {
-        return None;
-    }
-    let own = placement(reader, &given, &model.settings);
+    let own = if given.has("fromto") {
+        middle(reader, &given)?
+    } else {
+        placement(reader, &given, &model.settings)
+    };
     let place = inside.frame.then(&own);
     let carrier = match body.checked_sub(1) {
         None => Carrier::Inertial,
@@ -77,5 +90,16 @@ fn frame<'d>(
         }),
         rotation: Some(Spanned::new(FrameRotation::Baked(place.rotation), span)),
         ..WrittenFrame::new(span, Some(name))
+    })
+}
+
+/// Half way between two points; whatever else says where the site is does not count.
+fn middle(reader: &mut Reader, site: &Attributes<'_>) -> Option<Placement> {
+    let kind = site.keyword(reader, "type", &TYPES);
+    let has_length = kind.is_some_and(|kind| kind.value);
+    let segment = Segment::read(reader, site, !has_length)?;
+    Some(Placement {
+        position: segment.center(),
+        rotation: z_axis(segment.back())?,
     })
 }

@@ -3,8 +3,8 @@
 use crate::description::toml::value;
 use crate::description::toml_reader::{Item, Reader, Table, list, span};
 use crate::description::{
-    Axis, Chart, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar, Speeds,
-    WrittenJoint,
+    Chart, CoordinateName, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar,
+    Speeds, WrittenJoint,
 };
 use crate::diagnostic::{Diagnostic, Spanned, nearest};
 
@@ -89,27 +89,28 @@ fn kind(reader: &mut Reader, item: &Item<'_>, what: &str) -> Given<JointKind> {
     }
     let entries = reader.list(item, what, "coordinates, or a name such as \"free\"")?;
     let before = reader.faults.count();
-    let mut axes: Vec<Spanned<Axis>> = Vec::new();
+    let mut coordinates: Vec<Spanned<CoordinateName>> = Vec::new();
     for (index, entry) in entries.iter().enumerate() {
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
         };
-        let Some(axis) = value::axis(reader, &name.value, name.span, what, &[]) else {
+        let Some(coordinate) = value::coordinate(reader, &name.value, name.span, what, &[]) else {
             continue;
         };
-        if let Some(first) = axes.iter().find(|other| other.value == axis) {
-            let fault = Diagnostic::error(format!("{what} lists `{}` twice", axis.name()));
+        if let Some(first) = coordinates.iter().find(|other| other.value == coordinate) {
+            let fault = Diagnostic::error(format!("{what} lists `{}` twice", coordinate.name()));
             reader.faults.push(
                 fault
                     .at(name.span, "the second one")
                     .at(first.span, "the first one"),
             );
         } else {
-            axes.push(Spanned::new(axis, name.span));
+            coordinates.push(Spanned::new(coordinate, name.span));
         }
     }
     // With an entry lost, what moves and what does not is unknown, and judging it would mislead.
-    (reader.faults.count() == before).then(|| Spanned::new(JointKind::List(axes), span(item)))
+    (reader.faults.count() == before)
+        .then(|| Spanned::new(JointKind::List(coordinates), span(item)))
 }
 
 fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> Given<JointKind> {
@@ -125,7 +126,7 @@ fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> G
             None => format!(
                 "a joint is one of {}, or a list of those of {} that are free to move",
                 list(&names),
-                list(&Axis::NAMES)
+                list(&CoordinateName::NAMES)
             ),
         };
         let fault = fault.at(span(item), "unknown joint").help(help);
@@ -175,7 +176,7 @@ fn axis(
     }
 }
 
-fn locked(reader: &mut Reader, body: &Table<'_, '_>) -> Vec<(Spanned<Axis>, Given<f64>)> {
+fn locked(reader: &mut Reader, body: &Table<'_, '_>) -> Vec<(Spanned<CoordinateName>, Given<f64>)> {
     let Some(item) = body.get("locked") else {
         return Vec::new();
     };
@@ -186,12 +187,12 @@ fn locked(reader: &mut Reader, body: &Table<'_, '_>) -> Vec<(Spanned<Axis>, Give
     };
     let mut locked = Vec::new();
     for (key, item) in table.entries() {
-        if let Some(axis) = value::axis(reader, key.value, key.span, &what, &[]) {
+        if let Some(coordinate) = value::coordinate(reader, key.value, key.span, &what, &[]) {
             let number = value::constant(reader, item, &table.what(key.value));
-            locked.push((Spanned::new(axis, key.span), number));
+            locked.push((Spanned::new(coordinate, key.span), number));
         }
     }
-    locked.sort_by_key(|(axis, _)| axis.value);
+    locked.sort_by_key(|(coordinate, _)| coordinate.value);
     locked
 }
 

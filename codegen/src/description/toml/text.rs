@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::description::{Axis, Given, JointKind, Limits, Mimic, Rotation, Scalar};
+use crate::description::{CoordinateName, Given, JointKind, Limits, Mimic, Rotation, Scalar};
 use crate::diagnostic::Spanned;
 
 /// A table that holds nothing.
@@ -16,7 +16,11 @@ pub(super) fn name<T: PartialEq>(value: &T, choices: &[(&str, T)]) -> Option<Str
 
 pub(super) fn joint_kind(kind: &JointKind) -> Option<String> {
     match kind {
-        JointKind::List(axes) => list(axes.iter().map(|axis| Some(quoted(axis.value.name())))),
+        JointKind::List(coordinates) => list(
+            coordinates
+                .iter()
+                .map(|coordinate| Some(quoted(coordinate.value.name()))),
+        ),
         named => name(named, &JointKind::NAMED),
     }
 }
@@ -48,16 +52,16 @@ pub(super) fn mimic_table(mimic: &Mimic) -> Option<String> {
     table([joint].into_iter().chain(factor).chain(offset))
 }
 
-/// A table by coordinate, in the order of [`Axis::ALL`].
+/// A table by coordinate, in the order of [`CoordinateName::ALL`].
 pub(super) fn by_coordinate(
-    values: impl Iterator<Item = Option<(Axis, String)>>,
+    values: impl Iterator<Item = Option<(CoordinateName, String)>>,
 ) -> Option<String> {
-    let mut values: Vec<(Axis, String)> = values.collect::<Option<_>>()?;
-    values.sort_by_key(|(axis, _)| *axis);
+    let mut values: Vec<(CoordinateName, String)> = values.collect::<Option<_>>()?;
+    values.sort_by_key(|(coordinate, _)| *coordinate);
     table(
         values
             .into_iter()
-            .map(|(axis, value)| (axis.name(), Some(value))),
+            .map(|(coordinate, value)| (coordinate.name(), Some(value))),
     )
 }
 

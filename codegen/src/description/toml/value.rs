@@ -1,7 +1,7 @@
 //! Values of our own format: numbers, vectors, rotations, coordinates, and what is given for each coordinate.
 
 use crate::description::toml_reader::{Item, Reader, Table, list, span};
-use crate::description::{Axis, Given, Optional, PerCoordinate, Rotation, Scalar};
+use crate::description::{CoordinateName, Given, Optional, PerCoordinate, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
 
 /// How far the rows of a rotation matrix may be from unit length and from right angles.
@@ -162,33 +162,35 @@ fn rounded(number: f64) -> String {
 }
 
 /// A coordinate by its name; `beside` are the other keys that could stand there.
-pub(super) fn axis(
+pub(super) fn coordinate(
     reader: &mut Reader,
     name: &str,
     span: Span,
     what: &str,
     beside: &[&str],
-) -> Option<Axis> {
-    let axis = Axis::named(name);
-    if axis.is_none() {
+) -> Option<CoordinateName> {
+    let coordinate = CoordinateName::named(name);
+    if coordinate.is_none() {
         let fault = Diagnostic::error(format!(
             "{what} names `{}`, which is no coordinate",
             name.escape_debug()
         ));
-        let help = match nearest(name, &Axis::NAMES) {
+        let help = match nearest(name, &CoordinateName::NAMES) {
             Some(near) => format!("did you mean `{near}`?"),
-            None if beside.is_empty() => format!("the coordinates are {}", list(&Axis::NAMES)),
+            None if beside.is_empty() => {
+                format!("the coordinates are {}", list(&CoordinateName::NAMES))
+            }
             None => format!(
                 "the keys are {} for all coordinates, or the coordinates {}",
                 list(beside),
-                list(&Axis::NAMES)
+                list(&CoordinateName::NAMES)
             ),
         };
         reader
             .faults
             .push(fault.at(span, "unknown coordinate").help(help));
     }
-    axis
+    coordinate
 }
 
 /// One value for every free coordinate, or a table of values by coordinate; `keys` are those of one value that is itself
@@ -218,14 +220,15 @@ pub(super) fn per_coordinate<T>(
             };
             let mut each = Vec::new();
             for (name, item) in table.entries() {
-                let axis = axis(reader, name.value, name.span, &what, keys);
+                let coordinate = coordinate(reader, name.value, name.span, &what, keys);
                 let value = one(reader, item, &table.what(name.value));
                 each.extend(
-                    axis.zip(value)
-                        .map(|(axis, value)| (Spanned::new(axis, name.span), value)),
+                    coordinate
+                        .zip(value)
+                        .map(|(coordinate, value)| (Spanned::new(coordinate, name.span), value)),
                 );
             }
-            each.sort_by_key(|(axis, _)| axis.value);
+            each.sort_by_key(|(coordinate, _)| coordinate.value);
             PerCoordinate::Each(each)
         }
         _ => one(reader, item, &what).map_or(PerCoordinate::Absent, PerCoordinate::Same),
@@ -237,7 +240,7 @@ fn is_by_coordinate(names: &[&str], keys: &[&str]) -> bool {
     if names == ["runtime"] {
         return false;
     }
-    let names_axis = |name: &&str| Axis::named(name).is_some();
+    let names_coordinate = |name: &&str| CoordinateName::named(name).is_some();
     let is_near_key = |name: &&str| nearest(name, keys).is_some();
-    names.iter().any(names_axis) || !names.iter().any(is_near_key)
+    names.iter().any(names_coordinate) || !names.iter().any(is_near_key)
 }

@@ -173,8 +173,9 @@ impl Writer {
         }
         if !joint.locked.is_empty() {
             let locked = joint.locked.iter();
-            let locked =
-                locked.map(|(axis, value)| Some((axis.value, number(value.as_ref()?.value)?)));
+            let locked = locked.map(|(coordinate, value)| {
+                Some((coordinate.value, number(value.as_ref()?.value)?))
+            });
             self.line("locked", by_coordinate(locked));
         }
         if let Some(chart) = joint.chart {
@@ -205,7 +206,9 @@ impl Writer {
             PerCoordinate::Same(value) => one(&value.value),
             PerCoordinate::Each(values) => {
                 let values = values.iter();
-                by_coordinate(values.map(|(axis, value)| Some((axis.value, one(&value.value)?))))
+                by_coordinate(
+                    values.map(|(coordinate, value)| Some((coordinate.value, one(&value.value)?))),
+                )
             }
         };
         // A table that holds nothing says nothing.

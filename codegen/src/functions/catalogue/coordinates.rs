@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive,
-    function::{Function, Output},
+    function::{Function, Output, PLAIN},
     shape::Shape,
 };
 
@@ -13,14 +13,12 @@ pub(super) const ANGLE_RATES: Function = Function {
     trait_name: Some("AngleRates"),
     arguments: &[Argument::Q, Argument::RelativeAngularVelocity],
     outputs: &[Output::new("rates", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Rates of the three angles from the relative angular velocities `w_rel` (body components, rad/s), Eq. (9): rad/s.",
         "For bodies whose three angles are free, zero for the others; not finite where `cos(theta_2) = 0`.",
     ],
     candidates: &[Candidate::plain(derive::angle_rates)],
+    ..PLAIN
 };
 
 pub(super) const Q_DOT: Function = Function {
@@ -29,12 +27,11 @@ pub(super) const Q_DOT: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("q_dot", Shape::COORDINATES)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &[
         "Rates of the coordinates: speeds that are rates, Eq. (44); from angular velocities those of angles, Eq. (9), or half of Hamilton's product `e (0, w)`.",
     ],
     candidates: &[Candidate::plain(derive::q_dot)],
+    ..PLAIN
 };
 
 pub(super) const NORMALIZE: Function = Function {
@@ -42,14 +39,12 @@ pub(super) const NORMALIZE: Function = Function {
     trait_name: None,
     arguments: &[Argument::Q],
     outputs: &[Output::new("normalized", Shape::COORDINATES)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "The coordinates with every quaternion `e` brought back to length 1 by `e (3 - e.e)/2`, twice: for integrators, whose steps leave it slightly.",
         "A length that is off by d comes out off by about 3.4 d^4. All other coordinates are copied.",
     ],
     candidates: &[Candidate::plain(derive::normalize)],
+    ..PLAIN
 };
 
 pub(super) const SINGULARITY: Function = Function {
@@ -57,11 +52,9 @@ pub(super) const SINGULARITY: Function = Function {
     trait_name: Some("Singularity"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("distances", Shape::BODY_SCALARS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Distance of each body's angles from the singularity of their chart: `|cos(theta_2)|` where `theta_1` and `theta_3` are both free, 1 elsewhere.",
     ],
     candidates: &[Candidate::plain(derive::singularity)],
+    ..PLAIN
 };

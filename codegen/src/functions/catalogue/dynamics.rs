@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive,
-    function::{Function, Output},
+    function::{Function, Output, PLAIN},
     shape::Shape,
     terms,
 };
@@ -14,9 +14,6 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
     trait_name: Some("GeneralizedForces"),
     arguments: &[Argument::Q, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Generalized forces of the loads, Eq. (36): `tau`, without gravity; N m for an angle's speed, N for a translation's.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
@@ -25,6 +22,7 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         Candidate::plain(derive::generalized_forces).with_terms(terms::of_vector),
         Candidate::planned(derive::generalized_forces_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const MASS_MATRIX: Function = Function {
@@ -33,8 +31,6 @@ pub(super) const MASS_MATRIX: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("m", Shape::SPEED_MATRIX)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &[
         "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
     ],
@@ -42,16 +38,14 @@ pub(super) const MASS_MATRIX: Function = Function {
         Candidate::plain(derive::mass_matrix).with_terms(terms::of_matrix),
         Candidate::planned(derive::mass_matrix_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const MASS_MATRIX_PACKED: Function = Function {
     name: "mass_matrix_packed",
     trait_name: Some("MassMatrixPacked"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("entries", Shape::SPEED_PAIRS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
+    outputs: &[Output::new("entries", Shape::MASS_MATRIX_PACKED)],
     doc: &[
         "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
         "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
@@ -60,6 +54,7 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
         Candidate::plain(derive::mass_matrix_packed).with_terms(terms::of_matrix),
         Candidate::planned(derive::mass_matrix_packed_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const FORCING: Function = Function {
@@ -67,9 +62,6 @@ pub(super) const FORCING: Function = Function {
     trait_name: Some("Forcing"),
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
     outputs: &[Output::new("f", Shape::SPEEDS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],
@@ -77,6 +69,7 @@ pub(super) const FORCING: Function = Function {
         Candidate::plain(derive::forcing).with_terms(terms::of_vector),
         Candidate::planned(derive::forcing_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const BIAS: Function = Function {
@@ -85,8 +78,6 @@ pub(super) const BIAS: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("bias", Shape::SPEEDS)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &[
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
@@ -95,6 +86,7 @@ pub(super) const BIAS: Function = Function {
         Candidate::plain(derive::bias).with_terms(terms::of_vector),
         Candidate::planned(derive::bias_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const GRAVITY_FORCES: Function = Function {
@@ -102,9 +94,6 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
@@ -113,6 +102,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         Candidate::plain(derive::gravity_forces),
         Candidate::planned(derive::gravity_forces_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const INVERSE_DYNAMICS: Function = Function {
@@ -121,8 +111,6 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
@@ -131,6 +119,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
         Candidate::plain(derive::inverse_dynamics).with_terms(terms::of_vector),
         Candidate::planned(derive::inverse_dynamics_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const FORWARD_DYNAMICS: Function = Function {
@@ -140,7 +129,6 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
     solves: true,
-    has_local: false,
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
@@ -149,6 +137,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
         Candidate::plain(derive::forward_dynamics).with_terms(terms::of_matrix),
         Candidate::planned(derive::forward_dynamics_recursive),
     ],
+    ..PLAIN
 };
 
 pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
@@ -156,9 +145,6 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     trait_name: Some("ForwardDynamicsPivots"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("pivots", Shape::SPEEDS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],
@@ -166,4 +152,5 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
         Candidate::plain(derive::pivots).with_terms(terms::of_matrix),
         Candidate::planned(derive::pivots_recursive),
     ],
+    ..PLAIN
 };

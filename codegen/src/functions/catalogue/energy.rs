@@ -1,10 +1,10 @@
-//! Energies and momenta of the whole system.
+//! Energies and momenta of the whole system, and energies by body.
 
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
-    function::{Function, Output},
+    derive, derive_energy,
+    function::{Function, Output, PLAIN},
     shape::Shape,
 };
 
@@ -14,10 +14,9 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("energy", Shape::SCALAR)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &["Kinetic energy in the inertial frame, J."],
     candidates: &[Candidate::plain(derive::kinetic_energy)],
+    ..PLAIN
 };
 
 pub(super) const POTENTIAL_ENERGY: Function = Function {
@@ -26,10 +25,9 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("energy", Shape::SCALAR)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &["Potential energy of weight, J: zero for a mass at the inertial origin."],
     candidates: &[Candidate::plain(derive::potential_energy)],
+    ..PLAIN
 };
 
 pub(super) const LINEAR_MOMENTUM: Function = Function {
@@ -37,11 +35,9 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
     trait_name: Some("LinearMomentum"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("momentum", Shape::VECTOR)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &["Linear momentum of all bodies: inertial components, kg m/s."],
     candidates: &[Candidate::plain(derive::linear_momentum)],
+    ..PLAIN
 };
 
 pub(super) const ANGULAR_MOMENTUM: Function = Function {
@@ -49,11 +45,40 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     trait_name: Some("AngularMomentum"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("momentum", Shape::VECTOR)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Angular momentum of all bodies about the inertial origin: inertial components, kg m^2/s.",
     ],
     candidates: &[Candidate::plain(derive::angular_momentum)],
+    ..PLAIN
+};
+
+pub(super) const KINETIC_ENERGIES: Function = Function {
+    name: "kinetic_energies",
+    trait_name: Some("KineticEnergies"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: &[Output::new("energies", Shape::BODY_SCALARS)],
+    doc: &[
+        "Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, J: `kinetic_energy` by bodies.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_energy::kinetic_energies),
+        Candidate::planned(derive_energy::kinetic_energies_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const POTENTIAL_ENERGIES: Function = Function {
+    name: "potential_energies",
+    trait_name: Some("PotentialEnergies"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("energies", Shape::BODY_SCALARS)],
+    doc: &[
+        "Potential energy of each body, with that of the springs of its joint, J: `potential_energy` by bodies. That of weight is zero for a",
+        "mass at the inertial origin, that of a spring at rest.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_energy::potential_energies),
+        Candidate::planned(derive_energy::potential_energies_recursive),
+    ],
+    ..PLAIN
 };

@@ -1,14 +1,31 @@
-//! Where frames are and how they move.
+//! Where frames are, how they move, and what moves them.
 
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive_frame,
-    function::{FrameFunction, Output},
+    function::{Function, Of, Output, PLAIN},
     shape::Shape,
+    subject::View,
 };
 
-pub(super) const POSE: FrameFunction = FrameFunction {
+const ANY_VIEW: Of = Of::Frame(&[View::Inertial, View::Local, View::Other]);
+const OWN_VIEWS: Of = Of::Frame(&[View::Inertial, View::Local]);
+
+/// A vector of the origin, then an angular one.
+const MOTION: &[Output] = &[
+    Output::new("linear", Shape::VECTOR),
+    Output::new("angular", Shape::VECTOR),
+];
+
+/// The same for every speed.
+const COLUMNS: &[Output] = &[
+    Output::new("linear", Shape::VECTOR_BY_SPEEDS),
+    Output::new("angular", Shape::VECTOR_BY_SPEEDS),
+];
+
+pub(super) const POSE: Function = Function {
+    of: Of::Frame(&[View::Inertial, View::Other]),
     name: "pose",
     trait_name: Some("Pose"),
     arguments: &[Argument::Q],
@@ -16,37 +33,143 @@ pub(super) const POSE: FrameFunction = FrameFunction {
         Output::new("rotation", Shape::MATRIX),
         Output::new("position", Shape::VECTOR),
     ],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
-        "Pose of the frame {frame}: the matrix from inertial components to components along the frame's axes, by rows,",
-        "and the position of its origin from the inertial origin, inertial components, m. Also known as frame placement, forward kinematics.",
-        "The transposed matrix maps the frame's components to inertial ones.",
+        "Pose of the frame {frame}{from}: the matrix from {base} components to components along the frame's axes, by rows,",
+        "and the position of its origin from {origin}, {base} components, m. Also known as frame placement, forward kinematics.",
+        "The transposed matrix maps the frame's components to {base} ones.",
     ],
-    candidates: &[
-        Candidate::plain_of_frame(derive_frame::pose),
-        Candidate::planned_of_frame(derive_frame::pose_recursive),
-    ],
+    candidates: &Candidate::of_frame(derive_frame::pose),
+    ..PLAIN
 };
 
-pub(super) const VELOCITY: FrameFunction = FrameFunction {
+pub(super) const VELOCITY: Function = Function {
+    of: OWN_VIEWS,
     name: "velocity",
     trait_name: Some("Velocity"),
     arguments: &[Argument::Q, Argument::U],
-    outputs: &[
-        Output::new("linear", Shape::VECTOR),
-        Output::new("angular", Shape::VECTOR),
-    ],
-    is_default: false,
-    solves: false,
-    has_local: true,
+    outputs: MOTION,
     doc: &[
         "Velocity of the frame {frame} in the inertial frame: of its origin, m/s, and its angular velocity, rad/s; {axes}.",
         "Also known as frame velocity, spatial velocity at the frame's origin, twist.",
     ],
-    candidates: &[
-        Candidate::plain_of_frame(derive_frame::velocity),
-        Candidate::planned_of_frame(derive_frame::velocity_recursive),
+    candidates: &Candidate::of_frame(derive_frame::velocity),
+    ..PLAIN
+};
+
+pub(super) const ACCELERATION: Function = Function {
+    of: OWN_VIEWS,
+    name: "acceleration",
+    trait_name: Some("Acceleration"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: MOTION,
+    doc: &[
+        "Acceleration of the frame {frame} in the inertial frame: of its origin, m/s^2, and its angular acceleration, rad/s^2; {axes}.",
+        "It is the rate of the velocity of the origin itself, without gravity. Also known as classical acceleration.",
     ],
+    candidates: &Candidate::of_frame(derive_frame::acceleration),
+    ..PLAIN
+};
+
+pub(super) const JACOBIAN: Function = Function {
+    of: ANY_VIEW,
+    name: "jacobian",
+    trait_name: Some("Jacobian"),
+    arguments: &[Argument::Q],
+    outputs: COLUMNS,
+    doc: &[
+        "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
+        "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::jacobian),
+    ..PLAIN
+};
+
+pub(super) const JACOBIAN_PACKED: Function = Function {
+    of: ANY_VIEW,
+    name: "jacobian_packed",
+    trait_name: Some("JacobianPacked"),
+    arguments: &[Argument::Q],
+    outputs: &[
+        Output::new("linear", Shape::VECTOR_BY_FRAME_SPEEDS),
+        Output::new("angular", Shape::VECTOR_BY_FRAME_SPEEDS),
+    ],
+    doc: &[
+        "The columns of the Jacobian of the frame {frame} {seen}, of the speeds that move it alone: {speeds} says which.",
+        "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::jacobian_packed),
+    ..PLAIN
+};
+
+pub(super) const POINT_JACOBIAN: Function = Function {
+    of: ANY_VIEW,
+    name: "point_jacobian",
+    trait_name: Some("PointJacobian"),
+    arguments: &[Argument::Q, Argument::Point],
+    outputs: COLUMNS,
+    doc: &[
+        "Jacobian of a point fixed in the frame {frame}, {seen}: times `u` the velocity of the point, m/s, and the angular velocity of the frame, rad/s.",
+        "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::point_jacobian),
+    ..PLAIN
+};
+
+pub(super) const JACOBIAN_DOT_U: Function = Function {
+    of: OWN_VIEWS,
+    name: "jacobian_dot_u",
+    trait_name: Some("JacobianDotU"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: MOTION,
+    doc: &[
+        "The rate of the Jacobian of the frame {frame} times `u`: the acceleration that the frame has in the inertial frame for `u_dot = 0`,",
+        "of its origin, m/s^2, and angular, rad/s^2; {axes}. Also known as drift, bias acceleration, `J_dot q_dot`.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::jacobian_dot_u),
+    ..PLAIN
+};
+
+pub(super) const GENERALIZED_FORCE: Function = Function {
+    of: OWN_VIEWS,
+    name: "generalized_force",
+    trait_name: Some("GeneralizedForce"),
+    arguments: &[Argument::Q, Argument::Force, Argument::Moment],
+    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    doc: &[
+        "Generalized forces of a wrench on the frame {frame}, its force at the frame's origin: `tau`, the transposed Jacobian times the wrench.",
+        "The wrench is given by {axes}; N m for an angle's speed, N for a translation's. Also known as `J^T F`.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::generalized_force),
+    ..PLAIN
+};
+
+pub(super) const OPERATIONAL_INVERSE_INERTIA: Function = Function {
+    of: Of::Frames(&[View::Inertial, View::Local]),
+    name: "operational_inverse_inertia",
+    trait_name: Some("OperationalInverseInertia"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("inverse_inertia", Shape::FRAME_MATRIX)],
+    doc: &[
+        "`J M^-1 J^T` of the Jacobian of {frame}: what a unit wrench accelerates; symmetric, six rows a frame, the linear ones first; {axes}.",
+        "1/kg, 1/(kg m), 1/(kg m^2). Also known as inverse operational-space inertia, task-space mobility, Delassus matrix of several contacts.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::operational_inverse_inertia),
+    ..PLAIN
+};
+
+pub(super) const IMU: Function = Function {
+    of: Of::Frame(&[View::Inertial]),
+    name: "imu",
+    trait_name: Some("Imu"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: &[
+        Output::new("specific_force", Shape::VECTOR),
+        Output::new("angular_velocity", Shape::VECTOR),
+    ],
+    doc: &[
+        "What an inertial measurement unit at the frame {frame} reads: the acceleration of its origin less gravity, m/s^2, and its angular velocity, rad/s;",
+        "components along the frame's own axes. At rest the specific force points up. Also known as accelerometer and gyroscope.",
+    ],
+    candidates: &Candidate::of_frame(derive_frame::imu),
+    ..PLAIN
 };

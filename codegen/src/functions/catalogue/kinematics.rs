@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive,
-    function::{Function, Output},
+    function::{Function, Output, PLAIN},
     shape::Shape,
 };
 
@@ -13,13 +13,11 @@ pub(super) const RELATIVE_ROTATION: Function = Function {
     trait_name: Some("RelativeRotation"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("rotations", Shape::BODY_MATRICES)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Relative transformation matrices `JR_K`, Eq. (4): components in the lower body's axes to components in the body's, by rows.",
     ],
     candidates: &[Candidate::plain(derive::relative_rotation)],
+    ..PLAIN
 };
 
 pub(super) const ROTATION: Function = Function {
@@ -28,13 +26,12 @@ pub(super) const ROTATION: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("rotations", Shape::BODY_MATRICES)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &[
         "Transformation matrices `R_K`, Eqs. (2)-(5): inertial components to components in the body's axes, by rows.",
         "The transposed matrix maps body components to inertial ones.",
     ],
     candidates: &[Candidate::plain(derive::rotation)],
+    ..PLAIN
 };
 
 pub(super) const RELATIVE_ANGULAR_VELOCITY: Function = Function {
@@ -42,13 +39,11 @@ pub(super) const RELATIVE_ANGULAR_VELOCITY: Function = Function {
     trait_name: Some("RelativeAngularVelocity"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("w_rel", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Angular velocity of each body relative to its lower body, Eq. (8): body components, rad/s.",
     ],
     candidates: &[Candidate::plain(derive::relative_angular_velocity)],
+    ..PLAIN
 };
 
 pub(super) const ANGULAR_VELOCITY: Function = Function {
@@ -56,13 +51,11 @@ pub(super) const ANGULAR_VELOCITY: Function = Function {
     trait_name: Some("AngularVelocity"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("w", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Angular velocity of each body in the inertial frame, Eq. (11): body components, rad/s.",
     ],
     candidates: &[Candidate::plain(derive::angular_velocity)],
+    ..PLAIN
 };
 
 pub(super) const ANGULAR_ACCELERATION: Function = Function {
@@ -70,13 +63,11 @@ pub(super) const ANGULAR_ACCELERATION: Function = Function {
     trait_name: Some("AngularAcceleration"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("alpha", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Angular acceleration of each body in the inertial frame, below Eq. (19): body components, rad/s^2.",
     ],
     candidates: &[Candidate::plain(derive::angular_acceleration)],
+    ..PLAIN
 };
 
 pub(super) const PARTIAL_ANGULAR_VELOCITY: Function = Function {
@@ -84,14 +75,12 @@ pub(super) const PARTIAL_ANGULAR_VELOCITY: Function = Function {
     trait_name: Some("PartialAngularVelocity"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("columns", Shape::COLUMNS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Partial angular velocities `W_K`, Eqs. (15)-(17): body components, the columns of the non-zero partitions alone.",
         "`PARTIAL_ANGULAR_VELOCITY_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(derive::partial_angular_velocity)],
+    ..PLAIN
 };
 
 pub(super) const PARTIAL_ANGULAR_VELOCITY_DOT: Function = Function {
@@ -99,14 +88,12 @@ pub(super) const PARTIAL_ANGULAR_VELOCITY_DOT: Function = Function {
     trait_name: Some("PartialAngularVelocityDot"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("columns", Shape::COLUMNS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Time derivatives of the partial angular velocities, Eq. (20): of the body components, 1/s, compact.",
         "`PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(derive::partial_angular_velocity_dot)],
+    ..PLAIN
 };
 
 pub(super) const ORIGIN_POSITION: Function = Function {
@@ -114,13 +101,11 @@ pub(super) const ORIGIN_POSITION: Function = Function {
     trait_name: Some("OriginPosition"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("positions", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Position of each body's origin `O_K` from the inertial origin, Eq. (22): body components, m.",
     ],
     candidates: &[Candidate::plain(derive::origin_position)],
+    ..PLAIN
 };
 
 pub(super) const MASS_CENTER_POSITION: Function = Function {
@@ -129,12 +114,11 @@ pub(super) const MASS_CENTER_POSITION: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("positions", Shape::BODY_VECTORS)],
     is_default: true,
-    solves: false,
-    has_local: false,
     doc: &[
         "Position of each body's mass centre `G_K` from the inertial origin, Eq. (23): body components, m.",
     ],
     candidates: &[Candidate::plain(derive::mass_center_position)],
+    ..PLAIN
 };
 
 pub(super) const ORIGIN_VELOCITY: Function = Function {
@@ -142,13 +126,11 @@ pub(super) const ORIGIN_VELOCITY: Function = Function {
     trait_name: Some("OriginVelocity"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("velocities", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Velocity of each body's origin in the inertial frame, Eq. (25): lower-body components, m/s.",
     ],
     candidates: &[Candidate::plain(derive::origin_velocity)],
+    ..PLAIN
 };
 
 pub(super) const MASS_CENTER_VELOCITY: Function = Function {
@@ -156,13 +138,11 @@ pub(super) const MASS_CENTER_VELOCITY: Function = Function {
     trait_name: Some("MassCenterVelocity"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("velocities", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Velocity of each body's mass centre in the inertial frame, Eq. (27): body components, m/s.",
     ],
     candidates: &[Candidate::plain(derive::mass_center_velocity)],
+    ..PLAIN
 };
 
 pub(super) const PARTIAL_VELOCITY_ORIGIN: Function = Function {
@@ -170,14 +150,12 @@ pub(super) const PARTIAL_VELOCITY_ORIGIN: Function = Function {
     trait_name: Some("PartialVelocityOrigin"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("columns", Shape::COLUMNS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Partial velocities of the origins `V_O_K`, Eqs. (28)-(30): lower-body components, compact; m for an angle's speed, 1 for a translation's.",
         "`PARTIAL_VELOCITY_ORIGIN_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(derive::partial_velocity_origin)],
+    ..PLAIN
 };
 
 pub(super) const PARTIAL_VELOCITY_ORIGIN_DOT: Function = Function {
@@ -185,14 +163,12 @@ pub(super) const PARTIAL_VELOCITY_ORIGIN_DOT: Function = Function {
     trait_name: Some("PartialVelocityOriginDot"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("columns", Shape::COLUMNS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Time derivatives of the partial velocities of the origins, Eq. (34): of the lower-body components, compact.",
         "`PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(derive::partial_velocity_origin_dot)],
+    ..PLAIN
 };
 
 pub(super) const PARTIAL_VELOCITY: Function = Function {
@@ -200,14 +176,12 @@ pub(super) const PARTIAL_VELOCITY: Function = Function {
     trait_name: Some("PartialVelocity"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("columns", Shape::COLUMNS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Partial velocities of the mass centres `V_G_K`, Eq. (32): body components, compact; m for an angle's speed, 1 for a translation's.",
         "`PARTIAL_VELOCITY_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(derive::partial_velocity)],
+    ..PLAIN
 };
 
 pub(super) const PARTIAL_VELOCITY_DOT: Function = Function {
@@ -215,14 +189,12 @@ pub(super) const PARTIAL_VELOCITY_DOT: Function = Function {
     trait_name: Some("PartialVelocityDot"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("columns", Shape::COLUMNS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Time derivatives of the partial velocities of the mass centres, Eq. (33): of the body components, compact.",
         "`PARTIAL_VELOCITY_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(derive::partial_velocity_dot)],
+    ..PLAIN
 };
 
 pub(super) const MASS_CENTER_ACCELERATION: Function = Function {
@@ -230,11 +202,9 @@ pub(super) const MASS_CENTER_ACCELERATION: Function = Function {
     trait_name: Some("MassCenterAcceleration"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("accelerations", Shape::BODY_VECTORS)],
-    is_default: false,
-    solves: false,
-    has_local: false,
     doc: &[
         "Acceleration of each body's mass centre in the inertial frame, before Eq. (33): body components, m/s^2; gravity is no part of it.",
     ],
     candidates: &[Candidate::plain(derive::mass_center_acceleration)],
+    ..PLAIN
 };

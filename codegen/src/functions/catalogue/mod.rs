@@ -1,15 +1,19 @@
 //! The functions, in the order in which a module holds them.
 
+mod center;
 mod coordinates;
 mod dynamics;
 mod energy;
 mod frames;
 mod kinematics;
+mod loaded;
+mod matrices;
+mod regressor;
 
-use super::function::{FrameFunction, Function};
+use super::function::Function;
 
 /// Every function of the whole system that a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 33] = [
+pub static CATALOGUE: [Function; 52] = [
     kinematics::RELATIVE_ROTATION,
     kinematics::ROTATION,
     kinematics::RELATIVE_ANGULAR_VELOCITY,
@@ -43,21 +47,45 @@ pub static CATALOGUE: [Function; 33] = [
     energy::POTENTIAL_ENERGY,
     energy::LINEAR_MOMENTUM,
     energy::ANGULAR_MOMENTUM,
+    matrices::MASS_MATRIX_PRODUCT,
+    matrices::MASS_MATRIX_SOLVE,
+    matrices::MASS_MATRIX_INVERSE,
+    matrices::MASS_MATRIX_INVERSE_PACKED,
+    matrices::MASS_MATRIX_FACTORS,
+    matrices::CORIOLIS_MATRIX,
+    matrices::MASS_MATRIX_DOT,
+    loaded::LOADED_INVERSE_DYNAMICS,
+    loaded::LOADED_FORWARD_DYNAMICS,
+    energy::KINETIC_ENERGIES,
+    energy::POTENTIAL_ENERGIES,
+    loaded::JOINT_WRENCHES,
+    center::CENTER_OF_MASS,
+    center::CENTER_OF_MASS_VELOCITY,
+    center::CENTER_OF_MASS_JACOBIAN,
+    center::CENTROIDAL_MOMENTUM_MATRIX,
+    center::CENTROIDAL_MOMENTUM_MATRIX_DOT_U,
+    regressor::REGRESSOR,
+    regressor::JOINT_REGRESSOR,
 ];
 
 /// Every function of a frame, in the order in which a module holds them.
-pub static OF_FRAMES: [FrameFunction; 2] = [frames::POSE, frames::VELOCITY];
+pub static OF_FRAMES: [Function; 10] = [
+    frames::POSE,
+    frames::VELOCITY,
+    frames::ACCELERATION,
+    frames::JACOBIAN,
+    frames::JACOBIAN_PACKED,
+    frames::POINT_JACOBIAN,
+    frames::JACOBIAN_DOT_U,
+    frames::GENERALIZED_FORCE,
+    frames::IMU,
+    frames::OPERATIONAL_INVERSE_INERTIA,
+];
 
 impl Function {
-    /// The function of the catalogue with this name.
+    /// The function with this name.
     pub fn find(name: &str) -> Option<&'static Self> {
-        CATALOGUE.iter().find(|function| function.name == name)
-    }
-}
-
-impl FrameFunction {
-    /// The function of a frame with this name.
-    pub fn of_frame(name: &str) -> Option<&'static Self> {
-        OF_FRAMES.iter().find(|function| function.name == name)
+        let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
+        functions.find(|function| function.name == name)
     }
 }

@@ -2,9 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use super::rules::{RULES, SCALARS};
+use super::{
+    data,
+    rules::{RULES, SCALARS},
+    text::{once, table},
+};
 use crate::{
-    functions::{Access, Block, Declared, Element, Length, PACKED_LEN, PACKED_PLACES, Signature},
+    functions::{Access, Block, Declared, ELIMINATION, Element, Length, Signature},
     listing::{Facts, Module, Size, nominal},
 };
 
@@ -12,8 +16,9 @@ use crate::{
 pub(crate) fn text(module: &Module, name: &str) -> String {
     let facts = &module.facts;
     let empty = facts.sizes.0.iter().filter(|size| {
-        let mut patterns = facts.patterns.iter();
-        size.value == 0 && patterns.any(|pattern| pattern.columns == size.name)
+        let patterns = facts.patterns.iter().map(|pattern| &pattern.columns);
+        let mut own = patterns.chain(facts.frame_speeds.iter().map(|frame| &frame.length));
+        size.value == 0 && own.any(|length| *length == size.name)
     });
     let header = Header {
         facts,
@@ -26,10 +31,12 @@ pub(crate) fn text(module: &Module, name: &str) -> String {
     let mut sections = vec![
         header.opening(),
         format!("#ifndef {guard}\n#define {guard}\n"),
-        "#ifdef __cplusplus\nextern \"C\" {\n#endif\n".to_owned(),
-        header.sizes(),
     ];
+    sections.extend(data::include(facts));
+    sections.push("#ifdef __cplusplus\nextern \"C\" {\n#endif\n".to_owned());
+    sections.push(header.sizes());
     sections.extend(header.places());
+    sections.extend(data::tables(&module.facts, &header.prefix));
     sections.extend(header.tables());
     let mut arguments = signatures.iter().flat_map(|one| &one.arguments);
     if arguments.any(|one| one.element == Element::Load) {
@@ -116,12 +123,30 @@ impl Header<'_> {
     fn tables(&self) -> Vec<String> {
         let prefix = &self.prefix;
         let mut tables = Vec::new();
-        if let Some(places) = &self.facts.packed {
+        for (packed, places) in &self.facts.packed {
             let places = places.iter().map(|place| list(place));
-            let doc = "The row and column of each entry of a packed mass matrix; those above the diagonal are the same.";
-            let declared = format!("int {prefix}{PACKED_PLACES}[{prefix}{PACKED_LEN}][2]");
-            tables.push(table(doc, &declared, places));
+            let (constant, length) = (packed.places_constant(), packed.length_constant());
+            let declared = format!("int {prefix}{constant}[{prefix}{length}][2]");
+            tables.push(table(packed.meaning(), &declared, places));
         }
+        if let Some(order) = &self.facts.elimination {
+            let doc = "The speeds in the order of their elimination.";
+            let declared = format!("int {prefix}{ELIMINATION}[{prefix}NU]");
+            let speeds = order.iter().map(ToString::to_string);
+            tables.push(table(doc, &declared, speeds));
+        }
+        let frames = self.facts.frame_speeds.iter();
+        let frames = frames.filter(|frame| !frame.speeds.is_empty());
+        tables.extend(frames.map(|frame| {
+            let speeds = frame.speeds.iter().map(usize::to_string);
+            let (constant, length) = (&frame.constant, &frame.length);
+            let declared = format!("int {prefix}{constant}[{prefix}{length}]");
+            table(
+                &frame.doc.replace("`SPEED_NAMES`", "`u`"),
+                &declared,
+                speeds,
+            )
+        }));
         let patterns = self.facts.patterns.iter();
         let patterns = patterns.filter(|pattern| !pattern.entries.is_empty());
         let blocks = patterns.map(|pattern| {
@@ -219,7 +244,7 @@ impl Header<'_> {
     /// The number of elements; none for one, and for an array that is empty, which C does not know.
     fn lengths(&self, argument: &Declared) -> Option<String> {
         let lengths = argument.lengths.iter().map(|length| match length {
-            Length::Three => Some("3".to_owned()),
+            Length::Number(number) => Some(number.to_string()),
             Length::Constant(name) => {
                 (!self.empty.contains(name.as_str())).then(|| format!("{}{name}", self.prefix))
             }
@@ -261,11 +286,6 @@ fn loads() -> String {
     structures.join("\n")
 }
 
-/// What several headers declare, and a program that includes them once.
-fn once(guard: &str, text: &str) -> String {
-    format!("#ifndef {guard}\n#define {guard}\n{text}#endif\n")
-}
-
 /// A structure of scalars, each with its documentation. One without fields gets one, for C knows none such.
 fn structure(name: &str, doc: &str, fields: &[(String, String)], scalar: &str) -> String {
     let scalar = c_name(scalar);
@@ -275,13 +295,6 @@ fn structure(name: &str, doc: &str, fields: &[(String, String)], scalar: &str) -
         fields => fields.iter().map(field).collect(),
     };
     format!("/// {doc}\ntypedef struct {name} {{\n{fields}}} {name};\n")
-}
-
-/// A constant table, an entry a line.
-fn table(doc: &str, declared: &str, entries: impl Iterator<Item = String>) -> String {
-    let entries: Vec<String> = entries.map(|entry| format!("    {entry}")).collect();
-    let entries = entries.join(",\n");
-    format!("/// {doc}\nstatic const {declared} = {{\n{entries}\n}};\n")
 }
 
 fn block(block: &Block) -> String {

@@ -2,7 +2,9 @@
 //!
 //! In: a listing, and the name of the module. Out: the text of a header for C99 and C++. Does not: define a function.
 
+mod data;
 mod header;
 pub(super) mod rules;
+mod text;
 
 pub(crate) use header::text as header;

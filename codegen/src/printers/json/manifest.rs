@@ -4,6 +4,7 @@
 
 use super::syntax::{list, object, string, strings};
 use crate::{
+    functions::{N_BODIES, N_COORDINATES, N_SPEEDS},
     generate::OUTPUT_FORMAT,
     listing::{Facts, Function, Module},
     program::Operations,
@@ -27,9 +28,9 @@ pub(crate) fn text(module: &Module) -> String {
         ("format", OUTPUT_FORMAT.to_string()),
         ("options", string(&origin.options)),
         ("name", string(&facts.name)),
-        ("NB", facts.bodies.len().to_string()),
-        ("NQ", facts.coordinates.len().to_string()),
-        ("NU", facts.speeds.len().to_string()),
+        (N_BODIES, facts.bodies.len().to_string()),
+        (N_COORDINATES, facts.coordinates.len().to_string()),
+        (N_SPEEDS, facts.speeds.len().to_string()),
         (
             "bodies",
             strings(facts.bodies.iter().map(|body| &body.name)),

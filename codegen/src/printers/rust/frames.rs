@@ -1,4 +1,4 @@
-//! The frames that functions are of: types that stand for them, and the traits of the functions.
+//! The frames that functions are of: types that stand for them.
 
 use std::collections::BTreeMap;
 
@@ -6,21 +6,19 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Item, parse_quote};
 
-use super::{
-    signature,
-    text::{allow_unused, doc, ident},
-};
+use super::text::{allow_unused, doc, ident};
 use crate::{
-    functions::{Axes, FrameFunction, Subject},
-    listing::{Function, Module},
+    functions::{Subject, SubjectFrame, View},
+    listing::Module,
 };
 
 /// A type for each frame, in a module of their own; none where no function is of a frame.
 pub(super) fn types(module: &Module) -> Option<Item> {
     let functions = module.functions.iter();
-    let subjects = functions.filter_map(|function| function.of_frame.as_ref());
+    let subjects = functions.filter_map(|function| function.alone.as_ref()?.subject.as_ref());
     let frames: BTreeMap<&str, &str> = subjects
-        .map(|(_, subject)| (subject.identifier.as_str(), subject.name.as_str()))
+        .flat_map(|subject| &subject.frames)
+        .map(|frame| (frame.identifier.as_str(), frame.name.as_str()))
         .collect();
     if frames.is_empty() {
         return None;
@@ -64,34 +62,19 @@ fn type_name(identifier: &str) -> String {
     name
 }
 
-/// The runtime crate's trait for a function of a frame.
-pub(super) fn trait_impl(
-    function: &Function,
-    of_frame: &FrameFunction,
-    subject: &Subject,
-) -> Option<Item> {
-    let (trait_name, method) = (ident(of_frame.trait_name?), ident(of_frame.name));
-    let own = ident(&function.signature.name);
-    // The first one is `self`.
-    let arguments = function.signature.arguments.iter().skip(1);
-    let names = arguments.clone().map(|argument| ident(&argument.name));
-    let arguments = arguments.map(signature::declared);
-    let frame = frame_type(subject);
-    Some(parse_quote! {
-        impl<R: kane::Real> kane::functions::#trait_name<R, #frame> for Prepared<R> {
-            #[inline]
-            fn #method(&self, #(#arguments),*) {
-                self::#own(self, #(#names),*);
-            }
-        }
-    })
-}
-
-fn frame_type(subject: &Subject) -> TokenStream {
-    let name = ident(&type_name(&subject.identifier));
-    match subject.axes {
-        Axes::Inertial => quote!(frames::#name),
-        Axes::Local => quote!(kane::functions::Local<frames::#name>),
+/// The type that stands for frames, with how they are seen.
+pub(super) fn frame_type(subject: &Subject) -> TokenStream {
+    let name = |frame: &SubjectFrame| {
+        let name = ident(&type_name(&frame.identifier));
+        quote!(frames::#name)
+    };
+    let names = subject.frames.iter().map(name);
+    match (subject.view, names.len()) {
+        (View::Inertial, 1) => quote!(#(#names)*),
+        (View::Inertial, _) => quote!((#(#names),*)),
+        (View::Local, 1) => quote!(kane::functions::Local<#(#names)*>),
+        (View::Local, _) => quote!(kane::functions::Local<(#(#names),*)>),
+        (View::Other, _) => quote!(kane::functions::Seen<#(#names),*>),
     }
 }
 

@@ -1,6 +1,6 @@
 //! One function: documentation, signature, statements, and the trait that holds it.
 
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::{Item, ItemFn, parse_quote};
 
 use super::{
@@ -10,7 +10,7 @@ use super::{
     text::{allow_generated, doc, ident},
 };
 use crate::{
-    functions::{self, Shape},
+    functions::{ELIMINATION, Part, Shape},
     listing::{Facts, Function},
 };
 
@@ -25,12 +25,12 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
         constants::items(&facts.pattern_constants(pattern))
     });
     items.push(item(facts, function));
-    let in_trait = function
-        .alone
-        .and_then(|alone| Some((alone, alone.trait_name?)));
-    items.extend(in_trait.map(|(alone, name)| trait_impl(function, alone, name)));
-    let of_frame = function.of_frame.as_ref();
-    items.extend(of_frame.and_then(|(of, subject)| frames::trait_impl(function, of, subject)));
+    items.extend(
+        function
+            .alone
+            .as_ref()
+            .and_then(|part| trait_impl(function, part)),
+    );
     items
 }
 
@@ -54,41 +54,72 @@ pub(super) fn item(facts: &Facts, function: &Function) -> Item {
     Item::Fn(item)
 }
 
-/// The runtime crate's trait for the function.
-fn trait_impl(function: &Function, alone: &functions::Function, trait_name: &str) -> Item {
-    let (trait_name, method) = (ident(trait_name), ident(alone.name));
+/// The runtime crate's trait for a function of the catalogue.
+fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
+    let alone = part.function;
+    let (trait_name, method) = (ident(alone.trait_name?), ident(alone.name));
+    let own = ident(&function.signature.name);
+    let frame = part.subject.as_ref().map(frames::frame_type).into_iter();
     // The first one is `self`.
     let arguments = function.signature.arguments.iter().skip(1);
     let names = arguments.clone().map(|argument| ident(&argument.name));
-    let output_type = arguments.clone().next_back();
-    let output_type = output_type.map(|output| signature::held(output, "R"));
+    let output = arguments.clone().next_back();
+    let output_type = output.map(|output| signature::held(output, "R"));
     let arguments = arguments.map(signature::declared);
-    let associated = match alone.outputs[0].shape {
+    let shape = alone.outputs[0].shape;
+    let packed = shape.packed().map(|packed| ident(packed.places_constant()));
+    let associated = match shape {
         Shape::SPEED_MATRIX => quote!(type Matrix = #output_type;),
-        Shape::SPEED_PAIRS => quote! {
+        Shape::MASS_MATRIX_PACKED | Shape::INVERSE_PACKED => quote! {
             type Entries = #output_type;
-            const PLACES: &'static [[usize; 2]] = MASS_MATRIX_PACKED_PLACES;
+            const PLACES: &'static [[usize; 2]] = #packed;
+        },
+        Shape::FACTORS => {
+            let order = ident(ELIMINATION);
+            quote! {
+                type Entries = #output_type;
+                const PLACES: &'static [[usize; 2]] = #packed;
+                const ORDER: &'static [usize] = &#order;
+            }
+        }
+        Shape::SPEED_VECTORS => quote!(type Terms = #output_type;),
+        Shape::BODY_PARAMETERS => quote! {
+            type Row = [[R; 10]; NB];
+            type Matrix = #output_type;
         },
         Shape::COLUMNS => {
-            let columns = ident(&format!(
-                "{}Columns",
-                alone.trait_name.expect("compact functions have traits")
-            ));
+            let columns = format_ident!("{trait_name}Columns");
             let blocks = ident(&alone.blocks_constant());
             quote! {
                 type #columns = #output_type;
                 const #blocks: &'static [kane::Block] = &#blocks;
             }
         }
+        Shape::VECTOR_BY_FRAME_SPEEDS => {
+            let row = match output {
+                Some(output) => signature::held(&output.row(), "R"),
+                None => quote!(),
+            };
+            quote!(type Columns = #row;)
+        }
+        Shape::FRAME_MATRIX => {
+            let row = output.map(|output| signature::held(&output.row(), "R"));
+            quote!(type Row = #row; type Matrix = #output_type;)
+        }
         _ => quote!(),
     };
-    parse_quote! {
-        impl<R: kane::Real> kane::functions::#trait_name<R> for Prepared<R> {
+    let speeds = part.function.has_frame_speeds().then(|| {
+        let speeds = ident(&part.speeds_constant());
+        quote!(const SPEEDS: &'static [usize] = &#speeds;)
+    });
+    Some(parse_quote! {
+        impl<R: kane::Real> kane::functions::#trait_name<R #(, #frame)*> for Prepared<R> {
             #associated
+            #speeds
             #[inline]
             fn #method(&self, #(#arguments),*) {
-                self::#method(self, #(#names),*);
+                self::#own(self, #(#names),*);
             }
         }
-    }
+    })
 }

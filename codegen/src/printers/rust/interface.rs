@@ -38,7 +38,7 @@ fn imports(signatures: &[&Signature], name: &str) -> Item {
     let arguments = signatures.iter().flat_map(|one| &one.arguments);
     let named = arguments.flat_map(|argument| {
         let constants = argument.lengths.iter().filter_map(|length| match length {
-            Length::Three => None,
+            Length::Number(_) => None,
             Length::Constant(name) => Some(name.as_str()),
         });
         let element = match argument.element {

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use syn::{Expr, Item, parse_quote};
 
 use super::{
-    syntax,
+    signature, syntax,
     text::{banner, ident, printed},
 };
 use crate::{
@@ -33,8 +33,14 @@ pub(crate) fn self_tests(module: &Module, samples: &[Sample], functions: &[Sampl
 fn states(module: &Module, samples: &[Sample]) -> Vec<Item> {
     let count = syntax::integer(samples.len());
     let states = samples.iter().map(|sample| {
-        let [q, u, u_dot] = [&sample.q, &sample.u, &sample.u_dot].map(|numbers| array(numbers));
-        quote!(kane::self_test::State { q: #q, u: #u, u_dot: #u_dot })
+        let of_state = Argument::ALL.into_iter();
+        let of_state = of_state.filter(|argument| argument.sampled().is_none());
+        let fields = of_state.map(|argument| {
+            let name = ident(argument.name());
+            let numbers = numbers(&module.facts, argument, sample);
+            quote!(#name: #numbers)
+        });
+        quote!(kane::self_test::State { #(#fields),* })
     });
     let mut items = vec![parse_quote! {
         const STATES: [kane::self_test::State<NQ, NU>; #count] = [#(#states),*];
@@ -44,34 +50,38 @@ fn states(module: &Module, samples: &[Sample]) -> Vec<Item> {
         let mut functions = module.functions.iter();
         functions.any(|function| function.inputs().any(|one| one.name == argument.name()))
     };
-    if is_given(Argument::Tau) {
-        let forces = samples.iter().map(|sample| array(&sample.tau));
-        items.push(parse_quote! {
-            const FORCES: [[f64; NU]; #count] = [#(#forces),*];
-        });
-    }
-    if is_given(Argument::Loads) {
-        let loads = samples.iter().map(|sample| {
-            let loads = sample.loads.chunks(6).map(|load| {
-                let (force, moment) = (array(&load[..3]), array(&load[3..]));
-                quote!(kane::Load { force: #force, moment: #moment })
-            });
-            quote!([#(#loads),*])
-        });
-        items.push(parse_quote! {
-            const LOADS: [[kane::Load<f64>; NB]; #count] = [#(#loads),*];
-        });
-    }
-    if is_given(Argument::RelativeAngularVelocity) {
-        let rates = samples.iter().map(|sample| {
-            let rates = sample.w_rel.chunks(3).map(array);
-            quote!([#(#rates),*])
-        });
-        items.push(parse_quote! {
-            const RELATIVE_ANGULAR_VELOCITIES: [[[f64; 3]; NB]; #count] = [#(#rates),*];
-        });
-    }
+    items.extend(Argument::ALL.into_iter().filter_map(|argument| {
+        let name = ident(argument.sampled().filter(|_| is_given(argument))?);
+        let held = signature::held(&argument.declared(), "f64");
+        let samples = samples.iter();
+        let samples = samples.map(|sample| numbers(&module.facts, argument, sample));
+        Some(parse_quote! {
+            const #name: [#held; #count] = [#(#samples),*];
+        })
+    }));
     items
+}
+
+/// What a sample has for an argument.
+fn numbers(facts: &Facts, argument: Argument, sample: &Sample) -> Expr {
+    let extent = facts.extent(&argument.declared());
+    nested(sample.of(argument), extent.lengths(), argument.element())
+}
+
+/// Nested arrays of these lengths, outermost first.
+fn nested(numbers: &[f64], lengths: &[usize], element: Element) -> Expr {
+    match (lengths, element.vectors()) {
+        (&[length, ref inner @ ..], _) => {
+            let entries = numbers.chunks(numbers.len() / length);
+            syntax::array(entries.map(|entry| nested(entry, inner, element)))
+        }
+        ([], []) => syntax::number(numbers[0]),
+        ([], vectors) => {
+            let (names, vectors) = (vectors.iter().map(|name| ident(name)), numbers.chunks(3));
+            let vectors = vectors.map(|vector| nested(vector, &[3], Element::Scalar));
+            parse_quote!(kane::Load { #(#names: #vectors),* })
+        }
+    }
 }
 
 /// The system in each state: with the parameters of that, if it has any.
@@ -170,24 +180,27 @@ fn values(function: &Function, sampled: &Sampled) -> Item {
 
 /// What a function is given after the system.
 fn arguments(function: &Function) -> Vec<TokenStream> {
-    let argument = |declared: &Declared| {
-        let mut arguments = Argument::ALL.into_iter();
-        let argument = arguments.find(|argument| argument.name() == declared.name);
-        Some(match (declared.element, argument) {
-            (Element::Prepared, _) => return None,
-            (Element::SinCos, _) => quote!(&given),
-            (_, Some(Argument::Q)) => quote!(&STATES[place].q),
-            (_, Some(Argument::U)) => quote!(&STATES[place].u),
-            (_, Some(Argument::UDot)) => quote!(&STATES[place].u_dot),
-            (_, Some(Argument::Tau)) => quote!(&FORCES[place]),
-            (_, Some(Argument::Loads)) => quote!(&LOADS[place]),
-            (_, Some(Argument::RelativeAngularVelocity)) => {
-                quote!(&RELATIVE_ANGULAR_VELOCITIES[place])
-            }
-            (_, None) => unreachable!("self tests: nothing is sampled for `{}`", declared.name),
-        })
+    let argument = |declared: &Declared| match declared.element {
+        Element::Prepared => None,
+        Element::SinCos => Some(quote!(&given)),
+        Element::Scalar | Element::Load | Element::Parameters => {
+            let mut arguments = Argument::ALL.into_iter();
+            let argument = arguments.find(|argument| argument.name() == declared.name);
+            Some(place_of(argument.unwrap_or_else(|| {
+                unreachable!("self tests: nothing is sampled for `{}`", declared.name)
+            })))
+        }
     };
     function.inputs().filter_map(argument).collect()
+}
+
+/// Where an argument's sample stands.
+fn place_of(argument: Argument) -> TokenStream {
+    let Some(constant) = argument.sampled().map(ident) else {
+        let field = ident(argument.name());
+        return quote!(&STATES[place].#field);
+    };
+    quote!(&#constant[place])
 }
 
 /// The tests of what holds for every system, as far as the module has the functions.
@@ -264,10 +277,6 @@ fn linear(parameter: &Parameter) -> Option<Item> {
             })
         }
     })
-}
-
-fn array(numbers: &[f64]) -> Expr {
-    syntax::array(numbers.iter().map(|&number| syntax::number(number)))
 }
 
 /// Numbers with their tolerances, of which one digit is enough: the next larger.

@@ -1,6 +1,6 @@
 //! Arguments as Rust declares them.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::text::ident;
@@ -27,7 +27,10 @@ pub(super) fn held(argument: &Declared, scalar: &str) -> TokenStream {
     };
     let lengths = argument.lengths.iter().rev();
     lengths.fold(element, |held, length| match length {
-        Length::Three => quote!([#held; 3]),
+        Length::Number(number) => {
+            let number = Literal::usize_unsuffixed(*number);
+            quote!([#held; #number])
+        }
         Length::Constant(name) => {
             let name = ident(name);
             quote!([#held; #name])

@@ -3,7 +3,7 @@
 use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta, ext::IdentExt};
 
 use crate::{
-    listing::{Chart, constants, read_nominal},
+    listing::{JointChart, constants, read_nominal},
     rust,
 };
 
@@ -171,8 +171,11 @@ fn kinds(joint: &Expr) -> String {
         _ => None,
     };
     let chart = field(joint, "chart").and_then(name);
-    let chart = chart.and_then(|name| Chart::named(&name));
-    let names = chart.unwrap_or(Chart::Angles).coordinates().into_iter();
+    let chart = chart.and_then(|name| JointChart::named(&name));
+    let names = chart
+        .unwrap_or(JointChart::Angles)
+        .coordinates()
+        .into_iter();
     let places = field(joint, "q").map_or_else(Vec::new, entries);
     let free = names.zip(places).filter(|(_, place)| some(place).is_some());
     let names: Vec<&str> = free.map(|(name, _)| name).collect();

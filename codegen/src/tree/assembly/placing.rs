@@ -6,7 +6,7 @@
 use crate::geometry;
 use crate::geometry::Rotation;
 use crate::tree::assembly::settled::Settled;
-use crate::tree::body::{Part, Pose};
+use crate::tree::body::{Pose, RigidPart};
 use crate::tree::joints::ResolvedJoint;
 use crate::tree::offset::{Offset, Step};
 use crate::tree::rotations::{ConstantRotations, snapped};
@@ -20,7 +20,7 @@ pub(super) struct Placed {
     /// The user's axes and origin.
     pub(super) pose: Pose,
     /// What it is made of.
-    pub(super) part: Part,
+    pub(super) part: RigidPart,
 }
 
 /// Where a joint sits in the body below.
@@ -98,10 +98,10 @@ impl Placing<'_> {
         attachment.join(&shift, false)
     }
 
-    fn part(&self, pose: &Pose) -> Part {
+    fn part(&self, pose: &Pose) -> RigidPart {
         let center = Offset::new(geometry::IDENTITY, self.values.mass_center);
         let center = center.before(&pose.rotation);
-        Part {
+        RigidPart {
             mass: self.values.mass,
             mass_center: pose.origin.clone().join(&center, false),
             inertia: self.values.inertia,

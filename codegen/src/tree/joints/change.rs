@@ -3,33 +3,65 @@
 //! In: joints, and the names of what is to be changed. Out: the joints with these motions held. Does not: know of motions
 //! that follow others; a locked one holds its followers later.
 
-use crate::description::{Axis, Chart, Description, Speeds, WrittenBody};
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{joint_name, shown};
 
-/// Locks and removes what the user wants.
+/// The joints with what the user locks and removes held.
 pub(crate) fn change(
     description: &Description,
-    joints: &mut [ResolvedJoint],
+    joints: Vec<ResolvedJoint>,
     changes: &Changes,
     findings: &mut Vec<Diagnostic>,
-) {
-    let mut locked = Vec::new();
-    for (name, value) in &changes.lock {
-        locked.extend(lock(description, joints, name, *value, findings));
-    }
-    for name in &changes.remove {
-        remove(description, joints, name, &locked, findings);
+) -> Vec<ResolvedJoint> {
+    let locked = locked(description, &joints, &changes.lock, findings);
+    let removed: BTreeSet<usize> = changes
+        .remove
+        .iter()
+        .filter_map(|name| removed(description, name, &locked, findings))
+        .collect();
+    let joints = joints.into_iter().enumerate();
+    joints
+        .map(|(body, joint)| {
+            let joint = joint.with_motions(|motion, freedom| {
+                locked
+                    .get(&(body, motion))
+                    .map_or(freedom, |value| Freedom::Locked(*value))
+            });
+            if removed.contains(&body) {
+                fixed(joint)
+            } else {
+                joint
+            }
+        })
+        .collect()
+}
+
+/// A joint whose free motions are held at zero.
+fn fixed(joint: ResolvedJoint) -> ResolvedJoint {
+    let joint = joint.with_motions(|_, freedom| match freedom {
+        Freedom::Free(_) => Freedom::Locked(0.0),
+        held => held,
+    });
+    ResolvedJoint {
+        chart: Chart::Angles,
+        speeds: Speeds::Rates,
+        ..joint
     }
 }
+
+/// The values at which motions are locked, by their bodies and their places among the six.
+type Locked = BTreeMap<(usize, usize), f64>;
 
 /// A name under which a motion can be locked.
 struct Lockable {
     name: String,
-    body: usize,
-    motion: usize,
+    /// Its body, and its place among the six.
+    motion: (usize, usize),
 }
 
 /// Everything that can be locked: by the names of coordinates, and those of joints that have only one.
@@ -40,7 +72,7 @@ fn lockable(description: &Description, joints: &[ResolvedJoint]) -> Vec<Lockable
         let are_coordinates = |motion: &usize| *motion > 2 || !joint.has_angular_velocity();
         for motion in joint.free().filter(are_coordinates) {
             let is_only = joint.leading == Some(motion);
-            let kind = Axis::NAMES[motion];
+            let kind = CoordinateName::NAMES[motion];
             let of_coordinate = if is_named && is_only {
                 joint.identifier.clone()
             } else {
@@ -49,68 +81,84 @@ fn lockable(description: &Description, joints: &[ResolvedJoint]) -> Vec<Lockable
             let of_joint = joint_name(description, body).map(str::to_owned);
             let of_joint = of_joint.filter(|name| is_only && *name != of_coordinate);
             let names = [Some(of_coordinate), of_joint];
+            let motion = (body, motion);
             known.extend(
                 names
                     .into_iter()
                     .flatten()
-                    .map(|name| Lockable { name, body, motion }),
+                    .map(|name| Lockable { name, motion }),
             );
         }
     }
     known
 }
 
-/// Holds a coordinate at a value; the result is its body.
-fn lock(
+/// What is locked by these names. What one of them locks is no longer free for those after it.
+fn locked(
     description: &Description,
-    joints: &mut [ResolvedJoint],
-    name: &str,
-    value: f64,
+    joints: &[ResolvedJoint],
+    names: &[(String, f64)],
     findings: &mut Vec<Diagnostic>,
-) -> Option<usize> {
-    let known = lockable(description, joints);
-    let mut meant = known.iter().filter(|known| known.name == name);
-    let Some(&Lockable { body, motion, .. }) = meant.next() else {
-        let known: Vec<&str> = known.iter().map(|known| known.name.as_str()).collect();
-        let fault = format!("nothing free to lock is called `{}`", name.escape_debug());
-        let fault = Diagnostic::error(fault);
-        findings.push(with_known(fault, name, &known, "the free coordinates"));
-        return None;
-    };
-    let first = shown(description, body);
-    if let Some(other) = meant.find(|other| (other.body, other.motion) != (body, motion)) {
-        let fault = format!(
-            "what `{}` locks is not clear: a coordinate of {first}, or one of {}",
-            name.escape_debug(),
-            shown(description, other.body)
-        );
-        findings.push(Diagnostic::error(fault));
-        return None;
+) -> Locked {
+    let mut free = lockable(description, joints);
+    let mut locked = Locked::new();
+    for (name, value) in names {
+        match meant(description, &free, name) {
+            Ok((body, motion)) => {
+                free.retain(|known| known.motion != (body, motion));
+                locked.insert((body, motion), value + 0.0);
+                let (kind, shown) = (CoordinateName::NAMES[motion], shown(description, body));
+                findings.push(Diagnostic::note(format!(
+                    "`{kind}` of {shown} is locked at {value:?}"
+                )));
+            }
+            Err(fault) => findings.push(fault),
+        }
     }
-    joints[body].motions[motion] = Freedom::Locked(value + 0.0);
-    let kind = Axis::NAMES[motion];
-    findings.push(Diagnostic::note(format!(
-        "`{kind}` of {first} is locked at {value:?}"
-    )));
-    Some(body)
+    locked
 }
 
-/// Fixes a joint where its coordinates are zero.
-fn remove(
+/// The motion that has this name.
+fn meant(
     description: &Description,
-    joints: &mut [ResolvedJoint],
+    free: &[Lockable],
     name: &str,
-    locked: &[usize],
+) -> Result<(usize, usize), Diagnostic> {
+    let mut meant = free.iter().filter(|known| known.name == name);
+    let Some(&Lockable { motion, .. }) = meant.next() else {
+        let known: Vec<&str> = free.iter().map(|known| known.name.as_str()).collect();
+        let fault = format!("nothing free to lock is called `{}`", name.escape_debug());
+        let fault = Diagnostic::error(fault);
+        return Err(with_known(fault, name, &known, "the free coordinates"));
+    };
+    match meant.find(|other| other.motion != motion) {
+        None => Ok(motion),
+        Some(other) => Err(Diagnostic::error(format!(
+            "what `{}` locks is not clear: a coordinate of {}, or one of {}",
+            name.escape_debug(),
+            shown(description, motion.0),
+            shown(description, other.motion.0)
+        ))),
+    }
+}
+
+/// The body whose joint is removed by this name.
+fn removed(
+    description: &Description,
+    name: &str,
+    locked: &Locked,
     findings: &mut Vec<Diagnostic>,
-) {
-    let known: Vec<&str> = (0..joints.len())
-        .filter_map(|body| joint_name(description, body))
-        .collect();
+) -> Option<usize> {
+    let bodies = 0..description.bodies.len();
     let of_body = |body: &WrittenBody| body.name.as_ref().is_some_and(|known| known.value == name);
-    let place = (0..joints.len())
+    let place = bodies
+        .clone()
         .find(|body| joint_name(description, *body) == Some(name))
         .or_else(|| description.bodies.iter().position(of_body));
     let Some(body) = place else {
+        let known: Vec<&str> = bodies
+            .filter_map(|body| joint_name(description, body))
+            .collect();
         let fault = format!("no joint to remove is called `{}`", name.escape_debug());
         findings.push(with_known(
             Diagnostic::error(fault),
@@ -118,24 +166,18 @@ fn remove(
             &known,
             "the joints",
         ));
-        return;
+        return None;
     };
-    if locked.contains(&body) {
-        let shown = shown(description, body);
+    let shown = shown(description, body);
+    if locked.keys().any(|(of, _)| *of == body) {
         findings.push(Diagnostic::error(format!(
             "the joint of {shown} is both locked and removed"
         )));
     }
-    for motion in &mut joints[body].motions {
-        if let Freedom::Free(_) = motion {
-            *motion = Freedom::Locked(0.0);
-        }
-    }
-    (joints[body].chart, joints[body].speeds) = (Chart::Angles, Speeds::Rates);
-    let shown = shown(description, body);
     findings.push(Diagnostic::note(format!(
         "the joint of {shown} is removed: it is fixed"
     )));
+    Some(body)
 }
 
 /// The most names that a help lists.

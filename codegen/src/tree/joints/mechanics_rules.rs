@@ -65,16 +65,19 @@ impl Check<'_> {
         let PerCoordinate::Each(values) = values else {
             return;
         };
-        for (axis, _) in values {
-            let (name, kind) = (self.name, axis.value.name());
+        for (coordinate, _) in values {
+            let (name, kind) = (self.name, coordinate.value.name());
             if self.has_axis {
                 let message = format!(
                     "`{quantity}` of {name} names `{kind}`, but its joint has an axis of its own"
                 );
-                self.fault(message, axis.span, "expected a number alone");
-            } else if matches!(self.joint.motions[axis.value.index()], Freedom::Locked(_)) {
+                self.fault(message, coordinate.span, "expected a number alone");
+            } else if matches!(
+                self.joint.motions[coordinate.value.index()],
+                Freedom::Locked(_)
+            ) {
                 let message = format!("`{quantity}` of {name} names `{kind}`, which is not free");
-                self.fault(message, axis.span, "not free");
+                self.fault(message, coordinate.span, "not free");
             }
         }
     }
@@ -106,7 +109,9 @@ impl Check<'_> {
             PerCoordinate::Absent => vec![],
             PerCoordinate::Same(value) => vec![value.span],
             PerCoordinate::Each(values) => {
-                let turns = values.iter().filter(|(axis, _)| axis.value.is_angle());
+                let turns = values
+                    .iter()
+                    .filter(|(coordinate, _)| coordinate.value.is_angle());
                 turns.map(|(_, value)| value.span).collect()
             }
         };
@@ -129,7 +134,7 @@ impl Check<'_> {
         }
         let turns: Vec<_> = values
             .iter()
-            .filter(|(axis, _)| axis.value.is_angle())
+            .filter(|(coordinate, _)| coordinate.value.is_angle())
             .collect();
         let differs = |value: &Scalar| {
             turns

@@ -10,51 +10,79 @@ use crate::tree::names::{joint_name, shown};
 /// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
 const MOST_COMPARED: (usize, usize) = (20, 5000);
 
-/// Makes every mimicking coordinate follow a free one, or hold where that one is held.
+/// The joints with every mimicking coordinate following a free one, or held where that one is held.
 pub(crate) fn follow(
     description: &Description,
-    joints: &mut [ResolvedJoint],
+    joints: Vec<ResolvedJoint>,
     findings: &mut Vec<Diagnostic>,
-) {
+) -> Vec<ResolvedJoint> {
+    let followers = followers(description, &joints, findings);
+    let joints = joints.into_iter().zip(followers);
+    joints
+        .map(|(joint, follower)| match follower {
+            Some((place, follows)) => {
+                joint.with_motions(
+                    |motion, freedom| {
+                        if motion == place { follows } else { freedom }
+                    },
+                )
+            }
+            None => joint,
+        })
+        .collect()
+}
+
+/// Of every joint the place of the motion that mimics another, and what it does; `None` where none does.
+fn followers(
+    description: &Description,
+    joints: &[ResolvedJoint],
+    findings: &mut Vec<Diagnostic>,
+) -> Vec<Option<(usize, Freedom)>> {
     let mut names = JointNames::of(description);
     let links: Vec<Option<Mimicking>> = (0..joints.len())
         .map(|body| link(description, joints, body, &mut names, findings))
         .collect();
     let mut chains = Chains::of(&links);
-    for body in 0..joints.len() {
-        let followed = match chains.end(body) {
-            End::Free(followed) => followed,
-            End::Cycle(chain) => {
-                findings.push(cycle(description, &chain));
-                continue;
-            }
-            End::None => continue,
-        };
-        let Some(leading) = joints[followed.leader].leading else {
-            continue;
-        };
-        let span = match joints[body].motions[followed.motion] {
-            Freedom::Free(span) | Freedom::Follows { span, .. } => span,
-            Freedom::Locked(_) => continue,
-        };
-        let Mimicking {
-            motion,
-            leader,
+    let ends = (0..joints.len()).map(|body| match chains.end(body) {
+        End::Free(followed) => follower(joints, body, followed),
+        End::Cycle(chain) => {
+            findings.push(cycle(description, &chain));
+            None
+        }
+        End::None => None,
+    });
+    ends.collect()
+}
+
+/// What the joint of a body does that follows another's; nothing where it is held.
+fn follower(
+    joints: &[ResolvedJoint],
+    body: usize,
+    followed: Mimicking,
+) -> Option<(usize, Freedom)> {
+    let Mimicking {
+        motion,
+        leader,
+        multiplier,
+        offset,
+    } = followed;
+    let leading = joints[leader].leading?;
+    let span = match joints[body].motions[motion] {
+        Freedom::Free(span) | Freedom::Follows { span, .. } => span,
+        Freedom::Locked(_) => return None,
+    };
+    let freedom = match joints[leader].motions[leading] {
+        Freedom::Locked(value) => Freedom::Locked(multiplier * value + offset + 0.0),
+        _ if multiplier == 0.0 => Freedom::Locked(offset),
+        _ => Freedom::Follows {
+            body: leader,
+            motion: leading,
             multiplier,
             offset,
-        } = followed;
-        joints[body].motions[motion] = match joints[leader].motions[leading] {
-            Freedom::Locked(value) => Freedom::Locked(multiplier * value + offset + 0.0),
-            _ if multiplier == 0.0 => Freedom::Locked(offset),
-            _ => Freedom::Follows {
-                body: leader,
-                motion: leading,
-                multiplier,
-                offset,
-                span,
-            },
-        };
-    }
+            span,
+        },
+    };
+    Some((motion, freedom))
 }
 
 /// What joints mimic, from one to the next.

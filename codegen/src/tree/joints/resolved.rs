@@ -49,6 +49,12 @@ impl ResolvedJoint {
         (0..6).filter(|motion| matches!(self.motions[*motion], Freedom::Free(_)))
     }
 
+    /// The same joint, with what each of its motions, by its place, becomes.
+    pub(crate) fn with_motions(self, becomes: impl Fn(usize, Freedom) -> Freedom) -> Self {
+        let motions = std::array::from_fn(|motion| becomes(motion, self.motions[motion]));
+        Self { motions, ..self }
+    }
+
     /// True where nothing moves: the body is part of its lower body.
     pub(crate) fn is_fixed(&self) -> bool {
         self.motions

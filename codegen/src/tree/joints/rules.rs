@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{Axis, Chart, Description, Speeds, WrittenBody};
+use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::joints::mechanics_rules::mechanics;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
@@ -163,7 +163,7 @@ fn singular(body: &WrittenBody, joint: &ResolvedJoint, name: &str) -> Option<Dia
         .joint
         .locked
         .iter()
-        .find(|(axis, _)| axis.value == Axis::Theta2)
+        .find(|(coordinate, _)| coordinate.value == CoordinateName::Theta2)
         .and_then(|(_, value)| value.as_ref());
     let fault = match written {
         Some(written) => fault.at(

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::Axis;
+use crate::description::CoordinateName;
 use crate::id::{BodyId, SpeedId};
 use crate::random::Random;
 use crate::tree::mobility::kinematics::{Kinematics, kinematics, rotor};
@@ -15,7 +15,11 @@ use crate::tree::mobility::units::Units;
 use crate::tree::{Coordinate, Tree, is_translation};
 
 /// The motions that move no mass at a state that `random` chooses: for each the coordinates that take part.
-pub(crate) fn idle(tree: &Tree, units: &Units, random: &mut Random) -> Vec<Vec<(BodyId, Axis)>> {
+pub(crate) fn idle(
+    tree: &Tree,
+    units: &Units,
+    random: &mut Random,
+) -> Vec<Vec<(BodyId, CoordinateName)>> {
     let Velocities { columns, bounds } = velocities(tree, units, random);
     let mut columns: Vec<Vec<f64>> = columns
         .into_iter()
@@ -77,11 +81,11 @@ fn shares(idle: usize, pivots: &[usize], upper: &[Vec<f64>]) -> BTreeMap<usize, 
 }
 
 /// The joint and the motion of each speed.
-fn places(tree: &Tree) -> Vec<(BodyId, Axis)> {
-    let mut places = vec![(BodyId::new(0), Axis::Theta1); tree.n_speeds];
+fn places(tree: &Tree) -> Vec<(BodyId, CoordinateName)> {
+    let mut places = vec![(BodyId::new(0), CoordinateName::Theta1); tree.n_speeds];
     for body in tree.body_ids() {
         for (motion, speed) in tree.body(body).joint.speeds() {
-            places[speed.index()] = (body, Axis::ALL[motion]);
+            places[speed.index()] = (body, CoordinateName::ALL[motion]);
         }
     }
     places

@@ -2,7 +2,7 @@
 
 use crate::geometry::{self, cross};
 use crate::id::BodyId;
-use crate::tree::body::Part;
+use crate::tree::body::RigidPart;
 use crate::tree::mobility::rows::{Twist, dot};
 use crate::tree::mobility::units::Units;
 use crate::tree::principal::principal;
@@ -29,7 +29,7 @@ pub(crate) fn own(tree: &Tree, units: &Units, body: BodyId) -> Masses {
     all
 }
 
-fn own_part(tree: &Tree, units: &Units, part: &Part) -> Masses {
+fn own_part(tree: &Tree, units: &Units, part: &RigidPart) -> Masses {
     let mass = tree.nominal(part.mass) / units.mass;
     let center = part
         .mass_center

@@ -1,6 +1,6 @@
 //! The motions that move no mass, in the words of the user.
 
-use crate::description::{Axis, Description, JointKind, WrittenBody};
+use crate::description::{CoordinateName, Description, JointKind, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::id::BodyId;
 use crate::random::Random;
@@ -19,7 +19,7 @@ const MOST_REPORTED: usize = 100;
 const MOST_NAMED: usize = 8;
 
 /// Coordinates that move together.
-type Combination = Vec<(BodyId, Axis)>;
+type Combination = Vec<(BodyId, CoordinateName)>;
 
 /// Reports every free coordinate, or combination of free coordinates, that moves no mass.
 pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<Diagnostic>) {
@@ -133,16 +133,16 @@ fn named(tree: &Tree, description: &Description, motion: &Combination) -> String
             groups.push(format!("joint `{}`", joint.name.escape_debug()));
             continue;
         }
-        let axes: Vec<String> = coordinates
+        let named: Vec<String> = coordinates
             .iter()
-            .map(|(body, axis)| {
+            .map(|(body, coordinate)| {
                 let names = tree.body(*body).joint.motion_names();
-                format!("`{}`", names[axis.index()])
+                format!("`{}`", names[coordinate.index()])
             })
             .collect();
         groups.push(format!(
             "{} of {}",
-            and(&axes),
+            and(&named),
             shown(description, user_place(tree, coordinates[0].0))
         ));
     }
@@ -160,11 +160,11 @@ fn at_joints(
     label: &str,
 ) -> Diagnostic {
     let mut places: Vec<Span> = Vec::new();
-    for (body, axis) in motion.iter().take(MOST_NAMED) {
+    for (body, coordinate) in motion.iter().take(MOST_NAMED) {
         let body = &description.bodies[user_place(tree, *body)];
-        let place = free_axes(body)
+        let place = free_coordinates(body)
             .into_iter()
-            .find(|free| free.value == *axis)
+            .find(|free| free.value == *coordinate)
             .map(|free| free.span);
         // All six coordinates of "free" stand in one place.
         places.extend(place.filter(|place| !places.contains(place)));
@@ -187,11 +187,13 @@ fn and(names: &[String]) -> String {
 }
 
 /// The free coordinates as written.
-fn free_axes(body: &WrittenBody) -> Vec<Spanned<Axis>> {
+fn free_coordinates(body: &WrittenBody) -> Vec<Spanned<CoordinateName>> {
     match &body.joint.kind {
         Some(kind) => match &kind.value {
-            JointKind::List(axes) => axes.clone(),
-            _ => Axis::ALL.map(|axis| Spanned::new(axis, kind.span)).to_vec(),
+            JointKind::List(coordinates) => coordinates.clone(),
+            _ => CoordinateName::ALL
+                .map(|coordinate| Spanned::new(coordinate, kind.span))
+                .to_vec(),
         },
         None => Vec::new(),
     }

@@ -1,6 +1,6 @@
 //! The outward way back: which coordinates move together with an idle one, so that all in all no mass moves.
 
-use crate::description::Axis;
+use crate::description::CoordinateName;
 use crate::id::BodyId;
 use crate::tree::mobility::rows::{Twist, dot};
 use crate::tree::mobility::sweep::{SHARE, SweptJoint};
@@ -12,7 +12,7 @@ pub(crate) fn moved_along(
     joints: &[SweptJoint],
     body: BodyId,
     idle: usize,
-) -> Vec<(BodyId, Axis)> {
+) -> Vec<(BodyId, CoordinateName)> {
     let joint = &joints[body.index()];
     let idle = joint.idle[idle];
     // Its column by itself, which the pivots' columns then cancel; in units of bounds.
@@ -55,7 +55,7 @@ pub(crate) fn moved_along(
                 .iter_mut()
                 .zip(&joint.free.columns[place])
                 .for_each(|(entry, column)| *entry += column * rate / bound);
-            shares.push((other, joint.free.axes[place], rate.abs()));
+            shares.push((other, joint.free.coordinates[place], rate.abs()));
         }
         twists[other.index()] = Some(twist);
     }
@@ -65,13 +65,13 @@ pub(crate) fn moved_along(
     shares
         .into_iter()
         .filter(|share| share.2 > SHARE * most)
-        .map(|(body, axis, _)| (body, axis))
+        .map(|(body, coordinate, _)| (body, coordinate))
         .collect()
 }
 
 /// The rates of the pivots, in units of their bounds, that cancel these components along Q; the others stand still.
 fn respond(joint: &SweptJoint, mut sides: Vec<f64>) -> Vec<f64> {
-    let mut rates = vec![0.0; joint.free.axes.len()];
+    let mut rates = vec![0.0; joint.free.coordinates.len()];
     for row in (0..joint.pivots.len()).rev() {
         let pivot = joint.pivots[row];
         rates[pivot] = -sides[row] / joint.upper[row][pivot];

@@ -1,6 +1,6 @@
 //! The inward sweep: joint by joint from the tips, which of its free motions move mass.
 
-use crate::description::Axis;
+use crate::description::CoordinateName;
 use crate::id::BodyId;
 use crate::random::Random;
 use crate::tree::joint::Coordinate;
@@ -18,7 +18,7 @@ pub(crate) const SHARE: f64 = 1e-6;
 /// The free motions of the joint of a body at a state.
 pub(super) struct FreeMotions {
     /// Which they are.
-    pub(super) axes: Vec<Axis>,
+    pub(super) coordinates: Vec<CoordinateName>,
     /// For each the twist that its unit rate gives the body.
     pub(super) columns: Vec<Twist>,
     /// For each the root of twice the energy of what turns or shifts with its unit rate alone: a rotor.
@@ -88,22 +88,22 @@ fn place(
     let mut columns = Vec::new();
     let mut bounds = Vec::new();
     let mut rotors = Vec::new();
-    let mut axes = Vec::new();
+    let mut coordinates = Vec::new();
     for (motion, _) in joint.speeds() {
-        let axis = Axis::ALL[motion];
-        let bound = if axis.is_angle() {
+        let coordinate = CoordinateName::ALL[motion];
+        let bound = if coordinate.is_angle() {
             here.turning
         } else {
             here.mass.sqrt()
         };
         let rotor = rotor(tree, units, joint, motion);
-        axes.push(axis);
+        coordinates.push(coordinate);
         columns.push(kinematics.columns[motion]);
         rotors.push(rotor.sqrt());
         bounds.push((bound * bound + rotor).sqrt());
     }
     let free = FreeMotions {
-        axes,
+        coordinates,
         columns,
         rotors,
         bounds,

@@ -78,9 +78,10 @@ impl Reader<'_> {
                 }
             }
             PerCoordinate::Each(given) => {
-                for (axis, scalar) in given {
-                    let name = format!("{prefix}_{}_{quantity}", axis.value.name());
-                    values[axis.value.index()] = value(*scalar, name, axis.value.index());
+                for (coordinate, scalar) in given {
+                    let name = format!("{prefix}_{}_{quantity}", coordinate.value.name());
+                    values[coordinate.value.index()] =
+                        value(*scalar, name, coordinate.value.index());
                 }
             }
         }
@@ -94,7 +95,7 @@ fn at<T: Copy>(quantity: &PerCoordinate<T>, motion: usize) -> Option<T> {
         PerCoordinate::Same(value) => Some(value.value),
         PerCoordinate::Each(values) => values
             .iter()
-            .find(|(axis, _)| axis.value.index() == motion)
+            .find(|(coordinate, _)| coordinate.value.index() == motion)
             .map(|(_, value)| value.value),
     }
 }

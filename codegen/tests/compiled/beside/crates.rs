@@ -8,7 +8,7 @@ use std::{
 };
 
 use kane_codegen::{
-    companions::Kind, compile::Options, config::Functions, description::no_includes,
+    companions::CompanionKind, compile::Options, config::Functions, description::no_includes,
     diagnostic::Source, generate::generate,
 };
 
@@ -37,7 +37,7 @@ impl Tested {
     pub(crate) fn new(description: &str) -> Self {
         let options = Options {
             functions: Functions::All,
-            companions: [Kind::Tests].into(),
+            companions: [CompanionKind::Tests].into(),
             ..Options::default()
         };
         let source = Source::new("model.toml", description);

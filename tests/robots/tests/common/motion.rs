@@ -29,8 +29,10 @@ pub(crate) struct Motion {
     pub(crate) u: Vec<f64>,
     /// How near the base's angles are to their singularity, `|cos(theta_2)|`; 1 without angles.
     pub(crate) distance: f64,
-    t: Matrix,
-    t_inverse: Matrix,
+    pub(crate) t: Matrix,
+    pub(crate) t_inverse: Matrix,
+    /// Its rate; of a base with angles it is not made.
+    pub(crate) t_dot: Option<Matrix>,
     /// `T_dot v`.
     rest: Vec<f64>,
 }
@@ -52,6 +54,7 @@ impl Motion {
             distance: 1.0,
             t: zero(),
             t_inverse: zero(),
+            t_dot: Some(zero()),
             rest: vec![0.0; n],
         };
         let given = sample.numbers("q");
@@ -105,6 +108,9 @@ impl Motion {
             }
             Chart::Angles => unreachable!("a floating base of a URDF has no such chart"),
         };
+        if joint.chart != Chart::EulerParameters {
+            self.t_dot = None;
+        }
         let shift_rest = times(&r, cross(w, v_o));
         let (turns, shifts) = (all(&joint.u, 0), all(&joint.u, 3));
         for (i, place) in all(&joint.q, 4).into_iter().enumerate() {
@@ -112,6 +118,12 @@ impl Motion {
             self.rest[turns[i]] = turn_rest[i];
             self.rest[shifts[i]] = shift_rest[i];
             for j in 0..3 {
+                if let Some(t_dot) = &mut self.t_dot {
+                    // R_dot = R tilde(w).
+                    let mut unit = [0.0; 3];
+                    unit[j] = 1.0;
+                    set(t_dot, shifts[i], j, dot(&r[i], &cross(w, unit)));
+                }
                 set(&mut self.t, turns[i], 3 + j, p_inverse[i][j]);
                 set(&mut self.t, shifts[i], j, r[i][j]);
                 set(&mut self.t_inverse, 3 + i, turns[j], p[i][j]);

@@ -2,6 +2,7 @@
 
 use kane_codegen::{
     description::{JointKind, PerCoordinate, Scalar},
+    id::BodyId,
     tree::Orientation,
 };
 
@@ -13,6 +14,8 @@ use super::{
 /// What acts along a motion of a joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Acting {
+    /// The body whose joint it is.
+    body: BodyId,
     /// Where the motion's coordinate is; none for a component of an angular velocity.
     coordinate: Option<Link>,
     /// The place of its speed in `u`, and the motion's own speed for a unit of that.
@@ -36,6 +39,7 @@ impl Composition {
                 let [stiffness, rest, damping, armature] =
                     quantities.map(|quantity| at(quantity, motion));
                 all.push(Acting {
+                    body,
                     coordinate,
                     speed,
                     factor,
@@ -107,6 +111,17 @@ impl Acting {
             self.stiffness * self.stretch(&state.q),
         ];
         (self.speed, needed.map(|force| self.factor * force))
+    }
+
+    /// Damping and rotor inertia, as the speed feels them.
+    pub fn felt(&self) -> [f64; 2] {
+        let square = self.factor * self.factor;
+        [square * self.damping, square * self.armature]
+    }
+
+    /// The body whose joint it is.
+    pub fn body(&self) -> BodyId {
+        self.body
     }
 
     pub fn has_rotor(&self) -> bool {

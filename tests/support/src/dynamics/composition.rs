@@ -139,6 +139,12 @@ impl Composition {
         moving.filter_map(|(place, body)| Some((place, (*body)?)).filter(|_| self.follows(place)))
     }
 
+    /// Where a body's joint sits, from its origin, along its axes.
+    pub fn joint_point(&self, place: usize) -> Vector {
+        let attachment = self.joint(place).body_attachment.as_ref();
+        attachment.map_or([0.0; 3], vector)
+    }
+
     /// Every body of the description.
     pub fn placed(&self, q: &[f64]) -> Vec<Placed> {
         let mut placed = vec![None; self.moving.len()];

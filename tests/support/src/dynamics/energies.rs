@@ -162,6 +162,43 @@ pub fn energies_and_momenta_are_sums_over_bodies(model: &dyn Model, state: &Stat
     ])
 }
 
+/// `T_K = (m v_K v_K + w_K I w_K) / 2` and rotors, `V_K = -m g r_K` and springs, whose sums are those of the whole.
+pub fn energies_by_body_are_those_of_bodies(model: &dyn Model, state: &State) -> f64 {
+    let tree = model.tree();
+    let rotations = matrices(model, "rotation", state);
+    let positions = vectors(model, "mass_center_position", state);
+    let velocities = vectors(model, "mass_center_velocity", state);
+    let omegas = vectors(model, "angular_velocity", state);
+    let (mut kinetic, mut potential) = (Vec::new(), Vec::new());
+    let mut most = 0.0_f64;
+    for (k, solid) in model.composition().solids().iter().enumerate() {
+        let (m, g) = (solid.mass, times(&rotations[k], gravity(tree)));
+        let h = times(&solid.inertia, omegas[k]);
+        kinetic.push(0.5 * (m * dot(&velocities[k], &velocities[k]) + dot(&h, &omegas[k])));
+        potential.push(-m * dot(&g, &positions[k]));
+        most = larger(most, m * largest(&g) * largest(&positions[k]));
+    }
+    for acting in model.composition().acting() {
+        let [rotor, spring] = acting.energies(state);
+        let body = acting.body().index();
+        kinetic[body] += rotor;
+        potential[body] += spring;
+        most = larger(most, spring.abs());
+    }
+    let of = |function| model.evaluate(function, state);
+    let sum = |energies: &[f64]| [energies.iter().sum::<f64>()];
+    worst([
+        relative(&of("kinetic_energies"), &kinetic),
+        relative_to(most, &of("potential_energies"), &potential),
+        relative(&sum(&of("kinetic_energies")), &of("kinetic_energy")),
+        relative_to(
+            most,
+            &sum(&of("potential_energies")),
+            &of("potential_energy"),
+        ),
+    ])
+}
+
 /// Where nothing holds the tree: the rates of linear and angular momentum are the resultant of weight and loads, whatever
 /// the joints do, springs, dampers, rotors and what follows what with them; where there is neither, both are conserved.
 /// Along the motion that forward dynamics gives.

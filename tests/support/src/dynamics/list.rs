@@ -18,12 +18,47 @@ macro_rules! test_every_identity {
             gravity_forces_hold_the_weight: EXACT;
         }
         $crate::test_every_identity! {
+            operators,
+            mass_matrix_product_is_the_product: EXACT;
+            mass_matrix_solve_undoes_the_product: EXACT;
+            mass_matrix_inverse_is_symmetric: 0.0;
+            mass_matrix_inverse_is_the_inverse: EXACT;
+            packed_inverse_is_the_lower_triangle: EXACT;
+            mass_matrix_factors_make_the_mass_matrix: EXACT;
+        }
+        $crate::test_every_identity! {
+            coriolis,
+            coriolis_matrix_makes_the_bias: EXACT;
+            rate_of_the_mass_matrix_is_twice_the_symmetric_part: EXACT;
+            mass_matrix_dot_is_the_rate_of_the_mass_matrix: DIFFERENTIATED;
+        }
+        $crate::test_every_identity! {
             energies,
             power_is_the_rate_of_energy: DIFFERENTIATED;
             bias_follows_from_the_energies: DIFFERENTIATED;
             bias_at_rest_is_the_gradient_of_potential_energy: DIFFERENTIATED;
             energies_and_momenta_are_sums_over_bodies: EXACT;
+            energies_by_body_are_those_of_bodies: EXACT;
             momenta_of_a_floating_tree_change_by_external_loads: DIFFERENTIATED;
+        }
+        $crate::test_every_identity! {
+            loaded,
+            loads_take_their_generalized_forces_off: EXACT;
+            loaded_forward_dynamics_undoes_loaded_inverse_dynamics: EXACT;
+            joint_wrenches_balance_bodies: EXACT;
+            joint_wrenches_along_motions_are_the_forces: EXACT;
+        }
+        $crate::test_every_identity! {
+            center,
+            the_mass_center_moves_as_all_mass_does: EXACT;
+            the_centroidal_momentum_matrix_gives_momentum: EXACT;
+            the_mass_center_s_jacobian_is_linear_momentum_s: EXACT;
+            centroidal_momentum_changes_as_its_matrix_says: DIFFERENTIATED;
+        }
+        $crate::test_every_identity! {
+            regressor,
+            the_regressor_is_linear_in_inertial_parameters: EXACT;
+            the_joint_regressor_is_linear_in_dampers_and_rotors: EXACT;
         }
         $crate::test_every_identity! {
             kinematics,

@@ -5,15 +5,20 @@
 
 pub mod acting;
 pub mod agreement;
+pub mod center;
 pub mod composition;
+pub mod coriolis;
 pub mod energies;
 pub mod forces;
 pub mod kinematics;
 mod list;
+pub mod loaded;
 pub mod model;
 pub mod numbering;
+pub mod operators;
 pub mod quantities;
 mod rates;
+pub mod regressor;
 mod solids;
 pub mod state;
 pub mod topology;

@@ -1,7 +1,7 @@
 //! Arrays of one model in the numbering of another model of the same system.
 
 use kane_codegen::{
-    functions::{Axis, Function, Shape},
+    functions::{Axis, Function, Packed, Shape},
     tree::Tree,
 };
 
@@ -43,16 +43,25 @@ fn places(from: &[String], to: &[String]) -> Vec<usize> {
     to.iter().map(place).collect()
 }
 
-/// The output of a function of one model in the numbering of another model of the same system.
-pub fn renumbered_output(function: &Function, output: &[f64], from: &Tree, to: &Tree) -> Vec<f64> {
-    let Maps {
-        bodies,
-        coordinates,
-        speeds,
-    } = Maps::new(from, to);
-    let axes: Vec<usize> = (0..3).collect();
-    let pairs = speed_pairs(&speeds, from, to);
-    let shape = function.outputs[0].shape;
+/// The outputs of a function of one model, one after the other, in the numbering of another model of the same system.
+pub fn renumbered_output(function: &Function, numbers: &[f64], from: &Tree, to: &Tree) -> Vec<f64> {
+    let maps = Maps::new(from, to);
+    let mut rest = numbers;
+    let mut renumbered = Vec::with_capacity(numbers.len());
+    for output in function.outputs {
+        let packed = output.shape.packed();
+        let pairs = packed.map(|packed| speed_pairs(packed, &maps.speeds, from, to));
+        let places = places_of(output.shape, &maps, &pairs.unwrap_or_default());
+        let (own, others) = rest.split_at(places.len());
+        renumbered.extend(places.into_iter().map(|place| own[place]));
+        rest = others;
+    }
+    assert!(rest.is_empty(), "{}", function.name);
+    renumbered
+}
+
+/// For each number of an output its place in the other numbering.
+fn places_of(shape: Shape, maps: &Maps, pairs: &[usize]) -> Vec<usize> {
     // The columns of a compact output are spread over all speeds.
     let dense = [Axis::Bodies, Axis::Three, Axis::Speeds];
     let counted: &[Axis] = if shape == Shape::COLUMNS {
@@ -60,33 +69,35 @@ pub fn renumbered_output(function: &Function, output: &[f64], from: &Tree, to: &
     } else {
         shape.axes
     };
-    let map = |axis: &Axis| match axis {
-        Axis::Three => &axes,
-        Axis::Coordinates => &coordinates,
-        Axis::Speeds => &speeds,
-        Axis::SpeedPairs => &pairs,
-        Axis::Bodies => &bodies,
-        Axis::Columns => unreachable!("spread over bodies and speeds"),
-    };
-    let maps: Vec<&Vec<usize>> = counted.iter().map(map).collect();
+    let own: Vec<usize> = (0..10).collect();
     let mut gathered = vec![0];
-    for map in maps {
+    for axis in counted {
+        let map: &[usize] = match axis {
+            Axis::Three => &own[..3],
+            Axis::Parameters => &own,
+            Axis::Coordinates => &maps.coordinates,
+            Axis::Speeds => &maps.speeds,
+            Axis::Packed(_) => pairs,
+            Axis::Bodies => &maps.bodies,
+            Axis::Columns => unreachable!("spread over bodies and speeds"),
+            Axis::FrameSpeeds | Axis::FrameComponents => unreachable!("of a frame"),
+        };
         gathered = gathered
             .iter()
             .flat_map(|place| map.iter().map(move |index| place * map.len() + index))
             .collect();
     }
-    gathered.into_iter().map(|place| output[place]).collect()
+    gathered
 }
 
-/// For each pair of coupled speeds of one model its place among those of another model of the same system.
-fn speed_pairs(speeds: &[usize], from: &Tree, to: &Tree) -> Vec<usize> {
-    let places: Vec<[usize; 2]> = from.coupled_speeds().into_iter().collect();
+/// For each place of a packed matrix of one model its place among those of another model of the same system.
+fn speed_pairs(packed: Packed, speeds: &[usize], from: &Tree, to: &Tree) -> Vec<usize> {
+    let places: Vec<[usize; 2]> = packed.places(from).into_iter().collect();
     let place = |pair: [usize; 2]| {
         let [row, column] = pair.map(|speed| speeds[speed]);
         let pair = [row.max(column), row.min(column)];
         let found = places.iter().position(|place| *place == pair);
         found.expect("the trees are the same but for their order")
     };
-    to.coupled_speeds().into_iter().map(place).collect()
+    packed.places(to).into_iter().map(place).collect()
 }

@@ -20,6 +20,11 @@ pub struct State {
     pub w_rel: Vec<[f64; 3]>,
 }
 
+/// What every function of a frame is given: a point of it, m, and the force, N, and moment, N m, on it.
+pub const FRAME_POINT: [f64; 3] = [0.3, -0.5, 0.7];
+pub const FRAME_FORCE: [f64; 3] = [1.5, -0.8, 0.6];
+pub const FRAME_MOMENT: [f64; 3] = [-0.4, 0.9, 1.1];
+
 impl State {
     /// Angles all around, but a quarter at least away from the singularity; quaternions of length one; translations, rates
     /// and loads of order one.

@@ -91,9 +91,10 @@ pub(in crate::description::mjcf) const SITE: Known<'static> = Known::attributes(
         "xyaxes",
         "zaxis",
         "euler",
+        "type",
         "fromto",
     ],
-    &["type", "group", "material", "size", "rgba", "user"],
+    &["group", "material", "size", "rgba", "user"],
 );
 
 pub(in crate::description::mjcf) const GEOM: Known<'static> = Known::attributes(

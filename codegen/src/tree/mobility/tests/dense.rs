@@ -1,6 +1,6 @@
 //! What a dense matrix says: the velocities of all bodies, column by column, and the mass matrix.
 
-use crate::description::Axis;
+use crate::description::CoordinateName;
 use crate::expr::Input;
 use crate::functions::{Formulation, Function};
 use crate::id::BodyId;
@@ -71,12 +71,12 @@ pub(super) fn velocities(
     tree: &Tree,
     units: &Units,
     joints: &[SweptJoint],
-) -> Vec<((BodyId, Axis), Vec<f64>)> {
+) -> Vec<((BodyId, CoordinateName), Vec<f64>)> {
     let mut columns = Vec::new();
     for moving in tree.body_ids() {
-        for (axis, unit) in joints[moving.index()]
+        for (coordinate, unit) in joints[moving.index()]
             .free
-            .axes
+            .coordinates
             .iter()
             .zip(&joints[moving.index()].free.columns)
         {
@@ -95,11 +95,11 @@ pub(super) fn velocities(
                 // Rotors move with their own speeds alone.
                 for (other, rotor) in joints[body.index()]
                     .free
-                    .axes
+                    .coordinates
                     .iter()
                     .zip(&joints[body.index()].free.rotors)
                 {
-                    let is_own = body == moving && other == axis;
+                    let is_own = body == moving && other == coordinate;
                     column.push(if is_own { *rotor } else { 0.0 });
                 }
                 column.extend(
@@ -110,7 +110,7 @@ pub(super) fn velocities(
                 );
                 twists.push(twist);
             }
-            columns.push(((moving, *axis), column));
+            columns.push(((moving, *coordinate), column));
         }
     }
     columns

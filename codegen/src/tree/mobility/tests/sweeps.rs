@@ -1,6 +1,6 @@
 //! The sweeps against dense matrices, on random trees.
 
-use crate::description::Axis;
+use crate::description::CoordinateName;
 use crate::id::BodyId;
 use crate::random::Random;
 use crate::tree::mobility::following;
@@ -48,7 +48,7 @@ fn named_coordinates_move_no_mass_and_none_is_superfluous() {
         for body in tree.body_ids() {
             for idle in 0..joints[body.index()].idle.len() {
                 let motion = moved_along(&tree, &joints, body, idle);
-                let of = |named: &[(BodyId, Axis)]| -> Vec<Vec<f64>> {
+                let of = |named: &[(BodyId, CoordinateName)]| -> Vec<Vec<f64>> {
                     columns
                         .iter()
                         .filter(|(coordinate, _)| named.contains(coordinate))

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::description::{Axis, toml};
+use crate::description::{CoordinateName, toml};
 use crate::diagnostic::Source;
 use crate::random::Random;
 use crate::tree::Tree;
@@ -43,7 +43,7 @@ pub(super) fn tree(random: &mut Random, style: Style) -> Tree {
         ];
         let [x, z] = [pick(2.0), pick(2.0) - 0.5];
         let q = [pick(2.0), pick(2.0) * 0.7];
-        let mut joint: Vec<&str> = Axis::NAMES
+        let mut joint: Vec<&str> = CoordinateName::NAMES
             .into_iter()
             .filter(|_| pick(3.0) == 0.0)
             .collect();
@@ -143,8 +143,8 @@ pub(super) fn built(text: &str) -> Tree {
     let outward = outward(&description, &mut findings).unwrap();
     let (rotations, _) = exact(&description, 0.0);
     let joints = joints::joints(&description, &rotations);
-    let mut joints: Vec<_> = joints.into_iter().flatten().collect();
-    joints::follow(&description, &mut joints, &mut findings);
+    let joints = joints.into_iter().flatten().collect();
+    let joints = joints::follow(&description, joints, &mut findings);
     let settled = Settled {
         description: &description,
         outward: &outward,

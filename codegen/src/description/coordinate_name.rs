@@ -1,8 +1,8 @@
 //! The six relative coordinates of a body, by name.
 
-/// One of the six relative coordinates of a body.
+/// The name of one of the six relative coordinates of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Axis {
+pub enum CoordinateName {
     /// The first of the 1-2-3 body-fixed angles, about x.
     Theta1,
     /// The second angle, about y.
@@ -17,7 +17,7 @@ pub enum Axis {
     S3,
 }
 
-impl Axis {
+impl CoordinateName {
     /// All six, angles first.
     pub const ALL: [Self; 6] = [
         Self::Theta1,
@@ -30,7 +30,7 @@ impl Axis {
     /// Their names, in the same order.
     pub const NAMES: [&str; 6] = ["theta1", "theta2", "theta3", "s1", "s2", "s3"];
 
-    /// The place in [`Axis::ALL`].
+    /// The place in [`CoordinateName::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }
@@ -40,9 +40,9 @@ impl Axis {
         Self::NAMES[self.index()]
     }
 
-    /// The axis with this name.
+    /// The coordinate with this name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|axis| axis.name() == name)
+        Self::ALL.into_iter().find(|known| known.name() == name)
     }
 
     /// True for an angle.

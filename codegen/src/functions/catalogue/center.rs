@@ -1,0 +1,97 @@
+//! The mass centre of all bodies, and momentum about it.
+
+use crate::functions::{
+    argument::Argument,
+    candidate::Candidate,
+    derive_center,
+    function::{Function, Output, PLAIN},
+    shape::Shape,
+    terms,
+};
+
+pub(super) const CENTER_OF_MASS: Function = Function {
+    name: "center_of_mass",
+    trait_name: Some("CenterOfMass"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("position", Shape::VECTOR)],
+    doc: &[
+        "Mass centre of all bodies, from the inertial origin: inertial components, m. Also known as centre of mass, com.",
+        "Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_center::center_of_mass),
+        Candidate::planned(derive_center::center_of_mass_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
+    name: "center_of_mass_velocity",
+    trait_name: Some("CenterOfMassVelocity"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: &[Output::new("velocity", Shape::VECTOR)],
+    doc: &[
+        "Velocity of the mass centre of all bodies in the inertial frame: inertial components, m/s; zero where no body has mass.",
+        "Masses that are zero at run time alone give NaN.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_center::center_of_mass_velocity),
+        Candidate::planned(derive_center::center_of_mass_velocity_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
+    name: "center_of_mass_jacobian",
+    trait_name: Some("CenterOfMassJacobian"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("jacobian", Shape::SPEED_COLUMNS)],
+    doc: &[
+        "Partial velocities of the mass centre of all bodies, a column for each speed: its velocity is this matrix times `u`, inertial components.",
+        "Also known as com Jacobian. Zero where no body has mass; masses that are zero at run time alone give NaN.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_center::center_of_mass_jacobian).with_terms(terms::of_vector),
+        Candidate::planned(derive_center::center_of_mass_jacobian_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
+    name: "centroidal_momentum_matrix",
+    trait_name: Some("CentroidalMomentumMatrix"),
+    arguments: &[Argument::Q],
+    outputs: &[
+        Output::new("linear", Shape::SPEED_COLUMNS),
+        Output::new("angular", Shape::SPEED_COLUMNS),
+    ],
+    doc: &[
+        "Momentum of all bodies about their mass centre for a unit of each speed, a column for each: linear, kg m/s, and angular, kg m^2/s, are these",
+        "matrices times `u`, inertial components. Also known as centroidal momentum matrix, cmm, `A_G`, ccrba. Rotors have none.",
+        "Where no body has mass there is linear momentum of none; masses that are zero at run time alone give NaN.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_center::centroidal_momentum_matrix).with_terms(terms::of_vector),
+        Candidate::planned(derive_center::centroidal_momentum_matrix_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
+    name: "centroidal_momentum_matrix_dot_u",
+    trait_name: Some("CentroidalMomentumMatrixDotU"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: &[
+        Output::new("linear", Shape::VECTOR),
+        Output::new("angular", Shape::VECTOR),
+    ],
+    doc: &[
+        "Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`: inertial components.",
+        "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_center::centroidal_momentum_matrix_dot_u),
+        Candidate::planned(derive_center::centroidal_momentum_matrix_dot_u_recursive),
+    ],
+    ..PLAIN
+};

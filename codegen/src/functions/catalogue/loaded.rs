@@ -1,0 +1,67 @@
+//! Motion and forces of a system on which loads act.
+
+use crate::functions::{
+    argument::Argument,
+    candidate::Candidate,
+    derive_loaded,
+    function::{Function, Output, PLAIN},
+    shape::Shape,
+    terms,
+};
+
+pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
+    name: "loaded_inverse_dynamics",
+    trait_name: Some("LoadedInverseDynamics"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
+    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    doc: &[
+        "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
+        "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
+        "A load is the resultant force at the mass centre and the resultant moment, body components; weight is none.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_loaded::loaded_inverse_dynamics).with_terms(terms::of_vector),
+        Candidate::planned(derive_loaded::loaded_inverse_dynamics_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
+    name: "loaded_forward_dynamics",
+    trait_name: Some("LoadedForwardDynamics"),
+    arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
+    outputs: &[Output::new("u_dot", Shape::SPEEDS)],
+    solves: true,
+    doc: &[
+        "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
+        "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
+        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_loaded::loaded_forward_dynamics).with_terms(terms::of_matrix),
+        Candidate::planned(derive_loaded::loaded_forward_dynamics_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const JOINT_WRENCHES: Function = Function {
+    name: "joint_wrenches",
+    trait_name: Some("JointWrenches"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
+    outputs: &[
+        Output::new("force", Shape::BODY_VECTORS),
+        Output::new("moment", Shape::BODY_VECTORS),
+    ],
+    doc: &[
+        "All that each joint transmits to its body from the lower body, by which bearings and structures are sized: force, N, and moment, N m,",
+        "body components, about the point of the body where its joint sits: its origin, or its `body_attachment` where it has one.",
+        "Weight and the loads on all bodies outward of the joint are in it, and so are motors, springs and dampers, which act through the joint:",
+        "along the joint's motions it is their `tau` less what springs, dampers and rotors need. Also known as joint reaction, constraint force.",
+        "A load is the resultant force at the mass centre and the resultant moment, body components.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_loaded::joint_wrenches),
+        Candidate::planned(derive_loaded::joint_wrenches_recursive),
+    ],
+    ..PLAIN
+};

@@ -1,0 +1,128 @@
+//! The mass matrix as an operator: what it makes of accelerations and of forces, its inverse, its factors.
+
+use crate::functions::{
+    argument::Argument,
+    candidate::Candidate,
+    derive_coriolis, derive_matrices as derive,
+    function::{Function, Output, PLAIN},
+    shape::Shape,
+    terms,
+};
+
+pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
+    name: "mass_matrix_product",
+    trait_name: Some("MassMatrixProduct"),
+    arguments: &[Argument::Q, Argument::UDot],
+    outputs: &[Output::new("tau", Shape::SPEEDS)],
+    doc: &[
+        "The mass matrix of Eq. (42) times accelerations, `tau = M u_dot`, rotors included: inverse dynamics without bias. No matrix is formed.",
+        "N m for an angle's speed, N for a translation's. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
+    ],
+    candidates: &[
+        Candidate::plain(derive::product).with_terms(terms::of_vector),
+        Candidate::planned(derive::product_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const MASS_MATRIX_SOLVE: Function = Function {
+    name: "mass_matrix_solve",
+    trait_name: Some("MassMatrixSolve"),
+    arguments: &[Argument::Q, Argument::Tau],
+    outputs: &[Output::new("u_dot", Shape::SPEEDS)],
+    solves: true,
+    doc: &[
+        "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",
+        "For several right-hand sides at once `R` holds several numbers: lanes, one right-hand side each. Also known as solve-M, computeMinverse times a vector.",
+        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+    ],
+    candidates: &[
+        Candidate::plain(derive::solution).with_terms(terms::of_matrix),
+        Candidate::planned(derive::solution_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const MASS_MATRIX_INVERSE: Function = Function {
+    name: "mass_matrix_inverse",
+    trait_name: Some("MassMatrixInverse"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("inverse", Shape::SPEED_MATRIX)],
+    solves: true,
+    doc: &[
+        "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
+        "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
+        "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
+    ],
+    candidates: &[
+        Candidate::plain(derive::inverse).with_terms(terms::of_matrix),
+        Candidate::planned(derive::inverse_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
+    name: "mass_matrix_inverse_packed",
+    trait_name: Some("MassMatrixInversePacked"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("entries", Shape::INVERSE_PACKED)],
+    solves: true,
+    doc: &[
+        "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
+        "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",
+    ],
+    candidates: &[
+        Candidate::plain(derive::inverse_packed).with_terms(terms::of_matrix),
+        Candidate::planned(derive::inverse_packed_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const MASS_MATRIX_FACTORS: Function = Function {
+    name: "mass_matrix_factors",
+    trait_name: Some("MassMatrixFactors"),
+    arguments: &[Argument::Q],
+    outputs: &[Output::new("entries", Shape::FACTORS)],
+    doc: &[
+        "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill: D on the diagonal, beside it L, whose diagonal is one.",
+        "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where joints follow others on several branches.",
+        "`MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.",
+    ],
+    candidates: &[
+        Candidate::plain(derive::mass_matrix_factors).with_terms(terms::of_matrix),
+        Candidate::planned(derive::mass_matrix_factors_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const CORIOLIS_MATRIX: Function = Function {
+    name: "coriolis_matrix",
+    trait_name: Some("CoriolisMatrix"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: &[Output::new("c", Shape::SPEED_MATRIX)],
+    doc: &[
+        "Coriolis matrix `C`, every entry written: `C u` is the bias less weight, springs and dampers, `M_dot = C + C^T`, and `M_dot - 2 C` is skew.",
+        "Of every particle `m V^T V_dot`, from Eqs. (15), (20), (32), (33): where all speeds are rates of coordinates it is that of the Christoffel symbols of the first kind,",
+        "with angular velocities as speeds that which bodies have. Also known as centrifugal and Coriolis matrix, computeCoriolisMatrix, `C(q, q_dot)`.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_coriolis::coriolis_matrix).with_terms(terms::of_matrix),
+        Candidate::planned(derive_coriolis::coriolis_matrix_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const MASS_MATRIX_DOT: Function = Function {
+    name: "mass_matrix_dot",
+    trait_name: Some("MassMatrixDot"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: &[Output::new("m_dot", Shape::SPEED_MATRIX)],
+    doc: &[
+        "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_coriolis::mass_matrix_dot).with_terms(terms::of_matrix),
+        Candidate::planned(derive_coriolis::mass_matrix_dot_recursive),
+    ],
+    ..PLAIN
+};

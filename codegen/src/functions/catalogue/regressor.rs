@@ -1,0 +1,44 @@
+//! Forces as they are linear in the parameters of bodies and joints, by which these are identified.
+
+use crate::functions::{
+    argument::Argument,
+    candidate::Candidate,
+    derive_regressor,
+    function::{Function, Output, PLAIN},
+    shape::Shape,
+    terms,
+};
+
+pub(super) const REGRESSOR: Function = Function {
+    name: "regressor",
+    trait_name: Some("Regressor"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: &[Output::new("y", Shape::BODY_PARAMETERS)],
+    doc: &[
+        "Inertia forces and weight as they are linear in the inertial parameters `pi` of the bodies: `inverse_dynamics` is the sum of `y pi` over",
+        "all bodies and parameters, and what springs, dampers and rotors need. Ten parameters a body, with all that is fixed to it:",
+        "`m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m^2;",
+        "`I_xy` is the tensor's component. The model's own values are not read. Also known as joint torque regressor, identification matrix.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_regressor::regressor).with_terms(terms::of_vector),
+        Candidate::planned(derive_regressor::regressor_recursive),
+    ],
+    ..PLAIN
+};
+
+pub(super) const JOINT_REGRESSOR: Function = Function {
+    name: "joint_regressor",
+    trait_name: Some("JointRegressor"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: &[Output::new("y", Shape::SPEED_VECTORS)],
+    doc: &[
+        "Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of `y` times its viscous",
+        "damping, N m s or N s/m, its Coulomb friction, N m or N, and its rotor inertia, kg m^2 or kg; a speed needs these three and no other's.",
+        "`y` is the speed, its sign and its rate. The sign is branch-free: it falls to zero where the speed is less than about `1e-14`.",
+        "A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their multiplier",
+        "squared, friction times its magnitude. Also known as friction regressor.",
+    ],
+    candidates: &[Candidate::plain(derive_regressor::joint_regressor)],
+    ..PLAIN
+};

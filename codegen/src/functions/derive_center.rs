@@ -1,0 +1,84 @@
+//! The root expressions of the functions of the mass centre of all bodies.
+
+use crate::{
+    expr::{Expr, ExprGraph, Vector},
+    kane::{
+        self,
+        center::{self, Momentum},
+    },
+    recursive::{self, Plan},
+    tree::Tree,
+};
+
+fn matrices(columns: &[Momentum]) -> Vec<Expr> {
+    center::rows(columns).concat()
+}
+
+fn matrix(columns: &[Vector]) -> Vec<Expr> {
+    let row = |axis: usize| columns.iter().map(move |column| column[axis]);
+    (0..3).flat_map(row).collect()
+}
+
+fn vectors(Momentum { linear, angular }: Momentum) -> Vec<Expr> {
+    [linear, angular].concat()
+}
+
+pub(super) fn center_of_mass(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    kane::center::position(graph, tree).to_vec()
+}
+
+pub(super) fn center_of_mass_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    recursive::center::position(graph, tree, plan).to_vec()
+}
+
+pub(super) fn center_of_mass_velocity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    kane::center::velocity(graph, tree).to_vec()
+}
+
+pub(super) fn center_of_mass_velocity_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    recursive::center::velocity(graph, tree, plan).to_vec()
+}
+
+pub(super) fn center_of_mass_jacobian(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    matrix(&kane::center::jacobian(graph, tree))
+}
+
+pub(super) fn center_of_mass_jacobian_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    matrix(&recursive::momentum::center_jacobian(graph, tree, plan))
+}
+
+pub(super) fn centroidal_momentum_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    matrices(&kane::center::momentum_matrix(graph, tree))
+}
+
+pub(super) fn centroidal_momentum_matrix_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    matrices(&recursive::momentum::momentum_matrix(graph, tree, plan))
+}
+
+pub(super) fn centroidal_momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    vectors(kane::center::momentum_matrix_dot_u(graph, tree))
+}
+
+pub(super) fn centroidal_momentum_matrix_dot_u_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    vectors(recursive::center::momentum_matrix_dot_u(graph, tree, plan))
+}

@@ -1,0 +1,105 @@
+//! Which entries of a matrix over speeds a packed output holds: one table.
+//!
+//! In: a [`Packed`] and a tree. Out: the places, `[row, column]` with `column <= row`, row after row, and what constants that
+//! hold them are called. Afterwards: places follow from the tree alone, never from values.
+
+use std::collections::BTreeSet;
+
+use crate::{solve, tree::Tree};
+
+/// The constant that holds the order in which speeds are eliminated.
+pub const ELIMINATION: &str = "MASS_MATRIX_FACTORS_ORDER";
+
+/// A packed matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Packed {
+    /// The mass matrix: speeds that move a body in common.
+    MassMatrix,
+    /// Its inverse: speeds of one tree at the root.
+    Inverse,
+    /// Its factors: speeds that move a body in common, or that elimination couples.
+    Factors,
+}
+
+/// A row of the table.
+struct Entry {
+    function: &'static str,
+    length: &'static str,
+    places: &'static str,
+    brief: &'static str,
+    meaning: &'static str,
+    written: &'static str,
+    of: fn(&Tree) -> BTreeSet<[usize; 2]>,
+}
+
+impl Packed {
+    /// All of them, in the order in which modules hold their places.
+    pub const ALL: [Self; 3] = [Self::MassMatrix, Self::Inverse, Self::Factors];
+
+    fn entry(self) -> Entry {
+        match self {
+            Self::MassMatrix => Entry {
+                function: "mass_matrix_packed",
+                length: "MASS_MATRIX_PACKED_LEN",
+                places: "MASS_MATRIX_PACKED_PLACES",
+                brief: "Number of entries of a packed mass matrix",
+                meaning: "The row and column of each entry of a packed mass matrix; those above the diagonal are the same.",
+                written: "The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.",
+                of: Tree::coupled_speeds,
+            },
+            Self::Inverse => Entry {
+                function: "mass_matrix_inverse_packed",
+                length: "MASS_MATRIX_INVERSE_PACKED_LEN",
+                places: "MASS_MATRIX_INVERSE_PACKED_PLACES",
+                brief: "Number of entries of a packed inverse of a mass matrix",
+                meaning: "The row and column of each entry of a packed inverse of a mass matrix; those above the diagonal are the same.",
+                written: "The row and column of each entry that `mass_matrix_inverse_packed` writes; those above the diagonal are the same.",
+                of: solve::inverse_places,
+            },
+            Self::Factors => Entry {
+                function: "mass_matrix_factors",
+                length: "MASS_MATRIX_FACTORS_LEN",
+                places: "MASS_MATRIX_FACTORS_PLACES",
+                brief: "Number of entries of the factors of a mass matrix",
+                meaning: "The two speeds, as row and column, of each entry of the factors of a mass matrix.",
+                written: "The two speeds of each entry that `mass_matrix_factors` writes: of D on the diagonal, of L elsewhere, in the row of the one that is eliminated first.",
+                of: solve::factor_places,
+            },
+        }
+    }
+
+    /// The function that is packed so.
+    pub fn function(self) -> &'static str {
+        self.entry().function
+    }
+
+    /// The constant that holds how many entries there are.
+    pub fn length_constant(self) -> &'static str {
+        self.entry().length
+    }
+
+    /// The constant that holds where they stand.
+    pub fn places_constant(self) -> &'static str {
+        self.entry().places
+    }
+
+    /// What the number of entries is, in words.
+    pub fn brief(self) -> &'static str {
+        self.entry().brief
+    }
+
+    /// What the places are, in words.
+    pub fn meaning(self) -> &'static str {
+        self.entry().meaning
+    }
+
+    /// The same beside the function that writes them.
+    pub fn written(self) -> &'static str {
+        self.entry().written
+    }
+
+    /// Where the entries stand.
+    pub fn places(self, tree: &Tree) -> BTreeSet<[usize; 2]> {
+        (self.entry().of)(tree)
+    }
+}

@@ -1,0 +1,107 @@
+//! Names, limits and frames, as constant tables of a header.
+
+use super::text::{once, table};
+use crate::listing::{Constant, Data, Facts, Frame};
+
+/// The tables, in the order of the module's constants; what is empty is left out.
+pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
+    let constants = facts.constants();
+    let mut tables: Vec<String> = constants
+        .iter()
+        .filter_map(|constant| of(constant, prefix))
+        .collect();
+    if !facts.frames.is_empty() {
+        tables.insert(0, once("KANE_FRAME", FRAME));
+    }
+    tables
+}
+
+/// What the tables need of C's library, before anything that is declared for C++.
+pub(super) fn include(facts: &Facts) -> Option<String> {
+    let limits = &facts.limits;
+    let mut all = [
+        &limits.lower,
+        &limits.upper,
+        &limits.velocity,
+        &limits.effort,
+    ]
+    .into_iter();
+    let has_none = all.any(|values| values.iter().any(|value| value.is_infinite()));
+    has_none.then(|| "#include <math.h>\n".to_owned())
+}
+
+fn of(constant: &Constant<'_>, prefix: &str) -> Option<String> {
+    let name = constant.name;
+    let (declared, entries): (String, Vec<String>) = match &constant.data {
+        Data::Texts(length, texts) => (
+            format!("char *const {prefix}{name}[{prefix}{length}]"),
+            texts.iter().map(|text| string(text)).collect(),
+        ),
+        Data::Numbers(length, values) => (
+            format!("double {prefix}{name}[{prefix}{length}]"),
+            values.iter().map(|value| number(*value)).collect(),
+        ),
+        Data::Frames(frames) => (
+            format!("kane_frame {prefix}{name}[{}]", frames.len()),
+            frames.iter().map(frame).collect(),
+        ),
+        _ => return None,
+    };
+    (!entries.is_empty()).then(|| table(constant.doc, &declared, entries.into_iter()))
+}
+
+const FRAME: &str = "\
+/// A frame that is part of a body: its name; the body, counted from 0, or -1 for the inertial frame; the matrix from the body's axes
+/// to the frame's; the position of its origin from the body's, the body's axes, m.
+typedef struct kane_frame {
+    const char *name;
+    int body;
+    double rotation[3][3];
+    double position[3];
+} kane_frame;
+";
+
+fn frame(frame: &Frame) -> String {
+    let body = frame
+        .body
+        .map_or_else(|| "-1".to_owned(), |body| body.to_string());
+    let vector = |row: &[f64; 3]| format!("{{{}}}", row.map(number).join(", "));
+    let rows = frame.rotation.each_ref().map(vector).join(", ");
+    let (name, position) = (string(&frame.name), vector(&frame.position));
+    format!("{{{name}, {body}, {{{rows}}}, {position}}}")
+}
+
+fn number(value: f64) -> String {
+    if value.is_infinite() {
+        let sign = if value < 0.0 { "-" } else { "" };
+        return format!("{sign}HUGE_VAL");
+    }
+    format!("{value:?}")
+}
+
+/// A literal; bytes that are no plain letters are written by their octal numbers.
+fn string(text: &str) -> String {
+    let byte = |byte: u8| match byte {
+        b'"' | b'\\' | b'?' => format!("\\{}", char::from(byte)),
+        b' '..=b'~' => char::from(byte).to_string(),
+        byte => format!("\\{byte:03o}"),
+    };
+    format!("\"{}\"", text.bytes().map(byte).collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number, string};
+
+    #[test]
+    fn names_are_literals_whatever_they_hold() {
+        assert_eq!(string("left \"foot\"\n"), "\"left \\\"foot\\\"\\012\"");
+        assert_eq!(string("größe"), "\"gr\\303\\266\\303\\237e\"");
+    }
+
+    #[test]
+    fn numbers_without_bound_are_huge() {
+        assert_eq!(number(f64::NEG_INFINITY), "-HUGE_VAL");
+        assert_eq!(number(0.1), "0.1");
+    }
+}

@@ -1,0 +1,282 @@
+//! The Coriolis matrix from composite bodies, as the mass matrix is made of them (Echeandia and Wensing 2021).
+//!
+//! Of all masses `C_ij = sum m J_i · J_dot_j`: J are the velocities for a unit speed. A column's masses need a force and moment
+//! `(sum m J_dot_j, sum m r × J_dot_j)`, which every motion farther in reads off: row i, column j. The mirrored entry is read off
+//! the column's momentum, for the axis of motion i turns, and off the couple `sum m r_dot × J_j`. All three pass inward.
+//! With rates seen from the link, `B = tr(N) 1 - N`, second moments S, and `w` and `v` of the link, they begin for a turn
+//! about `e` as `B e - e × S w` and `e × f + w × (e × h)`, and `B^T e + S (w × e) + v × (e × h)`.
+//!
+//! How fast a whole tree is translated does not matter: of `v` only what joints beyond the root add is there.
+
+use super::{
+    linkage::Linkage,
+    moments::{Changing, Moments, Rates},
+    passage::{Drive, Passenger, speeds},
+    plan::Plan,
+    rotation::Turn,
+    speed_matrix,
+};
+use crate::{
+    expr::{ExprGraph, Vector},
+    id::{BodyId, BodyMap},
+    solve::SpeedMatrix,
+    tree::{Motion, Tree},
+};
+
+/// `C`, with `C u` the bias of a system without weight, springs and dampers, and `M_dot = C + C^T`.
+pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    let velocities = velocities(graph, &linkage);
+    let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
+        Moments::of(&linkage.links[body])
+    });
+    let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
+    let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
+    let mut c = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let mut carried = Carried {
+            body,
+            moments: moments[body],
+            rates: rates[body],
+            velocities: &velocities[body].at_motions,
+            columns: std::mem::take(&mut columns[body]),
+            c: &mut c,
+        };
+        linkage.passages[body].inward(graph, &mut carried);
+        let Carried {
+            moments: arrived,
+            rates: changing,
+            columns: others,
+            ..
+        } = carried;
+        if let Some(lower) = tree.lower(body) {
+            graph.enter(lower);
+            moments[lower] = moments[lower].plus(graph, &arrived);
+            rates[lower] = rates[lower].plus(graph, &changing);
+            columns[lower].extend(others);
+        }
+    }
+    c
+}
+
+/// Angular velocity, and velocity of the origin.
+type Velocity = [Vector; 2];
+
+/// A link's velocity on its way outward through a joint.
+#[derive(Clone, Debug)]
+struct Moving {
+    velocity: Velocity,
+    is_root: bool,
+    /// The same wherever motions enter, in the order of the way.
+    at_motions: Vec<Velocity>,
+}
+
+fn velocities(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Moving> {
+    let tree = linkage.tree;
+    BodyMap::outward(tree.bodies.len(), |body, moving: &BodyMap<Moving>| {
+        graph.enter(body);
+        let lower = tree.lower(body);
+        let below = lower.map(|lower| moving[lower].velocity);
+        let mut passing = Moving {
+            velocity: below.unwrap_or([graph.zero_vector(); 2]),
+            is_root: lower.is_none(),
+            at_motions: Vec::new(),
+        };
+        linkage.passages[body].outward(graph, &mut passing);
+        graph.name_vector(passing.velocity[0], "w");
+        graph.name_vector(passing.velocity[1], "v_o");
+        passing
+    })
+}
+
+impl Passenger for Moving {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        let [w, v] = self.velocity;
+        let swept = graph.cross(w, offset);
+        self.velocity = [w, graph.add_vectors(v, swept)];
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let [w, v] = self.velocity.map(|v| rotation.forward(graph, v));
+        let own = drive.speeds(graph);
+        self.velocity = [graph.add_vectors(w, own), v];
+        self.at_motions.push(self.velocity);
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        if !self.is_root {
+            let own = speeds(graph, motions);
+            self.velocity[1] = graph.add_vectors(self.velocity[1], own);
+        }
+        self.at_motions.push(self.velocity);
+    }
+}
+
+/// What a speed's unit value makes of the masses that it moves, about the origin and along the axes that have been reached.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
+    body: BodyId,
+    motion: Motion,
+    /// Angular and linear: what the change of J needs.
+    needed: [Vector; 2],
+    /// Angular and linear momentum.
+    momentum: [Vector; 2],
+    couple: Vector,
+}
+
+impl Column {
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
+        graph.enter(self.body);
+        self.needed = self.needed.map(|v| rotation.backward(graph, v));
+        self.momentum = self.momentum.map(|v| rotation.backward(graph, v));
+        self.couple = rotation.backward(graph, self.couple);
+    }
+
+    fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
+        graph.enter(self.body);
+        for [angular, linear] in [&mut self.needed, &mut self.momentum] {
+            let lever = graph.cross(offset, *linear);
+            *angular = graph.add_vectors(*angular, lever);
+        }
+    }
+}
+
+/// A composite body and the columns of what it carries, on their way inward through a joint: where a speed moves the body, its
+/// column begins, and row and column are read off all columns.
+struct Carried<'a> {
+    body: BodyId,
+    moments: Moments,
+    rates: Rates,
+    /// The link's velocity wherever motions of the rest of the way enter.
+    velocities: &'a [Velocity],
+    columns: Vec<Column>,
+    c: &'a mut SpeedMatrix,
+}
+
+impl Carried<'_> {
+    /// The velocity where the next motions enter.
+    fn next(&mut self) -> Velocity {
+        let (velocity, rest) = self
+            .velocities
+            .split_last()
+            .expect("coriolis: the way inward is the way outward");
+        self.velocities = rest;
+        *velocity
+    }
+
+    /// The column of a turn about an axis.
+    fn begin_turn(&mut self, graph: &mut ExprGraph, motion: Motion, axis: usize, [w, v]: Velocity) {
+        let Self { moments, rates, .. } = self;
+        let unit = graph.unit_vector(axis);
+        let momentum = graph.cross(unit, moments.first);
+        let (seen, seen_back) = (rates.column(graph, axis), rates.row(graph, axis));
+        let spread = graph.mul_symmetric(&moments.second, w);
+        let turned = graph.cross(unit, spread);
+        let axis_rate = graph.cross(w, unit);
+        let swept = graph.mul_symmetric(&moments.second, axis_rate);
+        let carried = graph.cross(v, momentum);
+        let couple = graph.add_vectors(seen_back, swept);
+        let (moving, turning) = (graph.cross(unit, rates.first), graph.cross(w, momentum));
+        self.columns.push(Column {
+            body: self.body,
+            motion,
+            needed: [
+                graph.sub_vectors(seen, turned),
+                graph.add_vectors(moving, turning),
+            ],
+            momentum: [moments.about(graph, axis), momentum],
+            couple: graph.add_vectors(couple, carried),
+        });
+    }
+
+    /// The column of a translation along an axis.
+    fn begin_shift(
+        &mut self,
+        graph: &mut ExprGraph,
+        motion: Motion,
+        axis: usize,
+        [w, v]: Velocity,
+    ) {
+        let Self { moments, rates, .. } = self;
+        let unit = graph.unit_vector(axis);
+        let axis_rate = graph.cross(w, unit);
+        let force = graph.scale(moments.mass, axis_rate);
+        let (carried, turned) = (graph.scale(moments.mass, v), graph.cross(w, moments.first));
+        let whole = graph.add_vectors(rates.first, carried);
+        let whole = graph.add_vectors(whole, turned);
+        self.columns.push(Column {
+            body: self.body,
+            motion,
+            needed: [graph.cross(moments.first, axis_rate), force],
+            momentum: [
+                graph.cross(moments.first, unit),
+                graph.scale(moments.mass, unit),
+            ],
+            couple: graph.cross(whole, unit),
+        });
+    }
+
+    /// Row and column of the motion that began last, about (0 to 2) or along (3 to 5) an axis.
+    fn read(&mut self, graph: &mut ExprGraph, motion: Motion, place: usize, [w, v]: Velocity) {
+        let unit = graph.unit_vector(place % 3);
+        let last = self.columns.len() - 1;
+        for (i, column) in self.columns.iter().enumerate() {
+            let row = column.needed[place / 3][place % 3];
+            speed_matrix::add(graph, self.c, [motion, column.motion], row);
+            if i == last {
+                continue;
+            }
+            let axis_rate = graph.cross(w, unit);
+            let mut mirrored = graph.dot(axis_rate, column.momentum[place / 3]);
+            if place < 3 {
+                let origin_rate = graph.cross(v, unit);
+                let lever = graph.dot(origin_rate, column.momentum[1]);
+                mirrored = graph.add(mirrored, lever);
+                mirrored = graph.add(mirrored, column.couple[place]);
+            }
+            speed_matrix::add(graph, self.c, [column.motion, motion], mirrored);
+        }
+    }
+}
+
+impl Passenger for Carried<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        for column in &mut self.columns {
+            column.shift(graph, offset);
+        }
+        graph.enter(self.body);
+        self.rates = self.rates.moved(graph, offset);
+        self.moments = self.moments.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let velocity = self.next();
+        for (axis, motion) in drive.motions().into_iter().enumerate() {
+            if let Some(motion) = motion {
+                self.begin_turn(graph, motion, axis, velocity);
+                self.read(graph, motion, axis, velocity);
+            }
+        }
+        for column in &mut self.columns {
+            column.turn(graph, rotation);
+        }
+        graph.enter(self.body);
+        self.rates = self
+            .rates
+            .undriven(graph, &mut self.moments, rotation, drive);
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let velocity = self.next();
+        for (axis, motion) in motions.into_iter().enumerate() {
+            if let Some(motion) = motion {
+                self.begin_shift(graph, motion, axis, velocity);
+                self.read(graph, motion, 3 + axis, velocity);
+            }
+        }
+        let own = speeds(graph, motions);
+        self.rates = self.rates.carried(graph, &self.moments, own);
+    }
+}

@@ -1,0 +1,43 @@
+//! A frame in the link that holds it.
+
+use crate::{
+    expr::{ExprGraph, Matrix, Vector},
+    given::{frame_origin, frame_rotation},
+    id::{BodyId, BodyMap},
+    recursive::link::Link,
+    tree::{NamedFrame, Tree},
+};
+
+/// Where a frame stands in its link; of the inertial frame, there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reach {
+    /// To the frame's axes, by rows.
+    pub(super) axes: Matrix,
+    /// Of its origin, from the link's.
+    pub(super) position: Vector,
+}
+
+impl Reach {
+    pub(super) fn of(
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        links: &BodyMap<Link>,
+        frame: NamedFrame,
+    ) -> Self {
+        let axes = frame_rotation(graph, tree, frame);
+        let position = frame_origin(graph, tree, frame);
+        match tree.frame_body(frame) {
+            None => Self { axes, position },
+            Some(body) => Self {
+                axes: axes.map(|row| links[body].of_body(graph, row)),
+                position: links[body].point_of_body(graph, position),
+            },
+        }
+    }
+}
+
+/// The bodies on the path of a frame, from the one that holds it inward.
+pub(super) fn path(tree: &Tree, frame: NamedFrame) -> Vec<BodyId> {
+    let body = tree.frame_body(frame);
+    body.into_iter().flat_map(|body| tree.path(body)).collect()
+}

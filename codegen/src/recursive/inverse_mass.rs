@@ -1,0 +1,66 @@
+//! The inverse of the mass matrix, and what it makes of forces: the plan's solver on a system at rest without weight.
+
+use super::{
+    articulated, composite, exchange,
+    linkage::Linkage,
+    plan::{Plan, Technique},
+};
+use crate::{
+    expr::{Expr, ExprGraph},
+    given::mechanics,
+    solve::{self, Factors, SpeedMatrix},
+    tree::Tree,
+};
+
+/// The `u_dot` with `M u_dot = tau`.
+pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Expr>) -> Vec<Expr> {
+    let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
+    exchange::forces(graph, &linkage, &mut tau);
+    let mut solution = if plan.uses(Technique::Articulated) {
+        let mut solutions = articulated::solutions_at_rest(graph, &linkage, &[tau]);
+        solutions.remove(0)
+    } else {
+        factors(graph, &linkage).solve(graph, tau)
+    };
+    exchange::accelerations(graph, &linkage, &mut solution);
+    solution
+}
+
+/// `M^-1`.
+pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
+    let mut inverse = if plan.uses(Technique::Articulated) {
+        by_articulated_bodies(graph, &linkage)
+    } else {
+        factors(graph, &linkage).inverse(graph, tree)
+    };
+    exchange::compliance(graph, &linkage, &mut inverse);
+    inverse
+}
+
+fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Factors {
+    let mut matrix = composite::matrix(graph, linkage);
+    mechanics::add_rotors(graph, linkage.tree, &mut matrix);
+    solve::factorise(graph, linkage.tree, matrix)
+}
+
+/// Column by column, each the accelerations for a unit force. Of two entries that are the same that one is taken whose force
+/// acts farther out: its column needs the accelerations on its own branch, and those of lower-numbered bodies.
+fn by_articulated_bodies(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatrix {
+    let order = solve::elimination(linkage.tree);
+    let unit = |graph: &mut ExprGraph, speed: usize| {
+        let mut tau = vec![graph.zero(); order.len()];
+        tau[speed] = graph.one();
+        tau
+    };
+    let forces: Vec<Vec<Expr>> = order.iter().map(|speed| unit(graph, *speed)).collect();
+    let columns = articulated::solutions_at_rest(graph, linkage, &forces);
+    let mut inverse = vec![vec![graph.zero(); order.len()]; order.len()];
+    for (place, (&own, column)) in order.iter().zip(&columns).enumerate() {
+        for &other in &order[place..] {
+            inverse[own][other] = column[other];
+            inverse[other][own] = column[other];
+        }
+    }
+    inverse
+}

@@ -1,0 +1,44 @@
+//! What joints transmit: the wrenches of all that a link carries, read off before they pass its joint.
+//!
+//! Links keep all their inertia here: what a joint does not move of a link is carried by the joint all the same.
+
+use super::{
+    linkage::Linkage,
+    loaded,
+    plan::{Plan, Technique},
+    wrench::Wrench,
+};
+use crate::{
+    expr::{ExprGraph, Vector},
+    given::{Accelerations, Loads},
+    id::BodyMap,
+    tree::Tree,
+};
+
+/// Force and moment that each joint transmits to its body from the lower body, about the body's internal origin, which is
+/// where the joint sits: internal axes.
+pub fn joint_wrenches(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<[Vector; 2]> {
+    let plan = plan.with(Technique::Regroup, false);
+    let linkage = Linkage::of_speeds(graph, tree, &plan);
+    let mut wrenches = loaded::needed(graph, &linkage, Accelerations::Given, Loads::Given);
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let mut passing = wrenches[body];
+        graph.name_vector(passing.force, "f");
+        graph.name_vector(passing.moment, "n");
+        if let Some(lower) = tree.lower(body) {
+            linkage.passages[body].inward(graph, &mut passing);
+            graph.enter(lower);
+            wrenches[lower] = wrenches[lower].plus(graph, &passing);
+        }
+    }
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let (link, Wrench { force, moment }) = (&linkage.links[body], wrenches[body]);
+        let zero = graph.zero_vector();
+        let origin = link.point_of_body(graph, zero);
+        let lever = graph.cross(origin, force);
+        let moment = graph.sub_vectors(moment, lever);
+        [force, moment].map(|v| link.to_body(graph, v))
+    })
+}

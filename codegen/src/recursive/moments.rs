@@ -1,0 +1,209 @@
+//! Masses of composite bodies and how they are spread: mass, first and second moments about an origin, and how fast these
+//! change in axes of which some of the bodies turn.
+//!
+//! With positions `r` from the origin the first moment is `h = sum m r`, the second `S = sum m r r^T`, from which the inertia is
+//! `tr(S) 1 - S`. Whatever moves is seen from the link that has been reached: `f = sum m r_dot`, `N = sum m r_dot r^T`. The
+//! link's own masses add nothing to these, and a joint adds what its rate alone does.
+
+use super::{link::Link, passage::Drive, rotation::Turn};
+use crate::expr::{Axis, Expr, ExprGraph, Matrix, Symmetric, Vector};
+
+/// Mass, first and second moment about a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments {
+    /// Mass, kg.
+    pub(super) mass: Expr,
+    /// Mass times the position of the mass centre, kg m.
+    pub(super) first: Vector,
+    /// Masses times the dyads of their positions, kg m².
+    pub(super) second: Symmetric,
+}
+
+/// How fast they change, as seen from a link.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rates {
+    /// `f`, linear momentum, kg m/s.
+    pub(super) first: Vector,
+    /// `N`: the second moment changes by it and its transpose, kg m²/s.
+    pub(super) second: Matrix,
+}
+
+impl Moments {
+    /// A link's own.
+    pub(super) fn of(link: &Link) -> Self {
+        Self {
+            mass: link.inertia.mass,
+            first: link.inertia.moment,
+            second: Symmetric {
+                diagonal: link.second,
+                mixed: link.inertia.inertia.mixed.map(|mixed| -mixed),
+            },
+        }
+    }
+
+    /// The angular momentum for a unit angular velocity about an axis.
+    pub(super) fn about(&self, graph: &mut ExprGraph, axis: usize) -> Vector {
+        across(graph, axis, self.second.column(axis), self.second.diagonal)
+    }
+
+    /// About a point from which this one's point lies at `d`: `h' = h + m d`, `S' = S + h d^T + d h'^T`.
+    pub(super) fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
+        let shift = graph.scale(self.mass, d);
+        let first = graph.add_vectors(self.first, shift);
+        let both = graph.add_vectors(self.first, first);
+        let mut second = self.second;
+        for axis in Axis::ALL {
+            let (a, (b, c)) = (axis.index(), axis.others());
+            let square = graph.mul(d[a], both[a]);
+            second.diagonal[a] = graph.add(second.diagonal[a], square);
+            let (plus, other) = (graph.mul(self.first[b], d[c]), graph.mul(d[b], first[c]));
+            let product = graph.add(plus, other);
+            second.mixed[a] = graph.add(second.mixed[a], product);
+        }
+        Self {
+            mass: self.mass,
+            first,
+            second,
+        }
+    }
+
+    /// Components before a rotation of what is given by those after it.
+    pub(super) fn turned_back(&self, graph: &mut ExprGraph, rotation: &dyn Turn) -> Self {
+        Self {
+            mass: self.mass,
+            first: rotation.backward(graph, self.first),
+            second: rotation.backward_symmetric(graph, &self.second),
+        }
+    }
+
+    /// Both together, about the same point.
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            mass: graph.add(self.mass, other.mass),
+            first: graph.add_vectors(self.first, other.first),
+            second: Symmetric {
+                diagonal: graph.add_vectors(self.second.diagonal, other.second.diagonal),
+                mixed: graph.add_vectors(self.second.mixed, other.second.mixed),
+            },
+        }
+    }
+}
+
+/// How fast moments change, as seen from a link: all of it, or what is symmetric.
+pub(super) trait Changing: Sized {
+    /// Seen from axes about which those that have been reached turn by `w`.
+    fn driven(&self, graph: &mut ExprGraph, moments: &Moments, w: Vector) -> Self;
+
+    /// Components before a rotation of what is given by those after it.
+    fn turned_back(&self, graph: &mut ExprGraph, rotation: &dyn Turn) -> Self;
+
+    /// Before a rotation, seen from the axes before it; so become the moments.
+    ///
+    /// The rate of an angle may enter on either side of its rotation: before it, where a link that carries nothing has no rates yet.
+    fn undriven(
+        &self,
+        graph: &mut ExprGraph,
+        moments: &mut Moments,
+        rotation: &dyn Turn,
+        drive: Drive,
+    ) -> Self {
+        let w = drive.speeds(graph);
+        if let Drive::AngularVelocity(_) = drive {
+            let driven = self.driven(graph, moments, w);
+            *moments = moments.turned_back(graph, rotation);
+            driven.turned_back(graph, rotation)
+        } else {
+            *moments = moments.turned_back(graph, rotation);
+            let turned = self.turned_back(graph, rotation);
+            turned.driven(graph, moments, w)
+        }
+    }
+}
+
+impl Changing for Rates {
+    /// Seen from axes about which those that have been reached turn by `w`: `f + w × h`, `N + tilde(w) S`.
+    fn driven(&self, graph: &mut ExprGraph, moments: &Moments, w: Vector) -> Self {
+        let swept = graph.cross(w, moments.first);
+        let columns = [0, 1, 2].map(|axis| graph.cross(w, moments.second.column(axis)));
+        Self {
+            first: graph.add_vectors(self.first, swept),
+            second: self.plus_columns(graph, &columns),
+        }
+    }
+
+    /// Components before a rotation of what is given by those after it.
+    fn turned_back(&self, graph: &mut ExprGraph, rotation: &dyn Turn) -> Self {
+        Self {
+            first: rotation.backward(graph, self.first),
+            second: rotation.backward_matrix(graph, &self.second),
+        }
+    }
+}
+
+impl Rates {
+    pub(super) fn zero(graph: &mut ExprGraph) -> Self {
+        Self {
+            first: graph.zero_vector(),
+            second: [graph.zero_vector(); 3],
+        }
+    }
+
+    /// Seen from where the origin moves by `v`: `f + m v`, `N + v h^T`.
+    pub(super) fn carried(&self, graph: &mut ExprGraph, moments: &Moments, v: Vector) -> Self {
+        let moved = graph.scale(moments.mass, v);
+        let columns = moments.first.map(|along| graph.scale(along, v));
+        Self {
+            first: graph.add_vectors(self.first, moved),
+            second: self.plus_columns(graph, &columns),
+        }
+    }
+
+    /// About a point of the same link from which this one's point lies at `d`: `N + f d^T`.
+    pub(super) fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
+        let columns = d.map(|along| graph.scale(along, self.first));
+        Self {
+            first: self.first,
+            second: self.plus_columns(graph, &columns),
+        }
+    }
+
+    /// Both together, about the same point, seen from the same link.
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            first: graph.add_vectors(self.first, other.first),
+            second: [0, 1, 2].map(|i| graph.add_vectors(self.second[i], other.second[i])),
+        }
+    }
+
+    /// A column of `tr(N) 1 - N`.
+    pub(super) fn column(&self, graph: &mut ExprGraph, axis: usize) -> Vector {
+        let column = self.second.map(|row| row[axis]);
+        across(graph, axis, column, self.diagonal())
+    }
+
+    /// A row of it.
+    pub(super) fn row(&self, graph: &mut ExprGraph, axis: usize) -> Vector {
+        across(graph, axis, self.second[axis], self.diagonal())
+    }
+
+    fn diagonal(&self) -> Vector {
+        [0, 1, 2].map(|i| self.second[i][i])
+    }
+
+    fn plus_columns(&self, graph: &mut ExprGraph, columns: &[Vector; 3]) -> Matrix {
+        let mut sum = self.second;
+        for (i, row) in sum.iter_mut().enumerate() {
+            for (entry, column) in row.iter_mut().zip(columns) {
+                *entry = graph.add(*entry, column[i]);
+            }
+        }
+        sum
+    }
+}
+
+/// A column or row of `tr(X) 1 - X` by that of X and its diagonal.
+pub(super) fn across(graph: &mut ExprGraph, axis: usize, line: Vector, diagonal: Vector) -> Vector {
+    let mut across = line.map(|entry| -entry);
+    across[axis] = graph.add(diagonal[(axis + 1) % 3], diagonal[(axis + 2) % 3]);
+    across
+}

@@ -1,0 +1,76 @@
+//! Functions that a model cannot have as they are asked for.
+
+use super::project::{Project, model, system};
+
+/// The arm, with these functions in `kane.toml`.
+fn with_functions(functions: &str) -> Project {
+    let project = Project::arm();
+    let config = system("models/arm.toml", "generated/arm.rs");
+    let config = config.lines().filter(|line| !line.starts_with("functions"));
+    let config: Vec<&str> = config.collect();
+    let config = config.join("\n");
+    project.write("kane.toml", &format!("{config}\nfunctions = {functions}\n"));
+    project
+}
+
+#[test]
+fn unknown_frame_is_pointed_at_in_kane_toml() {
+    let project = with_functions(r#"["bias", "mass_matrix + velocity(foer, local)"]"#);
+    let ran = project.kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `functions` of system 1: `foer` is no frame of the model; there are `fore`, `upper`
+     --> kane.toml:4:46
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    3 | output = "generated/arm.rs"
+    4 | functions = ["bias", "mass_matrix + velocity(foer, local)"]
+      |                                              ^^^^ unknown frame
+    "#);
+    // The same of one model, and of what is up to date.
+    assert_eq!(project.kane(&["generate", "models/arm.toml"]).err, ran.err);
+    assert_eq!(project.kane(&["check"]).err, ran.err);
+}
+
+#[test]
+fn unknown_frame_of_the_command_line_has_no_place_in_kane_toml() {
+    let project = with_functions(r#"["pose(foer)"]"#);
+    let ran = project.kane(&["generate", "models/arm.toml", "--functions", "pose(foer)"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @"error: `foer` is no frame of the model; there are `fore`, `upper`");
+}
+
+#[test]
+fn functions_of_one_name_are_pointed_at_in_kane_toml() {
+    let project = with_functions(r#"["pose(upper)+pose(fore)", "pose(upper_pose_and_fore)"]"#);
+    let frame = "[[frame]]\nname = \"upper_pose_and_fore\"\nbody = \"fore\"\n";
+    project.write("models/arm.toml", &(model("arm", "2.0") + frame));
+    let ran = project.kane(&["generate"]);
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `functions` of system 1: `pose(upper)+pose(fore)` and `pose(upper_pose_and_fore)` would both be called `upper_pose_and_fore_pose` in generated code
+     --> kane.toml:4:40
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    3 | output = "generated/arm.rs"
+    4 | functions = ["pose(upper)+pose(fore)", "pose(upper_pose_and_fore)"]
+      |              ------------------------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^ the second one
+      |              |
+      |              the first one
+    "#);
+}
+
+#[test]
+fn frame_with_a_quote_in_its_name_is_asked_for_with_two() {
+    let project = with_functions(r#"['pose("2"" pipe")']"#);
+    let frame = "[[frame]]\nname = '2\" pipe'\nbody = \"fore\"\n";
+    project.write("models/arm.toml", &(model("arm", "2.0") + frame));
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let module = project.read("generated/arm.rs");
+    assert!(
+        module.contains(r#"functions: pose("2"" pipe")"#),
+        "{module}"
+    );
+}

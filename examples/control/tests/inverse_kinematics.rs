@@ -1,0 +1,228 @@
+//! Inverse kinematics of an arm with a joint too many, one without, and a robot on four feet, from near and from far.
+
+use std::array::from_fn;
+
+use allocation_counter::measure;
+use kane::{
+    System,
+    functions::{Jacobian, Pose},
+    inverse_kinematics::{Goal, Goals, InverseKinematics, Limits},
+};
+use kane_examples::{panda, solo12, ur5};
+
+/// Numbers from -1 to 1, the same ones every time.
+struct Draws(u64);
+
+impl Draws {
+    #[expect(clippy::cast_precision_loss, reason = "31 bits are kept")]
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / f64::from(1 << 30) - 1.0
+    }
+
+    /// Anywhere between the limits.
+    fn between<const N: usize>(&mut self, limits: &Limits<f64, N>) -> [f64; N] {
+        from_fn(|i| {
+            let (lower, upper) = (limits.lower[i], limits.upper[i]);
+            f64::midpoint(lower, upper) + 0.5 * self.next() * (upper - lower)
+        })
+    }
+}
+
+/// Where the frame `F` is at `q`, as a goal.
+fn goal<F, S: Pose<f64, F>>(system: &S, q: &S::Q) -> Goal<f64, F> {
+    let (mut rotation, mut position) = ([[0.0; 3]; 3], [0.0; 3]);
+    system.pose(q, &mut rotation, &mut position);
+    Goal::pose(rotation, position)
+}
+
+fn exact<const NQ: usize>(limits: Limits<f64, NQ>) -> InverseKinematics<f64, NQ> {
+    InverseKinematics {
+        tolerance: 1e-10,
+        ..InverseKinematics::new(limits)
+    }
+}
+
+fn assert_within<const NQ: usize>(limits: &Limits<f64, NQ>, q: &[f64; NQ]) {
+    for i in 0..NQ {
+        assert!(
+            limits.lower[i] <= q[i] && q[i] <= limits.upper[i],
+            "{i} of {q:?}"
+        );
+    }
+}
+
+/// An arm's frame reaches the poses of random coordinates, from starts near to these and far from them.
+fn arm<F, S, const NQ: usize, const NU: usize>(system: &S)
+where
+    S: Pose<f64, F> + Jacobian<f64, F> + System<f64, Q = [f64; NQ], U = [f64; NU]>,
+{
+    let solver = exact(Limits::of::<S>());
+    let mut draws = Draws(1);
+    for _ in 0..200 {
+        let there = draws.between(&solver.limits);
+        let goal = goal::<F, S>(system, &there);
+
+        let mut near = there.map(|q| q + 0.1 * draws.next());
+        let remaining = solver.solve(system, &goal, &mut near, 20);
+        assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
+        assert_within(&solver.limits, &near);
+
+        let mut far = draws.between(&solver.limits);
+        let remaining = solver.search(system, &goal, &mut far, 100, 50);
+        assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
+        assert_within(&solver.limits, &far);
+    }
+}
+
+#[test]
+fn the_panda_reaches_poses_it_can_reach() {
+    arm::<panda::frames::Payload, _, _, _>(&panda::Prepared::nominal());
+}
+
+#[test]
+fn the_ur5_reaches_poses_it_can_reach() {
+    arm::<ur5::frames::Payload, _, _, _>(&ur5::Prepared::nominal());
+}
+
+#[test]
+fn limits_are_never_left_though_the_goal_is_out_of_reach() {
+    let system = panda::Prepared::nominal();
+    let solver = exact(Limits::of::<panda::Prepared<f64>>());
+    let mut draws = Draws(2);
+    for _ in 0..50 {
+        let away = from_fn(|_| 3.0 * draws.next());
+        let goal = Goal::<_, panda::frames::Payload>::position(away);
+        let mut q = draws.between(&solver.limits);
+        let mut before = f64::INFINITY;
+        for _ in 0..100 {
+            let step = solver.step(&system, &goal, &q);
+            for (q, u) in q.iter().zip(step.u) {
+                assert!(u.is_finite() && q.is_finite());
+            }
+            let remaining = solver.solve(&system, &goal, &mut q, 1);
+            assert!(remaining.weighted <= before, "{remaining:?} after {before}");
+            before = remaining.weighted;
+            assert_within(&solver.limits, &q);
+        }
+    }
+}
+
+#[test]
+fn a_joint_at_its_limit_leaves_the_rest_to_the_others() {
+    // The hand goes on where the pose of the goal needs the fourth joint beyond a limit that is drawn tighter.
+    let system = panda::Prepared::nominal();
+    let there = [0.3, -0.4, 0.2, -2.0, 0.1, 1.8, 0.8];
+    let goal = goal::<panda::frames::Payload, _>(&system, &there);
+    let position = Goal::<_, panda::frames::Payload>::position(goal.position);
+    let mut solver = exact(Limits::of::<panda::Prepared<f64>>());
+    solver.limits.lower[3] = -1.9;
+    let mut q = [0.0, 0.0, 0.0, -1.7, 0.0, 1.8, 0.0];
+    let remaining = solver.solve(&system, &position, &mut q, 20);
+    assert!(remaining.is_within(1e-10), "{remaining:?}");
+    assert_within(&solver.limits, &q);
+}
+
+type Solo12 = solo12::Prepared<f64>;
+
+/// Feet and body of the Solo 12 where they are at `q`.
+fn stance(
+    system: &Solo12,
+    q: &[f64; solo12::NQ],
+) -> impl Goals<f64, Solo12, { solo12::NU }> + use<> {
+    (
+        goal::<solo12::frames::BaseLink, _>(system, q),
+        on::<solo12::frames::FlFoot>(system, q),
+        on::<solo12::frames::FrFoot>(system, q),
+        on::<solo12::frames::HlFoot>(system, q),
+        on::<solo12::frames::HrFoot>(system, q),
+    )
+}
+
+/// Where a foot stands, with any orientation.
+fn on<F>(system: &Solo12, q: &[f64; solo12::NQ]) -> Goal<f64, F>
+where
+    Solo12: Pose<f64, F>,
+{
+    Goal::position(goal::<F, _>(system, q).position)
+}
+
+#[test]
+fn four_feet_and_a_free_body_reach_their_places() {
+    let system = Solo12::nominal();
+    let solver = exact(Limits::of::<Solo12>());
+    let mut draws = Draws(3);
+    for _ in 0..100 {
+        let there = standing(&mut draws);
+        let goals = stance(&system, &there);
+
+        let mut near = there.map(|q| q + 0.1 * draws.next());
+        let remaining = solver.solve(&system, &goals, &mut near, 20);
+        assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
+
+        let mut far = standing(&mut draws);
+        let remaining = solver.search(&system, &goals, &mut far, 200, 50);
+        assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
+    }
+}
+
+/// Anywhere, turned anyhow, with legs that are bent: a straight leg is singular.
+fn standing(draws: &mut Draws) -> [f64; solo12::NQ] {
+    let mut q: [f64; solo12::NQ] = from_fn(|_| draws.next());
+    for (name, q) in Solo12::COORDINATE_NAMES.iter().zip(&mut q) {
+        if name.ends_with("kfe") {
+            *q = 0.5 * *q - 1.2;
+        }
+    }
+    let length = q[..4].iter().map(|e| e * e).sum::<f64>().sqrt();
+    for e in &mut q[..4] {
+        *e /= length;
+    }
+    q
+}
+
+#[test]
+fn nothing_is_allocated() {
+    let system = Solo12::nominal();
+    let solver = InverseKinematics::new(Limits::of::<Solo12>());
+    let mut draws = Draws(4);
+    let goals = stance(&system, &standing(&mut draws));
+    let mut q = standing(&mut draws);
+    let allocations = measure(|| {
+        solver.search(&system, &goals, &mut q, 10, 3);
+    });
+    assert_eq!(allocations.count_total, 0);
+}
+
+#[test]
+fn single_precision_reaches_what_it_can_tell_apart() {
+    type Arm = panda::Prepared<f32>;
+    let system = Arm::nominal();
+    let there = [0.3, -0.4, 0.2, -2.0, 0.1, 1.8, 0.8];
+    let (mut rotation, mut position) = ([[0.0; 3]; 3], [0.0; 3]);
+    panda::payload_pose(&system, &there, &mut rotation, &mut position);
+    let goal = Goal::<f32, panda::frames::Payload>::pose(rotation, position);
+    let solver = InverseKinematics {
+        tolerance: 2e-6,
+        least_damping: 1e-4,
+        ..InverseKinematics::new(Limits::of::<Arm>())
+    };
+    let mut q = [0.0, 0.0, 0.0, -1.7, 0.0, 1.5, 0.0];
+    let remaining = solver.solve(&system, &goal, &mut q, 50);
+    assert!(remaining.is_within(2e-6), "{remaining:?}");
+}
+
+#[test]
+fn what_is_not_a_number_is_told() {
+    let system = panda::Prepared::nominal();
+    let solver = exact(Limits::of::<panda::Prepared<f64>>());
+    let goal = Goal::<_, panda::frames::Payload>::position([f64::NAN, 0.0, 0.0]);
+    let begin = [0.0, 0.0, 0.0, -1.7, 0.0, 1.5, 0.0];
+    let mut q = begin;
+    let remaining = solver.solve(&system, &goal, &mut q, 20);
+    assert!(!remaining.is_within(1e-10) && remaining.position.is_nan());
+    assert_eq!(q, begin);
+}

@@ -1,0 +1,139 @@
+//! Functions of frames: where they are, how they move, and what moves them.
+//!
+//! A frame `F` is one of the types in the generated module's `frames`, for vectors along inertial axes; [`Local`] means its
+//! own axes, [`Seen`] another frame from which it is seen.
+
+use core::marker::PhantomData;
+
+use crate::{Array, Real, System};
+
+/// A frame's own axes in place of the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Local<F>(PhantomData<F>);
+
+/// A frame as it is seen from another one, along that one's axes: `Jacobian<R, Seen<frames::Tool0, frames::Camera>>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<F, From>(PhantomData<(F, From)>);
+
+/// Pose of the frame `F`.
+///
+/// `rotation` maps inertial components to components along the frame's axes, by rows; `position` is that of the frame's
+/// origin from the inertial origin, inertial components, m. For [`Seen`] the other frame stands for the inertial one.
+/// Often called the frame placement, or forward kinematics.
+pub trait Pose<R: Real, F>: System<R> {
+    /// Writes the pose at `q`.
+    fn pose(&self, q: &Self::Q, rotation: &mut [[R; 3]; 3], position: &mut [R; 3]);
+}
+
+/// Velocity of the frame `F` in the inertial frame.
+///
+/// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s: inertial components, or for
+/// [`Local`] components along the frame's own axes. Often called the twist.
+pub trait Velocity<R: Real, F>: System<R> {
+    /// Writes the velocity at `q`, `u`.
+    fn velocity(&self, q: &Self::Q, u: &Self::U, linear: &mut [R; 3], angular: &mut [R; 3]);
+}
+
+/// Acceleration of the frame `F` in the inertial frame.
+///
+/// `linear` is the rate of the velocity of the frame's origin, m/s², without gravity, `angular` its angular acceleration,
+/// rad/s²: inertial components, or for [`Local`] components along the frame's own axes.
+pub trait Acceleration<R: Real, F>: System<R> {
+    /// Writes the acceleration at `q`, `u`, `u_dot`.
+    fn acceleration(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        linear: &mut [R; 3],
+        angular: &mut [R; 3],
+    );
+}
+
+/// Jacobian of the frame `F`: times `u` its [`Velocity`].
+///
+/// A row for each component, a column for each speed. For [`Local`] the components are along the frame's own axes, for
+/// [`Seen`] the velocity is that relative to the other frame, along that one's axes. Often called the geometric Jacobian.
+pub trait Jacobian<R: Real, F>: System<R> {
+    /// The speeds that move the frame as it is seen, in order: all other columns are zero.
+    const SPEEDS: &'static [usize];
+    /// Writes the Jacobian at `q`, whole.
+    fn jacobian(&self, q: &Self::Q, linear: &mut [Self::U; 3], angular: &mut [Self::U; 3]);
+}
+
+/// The columns of the [`Jacobian`] of the frame `F` that belong to the speeds that move it.
+pub trait JacobianPacked<R: Real, F>: System<R> {
+    /// `[R; n]`, an entry for each of [`Self::SPEEDS`].
+    type Columns: Array<R>;
+    /// The speeds that move the frame as it is seen, in order.
+    const SPEEDS: &'static [usize];
+    /// Writes the columns at `q`.
+    fn jacobian_packed(
+        &self,
+        q: &Self::Q,
+        linear: &mut [Self::Columns; 3],
+        angular: &mut [Self::Columns; 3],
+    );
+}
+
+/// Jacobian of a point that is fixed in the frame `F`, for contacts that move.
+///
+/// As [`Jacobian`], with the point in place of the frame's origin.
+pub trait PointJacobian<R: Real, F>: System<R> {
+    /// The speeds that move the frame as it is seen, in order: all other columns are zero.
+    const SPEEDS: &'static [usize];
+    /// Writes the Jacobian at `q`; `point` is from the frame's origin, along the frame's axes, m.
+    fn point_jacobian(
+        &self,
+        q: &Self::Q,
+        point: &[R; 3],
+        linear: &mut [Self::U; 3],
+        angular: &mut [Self::U; 3],
+    );
+}
+
+/// The rate of the [`Jacobian`] of the frame `F` times `u`: its [`Acceleration`] for `u_dot = 0`.
+///
+/// Often called the drift, or `J_dot q_dot`.
+pub trait JacobianDotU<R: Real, F>: System<R> {
+    /// Writes the acceleration at `q`, `u`.
+    fn jacobian_dot_u(&self, q: &Self::Q, u: &Self::U, linear: &mut [R; 3], angular: &mut [R; 3]);
+}
+
+/// Generalized forces of a wrench on the frame `F`: the transposed [`Jacobian`] times the wrench, N m and N.
+///
+/// The force, N, acts at the frame's origin; both are given by inertial components, or for [`Local`] by components along the
+/// frame's own axes.
+pub trait GeneralizedForce<R: Real, F>: System<R> {
+    /// Writes `tau` at `q`.
+    fn generalized_force(&self, q: &Self::Q, force: &[R; 3], moment: &[R; 3], tau: &mut Self::U);
+}
+
+/// `J M⁻¹ Jᵀ` of the [`Jacobian`] of the frame `F`, or of several, `(F, G)`: the accelerations that unit wrenches on them cause.
+///
+/// Symmetric, six rows a frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). Of several contacts it is often called the
+/// Delassus matrix, of one frame the inverse of the operational-space inertia.
+pub trait OperationalInverseInertia<R: Real, F>: System<R> {
+    /// `[R; 6]`, or as often six as there are frames.
+    type Row: Array<R>;
+    /// As many of these.
+    type Matrix: Array<Self::Row>;
+    /// Writes the matrix at `q`, whole.
+    fn operational_inverse_inertia(&self, q: &Self::Q, inverse_inertia: &mut Self::Matrix);
+}
+
+/// What an inertial measurement unit at the frame `F` reads.
+///
+/// `specific_force` is the acceleration of the frame's origin less gravity, m/s², `angular_velocity` that of the frame, rad/s;
+/// both along the frame's own axes. At rest the specific force points up.
+pub trait Imu<R: Real, F>: System<R> {
+    /// Writes the readings at `q`, `u`, `u_dot`.
+    fn imu(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        specific_force: &mut [R; 3],
+        angular_velocity: &mut [R; 3],
+    );
+}

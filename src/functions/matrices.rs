@@ -1,0 +1,123 @@
+//! The mass matrix as an operator: what it makes of accelerations and of forces, its inverse, its factors.
+
+use crate::{Array, Real, System};
+
+function_traits! {
+    /// The [`MassMatrix`](super::MassMatrix) times accelerations, `tau = M u_dot`, N m and N, rotors included; no matrix is formed. Eq. (42).
+    ///
+    /// Inverse dynamics without bias. Often called the mass-matrix-vector product; with speeds in place of `u_dot`, the
+    /// generalized momentum.
+    MassMatrixProduct: mass_matrix_product(q: &Self::Q, u_dot: &Self::U, tau: &mut Self::U);
+
+    /// The accelerations of forces alone, `u_dot = M⁻¹ tau`, rad/s² and m/s²: forward dynamics without bias. Eq. (42).
+    ///
+    /// Several right-hand sides are solved for at once where `R` holds several numbers, [`Lanes`](crate::Lanes): each lane
+    /// has one of them, and the same `q` or one of its own. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
+    MassMatrixSolve: mass_matrix_solve(q: &Self::Q, tau: &Self::U, u_dot: &mut Self::U);
+}
+
+/// The inverse of the [`MassMatrix`](super::MassMatrix), symmetric, written whole, `inverse[row][column]`. Eq. (42); often
+/// called Minv, or the inverse of the joint-space inertia matrix.
+///
+/// Units are those of accelerations over those of forces. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
+pub trait MassMatrixInverse<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixInverse`].
+    fn mass_matrix_inverse(&self, q: &Self::Q, inverse: &mut Self::Matrix);
+}
+
+/// The entries of the [`MassMatrixInverse`] on and below the diagonal that the tree does not make zero, row after row.
+///
+/// Those of two speeds of different trees at the root are left out. [`unpack`](super::unpack) makes the whole of it.
+pub trait MassMatrixInversePacked<R: Real>: System<R> {
+    /// `[R; n]`, one entry a place.
+    type Entries: Array<R>;
+    /// The row and the column of each entry, column not above row; ordered by row, within a row by column.
+    const PLACES: &'static [[usize; 2]];
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixInverse`].
+    fn mass_matrix_inverse_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
+}
+
+/// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, without fill: D on the diagonal, beside it
+/// L, whose diagonal is one. Eq. (42); a sparse Cholesky factorisation.
+///
+/// Rows are eliminated from the leaves inward, in an order of their own. [`solve_factored`] solves with them.
+pub trait MassMatrixFactors<R: Real>: System<R> {
+    /// `[R; n]`, one entry a place.
+    type Entries: Array<R>;
+    /// The two speeds of each entry, the higher-numbered first; ordered by that one, then by the other.
+    const PLACES: &'static [[usize; 2]];
+    /// The `NU` speeds in the order of their elimination: an entry of L is in the row of that of its two speeds which comes
+    /// first here, in the column of the other.
+    const ORDER: &'static [usize];
+    /// Overwrites the last argument; meaning and units are those of [`MassMatrixFactors`].
+    fn mass_matrix_factors(&self, q: &Self::Q, entries: &mut Self::Entries);
+}
+
+/// Coriolis matrix `C`, written whole, `c[row][column]`: `C u` is the [`Bias`](super::Bias) less weight, springs and dampers,
+/// `M_dot = C + Cᵀ`, and `M_dot - 2 C` is skew. Eqs. (15), (20), (32), (33); often called by its effects, centrifugal and Coriolis.
+///
+/// Of every particle it is `m Vᵀ V_dot`, `V` its partial velocities. Where all speeds are rates of coordinates that is the matrix
+/// of the Christoffel symbols of the first kind; where some are angular velocities it is that which bodies have.
+pub trait CoriolisMatrix<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last argument; meaning, frame and unit are those of [`CoriolisMatrix`].
+    fn coriolis_matrix(&self, q: &Self::Q, u: &Self::U, c: &mut Self::Matrix);
+}
+
+/// Rate of the [`MassMatrix`](super::MassMatrix) for the motion `u`, `M_dot = C + Cᵀ`: symmetric, written whole,
+/// `m_dot[row][column]`; the unit is that of the mass matrix, per second.
+pub trait MassMatrixDot<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixDot`].
+    fn mass_matrix_dot(&self, q: &Self::Q, u: &Self::U, m_dot: &mut Self::Matrix);
+}
+
+/// Solves `M x = b` with the factors of `M`, in place: `b` becomes `x`.
+///
+/// `entries`, `places` and `order` are those of [`MassMatrixFactors`]. What is missing from the lists counts as zero.
+///
+/// ```
+/// use kane::{Array, Real, functions::{MassMatrixFactors, solve_factored}};
+///
+/// /// Accelerations of several forces, in one state.
+/// fn accelerations<R: Real, S: MassMatrixFactors<R>>(system: &S, q: &S::Q, forces: &mut [S::U]) {
+///     let mut entries = S::Entries::filled(R::from_f64(0.0));
+///     system.mass_matrix_factors(q, &mut entries);
+///     for force in forces {
+///         solve_factored(entries.as_ref(), S::PLACES, S::ORDER, force.as_mut());
+///     }
+/// }
+/// ```
+pub fn solve_factored<R: Real>(entries: &[R], places: &[[usize; 2]], order: &[usize], b: &mut [R]) {
+    let entry = |k: usize, other: usize| {
+        let place = places.binary_search(&[k.max(other), k.min(other)]).ok()?;
+        entries.get(place).copied()
+    };
+    let outer = |place: usize| order.get(place + 1..).unwrap_or(&[]);
+    for (place, &k) in order.iter().enumerate() {
+        let Some(&own) = b.get(k) else { continue };
+        for &other in outer(place) {
+            if let (Some(l), Some(rest)) = (entry(k, other), b.get_mut(other)) {
+                *rest = *rest - l * own;
+            }
+        }
+    }
+    for (place, &k) in order.iter().enumerate().rev() {
+        let (Some(pivot), Some(&own)) = (entry(k, k), b.get(k)) else {
+            continue;
+        };
+        let mut x = own / pivot;
+        for &other in outer(place) {
+            if let (Some(l), Some(solved)) = (entry(k, other), b.get(other)) {
+                x = x - l * *solved;
+            }
+        }
+        if let Some(solved) = b.get_mut(k) {
+            *solved = x;
+        }
+    }
+}

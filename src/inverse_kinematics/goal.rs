@@ -1,0 +1,131 @@
+//! [`Goal`]: where a frame is to be, and what is missing.
+
+use core::marker::PhantomData;
+
+use crate::functions::{Jacobian, Pose};
+use crate::{Array, Real, System};
+
+use super::equations::Equations;
+use super::rotation::rotation_to;
+
+/// Where the frame `F` is to be, and how much that matters.
+///
+/// `F` is one of the types in the generated module's `frames`, or [`Seen`](crate::functions::Seen) for a pose relative to
+/// another frame: whatever has both [`Pose`] and [`Jacobian`].
+#[derive(Clone, Copy, Debug)]
+pub struct Goal<R, F> {
+    /// Inertial components to components along the frame's axes, by rows, as [`Pose`] writes it.
+    pub rotation: [[R; 3]; 3],
+    /// The frame's origin from the inertial origin, inertial components, m, as [`Pose`] writes it.
+    pub position: [R; 3],
+    /// The weight of the squared distance, 1/m²; where it is zero, the position is any.
+    pub position_weight: R,
+    /// The weight of the squared angle, 1/rad²; where it is zero, the orientation is any.
+    pub orientation_weight: R,
+    frame: PhantomData<F>,
+}
+
+impl<R: Real, F> Goal<R, F> {
+    /// Asks for a position and an orientation: a radian weighs as much as a metre.
+    pub fn pose(rotation: [[R; 3]; 3], position: [R; 3]) -> Self {
+        let one = R::from_f64(1.0);
+        Self {
+            rotation,
+            position,
+            position_weight: one,
+            orientation_weight: one,
+            frame: PhantomData,
+        }
+    }
+
+    /// Asks for a position, with any orientation: for feet, and for points to look at.
+    pub fn position(position: [R; 3]) -> Self {
+        let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
+        let rotation = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
+        Self::pose(rotation, position).weighing(one, zero)
+    }
+
+    /// The same with other weights, 1/m² and 1/rad².
+    #[must_use]
+    pub fn weighing(self, position_weight: R, orientation_weight: R) -> Self {
+        Self {
+            position_weight,
+            orientation_weight,
+            ..self
+        }
+    }
+}
+
+/// One or several goals of the system `S`, which has `NU` speeds.
+///
+/// Implemented for [`Goal`], for arrays of goals, and for tuples of up to six: these may be of different frames, and tuples
+/// of tuples hold more. Meant to be implemented for nothing else.
+pub trait Goals<R: Real, S: System<R>, const NU: usize> {
+    /// Adds what is missing at `q` to the equations of a step.
+    fn add(&self, system: &S, q: &S::Q, equations: &mut Equations<R, NU>);
+}
+
+impl<R, F, S, const NU: usize> Goals<R, S, NU> for Goal<R, F>
+where
+    R: Real + PartialOrd,
+    S: Pose<R, F> + Jacobian<R, F> + System<R, U = [R; NU]>,
+{
+    fn add(&self, system: &S, q: &S::Q, equations: &mut Equations<R, NU>) {
+        let zero = R::from_f64(0.0);
+        let (mut rotation, mut position) = ([[zero; 3]; 3], [zero; 3]);
+        system.pose(q, &mut rotation, &mut position);
+        let (mut linear, mut angular) = ([[zero; NU]; 3], [[zero; NU]; 3]);
+        system.jacobian(q, &mut linear, &mut angular);
+
+        let way = <[R; 3]>::from_fn(|i| self.position[i] - position[i]);
+        let turn = rotation_to(&rotation, &self.rotation);
+        let speeds = <S as Jacobian<R, F>>::SPEEDS;
+        for i in 0..3 {
+            equations.add(&linear[i], way[i], self.position_weight, speeds);
+            equations.add(&angular[i], turn[i], self.orientation_weight, speeds);
+        }
+        if self.position_weight > zero {
+            equations.remaining.raise_position(&way);
+        }
+        if self.orientation_weight > zero {
+            equations.remaining.raise_orientation(&turn);
+        }
+    }
+}
+
+impl<R, S, G, const NU: usize, const N: usize> Goals<R, S, NU> for [G; N]
+where
+    R: Real,
+    S: System<R>,
+    G: Goals<R, S, NU>,
+{
+    fn add(&self, system: &S, q: &S::Q, equations: &mut Equations<R, NU>) {
+        for goal in self {
+            goal.add(system, q, equations);
+        }
+    }
+}
+
+macro_rules! tuples {
+    ($(($($goal:ident . $place:tt),+))+) => {$(
+        impl<R, S, $($goal,)+ const NU: usize> Goals<R, S, NU> for ($($goal,)+)
+        where
+            R: Real,
+            S: System<R>,
+            $($goal: Goals<R, S, NU>,)+
+        {
+            fn add(&self, system: &S, q: &S::Q, equations: &mut Equations<R, NU>) {
+                $(self.$place.add(system, q, equations);)+
+            }
+        }
+    )+};
+}
+
+tuples! {
+    (A.0)
+    (A.0, B.1)
+    (A.0, B.1, C.2)
+    (A.0, B.1, C.2, D.3)
+    (A.0, B.1, C.2, D.3, E.4)
+    (A.0, B.1, C.2, D.3, E.4, F.5)
+}

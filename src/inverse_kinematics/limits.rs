@@ -1,0 +1,101 @@
+//! Limits of coordinates, and which speeds lead to them.
+
+use crate::joint::Chart;
+use crate::{Real, System};
+
+/// What the coordinates may be, rad, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits<R, const NQ: usize> {
+    /// The least values; `-∞` where there is no limit.
+    pub lower: [R; NQ],
+    /// The greatest values; `∞` where there is no limit.
+    pub upper: [R; NQ],
+}
+
+impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
+    /// No limits.
+    pub fn none() -> Self {
+        Self {
+            lower: [R::from_f64(f64::NEG_INFINITY); NQ],
+            upper: [R::from_f64(f64::INFINITY); NQ],
+        }
+    }
+
+    /// Those of the model, [`System::LOWER_LIMITS`] and [`System::UPPER_LIMITS`].
+    pub fn of<S: System<R, Q = [R; NQ]>>() -> Self {
+        let mut limits = Self::none();
+        for (limit, given) in limits.lower.iter_mut().zip(S::LOWER_LIMITS) {
+            *limit = R::from_f64(*given);
+        }
+        for (limit, given) in limits.upper.iter_mut().zip(S::UPPER_LIMITS) {
+            *limit = R::from_f64(*given);
+        }
+        limits
+    }
+
+    /// Brings each coordinate that is beyond a limit back to it.
+    pub(super) fn clamp(&self, q: &mut [R; NQ]) {
+        for ((q, lower), upper) in q.iter_mut().zip(self.lower).zip(self.upper) {
+            if *q < lower {
+                *q = lower;
+            }
+            if *q > upper {
+                *q = upper;
+            }
+        }
+    }
+
+    /// Draws each coordinate that has two limits, between them; `seed` is another one afterwards.
+    pub(super) fn draw(&self, q: &mut [R; NQ], seed: &mut u64) {
+        for ((q, lower), upper) in q.iter_mut().zip(self.lower).zip(self.upper) {
+            let part = R::from_f64(uniform(seed));
+            let drawn = lower + part * (upper - lower);
+            // Neither infinite nor NaN: that is what lacks a limit on one side or both.
+            if drawn >= lower && drawn <= upper && upper - lower < R::from_f64(f64::INFINITY) {
+                *q = drawn;
+            }
+        }
+    }
+
+    /// The limit beyond which coordinate `i` would be, if it would.
+    pub(super) fn passed(&self, i: usize, value: R) -> Option<R> {
+        let (lower, upper) = (*self.lower.get(i)?, *self.upper.get(i)?);
+        if value < lower {
+            Some(lower)
+        } else if value > upper {
+            Some(upper)
+        } else {
+            None
+        }
+    }
+}
+
+/// For each speed the coordinate whose rate it is; none for components of angular velocities.
+pub(super) fn rated_coordinates<R: Real, S: System<R>, const NU: usize>() -> [Option<usize>; NU] {
+    let mut coordinates = [None; NU];
+    for joint in S::JOINTS {
+        let angles = match joint.chart {
+            Chart::AngleRates => &joint.q[..3],
+            Chart::Angles | Chart::EulerParameters => &[None; 3],
+        };
+        for (q, u) in angles.iter().chain(&joint.q[4..]).zip(joint.u) {
+            if let (Some(q), Some(u)) = (q, u)
+                && let Some(place) = coordinates.get_mut(u)
+            {
+                *place = Some(*q);
+            }
+        }
+    }
+    coordinates
+}
+
+/// A number from 0 to 1, of Steele, Lea and Flood's `SplitMix64`.
+#[expect(clippy::cast_precision_loss, reason = "53 bits are what f64 holds")]
+fn uniform(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut bits = *seed;
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    bits ^= bits >> 31;
+    (bits >> 11) as f64 / (1_u64 << 53) as f64
+}

@@ -1,0 +1,48 @@
+//! The rotation that is missing between two orientations, as a vector.
+
+use crate::{Array, Real};
+
+/// The vector along the axis about which a frame with the rotation matrix `from` has to turn to get that of `to`, inertial
+/// components; its length is `2 sin(angle / 2)`, the angle itself to third order.
+///
+/// Rotation matrices are as [`Pose`](crate::functions::Pose) writes them. The vector is of the shorter way, and never vanishes
+/// but where the two agree.
+pub(super) fn rotation_to<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
+    // The turn of vectors that are fixed in the frame, inertial components.
+    let turn: [[R; 3]; 3] = Array::from_fn(|i| {
+        Array::from_fn(|j| to[0][i] * from[0][j] + to[1][i] * from[1][j] + to[2][i] * from[2][j])
+    });
+    let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
+    let [x, y, z] = [0, 1, 2].map(|i| turn[i][i]);
+    let odd = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| turn[i][j] - turn[j][i]);
+    let even = |i: usize, j: usize| turn[i][j] + turn[j][i];
+
+    // Euler parameters times four times the one that is greatest: the greatest stands in `square`, four times its square.
+    let (square, scalar, vector) = if x + y + z > zero {
+        let square = one + x + y + z;
+        (square, square, odd)
+    } else if x >= y && x >= z {
+        let square = one + x - y - z;
+        (square, odd[0], [square, even(0, 1), even(0, 2)])
+    } else if y >= z {
+        let square = one - x + y - z;
+        (square, odd[1], [even(0, 1), square, even(1, 2)])
+    } else {
+        let square = one - x - y + z;
+        (square, odd[2], [even(0, 2), even(1, 2), square])
+    };
+    let factor = one / square_root(square);
+    let factor = if scalar < zero { -factor } else { factor };
+    vector.map(|entry| factor * entry)
+}
+
+/// The square root of a number from 1 to 4, by Newton's method: `core` has none.
+fn square_root<R: Real>(x: R) -> R {
+    let half = R::from_f64(0.5);
+    // From at most a quarter off, in five steps to rounding.
+    let mut root = half + half * x;
+    for _ in 0..5 {
+        root = half * (root + x / root);
+    }
+    root
+}

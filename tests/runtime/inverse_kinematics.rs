@@ -1,0 +1,175 @@
+//! Inverse kinematics of two systems by hand: a gantry, whose steps have a closed form, and a wrist of one axis.
+
+use kane::functions::{Jacobian, Pose};
+use kane::inverse_kinematics::{Goal, InverseKinematics, Limits};
+use kane::{Chart, Joint, Load, Real, System};
+
+const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A point that slides along three axes: its coordinates are its position, m.
+struct Gantry;
+
+/// The one frame of each.
+struct Tool;
+
+impl System<f64> for Gantry {
+    type Q = [f64; 3];
+    type U = [f64; 3];
+    type Loads = [Load<f64>; 1];
+    type Scalars = [f64; 1];
+    type Vectors = [[f64; 3]; 1];
+    type Rotations = [[[f64; 3]; 3]; 1];
+
+    const NAME: &'static str = "gantry";
+    const BODY_NAMES: &'static [&'static str] = &["tool"];
+    const COORDINATE_NAMES: &'static [&'static str] = &["x", "y", "z"];
+    const SPEED_NAMES: &'static [&'static str] = &["x_dot", "y_dot", "z_dot"];
+    const LOWER_BODIES: &'static [usize] = &[0];
+    const SPEED_BODIES: &'static [usize] = &[0, 0, 0];
+    const JOINTS: &'static [Joint] = &[Joint {
+        name: "gantry",
+        chart: Chart::AngleRates,
+        q: [None, None, None, None, Some(0), Some(1), Some(2)],
+        u: [None, None, None, Some(0), Some(1), Some(2)],
+    }];
+    const LOWER_LIMITS: &'static [f64] = &[-1.0, -1.0, f64::NEG_INFINITY];
+    const UPPER_LIMITS: &'static [f64] = &[0.5, 1.0, f64::INFINITY];
+
+    fn q_dot(&self, _: &[f64; 3], u: &[f64; 3], q_dot: &mut [f64; 3]) {
+        *q_dot = *u;
+    }
+}
+
+impl Pose<f64, Tool> for Gantry {
+    fn pose(&self, q: &[f64; 3], rotation: &mut [[f64; 3]; 3], position: &mut [f64; 3]) {
+        (*rotation, *position) = (IDENTITY, *q);
+    }
+}
+
+impl Jacobian<f64, Tool> for Gantry {
+    const SPEEDS: &'static [usize] = &[0, 1, 2];
+
+    fn jacobian(&self, _: &[f64; 3], linear: &mut [[f64; 3]; 3], angular: &mut [[f64; 3]; 3]) {
+        (*linear, *angular) = (IDENTITY, [[0.0; 3]; 3]);
+    }
+}
+
+#[test]
+fn a_step_is_that_of_damped_least_squares() {
+    let solver = InverseKinematics::new(Limits::none());
+    let goal = Goal::<f64, Tool>::position([0.3, -0.4, 1.2]).weighing(2.0, 0.0);
+    let step = solver.step(&Gantry, &goal, &[0.0; 3]);
+    let weighted = 0.3_f64.powi(2) + 0.4_f64.powi(2) + 1.2_f64.powi(2);
+    let damping = weighted + solver.least_damping;
+    for (u, e) in step.u.iter().zip(goal.position) {
+        let expected = 2.0 * e / (2.0 + damping);
+        assert!((u - expected).abs() < 1e-15, "{u} and not {expected}");
+    }
+    assert!((step.remaining.weighted - weighted).abs() < 1e-15);
+    assert_eq!(step.remaining.position, 1.2);
+    assert_eq!(step.remaining.orientation, 0.0);
+}
+
+#[test]
+fn goals_add_up() {
+    let solver = InverseKinematics::new(Limits::none());
+    let goal = |x: f64| Goal::<f64, Tool>::position([x, 0.0, 0.0]);
+    let mut q = [0.2; 3];
+    let remaining = solver.solve(&Gantry, &[goal(1.0), goal(2.0)], &mut q, 200);
+    // Between the two, and half a metre off each.
+    assert!((q[0] - 1.5).abs() < 1e-6, "{q:?}");
+    assert!((remaining.position - 0.5).abs() < 1e-6, "{remaining:?}");
+    let mut other = [0.2; 3];
+    let nested = ((goal(1.0),), [goal(2.0)]);
+    assert_eq!(solver.solve(&Gantry, &nested, &mut other, 200), remaining);
+    assert_eq!(other, q);
+}
+
+#[test]
+fn a_joint_stops_at_its_limit_and_the_others_go_on() {
+    let solver = InverseKinematics::new(Limits::of::<Gantry>());
+    let goal = Goal::<f64, Tool>::position([0.8, 0.6, -3.0]);
+    // It begins beyond a limit, and is brought back.
+    let mut q = [0.0, -4.0, 0.0];
+    let remaining = solver.solve(&Gantry, &goal, &mut q, 200);
+    assert_eq!(q[0], 0.5);
+    assert!(
+        (q[1] - 0.6).abs() < 1e-5 && (q[2] + 3.0).abs() < 1e-5,
+        "{q:?}"
+    );
+    assert!((remaining.position - 0.3).abs() < 1e-15, "{remaining:?}");
+    // A joint at its limit leaves it when that helps.
+    let goal = Goal::<f64, Tool>::position([0.1, 0.6, -3.0]);
+    let remaining = solver.solve(&Gantry, &goal, &mut q, 50);
+    assert!(remaining.is_within(1e-6), "{remaining:?}");
+}
+
+/// A hinge about one axis of the inertial frame, by number.
+struct Hinge {
+    axis: usize,
+}
+
+impl System<f64> for Hinge {
+    type Q = [f64; 1];
+    type U = [f64; 1];
+    type Loads = [Load<f64>; 1];
+    type Scalars = [f64; 1];
+    type Vectors = [[f64; 3]; 1];
+    type Rotations = [[[f64; 3]; 3]; 1];
+
+    const NAME: &'static str = "hinge";
+    const BODY_NAMES: &'static [&'static str] = &["tool"];
+    const COORDINATE_NAMES: &'static [&'static str] = &["theta"];
+    const SPEED_NAMES: &'static [&'static str] = &["theta_dot"];
+    const LOWER_BODIES: &'static [usize] = &[0];
+    const SPEED_BODIES: &'static [usize] = &[0];
+
+    fn q_dot(&self, _: &[f64; 1], u: &[f64; 1], q_dot: &mut [f64; 1]) {
+        *q_dot = *u;
+    }
+}
+
+impl Pose<f64, Tool> for Hinge {
+    fn pose(&self, q: &[f64; 1], rotation: &mut [[f64; 3]; 3], position: &mut [f64; 3]) {
+        let (sine, cosine) = <f64 as Real>::sin_cos(q[0]);
+        let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
+        (*rotation, *position) = (IDENTITY, [0.0; 3]);
+        (rotation[j][j], rotation[k][k]) = (cosine, cosine);
+        (rotation[j][k], rotation[k][j]) = (sine, -sine);
+    }
+}
+
+impl Jacobian<f64, Tool> for Hinge {
+    const SPEEDS: &'static [usize] = &[0];
+
+    fn jacobian(&self, _: &[f64; 1], linear: &mut [[f64; 1]; 3], angular: &mut [[f64; 1]; 3]) {
+        (*linear, *angular) = ([[0.0]; 3], [[0.0]; 3]);
+        angular[self.axis] = [1.0];
+    }
+}
+
+#[test]
+fn what_is_missing_of_a_turn_is_along_its_axis_for_any_angle() {
+    for axis in 0..3 {
+        for tenths in -31..=31 {
+            let angle = f64::from(tenths) / 10.0;
+            let hinge = Hinge { axis };
+            let (mut rotation, mut position) = ([[0.0; 3]; 3], [0.0; 3]);
+            hinge.pose(&[0.5 + angle], &mut rotation, &mut position);
+            let goal = Goal::<f64, Tool>::pose(rotation, position);
+            let mut solver = InverseKinematics::new(Limits::none());
+            solver.tolerance = 1e-12;
+
+            let step = solver.step(&hinge, &goal, &[0.5]);
+            let chord = 2.0 * <f64 as Real>::sin_cos(angle / 2.0).0;
+            let expected = chord / (1.0 + 0.5 * chord * chord + solver.least_damping);
+            assert!((step.u[0] - expected).abs() < 1e-13, "{axis} {angle}");
+            assert!((step.remaining.orientation - chord.abs()).abs() < 1e-13);
+
+            let mut q = [0.5];
+            let remaining = solver.solve(&hinge, &goal, &mut q, 30);
+            assert!(remaining.is_within(1e-12), "{axis} {angle}: {remaining:?}");
+            assert!((q[0] - 0.5 - angle).abs() < 2e-12, "{axis} {angle}: {q:?}");
+        }
+    }
+}

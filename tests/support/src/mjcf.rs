@@ -1,0 +1,29 @@
+//! The models of `tests/mjcf`.
+
+/// Hands the names of the models to a macro, in their order.
+#[macro_export]
+macro_rules! mjcf_models {
+    ($then:ident) => {
+        $then! {
+            adjusted_inertias
+            ant
+            ball_joint_arm
+            cart_with_springs
+            cheetah
+            extrinsic_angles
+            frames
+            free_bodies
+            humanoid
+            inertias
+            legged
+            mixed_angles
+            no_gravity
+            orientations
+            several_joints
+            sites
+            two_link_arm
+            walker
+            welded
+        }
+    };
+}
