@@ -8,6 +8,8 @@ pub trait Number:
 {
     /// A constant of the graph.
     fn constant(value: f64) -> Self;
+    /// A constant of which folding may have taken digits.
+    fn folded(constant: Rounded) -> Self;
     /// The absolute value.
     #[must_use]
     fn abs(self) -> Self;
@@ -22,6 +24,10 @@ pub trait Number:
 impl Number for f64 {
     fn constant(value: f64) -> Self {
         value
+    }
+
+    fn folded(constant: Rounded) -> Self {
+        constant.value
     }
 
     fn abs(self) -> Self {
@@ -72,6 +78,10 @@ impl Number for Rounded {
     /// Constants were folded.
     fn constant(value: f64) -> Self {
         Self::new(value, 0.0)
+    }
+
+    fn folded(constant: Rounded) -> Self {
+        constant
     }
 
     fn abs(self) -> Self {

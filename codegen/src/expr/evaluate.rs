@@ -11,7 +11,7 @@ impl ExprGraph {
         for id in self.ids().filter(|id| needed[id.index()]) {
             let of = |expr: Expr| signed(expr, values[expr.node().index()]);
             values[id.index()] = match self.node(id) {
-                Node::Number(bits) => N::constant(f64::from_bits(bits)),
+                Node::Number(bits) => N::folded(self.rounded(id, f64::from_bits(bits))),
                 Node::Input(given) => input(given),
                 Node::Sin(a) => values[a.index()].sin_cos().0,
                 Node::Cos(a) => values[a.index()].sin_cos().1,

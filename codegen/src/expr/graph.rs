@@ -3,7 +3,10 @@
 use rustc_hash::FxHashMap;
 
 use super::node::{Binding, Expr, Input, Label, Node, NodeId};
-use crate::id::BodyId;
+use crate::{
+    id::BodyId,
+    number::{Number as _, Rounded},
+};
 
 /// A hash-consed graph of scalar expressions.
 ///
@@ -17,6 +20,8 @@ pub struct ExprGraph {
     labels: Vec<Option<Label>>,
     /// For each node, whether it was its negative that was written.
     written_negative: Vec<bool>,
+    /// How far folding may have left numbers from the exact ones, where that is more than [`Self::DIGITS_LOST`].
+    lost: FxHashMap<NodeId, f64>,
     // Only ever looked up, so that nothing depends on hash order.
     known: FxHashMap<Node, NodeId>,
     scope: Option<BodyId>,
@@ -24,6 +29,9 @@ pub struct ExprGraph {
 }
 
 impl ExprGraph {
+    /// What a number may be off by, relative to itself, and still count as one with all its digits.
+    const DIGITS_LOST: f64 = 4.0 * f64::EPSILON;
+
     /// From here on new nodes belong to `scope`: a body, or the whole system.
     pub fn enter(&mut self, scope: impl Into<Option<BodyId>>) {
         self.scope = scope.into();
@@ -126,6 +134,31 @@ impl ExprGraph {
         self.overflowed
     }
 
+    /// A number that was computed from others.
+    fn folded(&mut self, number: Rounded) -> Expr {
+        let expr = self.number(number.value);
+        let magnitude = number.value.abs();
+        if number.error > Self::DIGITS_LOST * magnitude && magnitude > 0.0 {
+            let lost = self.lost.entry(expr.node()).or_default();
+            *lost = lost.max(number.error);
+        }
+        expr
+    }
+
+    /// The number of a node, and how far folding may have left it from the exact one.
+    pub(super) fn rounded(&self, id: NodeId, value: f64) -> Rounded {
+        let whole = Rounded::constant(value);
+        match self.lost.get(&id) {
+            Some(&error) => Rounded { error, ..whole },
+            None => whole,
+        }
+    }
+
+    fn as_rounded(&self, expr: Expr) -> Option<Rounded> {
+        let value = self.as_number(expr)?;
+        Some(self.rounded(expr.node(), value))
+    }
+
     /// Zero.
     pub fn zero(&mut self) -> Expr {
         self.number(0.0)
@@ -163,10 +196,10 @@ impl ExprGraph {
 
     /// `a + b`.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
-        match (self.as_number(a), self.as_number(b)) {
-            (Some(x), Some(y)) => return self.number(x + y),
-            (Some(0.0), None) => return b,
-            (None, Some(0.0)) => return a,
+        match (self.as_rounded(a), self.as_rounded(b)) {
+            (Some(x), Some(y)) => return self.folded(x + y),
+            (Some(x), None) if x.value == 0.0 => return b,
+            (None, Some(y)) if y.value == 0.0 => return a,
             _ => {}
         }
         if a.node() == b.node() {
@@ -198,12 +231,12 @@ impl ExprGraph {
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
         let negative = a.is_negative() ^ b.is_negative();
         let (a, b) = (a.abs_sign(), b.abs_sign());
-        match (self.as_number(a), self.as_number(b)) {
-            (Some(x), Some(y)) => return self.number(x * y).signed(negative),
-            (Some(0.0), None) => return a,
-            (None, Some(0.0)) => return b,
-            (Some(1.0), None) => return b.signed(negative),
-            (None, Some(1.0)) => return a.signed(negative),
+        match (self.as_rounded(a), self.as_rounded(b)) {
+            (Some(x), Some(y)) => return self.folded(x * y).signed(negative),
+            (Some(x), None) if x.value == 0.0 => return a,
+            (None, Some(y)) if y.value == 0.0 => return b,
+            (Some(x), None) if x.value == 1.0 => return b.signed(negative),
+            (None, Some(y)) if y.value == 1.0 => return a.signed(negative),
             _ => {}
         }
         if let Some(merged) = self
@@ -220,12 +253,12 @@ impl ExprGraph {
     /// `a / b`. A value divided by the number zero is kept: it is what IEEE arithmetic makes of it.
     pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
         let negative = a.is_negative() ^ b.is_negative();
-        match (self.as_number(a), self.as_number(b)) {
+        match (self.as_rounded(a), self.as_rounded(b)) {
             // A quotient of an overflow must not hide it.
-            (Some(x), Some(y)) if y.is_finite() => return self.number(x / y),
+            (Some(x), Some(y)) if y.value.is_finite() => return self.folded(x / y),
             (Some(_), Some(_)) => return self.number(f64::NAN),
-            (None, Some(divisor)) if divisor.is_finite() && (1.0 / divisor).is_finite() => {
-                let reciprocal = self.number(1.0 / divisor);
+            (None, Some(y)) if y.value.is_finite() && (1.0 / y.value).is_finite() => {
+                let reciprocal = self.folded(Rounded::exact(1.0) / y);
                 return self.mul(a, reciprocal);
             }
             _ => {}
@@ -275,7 +308,7 @@ impl ExprGraph {
         if x != y || self.as_number(Expr::new(x, false)).is_some() {
             return None;
         }
-        let sum = self.number(c + d);
+        let sum = self.folded(c + d);
         Some(self.mul(sum, Expr::new(x, false)))
     }
 
@@ -295,14 +328,14 @@ impl ExprGraph {
     }
 
     /// An expression as a number times a node.
-    fn as_multiple(&self, expr: Expr) -> (f64, NodeId) {
-        let sign = if expr.is_negative() { -1.0 } else { 1.0 };
+    fn as_multiple(&self, expr: Expr) -> (Rounded, NodeId) {
+        let signed = |factor: Rounded| if expr.is_negative() { -factor } else { factor };
         if let Node::Mul(first, second) = self.node(expr.node())
-            && let Some(factor) = self.as_number(Expr::new(first, false))
+            && let Some(factor) = self.as_rounded(Expr::new(first, false))
         {
-            return (sign * factor, second);
+            return (signed(factor), second);
         }
-        (sign, expr.node())
+        (signed(Rounded::exact(1.0)), expr.node())
     }
 
     /// `c (d x) = (c d) x` where c and d are known before the loop: their product then costs nothing in it.
