@@ -106,18 +106,22 @@ fn frame(
     bodies: &[String],
 ) -> Result<()> {
     let name = name(bytes)?;
-    *text += &format!("\n[[frame]]\nname = \"{name} {frame}\"\n");
+    let _ = writeln!(text, "\n[[frame]]\nname = \"{name} {frame}\"");
     if bytes.ratio(3, 4)? {
-        *text += &format!("body = \"{}\"\n", bytes.choose(bodies)?);
+        let _ = writeln!(text, "body = \"{}\"", bytes.choose(bodies)?);
     }
     if bytes.ratio(3, 4)? {
-        *text += &format!("position = {}\n", vector(bytes)?);
+        let _ = writeln!(text, "position = {}", vector(bytes)?);
     }
     let rotation = bytes.choose(&ROTATIONS)?;
     match bytes.int_in_range(0..=3)? {
         0 => {}
-        1 => *text += &format!("rotation = {{ runtime = {rotation} }}\n"),
-        _ => *text += &format!("rotation = {rotation}\n"),
+        1 => {
+            let _ = writeln!(text, "rotation = {{ runtime = {rotation} }}");
+        }
+        _ => {
+            let _ = writeln!(text, "rotation = {rotation}");
+        }
     }
     Ok(())
 }
