@@ -58,6 +58,7 @@
 //! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
 //! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
 //! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Matrix` | (36), (43) |
+//! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Matrix`, `TERMS` | (36), (43) |
 //! | [`JointRegressor`] | `joint_regressor(q, u, u_dot, y)` | `Terms` | |
 //! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
 //! | [`Velocity`] of a frame | `velocity(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (25), (11) |
@@ -400,6 +401,21 @@ pub trait Regressor<R: Real>: System<R> {
     type Matrix: Array<Self::Row>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
     fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
+}
+
+/// Inertia forces and weight as they are linear in the base parameters: those columns of the [`Regressor`] that are independent.
+///
+/// Base parameters are the fewest combinations of inertial parameters on which forces depend, and all that can be identified
+/// from them. Also known as minimal or reduced regressor, minimal inertial parameters.
+pub trait BaseRegressor<R: Real>: System<R> {
+    /// `[R; BASE_PARAMETERS_LEN]`: of one speed.
+    type Row: Array<R>;
+    /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
+    type Matrix: Array<Self::Row>;
+    /// What the base parameters are made of, one after the other; the factors hold for the nominal parameters.
+    const TERMS: &'static [crate::BaseTerm];
+    /// Overwrites the last argument; meaning, frame and unit are those of [`BaseRegressor`].
+    fn base_regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
 }
 
 /// Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of its

@@ -25,6 +25,7 @@ mod real;
 
 // What the generated functions take and give.
 mod array;
+mod base_term;
 pub mod block;
 mod cost;
 mod joint;
@@ -69,6 +70,7 @@ pub mod cart_pole;
 pub mod eight_body;
 
 pub use array::Array;
+pub use base_term::BaseTerm;
 pub use block::Block;
 pub use cost::Cost;
 pub use joint::{Chart, Frame, Joint};

@@ -33,6 +33,8 @@ pub mod description;
 pub mod tree;
 // From here on there are expressions, simplified as they are built.
 pub mod expr;
+// Numbers for what is found or tested by numbers.
+mod drawn;
 pub mod partition;
 // The solution of the linear system.
 pub mod solve;
@@ -42,6 +44,8 @@ pub mod given;
 pub mod kane;
 // The equations, re-associated.
 pub mod recursive;
+// Which combinations of inertial parameters they depend on.
+pub mod base_parameters;
 // What can be asked for.
 pub mod functions;
 // Fewer operations, the same values; then straight-line code.

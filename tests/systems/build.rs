@@ -105,7 +105,7 @@ fn all(model: &str, formulation: Formulation) -> Result<(), Box<dyn Error>> {
 }
 
 /// What references are without, for the seconds of the compiler.
-const FURTHER: [&str; 19] = [
+const FURTHER: [&str; 20] = [
     "mass_matrix_product",
     "mass_matrix_solve",
     "mass_matrix_inverse",
@@ -124,6 +124,7 @@ const FURTHER: [&str; 19] = [
     "centroidal_momentum_matrix",
     "centroidal_momentum_matrix_dot_u",
     "regressor",
+    "base_regressor",
     "joint_regressor",
 ];
 

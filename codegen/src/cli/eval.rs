@@ -8,10 +8,10 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    compile,
+    base_parameters, compile,
     diagnostic::Source,
     error::Error,
-    functions::{Block, Packed, Request},
+    functions::{Axis, Block, Packed, Request},
     input,
     options::{Formulation, Options},
     recursive::Technique,
@@ -141,6 +141,12 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
     }
     if packed.contains(&Packed::Factors) {
         outputs.insert("order".to_owned(), json!(solve::elimination(tree)));
+    }
+    let mut written = function.outputs().into_iter();
+    if written.any(|output| output.shape.has(Axis::BaseParameters)) {
+        let base = base_parameters::of(tree).iter();
+        let names = base.map(|base| base_parameters::text(tree, base));
+        outputs.insert("base_parameters".to_owned(), names.collect());
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);
     only.cloned().unwrap_or(Value::Object(outputs))

@@ -1,5 +1,5 @@
-//! Values of parameters at which functions are tested beside the nominal ones: none is zero, for what a zero is multiplied
-//! with shows nothing, not even its sign.
+//! Values of parameters beside the nominal ones: none is zero, for what a zero is multiplied with shows nothing, not even its
+//! sign.
 
 use crate::{
     id::ParameterId,
@@ -13,13 +13,14 @@ const ROUNDING: f64 = 1e-9;
 /// How often a change of an inertia is halved before it is given up.
 const HALVINGS: i32 = 8;
 
-pub(super) fn nominal(tree: &Tree) -> Vec<f64> {
+/// The values of the model.
+pub(crate) fn nominal(tree: &Tree) -> Vec<f64> {
     let parameters = tree.parameters.iter();
     parameters.map(|parameter| parameter.nominal).collect()
 }
 
 /// Each value changed by a part of its own: of itself, or where it is zero of what the model has of its kind.
-pub(super) fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
+pub(crate) fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
     let (units, mut random) = (Units::of(tree), Random::new(seed));
     let changed = |parameter: &Parameter| match parameter.nominal {
         0.0 => random.part() * scale(tree, &units, parameter.unit),

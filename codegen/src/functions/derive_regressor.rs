@@ -1,6 +1,7 @@
 //! The root expressions of regressors.
 
 use crate::{
+    base_parameters,
     expr::{Expr, ExprGraph},
     given::mechanics,
     kane,
@@ -14,6 +15,31 @@ pub(super) fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 
 pub(super) fn regressor_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     recursive::regressor::regressor(graph, tree, plan)
+}
+
+pub(super) fn base_regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let y = regressor(graph, tree);
+    left(tree, &y)
+}
+
+pub(super) fn base_regressor_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    let y = regressor_recursive(graph, tree, plan);
+    left(tree, &y)
+}
+
+/// The columns of base parameters among all.
+fn left(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
+    let speeds = 0..tree.n_speeds;
+    let entries = speeds.flat_map(|speed| {
+        let parameters = base_parameters::of(tree).iter();
+        let columns = parameters.map(|parameter| parameter.terms[0].0);
+        columns.map(move |own| y[kane::regressor::place(tree, speed, own.body, own.place)])
+    });
+    entries.collect()
 }
 
 pub(super) fn joint_regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

@@ -10,7 +10,10 @@ use super::{
     syntax::written,
     terms,
 };
-use crate::{recursive::Plan, tree::Tree};
+use crate::{
+    recursive::Plan,
+    tree::{N_INERTIAL, Tree},
+};
 
 /// What stands behind a frame whose own axes are meant.
 pub(super) const LOCAL: &str = "local";
@@ -151,6 +154,8 @@ impl Part {
         let of_output = |output: &Output| {
             let length = |axis: &Axis| match axis {
                 Axis::Packed(Packed::MassMatrix) => terms::pairs(tree),
+                // Not more than there are without combining them, which takes a while.
+                Axis::BaseParameters => N_INERTIAL * tree.bodies.len(),
                 // Elimination couples more only where joints follow others.
                 Axis::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
                 axis => axis

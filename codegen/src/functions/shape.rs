@@ -1,7 +1,10 @@
 //! Arrays that functions are given and write: axes, each with a constant's name and a length, and what they are of.
 
 use super::packed::Packed;
-use crate::tree::Tree;
+use crate::{
+    base_parameters,
+    tree::{N_INERTIAL, Tree},
+};
 
 /// The constant that holds the number of bodies.
 pub const N_BODIES: &str = "NB";
@@ -9,6 +12,9 @@ pub const N_BODIES: &str = "NB";
 pub const N_COORDINATES: &str = "NQ";
 /// The constant that holds the number of speeds.
 pub const N_SPEEDS: &str = "NU";
+
+/// The constant that holds the number of base parameters.
+pub const N_BASE_PARAMETERS: &str = "BASE_PARAMETERS_LEN";
 
 /// What an axis of an array counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +31,8 @@ pub enum Axis {
     Bodies,
     /// The inertial parameters of a body.
     Parameters,
+    /// Base parameters: combinations of these on which forces depend.
+    BaseParameters,
     /// The columns of a compact output's non-zero partitions, with their pattern beside the function.
     Columns,
     /// The speeds that move the frame that a function is of, with their places beside the function.
@@ -69,7 +77,8 @@ impl Axis {
     pub fn length(self, tree: &Tree) -> Option<usize> {
         Some(match self {
             Self::Three => 3,
-            Self::Parameters => 10,
+            Self::Parameters => N_INERTIAL,
+            Self::BaseParameters => base_parameters::of(tree).len(),
             Self::Coordinates => tree.n_coordinates,
             Self::Speeds => tree.n_speeds,
             Self::Packed(packed) => packed.places(tree).len(),
@@ -90,6 +99,7 @@ impl Axis {
             Self::Speeds => Some(N_SPEEDS),
             Self::Packed(packed) => Some(packed.length_constant()),
             Self::Bodies => Some(N_BODIES),
+            Self::BaseParameters => Some(N_BASE_PARAMETERS),
         }
     }
 
@@ -97,7 +107,7 @@ impl Axis {
     fn declared(self, own: impl FnOnce(Self) -> Length) -> Length {
         match (self, self.constant()) {
             (Self::Three, _) => Length::Number(3),
-            (Self::Parameters, _) => Length::Number(10),
+            (Self::Parameters, _) => Length::Number(N_INERTIAL),
             (_, Some(constant)) => Length::Constant(constant.to_owned()),
             (_, None) => own(self),
         }
@@ -112,6 +122,7 @@ impl Axis {
             Self::Packed(_) => "a pair of speeds",
             Self::Bodies => "a body",
             Self::Parameters => "a parameter",
+            Self::BaseParameters => "a base parameter",
             Self::Columns => "a column",
             Self::FrameSpeeds => "a speed that moves the frame",
             Self::FrameComponents => "a component of a frame",
@@ -153,6 +164,10 @@ impl Shape {
     /// `[[[R; 10]; NB]; NU]`.
     pub const BODY_PARAMETERS: Self = Self {
         axes: &[Axis::Speeds, Axis::Bodies, Axis::Parameters],
+    };
+    /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
+    pub const BASE_PARAMETERS: Self = Self {
+        axes: &[Axis::Speeds, Axis::BaseParameters],
     };
     /// `[R; MASS_MATRIX_PACKED_LEN]`.
     pub const MASS_MATRIX_PACKED: Self = Self {

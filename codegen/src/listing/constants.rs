@@ -1,8 +1,8 @@
 //! The constants of a module: their names, what they mean, what they hold. Printers write them in this order; what compares
 //! committed modules finds them by the same names.
 
-use super::{Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
-use crate::functions::{Block, ELIMINATION, N_BODIES, N_COORDINATES, N_SPEEDS};
+use super::{BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
+use crate::functions::{Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_SPEEDS};
 
 /// The system's name.
 pub(crate) const NAME: &str = "NAME";
@@ -18,6 +18,10 @@ pub(crate) const SPEED_NAMES: &str = "SPEED_NAMES";
 pub(crate) const JOINTS: &str = "JOINTS";
 /// Frames that are fixed in bodies.
 pub(crate) const FRAMES: &str = "FRAMES";
+/// Combinations of inertial parameters, as text.
+pub(crate) const BASE_PARAMETERS: &str = "BASE_PARAMETERS";
+/// What they are made of.
+pub(crate) const BASE_PARAMETER_TERMS: &str = "BASE_PARAMETER_TERMS";
 /// Hash of the model.
 pub(crate) const FINGERPRINT: &str = "FINGERPRINT";
 /// What functions cost.
@@ -55,6 +59,8 @@ pub enum Data<'a> {
     Joints(&'static str, &'a [Joint]),
     /// Frames.
     Frames(&'a [Frame]),
+    /// Terms of base parameters.
+    Terms(&'a [BaseTerm]),
     /// Non-zero partitions.
     Blocks(&'a [Block]),
     /// Functions with their operations.
@@ -183,6 +189,25 @@ impl Facts {
             )
         });
         packed.chain(order).collect()
+    }
+
+    /// The constants of a base regressor: which combinations its columns belong to.
+    pub fn base_parameter_constants(&self) -> Vec<Constant<'_>> {
+        let Some(base) = &self.base_parameters else {
+            return Vec::new();
+        };
+        let length = self.sizes.named(N_BASE_PARAMETERS).map(size);
+        let names = constant(
+            BASE_PARAMETERS,
+            "The base parameters, in the order of the columns of `base_regressor`: sums of the bodies' inertial parameters, those of `regressor`.",
+            texts(N_BASE_PARAMETERS, &base.texts),
+        );
+        let terms = constant(
+            BASE_PARAMETER_TERMS,
+            "The terms of the base parameters, one after the other; the first of each is the parameter whose column is the base parameter's.",
+            Data::Terms(&base.terms),
+        );
+        length.into_iter().chain([names, terms]).collect()
     }
 
     /// The constants of Jacobians: which speeds move the frames.

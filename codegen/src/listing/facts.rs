@@ -2,9 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use super::{Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size, Sizes};
+use super::{
+    BaseParameters, Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size, Sizes,
+};
 use crate::{
-    functions::{Axis, Block, Declared, Packed},
+    functions::{Axis, Block, Declared, N_BASE_PARAMETERS, Packed},
     id::BodyId,
     origin::Origin,
     passes::sines,
@@ -45,6 +47,8 @@ pub struct Facts {
     pub packed: Vec<(Packed, Vec<[usize; 2]>)>,
     /// The speeds in the order of their elimination, where a function writes factors of a mass matrix.
     pub elimination: Option<Vec<usize>>,
+    /// The base parameters, where a function writes their columns.
+    pub base_parameters: Option<BaseParameters>,
     /// The patterns of compact outputs, each once.
     pub patterns: Vec<Pattern>,
     /// The speeds that move frames, each frame's once.
@@ -95,6 +99,8 @@ pub(super) struct Wanted {
     pub(super) angles: bool,
     /// The packed matrices that some write, each once.
     pub(super) packed: BTreeSet<Packed>,
+    /// The base parameters, where some function writes their columns.
+    pub(super) base_parameters: Option<BaseParameters>,
     /// What those with compact outputs write, each once.
     pub(super) patterns: Vec<Pattern>,
     /// The speeds that move the frames of Jacobians, each frame's once.
@@ -138,6 +144,7 @@ impl Facts {
             angles,
             packed,
             elimination,
+            base_parameters: wanted.base_parameters,
             patterns: wanted.patterns,
             frame_speeds: wanted.frame_speeds,
         }
@@ -208,6 +215,12 @@ fn sizes(
         value: places.len(),
         doc: format!("Number of entries that `{}` writes.", packed.function()),
         brief: packed.brief(),
+    }));
+    sizes.extend(wanted.base_parameters.iter().map(|base| Size {
+        name: N_BASE_PARAMETERS.to_owned(),
+        value: base.texts.len(),
+        doc: "Number of base parameters.".to_owned(),
+        brief: "Number of base parameters",
     }));
     sizes.extend(wanted.frame_speeds.iter().map(|frame| Size {
         name: frame.length.clone(),

@@ -5,6 +5,7 @@
 //! what is read is there; names are unique identifiers in lower snake case. Whatever does not depend on a language is decided here.
 //! Does not: write text. Printers do, and escape what their language reserves.
 
+mod base_parameters;
 mod code;
 pub(crate) mod constants;
 mod entry;
@@ -27,6 +28,7 @@ mod stores;
 mod verify;
 mod writer;
 
+pub use base_parameters::{BaseParameters, BaseTerm};
 pub use constants::{Constant, Data};
 pub use entry::{Entry, Member, Step};
 pub use expression::{Binding, Expression};

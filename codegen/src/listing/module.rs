@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{
-    Facts, FrameSpeeds, Function, Pattern,
+    BaseParameters, Facts, FrameSpeeds, Function, Pattern,
     facts::Wanted,
     plain::{nominal, sin_cos},
     verify::{verify, verify_facts},
@@ -107,6 +107,7 @@ fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
     });
     Wanted {
         patterns: patterns.collect(),
+        base_parameters: BaseParameters::of(tree, functions),
         frame_speeds: FrameSpeeds::of(tree, functions),
         angles: any(Request::is_at_sin_cos),
         packed: functions

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::sample::Sample;
 use crate::{
+    drawn::with_unit_quaternions,
     expr::Input,
     functions::{Argument, Derived, Formulation, Function, Request},
     id::{BodyId, ParameterId},
@@ -12,7 +13,7 @@ use crate::{
     options::companion::SCALES,
     random::Random,
     recursive::Plan,
-    tree::{ChartCoordinates, Orientation, Tree, is_translation},
+    tree::{Tree, is_translation},
 };
 
 /// All that the equations are given in a state.
@@ -103,24 +104,6 @@ fn translations(tree: &Tree) -> impl Iterator<Item = Input> + '_ {
     coordinates
         .filter(|&(kind, _)| is_translation(kind))
         .map(|(_, coordinate)| Input::Q(coordinate))
-}
-
-/// The same numbers, with quaternions of length one.
-fn with_unit_quaternions(tree: &Tree, mut numbers: Numbers) -> Numbers {
-    for body in &tree.bodies {
-        if let Orientation::AngularVelocity {
-            chart: ChartCoordinates::EulerParameters(parameters),
-            ..
-        } = body.joint.orientation
-        {
-            let given = parameters.map(|parameter| numbers[&Input::Q(parameter)]);
-            let square: f64 = given.iter().map(|number| number * number).sum();
-            let length = libm::sqrt(square);
-            let units = parameters.into_iter().zip(given);
-            numbers.extend(units.map(|(parameter, number)| (Input::Q(parameter), number / length)));
-        }
-    }
-    numbers
 }
 
 /// The least power of ten that is no less; one where there is none.

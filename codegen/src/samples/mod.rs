@@ -4,7 +4,6 @@
 //! is finite, with how far a function may be from it. Does not: write tests; printers do.
 
 mod draw;
-mod parameters;
 mod sample;
 mod values;
 

@@ -6,11 +6,11 @@
 
 use super::{
     draw::{self, Inputs, Sampler},
-    parameters,
     sample::{Sample, Sampled},
 };
 use crate::{
     compile::{Compiled, Emittable},
+    drawn::parameters,
     error::Error,
     expr::Input,
     functions::Formulation,

@@ -11,6 +11,7 @@
 //! choice of a [`Chart`](crate::description::Chart) becomes [`ChartCoordinates`] with places in `q`.
 
 // What a tree is.
+mod base_parameter;
 mod body;
 mod frames;
 mod joint;
@@ -37,6 +38,7 @@ mod canonical;
 mod named;
 
 pub use crate::description::Order;
+pub use base_parameter::{BaseParameter, BaseParameters, InertialParameter, N_INERTIAL};
 pub use body::{Body, Inertia, Pose, RigidPart};
 pub use build::{Checked, build, build_with};
 pub use canonical::{canonical, canonical_frame};

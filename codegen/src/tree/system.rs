@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::description::Order;
 use crate::id::BodyId;
+use crate::tree::base_parameter::BaseParameters;
 use crate::tree::body::Body;
 use crate::tree::frames::Frame;
 use crate::tree::joint::{ChartCoordinates, Coordinate, Joint, Orientation};
@@ -32,6 +33,8 @@ pub struct Tree {
     pub n_coordinates: usize,
     /// The number of generalized speeds, the length of `u`.
     pub n_speeds: usize,
+    /// The combinations of inertial parameters on which forces depend; `base_parameters` finds them.
+    pub base_parameters: BaseParameters,
 }
 
 impl Tree {

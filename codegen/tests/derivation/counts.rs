@@ -90,7 +90,7 @@ fn robots() {
     insta::assert_snapshot!(text);
 }
 
-const OF_SYSTEMS: [&str; 11] = [
+const OF_SYSTEMS: [&str; 12] = [
     "loaded_inverse_dynamics",
     "loaded_forward_dynamics",
     "kinetic_energies",
@@ -102,6 +102,7 @@ const OF_SYSTEMS: [&str; 11] = [
     "centroidal_momentum_matrix",
     "centroidal_momentum_matrix_dot_u",
     "regressor",
+    "base_regressor",
 ];
 
 const MATRICES: [&str; 6] = [
@@ -139,7 +140,6 @@ fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }
 
-/// A chain of free bodies with all numbers different from one another and from zero.
 #[test]
 fn frames_of_robots() {
     let mut text = String::new();
@@ -178,6 +178,7 @@ fn frames_of_robots() {
     insta::assert_snapshot!(text);
 }
 
+/// A chain of free bodies with all numbers different from one another and from zero.
 fn chain(n: usize) -> Tree {
     let lower: Vec<String> = (0..n).map(|k| k.to_string()).collect();
     let mut text = format!(

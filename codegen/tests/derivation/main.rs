@@ -1,5 +1,6 @@
 //! Deriving: from a tree to programs, by meaning and by count.
 
+mod base_parameters;
 mod chains;
 mod compiled;
 mod counts;

@@ -261,6 +261,13 @@ impl Names {
 fn is_size_or_table(statement: &str) -> bool {
     let table = [
         "kane::Block {",
+        "kane::BaseTerm {",
+        "base: ",
+        "parameter: ",
+        "factor: ",
+        "reason = \"generated",
+        // A base parameter in words.
+        "\"",
         "kane::Joint {",
         "name: ",
         "chart: ",

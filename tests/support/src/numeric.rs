@@ -134,3 +134,31 @@ pub fn derivative(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     }
     sum
 }
+
+/// How many columns are independent: by elimination with complete pivoting, where what is at most `nothing` counts as zero.
+pub fn rank(mut columns: Vec<Vec<f64>>, nothing: f64) -> usize {
+    let mut rank = 0;
+    while rank < columns.len() {
+        let entries = columns.iter().enumerate().skip(rank);
+        let entries = entries.flat_map(|(place, column)| {
+            let rows = column.iter().enumerate();
+            rows.map(move |(row, entry)| (entry.abs(), place, row))
+        });
+        let largest = entries.max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, place, row)) = largest.filter(|(size, ..)| *size > nothing) else {
+            break;
+        };
+        columns.swap(rank, place);
+        let (done, rest) = columns.split_at_mut(rank + 1);
+        let pivot = &done[rank];
+        for column in rest {
+            let factor = column[row] / pivot[row];
+            for (entry, own) in column.iter_mut().zip(pivot) {
+                *entry -= factor * own;
+            }
+            column[row] = 0.0;
+        }
+        rank += 1;
+    }
+    rank
+}

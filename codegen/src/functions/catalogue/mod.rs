@@ -13,7 +13,7 @@ mod regressor;
 use super::function::Function;
 
 /// Every function of the whole system that a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 52] = [
+pub static CATALOGUE: [Function; 53] = [
     kinematics::RELATIVE_ROTATION,
     kinematics::ROTATION,
     kinematics::RELATIVE_ANGULAR_VELOCITY,
@@ -65,6 +65,7 @@ pub static CATALOGUE: [Function; 52] = [
     center::CENTROIDAL_MOMENTUM_MATRIX,
     center::CENTROIDAL_MOMENTUM_MATRIX_DOT_U,
     regressor::REGRESSOR,
+    regressor::BASE_REGRESSOR,
     regressor::JOINT_REGRESSOR,
 ];
 

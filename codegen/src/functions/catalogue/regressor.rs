@@ -27,6 +27,25 @@ pub(super) const REGRESSOR: Function = Function {
     ..PLAIN
 };
 
+pub(super) const BASE_REGRESSOR: Function = Function {
+    name: "base_regressor",
+    trait_name: Some("BaseRegressor"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: &[Output::new("y", Shape::BASE_PARAMETERS)],
+    doc: &[
+        "Inertia forces and weight as they are linear in the base parameters, the fewest combinations of inertial parameters on which they",
+        "depend: those columns of `regressor` that are independent, so that least squares have one solution. `BASE_PARAMETERS` names the",
+        "combinations, `BASE_PARAMETER_TERMS` holds their factors, those of the nominal values where parameters are set at run time.",
+        "`inverse_dynamics` is `y` times the base parameters, and what springs, dampers and rotors need. The model's own masses are not read.",
+        "Also known as minimal or reduced regressor, minimal inertial parameters.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_regressor::base_regressor).with_terms(terms::of_vector),
+        Candidate::planned(derive_regressor::base_regressor_recursive),
+    ],
+    ..PLAIN
+};
+
 pub(super) const JOINT_REGRESSOR: Function = Function {
     name: "joint_regressor",
     trait_name: Some("JointRegressor"),

@@ -1,17 +1,20 @@
 //! Names, limits and frames, as constant tables of a header.
 
 use super::text::{once, table};
-use crate::listing::{Constant, Data, Facts, Frame};
+use crate::listing::{BaseTerm, Constant, Data, Facts, Frame};
 
 /// The tables, in the order of the module's constants; what is empty is left out.
 pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
-    let constants = facts.constants();
+    let constants = [facts.constants(), facts.base_parameter_constants()].concat();
     let mut tables: Vec<String> = constants
         .iter()
         .filter_map(|constant| of(constant, prefix))
         .collect();
     if !facts.frames.is_empty() {
         tables.insert(0, once("KANE_FRAME", FRAME));
+    }
+    if facts.base_parameters.is_some() {
+        tables.insert(0, once("KANE_BASE_TERM", BASE_TERM));
     }
     tables
 }
@@ -45,6 +48,10 @@ fn of(constant: &Constant<'_>, prefix: &str) -> Option<String> {
             format!("kane_frame {prefix}{name}[{}]", frames.len()),
             frames.iter().map(frame).collect(),
         ),
+        Data::Terms(terms) => (
+            format!("kane_base_term {prefix}{name}[{}]", terms.len()),
+            terms.iter().map(term).collect(),
+        ),
         _ => return None,
     };
     (!entries.is_empty()).then(|| table(constant.doc, &declared, entries.into_iter()))
@@ -60,6 +67,27 @@ typedef struct kane_frame {
     double position[3];
 } kane_frame;
 ";
+
+const BASE_TERM: &str = "\
+/// A term of a base parameter: the places of the base parameter, of the body, and of the parameter among the body's ten, all counted
+/// from 0; what that is multiplied with.
+typedef struct kane_base_term {
+    int base;
+    int body;
+    int parameter;
+    double factor;
+} kane_base_term;
+";
+
+fn term(term: &BaseTerm) -> String {
+    let BaseTerm {
+        base,
+        body,
+        parameter,
+        factor,
+    } = *term;
+    format!("{{{base}, {body}, {parameter}, {}}}", number(factor))
+}
 
 fn frame(frame: &Frame) -> String {
     let body = frame

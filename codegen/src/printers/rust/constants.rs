@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     functions::Block,
-    listing::{Constant, Data, Frame, Function, Joint},
+    listing::{BaseTerm, Constant, Data, Frame, Function, Joint},
     program::Operations,
 };
 
@@ -22,7 +22,9 @@ pub(super) fn items(constants: &[Constant<'_>]) -> Vec<Item> {
 fn item(constant: &Constant<'_>) -> Item {
     let (name, doc) = (ident(constant.name), doc([constant.doc]));
     let allow = match constant.data {
-        Data::Numbers(..) | Data::Joints(..) | Data::Frames(_) => allow_generated(),
+        Data::Numbers(..) | Data::Joints(..) | Data::Frames(_) | Data::Terms(_) => {
+            allow_generated()
+        }
         _ => allow_unused(),
     };
     let (held, value) = held(&constant.data);
@@ -62,6 +64,7 @@ fn held(data: &Data<'_>) -> (TokenStream, TokenStream) {
             array(&quote!(kane::Joint), length, joints.iter().map(joint))
         }
         Data::Frames(frames) => list(&quote!(kane::Frame), frames.iter().map(frame)),
+        Data::Terms(terms) => list(&quote!(kane::BaseTerm), terms.iter().map(term)),
         Data::Blocks(blocks) => list(&quote!(kane::Block), blocks.iter().map(block)),
         Data::Costs(functions) => list(&quote!(kane::Cost), functions.iter().map(|one| cost(one))),
     }
@@ -99,6 +102,12 @@ fn cost(function: &Function) -> TokenStream {
     } = function.operations;
     let counts = [mul, add, div, trig].map(integer);
     quote!(kane::Cost::new(#name, [#(#counts),*]))
+}
+
+fn term(term: &BaseTerm) -> TokenStream {
+    let [base, body, parameter] = [term.base, term.body, term.parameter].map(integer);
+    let factor = number(term.factor);
+    quote!(kane::BaseTerm { base: #base, body: #body, parameter: #parameter, factor: #factor })
 }
 
 fn block(block: &Block) -> TokenStream {

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     functions::{ELIMINATION, Part, Shape},
-    listing::{Facts, Function},
+    listing::{Facts, Function, constants::BASE_PARAMETER_TERMS},
 };
 
 /// What callers may wonder at.
@@ -87,6 +87,15 @@ fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
             type Row = [[R; 10]; NB];
             type Matrix = #output_type;
         },
+        Shape::BASE_PARAMETERS => {
+            let terms = ident(BASE_PARAMETER_TERMS);
+            let row = output.map(|output| signature::held(&output.row(), "R"));
+            quote! {
+                type Row = #row;
+                type Matrix = #output_type;
+                const TERMS: &'static [kane::BaseTerm] = &#terms;
+            }
+        }
         Shape::COLUMNS => {
             let columns = format_ident!("{trait_name}Columns");
             let blocks = ident(&alone.blocks_constant());

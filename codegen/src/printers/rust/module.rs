@@ -21,6 +21,7 @@ pub(crate) fn source(module: &Module) -> String {
         items.push(function::item(facts, sin_cos));
     }
     items.extend(constants::items(&facts.packed_constants()));
+    items.extend(constants::items(&facts.base_parameter_constants()));
     items.extend(constants::items(&facts.frame_speed_constants()));
     items.extend(frames::types(module));
     let functions = threads::map(&module.functions, |one| {

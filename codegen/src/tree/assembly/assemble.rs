@@ -8,6 +8,7 @@ use crate::tree::assembly::markers::{Marker, markers};
 use crate::tree::assembly::merging::{Merged, merge};
 use crate::tree::assembly::placing::place;
 use crate::tree::assembly::settled::Settled;
+use crate::tree::base_parameter::BaseParameters;
 use crate::tree::frames::note_merged;
 use crate::tree::joints::ResolvedJoint;
 use crate::tree::names;
@@ -56,6 +57,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
         parameters: values.parameters,
         n_coordinates: numbered.n_coordinates,
         n_speeds: numbered.n_speeds,
+        base_parameters: BaseParameters::default(),
     };
     names::check_coordinates(&tree, findings);
     names::note_order(&tree, findings);

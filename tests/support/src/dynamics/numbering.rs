@@ -1,6 +1,7 @@
 //! Arrays of one model in the numbering of another model of the same system.
 
 use kane_codegen::{
+    base_parameters,
     functions::{Axis, Function, Packed, Shape},
     tree::Tree,
 };
@@ -51,7 +52,11 @@ pub fn renumbered_output(function: &Function, numbers: &[f64], from: &Tree, to: 
     for output in function.outputs {
         let packed = output.shape.packed();
         let pairs = packed.map(|packed| speed_pairs(packed, &maps.speeds, from, to));
-        let places = places_of(output.shape, &maps, &pairs.unwrap_or_default());
+        let own = Own {
+            pairs: pairs.unwrap_or_default(),
+            base: base_places(output.shape, to),
+        };
+        let places = places_of(output.shape, &maps, &own);
         let (own, others) = rest.split_at(places.len());
         renumbered.extend(places.into_iter().map(|place| own[place]));
         rest = others;
@@ -60,8 +65,23 @@ pub fn renumbered_output(function: &Function, numbers: &[f64], from: &Tree, to: 
     renumbered
 }
 
+/// Places that belong to one output.
+struct Own {
+    pairs: Vec<usize>,
+    base: Vec<usize>,
+}
+
+/// Those of base parameters: models that are compared have the same, in one order.
+fn base_places(shape: Shape, tree: &Tree) -> Vec<usize> {
+    if shape.has(Axis::BaseParameters) {
+        (0..base_parameters::of(tree).len()).collect()
+    } else {
+        Vec::new()
+    }
+}
+
 /// For each number of an output its place in the other numbering.
-fn places_of(shape: Shape, maps: &Maps, pairs: &[usize]) -> Vec<usize> {
+fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
     // The columns of a compact output are spread over all speeds.
     let dense = [Axis::Bodies, Axis::Three, Axis::Speeds];
     let counted: &[Axis] = if shape == Shape::COLUMNS {
@@ -69,16 +89,17 @@ fn places_of(shape: Shape, maps: &Maps, pairs: &[usize]) -> Vec<usize> {
     } else {
         shape.axes
     };
-    let own: Vec<usize> = (0..10).collect();
+    let all: Vec<usize> = (0..10).collect();
     let mut gathered = vec![0];
     for axis in counted {
         let map: &[usize] = match axis {
-            Axis::Three => &own[..3],
-            Axis::Parameters => &own,
+            Axis::Three => &all[..3],
+            Axis::Parameters => &all,
             Axis::Coordinates => &maps.coordinates,
             Axis::Speeds => &maps.speeds,
-            Axis::Packed(_) => pairs,
+            Axis::Packed(_) => &own.pairs,
             Axis::Bodies => &maps.bodies,
+            Axis::BaseParameters => &own.base,
             Axis::Columns => unreachable!("spread over bodies and speeds"),
             Axis::FrameSpeeds | Axis::FrameComponents => unreachable!("of a frame"),
         };

@@ -4,11 +4,11 @@
 use kane::{
     Array, Real,
     functions::{
-        CenterOfMass, CenterOfMassJacobian, CenterOfMassVelocity, CentroidalMomentumMatrix,
-        CentroidalMomentumMatrixDotU, CoriolisMatrix, JointRegressor, JointWrenches,
-        KineticEnergies, LoadedForwardDynamics, LoadedInverseDynamics, MassMatrixDot,
-        MassMatrixFactors, MassMatrixInverse, MassMatrixInversePacked, MassMatrixProduct,
-        MassMatrixSolve, PotentialEnergies, Regressor,
+        BaseRegressor, CenterOfMass, CenterOfMassJacobian, CenterOfMassVelocity,
+        CentroidalMomentumMatrix, CentroidalMomentumMatrixDotU, CoriolisMatrix, JointRegressor,
+        JointWrenches, KineticEnergies, LoadedForwardDynamics, LoadedInverseDynamics,
+        MassMatrixDot, MassMatrixFactors, MassMatrixInverse, MassMatrixInversePacked,
+        MassMatrixProduct, MassMatrixSolve, PotentialEnergies, Regressor,
     },
 };
 
@@ -34,6 +34,7 @@ pub trait Further<R: Real>:
     + CentroidalMomentumMatrix<R>
     + CentroidalMomentumMatrixDotU<R>
     + Regressor<R>
+    + BaseRegressor<R>
 {
 }
 
@@ -56,6 +57,7 @@ impl<R: Real, S> Further<R> for S where
         + CentroidalMomentumMatrix<R>
         + CentroidalMomentumMatrixDotU<R>
         + Regressor<R>
+        + BaseRegressor<R>
 {
 }
 
@@ -185,14 +187,24 @@ fn regressor<R: Real + Into<f64>, S: Further<R>>(
     function: &str,
     Arguments { q, u, u_dot, .. }: &Arguments<R, S>,
 ) -> Option<Vec<f64>> {
-    let row = <S as Regressor<R>>::Row::filled([R::from_f64(f64::NAN); 10]);
-    let mut y = <S as Regressor<R>>::Matrix::filled(row);
-    (function == "regressor").then(|| {
-        system.regressor(q, u, u_dot, &mut y);
-        let rows = y.as_ref().iter();
-        let numbers = rows.flat_map(|row| numbers(row.as_ref().as_flattened()));
-        numbers.collect()
-    })
+    let nan = R::from_f64(f64::NAN);
+    match function {
+        "regressor" => {
+            let row = <S as Regressor<R>>::Row::filled([nan; 10]);
+            let mut y = <S as Regressor<R>>::Matrix::filled(row);
+            system.regressor(q, u, u_dot, &mut y);
+            let rows = y.as_ref().iter();
+            let numbers = rows.flat_map(|row| numbers(row.as_ref().as_flattened()));
+            Some(numbers.collect())
+        }
+        "base_regressor" => {
+            let row = <S as BaseRegressor<R>>::Row::filled(nan);
+            let mut y = <S as BaseRegressor<R>>::Matrix::filled(row);
+            system.base_regressor(q, u, u_dot, &mut y);
+            Some(rows(y.as_ref()))
+        }
+        _ => None,
+    }
 }
 
 /// That of joints, which has one formulation.

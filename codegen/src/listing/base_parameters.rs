@@ -1,0 +1,59 @@
+//! Base parameters, as data beside the function that writes their columns.
+
+use crate::{
+    base_parameters,
+    compile::Emittable,
+    functions::Axis,
+    tree::{InertialParameter, Tree},
+};
+
+/// The base parameters of a module.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BaseParameters {
+    /// Each as text.
+    pub texts: Vec<String>,
+    /// All terms, one base parameter after the other.
+    pub terms: Vec<BaseTerm>,
+}
+
+/// A term of a base parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BaseTerm {
+    /// The place of the base parameter.
+    pub base: usize,
+    /// The place of the body.
+    pub body: usize,
+    /// The place of the parameter among the body's ten.
+    pub parameter: usize,
+    /// What it is multiplied with.
+    pub factor: f64,
+}
+
+impl BaseParameters {
+    /// Those of the tree, if some function writes their columns.
+    pub(super) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
+        let mut outputs = functions.iter().flat_map(|one| one.function.outputs());
+        let is_written = outputs.any(|output| output.shape.has(Axis::BaseParameters));
+        is_written.then(|| Self::all(tree))
+    }
+
+    fn all(tree: &Tree) -> Self {
+        let found = base_parameters::of(tree);
+        let texts = found.iter().map(|own| base_parameters::text(tree, own));
+        let terms = found.iter().enumerate().flat_map(|(base, own)| {
+            let terms = own.terms.iter();
+            terms.map(
+                move |&(InertialParameter { body, place }, factor)| BaseTerm {
+                    base,
+                    body: body.index(),
+                    parameter: place,
+                    factor,
+                },
+            )
+        });
+        Self {
+            texts: texts.collect(),
+            terms: terms.collect(),
+        }
+    }
+}

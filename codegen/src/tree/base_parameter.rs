@@ -1,0 +1,46 @@
+//! Inertial parameters of bodies, and combinations of them.
+
+use std::sync::OnceLock;
+
+use crate::id::BodyId;
+
+/// How many inertial parameters a body has.
+pub const N_INERTIAL: usize = 10;
+
+/// One of the ten inertial parameters of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct InertialParameter {
+    /// The body.
+    pub body: BodyId,
+    /// The place among the ten: mass, first moment, inertia.
+    pub place: usize,
+}
+
+/// A combination of inertial parameters: the sum of each times its factor.
+///
+/// The first one has the factor one and stands in no other combination; its column of the regressor is the combination's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BaseParameter {
+    /// The parameters, those of lower bodies first, with their factors.
+    pub terms: Vec<(InertialParameter, f64)>,
+}
+
+/// The base parameters of a tree, once they are asked for. A tree that is copied may be changed, and finds its own.
+#[derive(Debug, Default)]
+pub struct BaseParameters(OnceLock<Vec<BaseParameter>>);
+
+impl BaseParameters {
+    /// Those that are known, or what `find` finds.
+    pub(crate) fn get_or_find(
+        &self,
+        find: impl FnOnce() -> Vec<BaseParameter>,
+    ) -> &[BaseParameter] {
+        self.0.get_or_init(find)
+    }
+}
+
+impl Clone for BaseParameters {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
