@@ -6,6 +6,7 @@
 //!
 //! `cargo run --release --package kane-examples --example swing_up`
 
+pub mod balance;
 pub mod collision;
 pub mod computed_torque;
 pub mod gravity_compensation;
@@ -15,6 +16,7 @@ pub mod swing_up;
 
 mod calls;
 mod desired;
+mod turn;
 
 pub use calls::CallTimes;
 pub use desired::Desired;

@@ -1,8 +1,9 @@
 //! What each loop achieves, and that it allocates nothing while it does.
 
-use allocation_counter::measure;
+use allocation_counter::{measure, opt_out};
 use kane_examples::{
-    CallTimes, collision, computed_torque, gravity_compensation, impedance, reorientation, swing_up,
+    CallTimes, balance, collision, computed_torque, gravity_compensation, impedance, reorientation,
+    swing_up,
 };
 
 /// What a run reports, which has not allocated, and has called its controller so often.
@@ -107,4 +108,41 @@ fn the_arm_feels_collisions_and_nothing_else() {
     assert!(report.quiet > 0.3, "there is noise: {report:?}");
     assert!(report.collisions > 1000, "{report:?}");
     assert!(report.delay <= 0.02, "{report:?}");
+}
+
+#[test]
+fn the_robot_that_is_pushed_keeps_its_feet_and_comes_back() {
+    for force in [[20.0, 0.0, 0.0], [0.0, 15.0, 0.0], [-15.0, -12.0, 0.0]] {
+        let (mut times, mut report) = (balance::Times::default(), None);
+        let mut controller = balance::Controller::new(&balance::posture());
+        // The solver allocates in each call; nothing else does.
+        let allocations = measure(|| {
+            report = Some(balance::run(force, &mut controller, &mut times, |solve| {
+                opt_out(solve);
+            }));
+        });
+        let report = report.expect("the run has ended");
+        assert_eq!(allocations.count_total, 0);
+        assert_eq!((times.program.calls(), times.rest.calls()), (3000, 3000));
+        assert_eq!(report.failures, 0, "{report:?}");
+        assert!(report.iterations < 20, "{report:?}");
+
+        // It is pushed in earnest: forces reach the pyramids' faces, and go as far beyond as the solver may err.
+        assert!(report.displacement > 0.02, "{report:?}");
+        assert!(report.pyramid > 0.999, "{report:?}");
+        assert!(report.pyramid < 1.0 + 1e-6, "{report:?}");
+        assert!(report.torque < 2.5 + 1e-6, "{report:?}");
+
+        // The ground is no rigid one, so that its forces are not quite those chosen; an edge of the pyramid is at 0.875 of the cone.
+        assert!(report.friction < 1.0, "{report:?}");
+        assert!(report.slip < 1e-9, "{report:?}");
+        assert!(report.least_force > 0.2, "{report:?}");
+
+        assert!(report.displacement < 0.1, "{report:?}");
+        assert!(report.turn < 0.2, "{report:?}");
+        // Nothing of the push is left after 2.5 s at 15 1/s. What is left is the price of forces in the program: a part of 2.5e-4 of
+        // the weight is not borne where an error of 0.01 mm does not ask for it.
+        assert!(report.displacement_at_rest < 5e-5, "{report:?}");
+        assert!(report.turn_at_rest < 5e-5, "{report:?}");
+    }
 }
