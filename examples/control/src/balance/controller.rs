@@ -5,8 +5,8 @@ use std::array::from_fn;
 use nalgebra::{SMatrix, SVector};
 
 use super::{
-    BANDWIDTH, FEET, FORCES, MOTORS, ROOT, Scalar,
     program::{Affine, Program},
+    sizes::{FEET, FORCES, MOTORS, ROOT, Scalar},
 };
 use crate::{
     solo12::{
@@ -16,6 +16,9 @@ use crate::{
     },
     turn::turn,
 };
+
+/// `ω`, rad/s.
+const BANDWIDTH: Scalar = 15.0;
 
 type Matrix<const ROWS: usize, const COLUMNS: usize> = SMatrix<Scalar, ROWS, COLUMNS>;
 type Vector<const ROWS: usize> = SVector<Scalar, ROWS>;

@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use super::FEET;
+use super::sizes::FEET;
 use crate::solo12::{
     self, NQ, NU, Prepared,
     fl_foot_pose_and_fr_foot_pose_and_hl_foot_pose_and_hr_foot_pose_and_fl_foot_velocity_and_fr_foot_velocity_and_hl_foot_velocity_and_hr_foot_velocity as motion,

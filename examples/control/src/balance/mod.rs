@@ -9,8 +9,9 @@
 mod controller;
 mod ground;
 mod program;
+mod sizes;
 
-use std::{array::from_fn, f64::consts::FRAC_1_SQRT_2, fmt};
+use std::{array::from_fn, fmt};
 
 use kane::integrate::rk4_step_with;
 
@@ -22,31 +23,9 @@ use crate::{
 
 pub use controller::Controller;
 use ground::{Feet, Ground, part_of_friction};
-
-/// What the controller computes in.
-pub type Scalar = f64;
-
-const FEET: usize = 4;
-/// The number of components of the feet's forces.
-const FORCES: usize = 3 * FEET;
-/// The number of the base's speeds, which come first.
-const ROOT: usize = 6;
-const MOTORS: usize = NU - ROOT;
-
-/// `ω`, rad/s.
-const BANDWIDTH: Scalar = 15.0;
-/// The coefficient of friction that the controller counts on.
-const FRICTION: Scalar = 0.7;
-/// How steep the pyramid of forces is that stands within the cone.
-const SLOPE: Scalar = FRICTION * FRAC_1_SQRT_2;
-/// What each foot presses at least, N.
-const LEAST_FORCE: Scalar = 0.5;
-/// The greatest torque, N m: as much as such motors have. The URDF names 1000, which is no limit.
-const TORQUE: Scalar = 2.5;
-/// An angular acceleration of 1 rad/s² too much is as bad as a force of so many newtons.
-const LEVER: Scalar = 0.3;
-/// What a square of a force costs, N, beside a square of what is missing: enough to choose among forces that do the same.
-const REGULARISATION: Scalar = 1e-3;
+use program::SLOPE;
+pub use sizes::Scalar;
+use sizes::{FEET, MOTORS, ROOT};
 
 /// How the legs stand, rad: hips straight, knees bent backward.
 const LEG: [f64; 3] = [0.0, 0.8, -1.6];

@@ -1,6 +1,6 @@
 //! The quadratic program: of the forces that the ground can exert, those that lead back best.
 
-use std::fmt;
+use std::{f64::consts::FRAC_1_SQRT_2, fmt};
 
 use clarabel::{
     algebra::CscMatrix,
@@ -8,7 +8,20 @@ use clarabel::{
 };
 use nalgebra::{SMatrix, SVector};
 
-use super::{FEET, FORCES, LEAST_FORCE, LEVER, MOTORS, REGULARISATION, SLOPE, Scalar, TORQUE};
+use super::sizes::{FEET, FORCES, MOTORS, Scalar};
+
+/// The coefficient of friction that is counted on.
+const FRICTION: Scalar = 0.7;
+/// How steep the pyramid of forces is that stands within the cone.
+pub(super) const SLOPE: Scalar = FRICTION * FRAC_1_SQRT_2;
+/// What each foot presses at least, N.
+const LEAST_FORCE: Scalar = 0.5;
+/// The greatest torque, N m: as much as motors of this size have. The URDF names 1000, which limits nothing.
+const TORQUE: Scalar = 2.5;
+/// An angular acceleration of 1 rad/s² too much is as bad as a force of so many newtons.
+const LEVER: Scalar = 0.3;
+/// What the square of a force costs beside the square of one that is missing: enough to choose among forces that do the same.
+const REGULARISATION: Scalar = 1e-3;
 
 /// What is linear in the forces `f` of the feet, but for a constant.
 #[derive(Clone, Copy, Debug)]
