@@ -2,8 +2,8 @@
 
 use allocation_counter::{measure, opt_out};
 use kane_examples::{
-    CallTimes, balance, collision, computed_torque, gravity_compensation, impedance, reorientation,
-    swing_up,
+    CallTimes, balance, collision, computed_torque, gravity_compensation, identification,
+    impedance, reorientation, swing_up,
 };
 
 /// What a run reports, which has not allocated, and has called its controller so often.
@@ -144,5 +144,28 @@ fn the_robot_that_is_pushed_keeps_its_feet_and_comes_back() {
         // the weight is not borne where an error of 0.01 mm does not ask for it.
         assert!(report.displacement_at_rest < 5e-5, "{report:?}");
         assert!(report.turn_at_rest < 5e-5, "{report:?}");
+    }
+}
+
+#[test]
+fn the_arm_learns_what_it_carries_and_follows_its_path_by_that() {
+    for seed in 1..4 {
+        let laps = without_allocating(50_000, |calls| identification::run(seed, calls)).laps;
+        for (lap, first) in laps.iter().zip([true, false, true, false, false]) {
+            assert!(lap.effort < 1.0, "{lap:?}");
+            // The noise of sums is nearly normal: ten parameters miss by what the filter believes they may, 500 times a lap.
+            assert!(lap.deviations < 5.0, "{lap:?}");
+            assert!(lap.deviations > 0.5, "there is noise: {lap:?}");
+            // A torque of the wrist is measured within 0.12 N m, as much as 0.4 kg weigh at a lever of 30 mm; 5 s are 5000 times,
+            // of which not all tell of the same. Whether the arm then moves or rests, the estimate stays.
+            let (mass, center) = if first { (0.015, 8e-3) } else { (0.01, 3e-3) };
+            assert!(lap.mass_error < mass, "{lap:?}");
+            assert!(lap.center_error < center, "{lap:?}");
+        }
+        let [drill, drill_known, cup, cup_known, cup_at_rest] = laps.map(|lap| lap.error);
+        assert!(drill > 0.03 && cup > 5e-3, "{laps:?}");
+        assert!(drill_known < drill / 100.0, "{laps:?}");
+        assert!(cup_known < cup / 15.0, "{laps:?}");
+        assert!(cup_at_rest < cup_known, "{laps:?}");
     }
 }
