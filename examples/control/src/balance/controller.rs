@@ -50,7 +50,7 @@ impl Controller {
         solo12::mass_matrix_and_bias(&robot, q, &u, &mut m, &mut bias);
         Self {
             robot,
-            // The base carries all there is.
+            // A translation of the base moves all bodies.
             mass: m[3][3],
             center: balance.center,
             rotation: balance.rotation,
@@ -92,7 +92,7 @@ impl Controller {
         Some(from_fn(|foot| from_fn(|i| forces[3 * foot + i])))
     }
 
-    /// Of the solver in the last call.
+    /// How many iterations the solver needed in the last call.
     pub fn iterations(&self) -> u32 {
         self.program.iterations()
     }

@@ -74,7 +74,7 @@ impl Ground {
         }
     }
 
-    /// How far the feet's centre sinks in under a force, m.
+    /// How far a foot sinks in under a force, N; m.
     pub(super) fn sinking(force: f64) -> f64 {
         force / STIFFNESS
     }
