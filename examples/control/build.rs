@@ -1,4 +1,4 @@
-//! Generates the robots from their URDFs, each with a payload in its hand: a mass that is set at run time.
+//! Generates the robots from their URDFs, the arms with a payload in their hands that is set at run time.
 
 use std::{env, error::Error, fs, path::Path};
 
@@ -22,9 +22,10 @@ const UR5: [&str; 7] = [
     "generalized_force(payload)",
 ];
 
-const PANDA: [&str; 8] = [
+const PANDA: [&str; 9] = [
     "inverse_dynamics",
     "forward_dynamics",
+    "regressor",
     "mass_matrix_inverse",
     "pose(payload)",
     "velocity(payload)",
@@ -33,7 +34,7 @@ const PANDA: [&str; 8] = [
     "generalized_force(payload)",
 ];
 
-const SOLO12: [&str; 10] = [
+const SOLO12: [&str; 20] = [
     "pose(base_link)",
     "jacobian(base_link)",
     "pose(FL_FOOT)",
@@ -44,12 +45,27 @@ const SOLO12: [&str; 10] = [
     "jacobian(HL_FOOT)",
     "pose(HR_FOOT)",
     "jacobian(HR_FOOT)",
+    // What balances it calls together.
+    "mass_matrix+bias",
+    "jacobian(FL_FOOT)+jacobian(FR_FOOT)+jacobian(HL_FOOT)+jacobian(HR_FOOT)\
+     +jacobian_dot_u(FL_FOOT)+jacobian_dot_u(FR_FOOT)+jacobian_dot_u(HL_FOOT)+jacobian_dot_u(HR_FOOT)",
+    "center_of_mass+centroidal_momentum_matrix+centroidal_momentum_matrix_dot_u\
+     +pose(base_link)+velocity(base_link)+jacobian(base_link)+jacobian_dot_u(base_link)",
+    // It is pushed at its base, and by the ground at its feet.
+    "forward_dynamics",
+    "pose(FL_FOOT)+pose(FR_FOOT)+pose(HL_FOOT)+pose(HR_FOOT)\
+     +velocity(FL_FOOT)+velocity(FR_FOOT)+velocity(HL_FOOT)+velocity(HR_FOOT)",
+    "generalized_force(base_link)",
+    "generalized_force(FL_FOOT)",
+    "generalized_force(FR_FOOT)",
+    "generalized_force(HL_FOOT)",
+    "generalized_force(HR_FOOT)",
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    with_payload("ur5", "tool0", &UR5)?;
-    with_payload("panda", "panda_hand_tcp", &PANDA)?;
+    with_payload("ur5", "tool0", Payload::Point, &UR5)?;
+    with_payload("panda", "panda_hand_tcp", Payload::Body, &PANDA)?;
     Build::new("../../tests/robots/solo12/solo12.urdf")
         .base(Base::Free)
         .functions(SOLO12)
@@ -57,23 +73,44 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The massless link at the tool's tip becomes the payload, a point mass; by hand, `kane convert` and an editor do that. Where
+/// What of a payload is set at run time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Payload {
+    /// The mass of a point at the tool's tip.
+    Point,
+    /// Mass, mass centre and inertia.
+    Body,
+}
+
+/// The massless link at the tool's tip becomes the payload; by hand, `kane convert` and an editor do that. Where
 /// nothing is to be changed, `build_script::Build` is all that a build script needs.
 #[expect(
     clippy::disallowed_methods,
     reason = "cargo names the output folder of a build script in its environment"
 )]
-fn with_payload(robot: &str, tip: &str, functions: &[&str]) -> Result<(), Box<dyn Error>> {
+fn with_payload(
+    robot: &str,
+    tip: &str,
+    payload: Payload,
+    functions: &[&str],
+) -> Result<(), Box<dyn Error>> {
     let urdf = format!("../../tests/robots/{robot}/{robot}.urdf");
     println!("cargo::rerun-if-changed={urdf}");
     let source = Source::new(&*urdf, fs::read_to_string(&urdf)?);
     let mut model = description::read(&source, &Reading::default(), &no_includes);
     for body in &mut model.bodies {
-        if let (Some(name), Some(mass)) = (&mut body.name, &mut body.mass)
+        if let Some(name) = &mut body.name
             && name.value == tip
         {
             "payload".clone_into(&mut name.value);
-            mass.value = Scalar::Runtime(0.0);
+            let mut set = vec![&mut body.mass];
+            if payload == Payload::Body {
+                set.extend(&mut body.mass_center);
+                set.extend(&mut body.inertia);
+            }
+            for number in set.into_iter().flatten() {
+                number.value = Scalar::Runtime(0.0);
+            }
         }
     }
     let options = Options {

@@ -11,7 +11,9 @@ use kane::{Real, integrate::rk4_step_with};
 use crate::{
     CallTimes, Desired, PERIOD,
     gravity_compensation::Controller,
-    in_double, in_scalar, periods, raise,
+    in_double, in_scalar,
+    noise::Noise,
+    periods, raise,
     ur5::{self, EFFORT_LIMITS, NQ, NU, Prepared},
 };
 
@@ -172,7 +174,7 @@ pub fn run(calls: &mut CallTimes) -> Report {
         q,
         u,
         observer: Observer::new(&in_scalar(&q), &in_scalar(&u)),
-        noise: Noise(1),
+        noise: Noise::new(1),
     };
     let mut report = Report::default();
     for period in 0..periods(MOVING * WAYS as f64) {
@@ -201,24 +203,6 @@ fn desired(period: usize) -> Desired<f64, NU> {
     let (way, period) = (period / periods(MOVING), period % periods(MOVING));
     let stop = |i: usize| &STOPS[i % STOPS.len()];
     Desired::between(stop(way), stop(way + 1), period as f64 * PERIOD, MOVING)
-}
-
-/// Numbers of standard deviation one that nobody foresees, but for being the same in every run.
-#[derive(Clone, Copy, Debug)]
-struct Noise(u64);
-
-impl Noise {
-    /// The sum of twelve even numbers, nearly normal.
-    fn next(&mut self) -> f64 {
-        let even = (0..12).map(|_| {
-            self.0 = self
-                .0
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        });
-        even.sum::<f64>() - 6.0
-    }
 }
 
 impl fmt::Display for Report {

@@ -31,7 +31,7 @@ pub struct Controller {
 impl Controller {
     /// Believes that the robot carries so much, kg.
     pub fn new(payload_mass: Scalar) -> Self {
-        let robot = Prepared::new(&Parameters { payload_mass });
+        let robot = Prepared::new(&carrying(payload_mass));
         Self { robot }
     }
 
@@ -42,22 +42,39 @@ impl Controller {
         u: &[Scalar; NU],
         desired: &Desired<Scalar, NU>,
     ) -> [Scalar; NU] {
-        let a = desired.acceleration(BANDWIDTH, q, u);
+        let a = acceleration(q, u, desired);
         let mut tau = [0.0; NU];
         panda::inverse_dynamics(&self.robot, q, u, &a, &mut tau);
         tau
     }
 }
 
+/// `a`.
+pub(crate) fn acceleration(
+    q: &[Scalar; NQ],
+    u: &[Scalar; NU],
+    desired: &Desired<Scalar, NU>,
+) -> [Scalar; NU] {
+    desired.acceleration(BANDWIDTH, q, u)
+}
+
+/// A point at the hand's tip, kg.
+fn carrying<R: Real>(payload_mass: R) -> Parameters<R> {
+    Parameters {
+        payload_mass,
+        ..Parameters::default()
+    }
+}
+
 /// The path `q = c + r sin(2π n s)`, `s` from 0 to 1, is closed.
-const CENTER: [f64; NQ] = [0.0, -0.4, 0.0, -2.0, 0.0, 1.8, 0.8];
+pub(crate) const CENTER: [f64; NQ] = [0.0, -0.4, 0.0, -2.0, 0.0, 1.8, 0.8];
 const RADIUS: [f64; NQ] = [0.8, 0.5, 0.4, 0.6, 0.8, 0.6, 1.0];
 const TURNS: [f64; NQ] = [1.0, 2.0, 2.0, 1.0, 2.0, 2.0, 1.0];
 /// How long it takes, s.
-const DURATION: f64 = 10.0;
+pub(crate) const DURATION: f64 = 10.0;
 
 /// Where to be at time `t`, s: the path, its derivatives by `s`, and the chain rule.
-fn desired(t: f64) -> Desired<f64, NU> {
+pub(crate) fn desired(t: f64) -> Desired<f64, NU> {
     let progress = progress(t, DURATION);
     let (sine, cosine) = Real::sin_cos_array(TURNS.map(|turns| TAU * turns * progress.s));
     let first: [f64; NQ] = from_fn(|i| RADIUS[i] * TAU * TURNS[i] * cosine[i]);
@@ -85,7 +102,7 @@ pub struct Report {
 /// Follows the path with a payload, by a controller that believes in another, kg.
 pub fn run(payload_mass: f64, believed: Scalar, calls: &mut CallTimes) -> Report {
     let controller = Controller::new(believed);
-    let plant = Prepared::new(&Parameters { payload_mass });
+    let plant = Prepared::new(&carrying(payload_mass));
     let (mut q, mut u) = (CENTER, [0.0; NU]);
     let mut report = Report::default();
     for period in 0..periods(DURATION) {

@@ -16,6 +16,7 @@ use crate::{
     CallTimes, Desired, PERIOD,
     panda::{self, EFFORT_LIMITS, NQ, NU, Prepared},
     periods, raise,
+    turn::turn,
 };
 
 /// What the controller computes in.
@@ -145,17 +146,6 @@ impl Hand {
 fn wrench(linear: [Scalar; 3], angular: [Scalar; 3]) -> Wrench {
     let ([a, b, c], [d, e, f]) = (linear, angular);
     Wrench::new(a, b, c, d, e, f)
-}
-
-/// The axis about which to turn from one orientation to another, by the sine of the angle long; inertial components.
-fn turn(from: &[[Scalar; 3]; 3], to: &[[Scalar; 3]; 3]) -> [Scalar; 3] {
-    let cross = |i: usize, j: usize| {
-        let rows = from.iter().zip(to);
-        0.5 * rows
-            .map(|(from, to)| from[i] * to[j] - from[j] * to[i])
-            .sum::<Scalar>()
-    };
-    [cross(1, 2), cross(2, 0), cross(0, 1)]
 }
 
 /// The hand points down, in front of the robot.

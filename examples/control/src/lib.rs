@@ -2,19 +2,24 @@
 //!
 //! Each has a `Controller`, called every millisecond with what it measures, and a function `run`, which lets it act on a
 //! simulated plant and reports what came of it. The plant is in `f64`; the controller computes in `Scalar`, chosen at the
-//! top of its module: in `f32` where the processor has nothing else. Nothing allocates once `run` has begun.
+//! top of its module: in `f32` where the processor has nothing else. Nothing allocates once `run` has begun, but the solver
+//! that `balance` calls.
 //!
 //! `cargo run --release --package kane-examples --example swing_up`
 
+pub mod balance;
 pub mod collision;
 pub mod computed_torque;
 pub mod gravity_compensation;
+pub mod identification;
 pub mod impedance;
 pub mod reorientation;
 pub mod swing_up;
 
 mod calls;
 mod desired;
+mod noise;
+mod turn;
 
 pub use calls::CallTimes;
 pub use desired::Desired;

@@ -1,8 +1,9 @@
 //! What each loop achieves, and that it allocates nothing while it does.
 
-use allocation_counter::measure;
+use allocation_counter::{measure, opt_out};
 use kane_examples::{
-    CallTimes, collision, computed_torque, gravity_compensation, impedance, reorientation, swing_up,
+    CallTimes, balance, collision, computed_torque, gravity_compensation, identification,
+    impedance, reorientation, swing_up,
 };
 
 /// What a run reports, which has not allocated, and has called its controller so often.
@@ -107,4 +108,76 @@ fn the_arm_feels_collisions_and_nothing_else() {
     assert!(report.quiet > 0.3, "there is noise: {report:?}");
     assert!(report.collisions > 1000, "{report:?}");
     assert!(report.delay <= 0.02, "{report:?}");
+}
+
+#[test]
+fn the_robot_that_is_pushed_keeps_its_feet_and_comes_back() {
+    for force in [[20.0, 0.0, 0.0], [0.0, 15.0, 0.0], [-15.0, -12.0, 0.0]] {
+        let (mut times, mut report) = (balance::Times::default(), None);
+        let mut controller = balance::Controller::new(&balance::posture());
+        // The solver allocates in each call; nothing else does.
+        let allocations = measure(|| {
+            report = Some(balance::run(force, &mut controller, &mut times, |solve| {
+                opt_out(solve);
+            }));
+        });
+        let report = report.expect("the run has ended");
+        assert_eq!(allocations.count_total, 0);
+        assert_eq!((times.program.calls(), times.rest.calls()), (3000, 3000));
+        assert_eq!(report.failures, 0, "{report:?}");
+        assert!(report.iterations < 20, "{report:?}");
+
+        // It is pushed in earnest: forces reach the pyramids' faces, and go as far beyond as the solver may err.
+        assert!(report.displacement > 0.02, "{report:?}");
+        assert!(report.pyramid > 0.999, "{report:?}");
+        assert!(report.pyramid < 1.0 + 1e-6, "{report:?}");
+        assert!(report.torque < 2.5 + 1e-6, "{report:?}");
+
+        // The ground is no rigid one, so that its forces are not quite those chosen; an edge of the pyramid is at 0.875 of the cone.
+        assert!(report.friction < 1.0, "{report:?}");
+        assert!(report.slip < 1e-9, "{report:?}");
+        assert!(report.least_force > 0.2, "{report:?}");
+
+        assert!(report.displacement < 0.1, "{report:?}");
+        assert!(report.turn < 0.2, "{report:?}");
+        // Nothing of the push is left after 2.5 s at 15 1/s. What is left is the price of forces in the program, for which it bears
+        // the weight but for 2.5e-4 of it: at 225 1/s², 0.011 mm too low.
+        assert!(report.displacement_at_rest < 2e-5, "{report:?}");
+        assert!(report.turn_at_rest < 2e-5, "{report:?}");
+    }
+}
+
+#[test]
+fn the_robot_that_is_pushed_too_hard_loses_its_feet_and_the_report_says_so() {
+    let mut controller = balance::Controller::new(&balance::posture());
+    let mut times = balance::Times::default();
+    let report = balance::run([0.0, 40.0, 0.0], &mut controller, &mut times, |solve| {
+        solve();
+    });
+    assert_eq!(report.least_force, 0.0, "{report:?}");
+    assert!(report.slip > 1e-3 && report.failures > 0, "{report:?}");
+    assert!(report.displacement_at_rest > 0.1, "{report:?}");
+}
+
+#[test]
+fn the_arm_learns_what_it_carries_and_follows_its_path_by_that() {
+    for seed in 1..4 {
+        let laps = without_allocating(50_000, |calls| identification::run(seed, calls)).laps;
+        for (lap, first) in laps.iter().zip([true, false, true, false, false]) {
+            assert!(lap.effort < 1.0, "{lap:?}");
+            // The noise of sums is nearly normal: ten parameters miss by what the filter believes they may, 500 times a lap.
+            assert!(lap.deviations < 5.0, "{lap:?}");
+            assert!(lap.deviations > 0.5, "there is noise: {lap:?}");
+            // A torque of the wrist is measured within 0.12 N m, as much as 0.4 kg weigh at a lever of 30 mm; 5 s are 5000 times,
+            // of which not all tell of the same. Whether the arm then moves or rests, the estimate stays.
+            let (mass, center) = if first { (0.015, 8e-3) } else { (0.01, 3e-3) };
+            assert!(lap.mass_error < mass, "{lap:?}");
+            assert!(lap.center_error < center, "{lap:?}");
+        }
+        let [drill, drill_known, cup, cup_known, cup_at_rest] = laps.map(|lap| lap.error);
+        assert!(drill > 0.03 && cup > 5e-3, "{laps:?}");
+        assert!(drill_known < drill / 100.0, "{laps:?}");
+        assert!(cup_known < cup / 15.0, "{laps:?}");
+        assert!(cup_at_rest < cup_known, "{laps:?}");
+    }
 }
