@@ -77,6 +77,15 @@ def quaternion(matrix):
     return result
 
 
+def jacobians(model, data):
+    """Of each site, a row for each axis of the world."""
+    linear = np.zeros((len(sites(model)), 3, model.nv))
+    angular = np.zeros_like(linear)
+    for place, site in enumerate(sites(model)):
+        mujoco.mj_jacSite(model, data, linear[place], angular[place], site)
+    return linear, angular
+
+
 def qpos(model, random):
     values = random.uniform(-1.5, 1.5, model.nq)
     for joint in range(model.njnt):
@@ -114,6 +123,7 @@ def state(model, random):
     if sites(model):
         values["site_xpos"] = data.site_xpos[sites(model)]
         values["site_xquat"] = [quaternion(data.site_xmat[site]) for site in sites(model)]
+        values["site_jacp"], values["site_jacr"] = jacobians(model, data)
     close(mass_matrix @ data.qacc + bias, tau)
     close(0.5 * data.qvel @ mass_matrix @ data.qvel, data.energy[1])
     data.qacc[:] = random.normal(size=model.nv) * 3

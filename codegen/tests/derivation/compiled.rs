@@ -4,7 +4,7 @@
     reason = "functions of tests, which clippy takes for others"
 )]
 
-use std::{collections::BTreeMap, fs};
+use std::{collections::BTreeMap, fs, path::Path};
 
 use kane_codegen::{
     compile::{self, Emittable, Options},
@@ -18,8 +18,12 @@ use kane_codegen::{
 
 /// The model at a path of the repository.
 pub(crate) fn read(path: &str, reading: &Reading) -> Tree {
-    let text = fs::read_to_string(format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    built(path, text, reading)
+    let path = format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"));
+    let folder = Path::new(&path).parent().unwrap();
+    let include = |own: &str| fs::read_to_string(folder.join(own));
+    let source = Source::new(path.as_str(), fs::read_to_string(&path).unwrap());
+    let description = description::read(&source, reading, &include);
+    tree::build(&description).unwrap().tree
 }
 
 /// The model that a text describes.

@@ -8,6 +8,7 @@ mod equivalences;
 mod evaluator;
 mod expr;
 mod frame_identities;
+mod frame_references;
 mod frames;
 mod fused;
 mod identities;
