@@ -92,9 +92,13 @@ fn bundled_systems_hold_in_single_precision_with_fewer_optimizations() {
 }
 
 fn assert_robot_holds(name: &str, base: Base) {
+    assert_functions_hold(name, base, Functions::Default);
+}
+
+fn assert_functions_hold(name: &str, base: Base, functions: Functions) {
     let path = repository(&format!("tests/robots/{name}/{name}.urdf"));
     let source = Source::new(format!("{name}.urdf"), fs::read_to_string(path).unwrap());
-    let text = module(&source, Some(base), Functions::Default);
+    let text = module(&source, Some(base), functions);
     assert_holds(&report(&text), name);
 }
 
@@ -102,6 +106,31 @@ fn assert_robot_holds(name: &str, base: Base) {
 fn arms_hold() {
     assert_robot_holds("panda", Base::Fixed);
     assert_robot_holds("ur5", Base::Fixed);
+}
+
+#[test]
+fn functions_of_frames_and_matrices_hold() {
+    let functions = [
+        "pose(FL_FOOT)+velocity(FL_FOOT)",
+        "jacobian(FL_FOOT)+jacobian(FR_FOOT)+jacobian(HL_FOOT)+jacobian(HR_FOOT)",
+        "jacobian(FL_FOOT, HR_FOOT)",
+        "jacobian_packed(FL_FOOT)",
+        "point_jacobian(FL_FOOT)",
+        "acceleration(FL_FOOT, local)",
+        "jacobian_dot_u(FL_FOOT)",
+        "generalized_force(FL_FOOT)",
+        "imu(base_link)",
+        "operational_inverse_inertia(FL_FOOT, FR_FOOT)",
+        "coriolis_matrix",
+        "mass_matrix_dot",
+        "mass_matrix_inverse",
+        "mass_matrix_factors",
+        "regressor",
+        "base_regressor",
+        "joint_wrenches",
+    ];
+    let functions = functions.map(str::to_owned).to_vec();
+    assert_functions_hold("solo12", Base::Free, Functions::Named(functions));
 }
 
 #[test]
