@@ -16,7 +16,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bounds = trees.split_whitespace().map(str::parse);
     generate_trees(&bounds.collect::<Result<Vec<usize>, _>>()?)?;
     Build::new("../tests/robots/panda/panda.urdf")
-        .functions(["inverse_dynamics"])
+        .functions([
+            "inverse_dynamics",
+            "jacobian(panda_hand_tcp)",
+            "coriolis_matrix",
+        ])
         .run()?;
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {
         println!("cargo::rerun-if-changed=memory.x");

@@ -96,6 +96,26 @@ fn bundled<R: Scalar>(machine: &mut impl Machine) {
         panda::inverse_dynamics(&system, &state.q, &state.u, &state.u_dot, tau);
     });
 
+    let function = Function {
+        name: "panda::panda_hand_tcp_jacobian",
+        address: panda::panda_hand_tcp_jacobian::<R> as *const (),
+    };
+    function.at_states(
+        machine,
+        |state: &State<R, _, { panda::NU }>, rows: &mut [_; 6]| {
+            if let [linear, angular] = rows.as_chunks_mut::<3>().0 {
+                panda::panda_hand_tcp_jacobian(&system, &state.q, linear, angular);
+            }
+        },
+    );
+    let function = Function {
+        name: "panda::coriolis_matrix",
+        address: panda::coriolis_matrix::<R> as *const (),
+    };
+    function.at_states(machine, |state: &State<R, _, _>, c| {
+        panda::coriolis_matrix(&system, &state.q, &state.u, c);
+    });
+
     let system = cart_pole::Prepared::<R>::nominal();
     let function = Function {
         name: "cart_pole::forward_dynamics",
