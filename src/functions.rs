@@ -55,6 +55,7 @@
 //! | [`CenterOfMass`] | `center_of_mass(q, position)` | `[R; 3]` | (23) |
 //! | [`CenterOfMassVelocity`] | `center_of_mass_velocity(q, u, velocity)` | `[R; 3]` | (27) |
 //! | [`CenterOfMassJacobian`] | `center_of_mass_jacobian(q, jacobian)` | `[U; 3]` | (32) |
+//! | [`CenterOfMassJacobianDotU`] | `center_of_mass_jacobian_dot_u(q, u, acceleration)` | `[R; 3]` | before (33) |
 //! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
 //! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
 //! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Matrix` | (36), (43) |
@@ -361,6 +362,10 @@ function_traits! {
     /// Partial velocities of the mass centre of all bodies, inertial components, `jacobian[component][speed]`: its velocity
     /// is this matrix times `u`. Often called the `CoM` Jacobian.
     CenterOfMassJacobian: center_of_mass_jacobian(q: &Self::Q, jacobian: &mut [Self::U; 3]);
+
+    /// Acceleration of the mass centre of all bodies for `u_dot = 0`, inertial components, m/s²: its acceleration without
+    /// gravity is its Jacobian times `u_dot`, and this.
+    CenterOfMassJacobianDotU: center_of_mass_jacobian_dot_u(q: &Self::Q, u: &Self::U, acceleration: &mut [R; 3]);
 }
 
 /// Momentum of all bodies about their mass centre for a unit of each speed, inertial components, `[component][speed]`: linear,

@@ -59,6 +59,18 @@ pub(super) fn center_of_mass_jacobian_recursive(
     matrix(&recursive::momentum::center_jacobian(graph, tree, plan))
 }
 
+pub(super) fn center_of_mass_jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    kane::center::jacobian_dot_u(graph, tree).to_vec()
+}
+
+pub(super) fn center_of_mass_jacobian_dot_u_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    recursive::center::jacobian_dot_u(graph, tree, plan).to_vec()
+}
+
 pub(super) fn centroidal_momentum_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     matrices(&kane::center::momentum_matrix(graph, tree))
 }

@@ -46,6 +46,12 @@ pub fn jacobian(graph: &mut ExprGraph, tree: &Tree) -> Vec<Vector> {
         .collect()
 }
 
+/// The acceleration of the mass centre for `y_dot = 0`: `sum_K R_K^T m_K a_G_K / sum_K m_K`.
+pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Vector {
+    let rates = momentum_matrix_dot_u(graph, tree);
+    given::over_total_mass(graph, tree, rates.linear)
+}
+
 /// `sum_K R_K^T m_K V_G_K` and `sum_K R_K^T I_K W_K + (p_G_K - p) × R_K^T m_K V_G_K`, one column a speed.
 pub fn momentum_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Momentum> {
     let relative = orientation::relative(graph, tree);

@@ -71,6 +71,12 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
     sum
 }
 
+/// Its acceleration for `y_dot = 0`, inertial components; zero where no body has mass.
+pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
+    let rates = momentum_matrix_dot_u(graph, tree, plan);
+    given::over_total_mass(graph, tree, rates.linear)
+}
+
 /// From the origin of the first link on the inertial frame to the mass centre, inertial components; zero where no body has
 /// mass.
 pub(super) fn from_first(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {

@@ -90,7 +90,7 @@ fn robots() {
     insta::assert_snapshot!(text);
 }
 
-const OF_SYSTEMS: [&str; 12] = [
+const OF_SYSTEMS: [&str; 13] = [
     "loaded_inverse_dynamics",
     "loaded_forward_dynamics",
     "kinetic_energies",
@@ -99,6 +99,7 @@ const OF_SYSTEMS: [&str; 12] = [
     "center_of_mass",
     "center_of_mass_velocity",
     "center_of_mass_jacobian",
+    "center_of_mass_jacobian_dot_u",
     "centroidal_momentum_matrix",
     "centroidal_momentum_matrix_dot_u",
     "regressor",

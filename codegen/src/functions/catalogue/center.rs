@@ -57,6 +57,23 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
     ..PLAIN
 };
 
+pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
+    name: "center_of_mass_jacobian_dot_u",
+    trait_name: Some("CenterOfMassJacobianDotU"),
+    arguments: &[Argument::Q, Argument::U],
+    outputs: &[Output::new("acceleration", Shape::VECTOR)],
+    doc: &[
+        "Acceleration of the mass centre of all bodies for `u_dot = 0`: inertial components, m/s^2. With `center_of_mass_jacobian`, `J`, its",
+        "acceleration is `J u_dot` and this, without gravity. Also known as com drift. Zero where no body has mass; masses that are zero at run",
+        "time alone give NaN.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_center::center_of_mass_jacobian_dot_u),
+        Candidate::planned(derive_center::center_of_mass_jacobian_dot_u_recursive),
+    ],
+    ..PLAIN
+};
+
 pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
     name: "centroidal_momentum_matrix",
     trait_name: Some("CentroidalMomentumMatrix"),

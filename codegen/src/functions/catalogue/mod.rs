@@ -13,7 +13,7 @@ mod regressor;
 use super::function::Function;
 
 /// Every function of the whole system that a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 53] = [
+pub static CATALOGUE: [Function; 54] = [
     kinematics::RELATIVE_ROTATION,
     kinematics::ROTATION,
     kinematics::RELATIVE_ANGULAR_VELOCITY,
@@ -62,6 +62,7 @@ pub static CATALOGUE: [Function; 53] = [
     center::CENTER_OF_MASS,
     center::CENTER_OF_MASS_VELOCITY,
     center::CENTER_OF_MASS_JACOBIAN,
+    center::CENTER_OF_MASS_JACOBIAN_DOT_U,
     center::CENTROIDAL_MOMENTUM_MATRIX,
     center::CENTROIDAL_MOMENTUM_MATRIX_DOT_U,
     regressor::REGRESSOR,

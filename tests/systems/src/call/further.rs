@@ -4,11 +4,11 @@
 use kane::{
     Array, Real,
     functions::{
-        BaseRegressor, CenterOfMass, CenterOfMassJacobian, CenterOfMassVelocity,
-        CentroidalMomentumMatrix, CentroidalMomentumMatrixDotU, CoriolisMatrix, JointRegressor,
-        JointWrenches, KineticEnergies, LoadedForwardDynamics, LoadedInverseDynamics,
-        MassMatrixDot, MassMatrixFactors, MassMatrixInverse, MassMatrixInversePacked,
-        MassMatrixProduct, MassMatrixSolve, PotentialEnergies, Regressor,
+        BaseRegressor, CenterOfMass, CenterOfMassJacobian, CenterOfMassJacobianDotU,
+        CenterOfMassVelocity, CentroidalMomentumMatrix, CentroidalMomentumMatrixDotU,
+        CoriolisMatrix, JointRegressor, JointWrenches, KineticEnergies, LoadedForwardDynamics,
+        LoadedInverseDynamics, MassMatrixDot, MassMatrixFactors, MassMatrixInverse,
+        MassMatrixInversePacked, MassMatrixProduct, MassMatrixSolve, PotentialEnergies, Regressor,
     },
 };
 
@@ -31,6 +31,7 @@ pub trait Further<R: Real>:
     + CenterOfMass<R>
     + CenterOfMassVelocity<R>
     + CenterOfMassJacobian<R>
+    + CenterOfMassJacobianDotU<R>
     + CentroidalMomentumMatrix<R>
     + CentroidalMomentumMatrixDotU<R>
     + Regressor<R>
@@ -54,6 +55,7 @@ impl<R: Real, S> Further<R> for S where
         + CenterOfMass<R>
         + CenterOfMassVelocity<R>
         + CenterOfMassJacobian<R>
+        + CenterOfMassJacobianDotU<R>
         + CentroidalMomentumMatrix<R>
         + CentroidalMomentumMatrixDotU<R>
         + Regressor<R>
@@ -165,6 +167,9 @@ fn of_center<R: Real + Into<f64>, S: Further<R>>(
     match function {
         "center_of_mass" => system.center_of_mass(q, &mut first),
         "center_of_mass_velocity" => system.center_of_mass_velocity(q, u, &mut first),
+        "center_of_mass_jacobian_dot_u" => {
+            system.center_of_mass_jacobian_dot_u(q, u, &mut first);
+        }
         "centroidal_momentum_matrix_dot_u" => {
             system.centroidal_momentum_matrix_dot_u(q, u, &mut first, &mut second);
             return Some(numbers([first, second].as_flattened()));
