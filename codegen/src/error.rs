@@ -25,9 +25,9 @@ pub enum Error {
         /// The names there are.
         known: Vec<&'static str>,
     },
-    /// Functions that cannot be joined as they were.
-    #[error("{0}")]
-    Request(RequestError),
+    /// What is asked for and cannot be had: all that is wrong.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Requests(Vec<RequestError>),
     /// A tolerance that is none, or so large that it would make another system.
     #[error("the snap tolerance is {tolerance:?}; expected at least {} and less than {}", SNAP_TOLERANCES.start, SNAP_TOLERANCES.end)]
     SnapTolerance {

@@ -89,8 +89,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     job::warn(&checked.warnings);
 
     let tree = &checked.tree;
-    let function = function.on(tree);
-    let function = function.map_err(|fault| Failures::message(fault.to_string()))?;
+    let function = function.on(tree).map_err(Error::Requests)?;
     let inputs = state::read(&state, tree, &function)?;
     let options = Options {
         formulation: arguments.formulation,

@@ -53,7 +53,16 @@ impl From<Error> for Failures {
         if let Error::Invalid(diagnostics) = error {
             return diagnostics.into();
         }
-        Self::message(format_args!("{error:?}"))
+        match error {
+            Error::Requests(faults) => {
+                let mut failures = Self::default();
+                for fault in faults {
+                    failures.add(Self::message(fault));
+                }
+                failures
+            }
+            error => Self::message(format_args!("{error:?}")),
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
+    error::Error,
     functions::{CATALOGUE, Formulation, Parsed, Request},
     id::BodyId,
     limits::{COUNTED, DRAWN_BODIES},
@@ -107,10 +108,7 @@ fn asked(lists: Option<&[String]>) -> Result<Option<Vec<Parsed>>, Failures> {
 /// The functions on the model, or everything that it lacks.
 fn resolved(asked: &[Parsed], tree: &Tree) -> Result<Vec<Request>, Failures> {
     let mut failures = Failures::default();
-    let on_tree = |asked: &Parsed| {
-        let request = asked.on(tree);
-        request.map_err(|fault| Failures::message(fault.to_string()))
-    };
+    let on_tree = |asked: &Parsed| asked.on(tree).map_err(Error::Requests);
     let requests = asked.iter();
     let requests = requests
         .filter_map(|asked| failures.keep(on_tree(asked)))

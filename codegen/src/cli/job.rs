@@ -78,15 +78,23 @@ impl Job {
         Diagnostics::new(Source::clone(config), vec![fault]).into()
     }
 
-    /// Why what is asked for cannot be had of the model, at its place where it has one.
-    fn not_had(&self, fault: RequestError) -> Failures {
-        let listing = self.listing.as_ref();
-        let placed = listing.and_then(|listing| Some((listing, listing.functions.fault(&fault)?)));
-        let Some((listing, placed)) = placed else {
-            return Error::Request(fault).into();
+    /// Why what is asked for cannot be had of the model, each fault at its place where it has one.
+    fn not_had(&self, faults: Vec<RequestError>) -> Failures {
+        let Some(listing) = &self.listing else {
+            return Error::Requests(faults).into();
         };
-        let placed = placed.at(listing.model, "the model");
-        Diagnostics::new(Source::clone(&listing.config), vec![placed]).into()
+        let (mut placed, mut others) = (Vec::new(), Vec::new());
+        for fault in faults {
+            match listing.functions.fault(&fault) {
+                Some(fault) => placed.push(fault.at(listing.model, "the model")),
+                None => others.push(fault),
+            }
+        }
+        let mut failures = Failures::from(Error::Requests(others));
+        if !placed.is_empty() {
+            failures.add(Diagnostics::new(Source::clone(&listing.config), placed));
+        }
+        failures
     }
 
     /// What would ask for a file beside the module, if it can be one.
@@ -252,7 +260,7 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }
-        Error::Request(fault) => job.not_had(fault),
+        Error::Requests(faults) => job.not_had(faults),
         error => error.into(),
     })
 }

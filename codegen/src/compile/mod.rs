@@ -67,7 +67,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     }
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
-    let requests = options.requests(tree).map_err(Error::Request)?;
+    let requests = options.requests(tree).map_err(Error::Requests)?;
     check_size(tree, &requests, options)?;
     let choices = threads::map(&requests, |function| choose(tree, function, options));
     for (function, choice) in requests.into_iter().zip(choices) {

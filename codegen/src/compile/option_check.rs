@@ -41,7 +41,7 @@ pub(crate) fn check(options: &Options) -> Result<(), Error> {
                 let known = CATALOGUE.iter().map(|function| function.name).collect();
                 Error::UnknownFunction { name, known }
             }
-            fault => Error::Request(fault),
+            fault => Error::Requests(vec![fault]),
         })
     })
 }

@@ -87,8 +87,8 @@ impl Parsed {
     /// The request on the tree of a model.
     ///
     /// # Errors
-    /// A frame that the model lacks.
-    pub fn on(&self, tree: &Tree) -> Result<Request, RequestError> {
+    /// All frames that the model lacks.
+    pub fn on(&self, tree: &Tree) -> Result<Request, Vec<RequestError>> {
         self.resolved(Some(tree))
     }
 
@@ -97,12 +97,13 @@ impl Parsed {
     /// # Errors
     /// A frame, which no system has without a model.
     pub fn of_any_model(&self) -> Result<Request, RequestError> {
-        self.resolved(None)
+        let request = self.resolved(None);
+        request.map_err(|mut faults| faults.swap_remove(0))
     }
 
-    fn resolved(&self, tree: Option<&Tree>) -> Result<Request, RequestError> {
+    fn resolved(&self, tree: Option<&Tree>) -> Result<Request, Vec<RequestError>> {
         let parts = self.parts.iter().map(|part| part.on(&self.text, tree));
-        let parts = parts.collect::<Result<_, _>>()?;
+        let parts = all_or_faults(parts)?;
         Ok(Request::new(parts, self.at_sin_cos))
     }
 
@@ -169,7 +170,7 @@ impl ParsedPart {
         Ok(Self { function, subject })
     }
 
-    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, RequestError> {
+    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, Vec<RequestError>> {
         let subject = self.subject.as_ref();
         Ok(Part {
             function: self.function,
@@ -250,20 +251,40 @@ impl ParsedSubject {
         self.frames.iter().map(|frame| frame.text.as_str())
     }
 
-    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Subject, RequestError> {
+    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Subject, Vec<RequestError>> {
         let found = |word: &Word| {
             let frame = tree.and_then(|tree| SubjectFrame::find(tree, &word.text));
-            frame.ok_or_else(|| RequestError::UnknownFrame {
-                request: text.to_owned(),
-                name: word.text.clone(),
-                known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
-                place: word.place.clone(),
+            frame.ok_or_else(|| {
+                vec![RequestError::UnknownFrame {
+                    request: text.to_owned(),
+                    name: word.text.clone(),
+                    known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
+                    place: word.place.clone(),
+                }]
             })
         };
         Ok(Subject {
-            frames: self.frames.iter().map(found).collect::<Result<_, _>>()?,
+            frames: all_or_faults(self.frames.iter().map(found))?,
             view: self.view,
         })
+    }
+}
+
+/// All of what is found, or all that is wrong.
+fn all_or_faults<T>(
+    results: impl Iterator<Item = Result<T, Vec<RequestError>>>,
+) -> Result<Vec<T>, Vec<RequestError>> {
+    let (mut found, mut faults) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(one) => found.push(one),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if faults.is_empty() {
+        Ok(found)
+    } else {
+        Err(faults)
     }
 }
 

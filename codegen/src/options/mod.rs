@@ -68,16 +68,23 @@ impl Options {
     /// What is to be generated, in the order of a module.
     ///
     /// # Errors
-    /// What the model lacks, and two functions of one name.
-    pub fn requests(&self, tree: &Tree) -> Result<Vec<Request>, RequestError> {
+    /// All that the model lacks; else two functions of one name.
+    pub fn requests(&self, tree: &Tree) -> Result<Vec<Request>, Vec<RequestError>> {
         let catalogue = CATALOGUE.iter();
         let selected = catalogue.filter(|function| self.selects(tree, function));
         let mut requests: Vec<Request> = selected.map(Request::from).collect();
         let named = self.functions.requests().into_iter();
+        let mut faults = Vec::new();
         for named in named.filter(|named| named.alone().is_none()) {
-            requests.push(named.on(tree)?);
+            match named.on(tree) {
+                Ok(request) => requests.push(request),
+                Err(more) => faults.extend(more),
+            }
         }
-        check_names(&requests)?;
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        check_names(&requests).map_err(|fault| vec![fault])?;
         Ok(requests)
     }
 }

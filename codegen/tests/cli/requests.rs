@@ -34,6 +34,28 @@ fn unknown_frame_is_pointed_at_in_kane_toml() {
 }
 
 #[test]
+fn all_unknown_frames_are_told_at_once() {
+    let project = with_functions(r#"["pose(foer) + velocity(hand)", "imu(tool)"]"#);
+    let ran = project.kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    for name in ["foer", "hand", "tool"] {
+        let told = format!("`{name}` is no frame of the model");
+        assert_eq!(ran.err.matches(&told).count(), 1, "{}", ran.err);
+    }
+    let arguments = [
+        "info",
+        "models/arm.toml",
+        "--functions",
+        "jacobian(foer, hand)",
+    ];
+    let ran = project.kane(&arguments);
+    insta::assert_snapshot!(ran.err, @r"
+    error: `foer` is no frame of the model; there are `fore`, `upper`
+    error: `hand` is no frame of the model; there are `upper`, `fore`
+    ");
+}
+
+#[test]
 fn unknown_frame_of_the_command_line_has_no_place_in_kane_toml() {
     let project = with_functions(r#"["pose(foer)"]"#);
     let ran = project.kane(&["generate", "models/arm.toml", "--functions", "pose(foer)"]);

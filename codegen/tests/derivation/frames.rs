@@ -66,8 +66,9 @@ pub(crate) fn system(seed: u64) -> (RandomSystem, Tree) {
 }
 
 pub(crate) fn request(tree: &Tree, text: &str) -> Request {
-    let request = Parsed::read(text).and_then(|parsed| parsed.on(tree));
-    request.unwrap_or_else(|fault| unreachable!("{text}: {fault}"))
+    let parsed = Parsed::read(text).map_err(|fault| vec![fault]);
+    let request = parsed.and_then(|parsed| parsed.on(tree));
+    request.unwrap_or_else(|faults| unreachable!("{text}: {faults:?}"))
 }
 
 pub(crate) fn evaluate(
