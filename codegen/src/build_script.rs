@@ -60,15 +60,10 @@ impl Build {
         }
     }
 
-    /// Generates these functions in place of the default set; the one name `all` stands for every function.
+    /// Generates these functions in place of the default set; `all` stands for every function of the system.
     #[must_use]
     pub fn functions<S: Into<String>>(mut self, names: impl IntoIterator<Item = S>) -> Self {
-        let names: Vec<String> = names.into_iter().map(Into::into).collect();
-        self.options.functions = if names == ["all"] {
-            Functions::All
-        } else {
-            Functions::Named(names)
-        };
+        self.options.functions = Functions::of(names.into_iter().map(Into::into));
         self
     }
 

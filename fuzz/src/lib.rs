@@ -65,7 +65,7 @@ pub fn generate(data: &[u8]) {
         reading,
         changes: Changes::default(),
         functions: match how % 4 {
-            0 if n_bodies <= FEW_BODIES.0 => Functions::All,
+            0 if n_bodies <= FEW_BODIES.0 => Functions::All(Vec::new()),
             1 => Functions::Named(vec![format!("{}(sin_cos)", function.name)]),
             2 => Functions::Named(of_frames()),
             _ => Functions::Named(vec![function.name.to_owned()]),

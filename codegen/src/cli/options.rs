@@ -8,7 +8,7 @@ use clap::Args;
 use kane_codegen::{
     diagnostic::nearest,
     functions::{CATALOGUE, Parsed, RequestError, split},
-    options::{Formulation, Functions, Options},
+    options::{ALL, Formulation, Functions, Options},
     recursive::Technique,
 };
 
@@ -21,7 +21,7 @@ use super::{
 /// What is generated of a model, and how.
 #[derive(Args, Debug)]
 pub(crate) struct OptionsArguments {
-    /// The functions, with commas between them; `all` for every one
+    /// The functions, with commas between them; `all` for every one of the system
     ///
     /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
     /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
@@ -160,24 +160,21 @@ pub(crate) fn names(lists: &[String]) -> Vec<&str> {
 /// Reads `--functions`.
 fn functions(lists: &[String]) -> Result<Functions, Failures> {
     let names = names(lists);
-    if names == ["all"] {
-        return Ok(Functions::All);
-    }
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
-        if *name == "all" {
-            failures.add(Failures::message(
-                "--functions names functions beside `all`",
-            ));
-        } else if let Err(fault) = request(name) {
-            failures.add(fault);
-        } else if names[..index].contains(name) {
-            failures.add(Failures::message(format!(
+        let request = (*name != ALL).then(|| request(name)).transpose();
+        let alone = |request: Parsed| request.alone();
+        match request.map(|request| request.and_then(alone)) {
+            Err(fault) => failures.add(fault),
+            Ok(_) if names[..index].contains(name) => failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"
-            )));
+            ))),
+            Ok(Some(_)) if names.contains(&ALL) => failures.add(Failures::message(format!(
+                "--functions names `{name}` beside `all`, which has it"
+            ))),
+            Ok(_) => {}
         }
     }
     failures.none()?;
-    let names = names.into_iter().map(str::to_owned);
-    Ok(Functions::Named(names.collect()))
+    Ok(Functions::of(names.into_iter().map(str::to_owned)))
 }

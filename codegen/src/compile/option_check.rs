@@ -3,7 +3,7 @@
 use crate::{
     error::Error,
     functions::{CATALOGUE, Parsed, RequestError},
-    options::{Functions, Options, SNAP_TOLERANCES, companion},
+    options::{Options, SNAP_TOLERANCES, companion},
 };
 
 /// Refuses options that cannot be.
@@ -31,10 +31,8 @@ pub(crate) fn check(options: &Options) -> Result<(), Error> {
             name: options.module.clone(),
         });
     }
-    let Functions::Named(names) = &options.functions else {
-        return Ok(());
-    };
-    let fault = names.iter().find_map(|name| Parsed::read(name).err());
+    let mut names = options.functions.named().iter();
+    let fault = names.find_map(|name| Parsed::read(name).err());
     fault.map_or(Ok(()), |fault| {
         Err(match fault {
             RequestError::Unknown { name } => {

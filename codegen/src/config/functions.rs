@@ -4,7 +4,7 @@ use crate::{
     description::toml_reader::{Reader, Table, list, span},
     diagnostic::{Diagnostic, Spanned, nearest},
     functions::{Parsed, RequestError},
-    options::Functions,
+    options::{ALL, Functions},
 };
 
 /// The functions that a system names, where they stand.
@@ -39,7 +39,7 @@ pub(super) fn read(
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
         };
-        let all = name.value == "all";
+        let all = name.value == ALL;
         if let Some(fault) = (!all).then(|| request_fault(&name, &what, known)).flatten() {
             reader.faults.push(fault);
         } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
@@ -53,22 +53,22 @@ pub(super) fn read(
             names.push(name);
         }
     }
-    let all = names.iter().find(|name| name.value == "all");
-    match all {
-        Some(_) if entries.len() == 1 => Some((Functions::All, Named::default())),
-        Some(all) => {
-            let fault = Diagnostic::error(format!("{what} names functions beside `all`"));
+    if let Some(all) = names.iter().find(|name| name.value == ALL) {
+        let is_among_all = |name: &Spanned<String>| {
+            let named = Parsed::read(&name.value).ok();
+            named.is_some_and(|named| named.alone().is_some())
+        };
+        for name in names.iter().filter(|name| is_among_all(name)) {
+            let fault = format!("{what} names `{}` beside `all`", name.value);
+            let fault = Diagnostic::error(fault).at(name.span, "one of them");
             reader
                 .faults
                 .push(fault.at(all.span, "this names them all"));
-            None
-        }
-        None => {
-            let functions = names.iter().map(|name| name.value.clone()).collect();
-            let entries = names;
-            Some((Functions::Named(functions), Named { what, entries }))
         }
     }
+    let functions = Functions::of(names.iter().map(|name| name.value.clone()));
+    let entries = names;
+    Some((functions, Named { what, entries }))
 }
 
 impl Named {

@@ -18,7 +18,7 @@ use std::{
 };
 
 pub use formulation::Formulation;
-pub use functions::Functions;
+pub use functions::{ALL, Functions};
 
 use crate::{
     description::Reading,

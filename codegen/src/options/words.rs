@@ -10,7 +10,7 @@ use crate::{
     tree::Changes,
 };
 
-use super::{Formulation, Functions, Options};
+use super::{ALL, Formulation, Functions, Options};
 
 impl Options {
     /// All that can influence the module. What is written beside it cannot.
@@ -51,7 +51,14 @@ impl Options {
 fn functions_in_words(functions: &Functions) -> String {
     match functions {
         Functions::Default => "default".to_owned(),
-        Functions::All => "all".to_owned(),
+        Functions::All(_) => {
+            // All have those that are no more than one of the system.
+            let named = functions.requests().into_iter();
+            let others = named.filter(|named| named.alone().is_none());
+            let words = [ALL.to_owned()].into_iter();
+            let words: Vec<String> = words.chain(others.map(|one| one.text())).collect();
+            words.join(", ")
+        }
         Functions::Named(_) => {
             let named = functions.requests();
             let named: Vec<String> = named.iter().map(Parsed::text).collect();

@@ -56,6 +56,29 @@ fn all_unknown_frames_are_told_at_once() {
 }
 
 #[test]
+fn functions_of_frames_stand_beside_all() {
+    let project = with_functions(r#"["all", "pose(fore)", "bias+mass_matrix"]"#);
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let module = project.read("generated/arm.rs");
+    assert!(module.contains("functions: all, bias+mass_matrix, pose(fore);"));
+    let of_options = project.kane(&[
+        "generate",
+        "models/arm.toml",
+        "--functions",
+        "pose(fore),bias+mass_matrix",
+        "--functions",
+        "all",
+        "--output",
+        "other.rs",
+    ]);
+    assert_eq!(of_options.code, 0, "{}", of_options.err);
+    for function in ["fn fore_pose<", "fn bias_and_mass_matrix<", "fn regressor<"] {
+        assert!(module.contains(function), "{function}");
+        assert!(project.read("other.rs").contains(function), "{function}");
+    }
+}
+
+#[test]
 fn unknown_frame_of_the_command_line_has_no_place_in_kane_toml() {
     let project = with_functions(r#"["pose(foer)"]"#);
     let ran = project.kane(&["generate", "models/arm.toml", "--functions", "pose(foer)"]);

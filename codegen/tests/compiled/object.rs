@@ -225,7 +225,11 @@ fn random_trees_hold() {
     let folder = std::env::var_os("KANE_TREES_FOLDER").map(PathBuf::from);
     let (mut n_functions, mut text_bytes, mut most_stack) = (0, 0, 0);
     for (place, system) in trees::first(trees::count(4)).enumerate() {
-        let text = module(&Source::new("random", system.toml()), None, Functions::All);
+        let text = module(
+            &Source::new("random", system.toml()),
+            None,
+            Functions::All(Vec::new()),
+        );
         if let Some(folder) = &folder {
             fs::write(folder.join(format!("tree_{place}.rs")), &text).unwrap();
         }

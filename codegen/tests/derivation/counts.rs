@@ -220,7 +220,7 @@ fn eight_free_bodies_along_the_tree() {
 fn eight_free_bodies_every_function() {
     insta::assert_snapshot!(table(&counts(
         &model("models/eight_body.toml"),
-        Functions::All,
+        Functions::All(Vec::new()),
         Formulation::Cheapest
     )));
 }

@@ -56,7 +56,7 @@ fn systems_and_functions_keep_their_order() {
     assert_eq!((b.options.fma, a.options.fma), (true, false));
     assert_eq!(
         (a.model.value.as_str(), &a.options.functions),
-        ("a.toml", &Functions::All)
+        ("a.toml", &Functions::All(Vec::new()))
     );
 }
 

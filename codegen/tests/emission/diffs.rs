@@ -76,7 +76,7 @@ fn with_leaf(text: &str, lower: usize, leaf: &str) -> String {
 
 fn module(text: &str, formulation: Formulation) -> String {
     let options = Options {
-        functions: Functions::All,
+        functions: Functions::All(Vec::new()),
         formulation,
         // Which solver is the cheaper depends on all bodies.
         without: BTreeSet::from([Technique::Articulated]),

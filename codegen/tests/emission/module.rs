@@ -79,7 +79,7 @@ fn a_function_s_text_does_not_depend_on_what_else_is_asked_for() {
         module[start..start + module[start..].find("\n}\n").unwrap()].to_owned()
     };
     let alone = module("cart_pole", named(&["bias"]));
-    let among_all = module("cart_pole", Functions::All);
+    let among_all = module("cart_pole", Functions::All(Vec::new()));
     assert_eq!(text_of(&alone), text_of(&among_all));
 }
 

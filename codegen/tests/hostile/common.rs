@@ -17,7 +17,7 @@ use kane_codegen::{
 /// Everything, with all that can stand beside a module.
 pub(crate) fn everything() -> Options {
     Options {
-        functions: Functions::All,
+        functions: Functions::All(Vec::new()),
         companions: CompanionKind::ALL.into(),
         module: "hostile".to_owned(),
         ..Options::default()

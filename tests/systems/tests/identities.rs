@@ -221,7 +221,7 @@ mod bits {
         let functions = if only_both {
             Functions::Named(both.map(|function| function.name.to_owned()).collect())
         } else {
-            Functions::All
+            Functions::All(Vec::new())
         };
         let options = Options {
             functions,

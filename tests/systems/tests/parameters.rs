@@ -158,7 +158,7 @@ fn signatures(compiled: Compiled) -> Vec<String> {
 /// The text, and for each function its operations.
 fn generated(compiled: Compiled) -> (String, Vec<(String, usize)>) {
     let options = Options {
-        functions: Functions::All,
+        functions: Functions::All(Vec::new()),
         formulation: Formulation::Recursive,
         ..Options::default()
     };

@@ -16,7 +16,7 @@ use syn::visit::{self, Visit};
 /// The module of a description, with every function.
 fn module(name: &str, text: &str, formulation: Formulation) -> String {
     let options = Options {
-        functions: Functions::All,
+        functions: Functions::All(Vec::new()),
         formulation,
         ..Options::default()
     };

@@ -36,7 +36,7 @@ impl Tested {
     /// Generates every function of a description.
     pub(crate) fn new(description: &str) -> Self {
         let options = Options {
-            functions: Functions::All,
+            functions: Functions::All(Vec::new()),
             companions: [CompanionKind::Tests].into(),
             ..Options::default()
         };
