@@ -12,6 +12,7 @@ mod derive_center;
 mod derive_coriolis;
 mod derive_energy;
 mod derive_frame;
+mod derive_hybrid;
 mod derive_loaded;
 mod derive_matrices;
 mod derive_regressor;

@@ -6,9 +6,12 @@
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
 mod inverse;
+mod partitioned;
 mod projected;
 
 use std::collections::BTreeSet;
+
+pub use partitioned::{Partitioned, partitioned};
 
 use crate::{
     expr::{Expr, ExprGraph},
@@ -70,8 +73,18 @@ pub fn subtract(graph: &mut ExprGraph, tree: &Tree, tau: &mut [Expr], needed: &[
 }
 
 /// Factorises a mass matrix.
-pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Factors {
+pub fn factorise(graph: &mut ExprGraph, tree: &Tree, a: SpeedMatrix) -> Factors {
     let order = elimination_order(tree);
+    factorised(graph, tree, a, order)
+}
+
+/// Factorises the rows and columns of a mass matrix that belong to the speeds in this order; the pivots of others are zero.
+fn factorised(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    mut a: SpeedMatrix,
+    order: Vec<BodySpeed>,
+) -> Factors {
     let mut couplings = Vec::with_capacity(order.len());
     let mut pivots = vec![graph.zero(); tree.n_speeds];
     for (place, &k) in order.iter().enumerate() {

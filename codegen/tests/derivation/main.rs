@@ -9,6 +9,7 @@ mod expr;
 mod frame_identities;
 mod frames;
 mod fused;
+mod hybrid;
 mod identities;
 mod multiply_add;
 mod passes;
