@@ -137,6 +137,13 @@ impl Build {
         self
     }
 
+    /// Prescribes the accelerations of a joint, for `hybrid_dynamics`; the name is that of the joint, or of its body.
+    #[must_use]
+    pub fn prescribed(mut self, name: impl Into<String>) -> Self {
+        self.options.prescribed.push(name.into());
+        self
+    }
+
     /// Writes the manifest beside the module too: what it holds, as JSON, `arm.json` for `arm.rs`.
     #[must_use]
     pub fn manifest(mut self) -> Self {

@@ -10,6 +10,9 @@ use super::{
 };
 use crate::tree::Tree;
 
+/// The constant that says of which speeds the accelerations are given.
+pub const PRESCRIBED: &str = "PRESCRIBED";
+
 /// A function of the generated module.
 #[derive(Debug)]
 pub struct Function {

@@ -34,7 +34,7 @@ pub use argument::Argument;
 pub use candidate::{Candidate, Formulation};
 pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use derived::{Block, Derived, pattern};
-pub use function::{Function, Of, Output};
+pub use function::{Function, Of, Output, PRESCRIBED};
 pub use packed::{ELIMINATION, Packed};
 pub use parsed::{Parsed, Place};
 pub use part::Part;

@@ -174,6 +174,11 @@ impl Request {
         self.functions().any(|function| function.solves)
     }
 
+    /// True where accelerations of the prescribed speeds are given, and forces of the others.
+    pub fn prescribes(&self) -> bool {
+        self.functions().any(|function| function.prescribes)
+    }
+
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> Vec<Formulation> {
         let functions = self.functions();

@@ -38,7 +38,11 @@ pub(super) fn pairs(tree: &Tree) -> usize {
         let own = body.joint.speeds().len();
         (moving - own..moving).map(|below| below + 1).sum::<usize>()
     };
-    tree.bodies.iter().zip(moving(tree, n_speeds)).map(of_body).sum()
+    tree.bodies
+        .iter()
+        .zip(moving(tree, n_speeds))
+        .map(of_body)
+        .sum()
 }
 
 fn n_speeds(body: &Body) -> usize {

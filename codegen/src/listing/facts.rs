@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size, Sizes};
 use crate::{
     functions::{Axis, Block, Declared, Packed},
-    id::BodyId,
+    id::{BodyId, SpeedId},
     origin::Origin,
     passes::sines,
     solve,
@@ -45,6 +45,8 @@ pub struct Facts {
     pub packed: Vec<(Packed, Vec<[usize; 2]>)>,
     /// The speeds in the order of their elimination, where a function writes factors of a mass matrix.
     pub elimination: Option<Vec<usize>>,
+    /// For every speed whether its acceleration is prescribed, where a function asks.
+    pub prescribed: Option<Vec<bool>>,
     /// The patterns of compact outputs, each once.
     pub patterns: Vec<Pattern>,
     /// The speeds that move frames, each frame's once.
@@ -95,6 +97,8 @@ pub(super) struct Wanted {
     pub(super) angles: bool,
     /// The packed matrices that some write, each once.
     pub(super) packed: BTreeSet<Packed>,
+    /// Some ask which speeds are prescribed.
+    pub(super) prescribed: bool,
     /// What those with compact outputs write, each once.
     pub(super) patterns: Vec<Pattern>,
     /// The speeds that move the frames of Jacobians, each frame's once.
@@ -138,6 +142,7 @@ impl Facts {
             angles,
             packed,
             elimination,
+            prescribed: wanted.prescribed.then(|| prescribed(tree)),
             patterns: wanted.patterns,
             frame_speeds: wanted.frame_speeds,
         }
@@ -154,6 +159,13 @@ impl Facts {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.chart == JointChart::EulerParameters)
     }
+}
+
+fn prescribed(tree: &Tree) -> Vec<bool> {
+    let speeds = (0..tree.n_speeds).map(SpeedId::new);
+    speeds
+        .map(|speed| tree.prescribed.contains(&speed))
+        .collect()
 }
 
 fn angles(tree: &Tree, coordinates: &[String]) -> Vec<Angle> {

@@ -63,11 +63,7 @@ impl LinkAxes {
 }
 
 /// The bodies that nothing holds or moves on the inertial frame, where the plan takes them to fall.
-pub(super) fn falling(
-    tree: &Tree,
-    plan: &Plan,
-    prescribed: &BTreeSet<SpeedId>,
-) -> BodyMap<bool> {
+pub(super) fn falling(tree: &Tree, plan: &Plan, prescribed: &BTreeSet<SpeedId>) -> BodyMap<bool> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         let joint = &tree.body(body).joint;
         let is_moved = is_any_among(&joint.shifts(), prescribed);

@@ -99,12 +99,12 @@ fn apart(tree: &Tree, state: &State, found: &[f64], expected: &[f64]) -> f64 {
     let m = Matrix::new(tree.n_speeds, noted(tree, "mass_matrix", state));
     let bias = largest(&noted(tree, "bias", state));
     let ([a, f], [b, g]) = (halves(tree, found), halves(tree, expected));
-    let scale = larger(m.norm() * larger(largest(&b), 1.0), larger(largest(&g), bias));
+    let scale = larger(
+        m.norm() * larger(largest(&b), 1.0),
+        larger(largest(&g), bias),
+    );
     let left: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
-    larger(
-        size_of(scale, &m.times(&left)),
-        relative_to(scale, &f, &g),
-    )
+    larger(size_of(scale, &m.times(&left)), relative_to(scale, &f, &g))
 }
 
 #[test]
@@ -117,7 +117,10 @@ fn the_recursion_agrees_with_the_notes_whatever_is_prescribed() {
             ("factors", full.with(Technique::Articulated, false)),
             ("the speeds' axes", full.with(Technique::LinkAxes, false)),
             ("nothing", Plan::plain(tree)),
-            ("articulated alone", Plan::plain(tree).with(Technique::Articulated, true)),
+            (
+                "articulated alone",
+                Plan::plain(tree).with(Technique::Articulated, true),
+            ),
         ];
         for (by, plan) in plans {
             let recursive = Formulation::Recursive;
@@ -157,7 +160,12 @@ fn inverse_dynamics_of_the_whole_accelerations_are_the_whole_forces() {
             ..state.clone()
         };
         let needed = noted(tree, "inverse_dynamics", &moved);
-        let error = apart(tree, state, &[u_dot, needed].concat(), &[found[..tree.n_speeds].to_vec(), tau].concat());
+        let error = apart(
+            tree,
+            state,
+            &[u_dot, needed].concat(),
+            &[found[..tree.n_speeds].to_vec(), tau].concat(),
+        );
         assert_within(what, error, EXACT);
     });
 }
@@ -230,7 +238,11 @@ fn accelerations_and_forces_that_are_found_are_not_read() {
                 } else {
                     Input::UDot(speed)
                 };
-                if values(Some(found)).iter().zip(values(None)).all(|(a, b)| a.is_nan() == b.is_nan()) {
+                if values(Some(found))
+                    .iter()
+                    .zip(values(None))
+                    .all(|(a, b)| a.is_nan() == b.is_nan())
+                {
                     unread.insert(place);
                 }
             }
@@ -260,7 +272,11 @@ fn counts_of_all_and_of_none_prescribed_are_those_of_the_dynamics_and_others_lie
         let mut random = Random::new(seed);
         for _ in 0..3 {
             let tree = prescribing(&plain, |_| random.chance(0.5));
-            println!("  {:?}: {}", tree.prescribed.len(), count(&tree, "hybrid_dynamics"));
+            println!(
+                "  {:?}: {}",
+                tree.prescribed.len(),
+                count(&tree, "hybrid_dynamics")
+            );
         }
     }
 }
