@@ -46,7 +46,18 @@ fn unknown_joint_is_pointed_at_in_kane_toml() {
     let project = project(&followed("joint = [\"theta3\"]"), r#"["shulder"]"#, "");
     let ran = project.kane(&["generate"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1: `shulder` is no joint of the model
+     --> kane.toml:5:15
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["shulder"]
+      |               ^^^^^^^^^ expected a joint with a speed of its own
+      |
+      = help: did you mean `shoulder`?
+    "#);
     // The same of one model, and of what is up to date.
     assert_eq!(project.kane(&["generate", "models/arm.toml"]).err, ran.err);
     assert_eq!(project.kane(&["check"]).err, ran.err);
@@ -58,7 +69,40 @@ fn joints_without_speeds_of_their_own_are_pointed_at_together() {
     let project = project(&model, r#"["fore", "hand", "elephant"]"#, "");
     let ran = project.kane(&["generate"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1: the joint `fore` has no speed: it is fixed in the model
+     --> kane.toml:5:15
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["fore", "hand", "elephant"]
+      |               ^^^^^^ expected a joint with a speed of its own
+      |
+      = help: leave it out: its acceleration is zero
+
+    error: `prescribed` of system 1: the joint `hand` has no speed of its own: it follows `shoulder`
+     --> kane.toml:5:23
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["fore", "hand", "elephant"]
+      |                       ^^^^^^ expected a joint with a speed of its own
+      |
+      = help: prescribe `shoulder`, which moves both
+
+    error: `prescribed` of system 1: `elephant` is no joint of the model
+     --> kane.toml:5:31
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["fore", "hand", "elephant"]
+      |                               ^^^^^^^^^^ expected a joint with a speed of its own
+      |
+      = help: joints with speeds are shoulder
+    "#);
 }
 
 #[test]
@@ -91,11 +135,32 @@ fn joint_named_twice_is_pointed_at_by_both_names() {
     let model = followed("joint = [\"theta3\"]");
     let ran = project(&model, r#"["fore", "fore"]"#, "").kane(&["generate"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1 names `fore` twice
+     --> kane.toml:5:23
+      |
+    5 | prescribed = ["fore", "fore"]
+      |               ------  ^^^^^^ the second one
+      |               |
+      |               the first one
+    "#);
     // By its own name and by its body's.
     let ran = project(&model, r#"["shoulder", "upper"]"#, "").kane(&["generate"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1: `shoulder` and `upper` are one joint
+     --> kane.toml:5:27
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["shoulder", "upper"]
+      |               ----------  ^^^^^^^ expected each joint once
+      |               |
+      |               the first one
+      |
+      = help: leave one of the two out
+    "#);
 }
 
 #[test]
@@ -114,7 +179,7 @@ fn joints_of_the_command_line_have_no_place_in_kane_toml() {
     let project = project(&followed("joint = [\"theta3\"]"), r#"["shulder"]"#, "");
     let ran = project.kane(&["generate", "models/arm.toml", "--prescribed", "hand"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err, @"error: the joint `hand` has no speed of its own: it follows `shoulder`; prescribe `shoulder`, which moves both");
     for command in [
         &["info", "models/arm.toml"][..],
         &["check", "models/arm.toml"],
