@@ -253,6 +253,24 @@ mod tests {
     }
 
     #[test]
+    fn prescribed_joints_are_marked_by_speed() {
+        let folder = tempfile::tempdir().unwrap();
+        let build = Build::new("tests/models/cart_pole.toml").functions(["hybrid_dynamics"]);
+        let module = build.clone().prescribed("pole").run_in(folder.path());
+        let text = std::fs::read_to_string(module.unwrap()).unwrap();
+        assert!(text.contains("pub const PRESCRIBED: [bool; NU] = [false, true];"));
+        let faults = build
+            .prescribed("poles")
+            .prescribed("cart")
+            .prescribed("cart");
+        let faults = faults.run_in(folder.path()).unwrap_err().to_string();
+        assert_eq!(
+            faults,
+            "`poles` is no joint of the model; did you mean `pole`?; `cart` is named twice; leave one of the two out"
+        );
+    }
+
+    #[test]
     fn functions_for_c_have_the_name_of_the_file() {
         let folder = tempfile::tempdir().unwrap();
         let build = Build::new("tests/models/pendulum.toml").abi(Abi::C);

@@ -47,13 +47,15 @@ impl BodySpeed {
     }
 }
 
-/// About how many operations factorisation and solution need, where all entries along paths to the inertial frame are there.
-pub fn operations(tree: &Tree) -> usize {
+/// About how many operations factorisation and solution need for all speeds but the prescribed ones, where all entries along
+/// paths to the inertial frame are there.
+pub fn operations(tree: &Tree, prescribed: &BTreeSet<SpeedId>) -> usize {
     let mut coupled: Vec<usize> = Vec::with_capacity(tree.bodies.len());
     let mut sum = 0;
     for body in &tree.bodies {
         let below = body.lower.map_or(0, |lower| coupled[lower.index()]);
-        let own = body.joint.speeds().len();
+        let own = body.joint.speeds().into_iter();
+        let own = own.filter(|(_, speed)| !prescribed.contains(speed)).count();
         // Each speed with n coupled ones below it: n factors, n (n + 1) / 2 updates, and 2 n terms of the solution.
         sum += (below..below + own).map(|n| n * (n + 6)).sum::<usize>();
         coupled.push(below + own);

@@ -24,7 +24,7 @@ pub enum PrescribedFault {
         is_near: bool,
     },
     /// Two names mean one joint.
-    #[error("`{}` and `{}` are one joint", first.escape_debug(), name.escape_debug())]
+    #[error("{}", twice(first, name))]
     Twice {
         /// The second name.
         name: String,
@@ -51,6 +51,15 @@ pub enum PrescribedFault {
         /// The joint whose speed moves it.
         leader: String,
     },
+}
+
+fn twice(first: &str, name: &str) -> String {
+    let (shown, name_shown) = (first.escape_debug(), name.escape_debug());
+    if first == name {
+        format!("`{shown}` is named twice")
+    } else {
+        format!("`{shown}` and `{name_shown}` are one joint")
+    }
 }
 
 /// The most names that a help lists.
