@@ -52,6 +52,7 @@
 //! | [`KineticEnergies`] | `kinetic_energies(q, u, energies)` | `Scalars` | |
 //! | [`PotentialEnergies`] | `potential_energies(q, energies)` | `Scalars` | |
 //! | [`JointWrenches`] | `joint_wrenches(q, u, u_dot, loads, force, moment)` | `Vectors`, `Vectors` | |
+//! | [`HybridDynamics`] | `hybrid_dynamics(q, u, u_dot, tau, whole_u_dot, whole_tau)` | `U`, `U`, `PRESCRIBED` | (41), (43) |
 //! | [`CenterOfMass`] | `center_of_mass(q, position)` | `[R; 3]` | (23) |
 //! | [`CenterOfMassVelocity`] | `center_of_mass_velocity(q, u, velocity)` | `[R; 3]` | (27) |
 //! | [`CenterOfMassJacobian`] | `center_of_mass_jacobian(q, jacobian)` | `[U; 3]` | (32) |
@@ -347,6 +348,27 @@ pub trait JointWrenches<R: Real>: System<R> {
         loads: &Self::Loads,
         force: &mut Self::Vectors,
         moment: &mut Self::Vectors,
+    );
+}
+
+/// Hybrid dynamics: the accelerations of some speeds are given and their forces found, of the others the reverse, so that
+/// `M u_dot + bias = tau` holds of the whole `u_dot`, rad/s² and m/s², and the whole `tau`, N m and N. Eqs. (41), (43).
+///
+/// Which speeds these are is a choice of the generator's options, `prescribed`. What is given is copied; entries of `u_dot` and
+/// `tau` that are found are not read. With all prescribed it is [`InverseDynamics`], with none [`ForwardDynamics`]. Nothing is
+/// checked, as in [`ForwardDynamics`].
+pub trait HybridDynamics<R: Real>: System<R> {
+    /// The `NU` speeds: true where the acceleration is given.
+    const PRESCRIBED: &'static [bool];
+    /// Overwrites `whole_u_dot` and `whole_tau`; meaning, frame and unit are those of [`HybridDynamics`].
+    fn hybrid_dynamics(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        tau: &Self::U,
+        whole_u_dot: &mut Self::U,
+        whole_tau: &mut Self::U,
     );
 }
 

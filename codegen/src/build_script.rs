@@ -132,6 +132,13 @@ impl Build {
         self
     }
 
+    /// Prescribes the accelerations of a joint, for `hybrid_dynamics`; the name is that of the joint, or of its body.
+    #[must_use]
+    pub fn prescribed(mut self, name: impl Into<String>) -> Self {
+        self.options.prescribed.push(name.into());
+        self
+    }
+
     /// Writes the manifest beside the module too: what it holds, as JSON, `arm.json` for `arm.rs`.
     #[must_use]
     pub fn manifest(mut self) -> Self {
@@ -238,6 +245,24 @@ mod tests {
         assert_eq!(files(&build), 1);
         assert_eq!(files(&build.manifest()), 2);
         assert!(folder.path().join("swing.json").is_file());
+    }
+
+    #[test]
+    fn prescribed_joints_are_marked_by_speed() {
+        let folder = tempfile::tempdir().unwrap();
+        let build = Build::new("tests/models/cart_pole.toml").functions(["hybrid_dynamics"]);
+        let module = build.clone().prescribed("pole").run_in(folder.path());
+        let text = std::fs::read_to_string(module.unwrap()).unwrap();
+        assert!(text.contains("pub const PRESCRIBED: [bool; NU] = [false, true];"));
+        let faults = build
+            .prescribed("poles")
+            .prescribed("cart")
+            .prescribed("cart");
+        let faults = faults.run_in(folder.path()).unwrap_err().to_string();
+        assert_eq!(
+            faults,
+            "`poles` is no joint of the model; did you mean `pole`?; `cart` is named twice; leave one of the two out"
+        );
     }
 
     #[test]

@@ -6,6 +6,7 @@ use crate::{
     diagnostic::Diagnostics,
     functions::RequestError,
     options::{SNAP_TOLERANCES, companion::EXPECTED_NAME},
+    tree::PrescribedFault,
 };
 
 /// Why nothing was generated.
@@ -48,6 +49,9 @@ pub enum Error {
         /// The coordinate or joint.
         name: String,
     },
+    /// Joints whose accelerations cannot be prescribed.
+    #[error("{}", in_words(.0))]
+    Prescribed(Vec<PrescribedFault>),
     /// A name of a module with which names in C cannot begin.
     #[error(
         "the module is called `{}`; names in C begin with that: {EXPECTED_NAME}",
@@ -100,6 +104,15 @@ pub enum Error {
         /// What the system said.
         source: std::io::Error,
     },
+}
+
+/// Faults, each with what to do about it.
+fn in_words(faults: &[PrescribedFault]) -> String {
+    let faults = faults.iter();
+    let faults: Vec<String> = faults
+        .map(|fault| format!("{fault}; {}", fault.help()))
+        .collect();
+    faults.join("; ")
 }
 
 impl fmt::Debug for Error {

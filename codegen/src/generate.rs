@@ -40,7 +40,7 @@ pub struct Generated {
 /// [`description::no_includes`] for one that stands alone.
 ///
 /// # Errors
-/// [`Error::Invalid`] with every rule that the description breaks; options that cannot be; [`Error::TooLarge`]; [`Error::Unrepresentable`].
+/// [`Error::Invalid`] with every rule that the description breaks; [`Error::Prescribed`]; options that cannot be; [`Error::TooLarge`]; [`Error::Unrepresentable`].
 pub fn generate(
     model: &Source,
     shown_path: &str,
@@ -50,7 +50,8 @@ pub fn generate(
     compile::check_options(options)?;
     let description = description::read(model, &options.reading, include);
     let checked = tree::build_with(&description, &options.changes)?;
-    let tree = &checked.tree;
+    let tree = tree::prescribe(&description, checked.tree, &options.prescribed);
+    let tree = &tree.map_err(Error::Prescribed)?;
     let compiled = compile::compile(tree, options)?;
     let functions = compiled
         .functions

@@ -64,6 +64,12 @@ pub fn generate(data: &[u8]) {
     let options = Options {
         reading,
         changes: Changes::default(),
+        prescribed: match how & 128 {
+            0 => Vec::new(),
+            _ => promises::frame(&files, reading, usize::from(technique))
+                .into_iter()
+                .collect(),
+        },
         functions: match how % 4 {
             0 if n_bodies <= FEW_BODIES.0 => Functions::All(Vec::new()),
             1 => Functions::Named(vec![format!("{}(sin_cos)", function.name)]),

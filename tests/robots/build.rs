@@ -84,6 +84,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     frames()?;
     matrices()?;
     systems()?;
+    hybrid()?;
     mjcf()
 }
 
@@ -149,6 +150,32 @@ fn systems() -> Result<(), Error> {
             let build = unsnapped(name).name(format!("{name}_regressor"));
             build.functions(["regressor"]).run()?;
         }
+    }
+    Ok(())
+}
+
+/// Robots of which some joints are prescribed.
+fn hybrid() -> Result<(), Error> {
+    let some_of_arm = ["panda_joint2", "panda_joint4", "panda_joint5"];
+    let legs = ["FL_HAA", "FL_HFE", "FL_KFE", "FR_KFE", "HL_HAA"];
+    let base = ["root_joint", "FL_HFE", "HR_KFE"];
+    for (build, joints, name) in [
+        (
+            unsnapped("ur5"),
+            &["elbow_joint", "wrist_2_joint"][..],
+            "ur5",
+        ),
+        (unsnapped("panda"), &some_of_arm, "panda"),
+        (unsnapped("solo12").base(Base::Free), &legs, "solo12_legs"),
+        (unsnapped("solo12").base(Base::Free), &base, "solo12_base"),
+        (with_angles("solo12"), &legs, "solo12_angles_legs"),
+        (with_angles("solo12"), &base, "solo12_angles_base"),
+    ] {
+        let build = joints
+            .iter()
+            .fold(build, |build, joint| build.prescribed(*joint));
+        let build = build.functions(["hybrid_dynamics"]);
+        build.name(format!("{name}_hybrid")).run()?;
     }
     Ok(())
 }

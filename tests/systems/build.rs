@@ -105,7 +105,7 @@ fn all(model: &str, formulation: Formulation) -> Result<(), Box<dyn Error>> {
 }
 
 /// What references are without, for the seconds of the compiler.
-const FURTHER: [&str; 21] = [
+const FURTHER: [&str; 22] = [
     "mass_matrix_product",
     "mass_matrix_solve",
     "mass_matrix_inverse",
@@ -118,6 +118,7 @@ const FURTHER: [&str; 21] = [
     "kinetic_energies",
     "potential_energies",
     "joint_wrenches",
+    "hybrid_dynamics",
     "center_of_mass",
     "center_of_mass_velocity",
     "center_of_mass_jacobian",

@@ -46,6 +46,12 @@ pub(crate) struct ChangesArguments {
     /// The name is that of the joint, or of its body.
     #[arg(long, value_name = "JOINT", requires = "model")]
     remove: Vec<String>,
+
+    /// Prescribe the accelerations of a joint, for `hybrid_dynamics`, which finds its forces. May be repeated
+    ///
+    /// The name is that of the joint, or of its body.
+    #[arg(long, value_name = "JOINT", requires = "model")]
+    prescribed: Vec<String>,
 }
 
 impl ReadingArguments {
@@ -74,8 +80,13 @@ impl ChangesArguments {
     pub(crate) fn check(&self) -> Result<(), Failures> {
         let locked: Vec<&str> = self.lock.iter().map(|(name, _)| name.as_str()).collect();
         let removed: Vec<&str> = self.remove.iter().map(String::as_str).collect();
+        let prescribed: Vec<&str> = self.prescribed.iter().map(String::as_str).collect();
         let mut failures = Failures::default();
-        for (option, names) in [("--lock", locked), ("--remove", removed)] {
+        for (option, names) in [
+            ("--lock", locked),
+            ("--remove", removed),
+            ("--prescribed", prescribed),
+        ] {
             for (index, name) in names.iter().enumerate() {
                 if names[..index].contains(name) {
                     let name = name.escape_debug();
@@ -116,6 +127,11 @@ impl ChangesArguments {
         changes
     }
 
+    /// The joints that are prescribed.
+    pub(crate) fn prescribed(&self) -> &[String] {
+        &self.prescribed
+    }
+
     /// The same arguments, as words of a command.
     pub(crate) fn words(&self) -> Vec<String> {
         let mut words = self.reading.words();
@@ -128,6 +144,9 @@ impl ChangesArguments {
         }
         for name in &self.remove {
             push("--remove", name.clone());
+        }
+        for name in &self.prescribed {
+            push("--prescribed", name.clone());
         }
         words
     }

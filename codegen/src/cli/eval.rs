@@ -79,7 +79,12 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let function = failures.keep(options::request(&arguments.function));
     let changes = &arguments.changes;
     failures.keep(changes.check());
-    let checked = job::check(&arguments.model, &changes.reading(), &changes.changes());
+    let checked = job::check(
+        &arguments.model,
+        &changes.reading(),
+        &changes.changes(),
+        changes.prescribed(),
+    );
     let checked = failures.keep(checked);
     let state = failures.keep(read_state(&arguments.state));
     failures.none()?;

@@ -74,7 +74,12 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let changes = &arguments.changes;
     changes.check()?;
     let asked = asked(arguments.functions.as_deref())?;
-    let checked = job::check(&arguments.model, &changes.reading(), &changes.changes())?;
+    let checked = job::check(
+        &arguments.model,
+        &changes.reading(),
+        &changes.changes(),
+        changes.prescribed(),
+    )?;
     job::warn(&checked.warnings);
     let tree = &checked.tree;
     let requests = match asked {

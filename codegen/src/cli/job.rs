@@ -9,7 +9,7 @@ use std::{
 use kane_codegen::{
     budget::{self, Budget, Excess},
     companions,
-    config::Named,
+    config::{Named, Prescribed},
     description::{self, Reading},
     diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
@@ -18,7 +18,7 @@ use kane_codegen::{
     input,
     options::Options,
     output::Staged,
-    tree::{self, Changes, Checked},
+    tree::{self, Changes, Checked, PrescribedFault},
 };
 
 use super::{Failures, operations::Row, paths, say};
@@ -47,6 +47,8 @@ pub(crate) struct Listing {
     pub(crate) model: Span,
     /// Those that it names there, unless others are asked for.
     pub(crate) functions: Named,
+    /// The joints that it prescribes there, unless others are.
+    pub(crate) prescribed: Prescribed,
 }
 
 /// Where a module goes.
@@ -93,6 +95,26 @@ impl Job {
         let mut failures = Failures::from(Error::Requests(others));
         if !placed.is_empty() {
             failures.add(Diagnostics::new(Source::clone(&listing.config), placed));
+        }
+        failures
+    }
+
+    /// Why joints cannot be prescribed, each at its place where it has one.
+    fn not_prescribed(&self, faults: Vec<PrescribedFault>) -> Failures {
+        let listing = self.listing.as_ref();
+        let placed = |fault: &PrescribedFault| {
+            let listing = listing?;
+            let placed = listing.prescribed.fault(fault)?;
+            let placed = placed.at(listing.model, "the model");
+            let placed = Diagnostics::new(Source::clone(&listing.config), vec![placed]);
+            Some(Failures::from(placed))
+        };
+        let mut failures = Failures::default();
+        for fault in faults {
+            match placed(&fault) {
+                Some(placed) => failures.add(placed),
+                None => failures.add(Error::Prescribed(vec![fault])),
+            }
         }
         failures
     }
@@ -241,14 +263,17 @@ pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<String> {
     |path| input::text(&paths::parent(model).join(path))
 }
 
-/// Reads a model and checks it.
+/// Reads a model, checks it and prescribes these joints.
 pub(crate) fn check(
     model: &Path,
     reading: &Reading,
     changes: &Changes,
+    prescribed: &[String],
 ) -> Result<Checked, Failures> {
     let description = description::read(&read(model)?, reading, &include(model));
-    Ok(tree::build_with(&description, changes)?)
+    let Checked { tree, warnings } = tree::build_with(&description, changes)?;
+    let tree = tree::prescribe(&description, tree, prescribed).map_err(Error::Prescribed)?;
+    Ok(Checked { tree, warnings })
 }
 
 fn generate_one(job: &Job) -> Result<Generated, Failures> {
@@ -261,6 +286,7 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }
         Error::Requests(faults) => job.not_had(faults),
+        Error::Prescribed(faults) => job.not_prescribed(faults),
         error => error.into(),
     })
 }

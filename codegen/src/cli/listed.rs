@@ -77,6 +77,7 @@ impl Listed {
                 config: Arc::clone(&self.source),
                 model: system.model.span,
                 functions: system.named.clone(),
+                prescribed: system.prescribed.clone(),
             }),
             model,
         })

@@ -80,7 +80,8 @@ pub(crate) use say::say;
         budget = { bias = 60, mass_matrix = { mul = 20, total = 35 } } # operations that `kane check` lets pass\n  \
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
-        remove = [\"finger_1\"]        # joints to fix at zero\n\n  \
+        remove = [\"finger_1\"]        # joints to fix at zero\n  \
+        prescribed = [\"base\"]        # joints whose accelerations `hybrid_dynamics` is given\n\n  \
         [[system]]\n  \
         model = \"models/panda.urdf\"\n  \
         output = \"generated/panda.rs\"\n  \

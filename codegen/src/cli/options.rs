@@ -108,12 +108,18 @@ impl Asked<'_> {
         self.functions.is_some()
     }
 
+    /// True where it says which joints are prescribed.
+    pub(crate) fn names_prescribed(&self) -> bool {
+        !self.arguments.changes.prescribed().is_empty()
+    }
+
     /// Sets what is asked for, above what was said before.
     pub(crate) fn set(&self, options: &mut Options) {
         let arguments = self.arguments;
         let Options {
             reading,
             changes,
+            prescribed,
             functions,
             formulation,
             fma,
@@ -131,6 +137,9 @@ impl Asked<'_> {
         }
         *reading = arguments.changes.reading_above(*reading);
         *changes = arguments.changes.above(mem::take(changes));
+        if self.names_prescribed() {
+            *prescribed = arguments.changes.prescribed().to_vec();
+        }
     }
 }
 

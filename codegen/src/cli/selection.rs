@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kane_codegen::{
     companions::{Abi, CompanionKind},
-    config::Named,
+    config::{Named, Prescribed},
     error::Error,
     options::Options,
 };
@@ -220,6 +220,9 @@ impl Selection {
             asked.set(options);
             if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_functions()) {
                 listing.functions = Named::default();
+            }
+            if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_prescribed()) {
+                listing.prescribed = Prescribed::default();
             }
             for (kind, _, given) in self.switches() {
                 match given {

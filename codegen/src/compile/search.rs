@@ -12,7 +12,6 @@ use crate::{
     functions::{Derived, Formulation, Request},
     id::BodyId,
     recursive::{self, Plan, Regroup, Technique},
-    solve,
     tree::Tree,
 };
 
@@ -236,7 +235,7 @@ impl Search<'_> {
 
     /// Where accelerations are solved for, and `L^T D L` would not alone need twice as much.
     fn factors_have_a_chance(&self) -> bool {
-        self.function.solves() && solve::operations(self.tree) <= 2 * self.least
+        self.function.solves() && self.function.factorising(self.tree) <= 2 * self.least
     }
 
     /// What the operations in the loop cost before factoring.

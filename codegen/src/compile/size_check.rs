@@ -11,7 +11,6 @@ use crate::{
     limits,
     options::{Formulation, Options, companion::CompanionKind},
     recursive::Technique,
-    solve,
     tree::Tree,
 };
 
@@ -71,7 +70,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         || options.without.contains(&Technique::Articulated)
         || !Technique::Articulated.is_possible(tree);
     if request.solves() && is_factorised {
-        let updates = solve::operations(tree);
+        let updates = request.factorising(tree);
         bound(
             &format!("factorising for `{name}` takes"),
             updates,

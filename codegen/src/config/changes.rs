@@ -28,10 +28,11 @@ pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
 /// What is changed of the model.
 pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> Changes {
     let before = Changes::default();
+    let removed = names(reader, system, "remove").into_iter();
     Changes {
         snap: snap(reader, system).unwrap_or(before.snap),
         lock: lock(reader, system),
-        remove: remove(reader, system),
+        remove: removed.map(|name| name.value).collect(),
     }
 }
 
@@ -67,11 +68,15 @@ fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(String, f64)> {
 }
 
 /// Names, none of them twice.
-fn remove(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<String> {
-    let Some(item) = system.get("remove") else {
+pub(super) fn names(
+    reader: &mut Reader,
+    system: &Table<'_, '_>,
+    key: &str,
+) -> Vec<Spanned<String>> {
+    let Some(item) = system.get(key) else {
         return Vec::new();
     };
-    let what = system.what("remove");
+    let what = system.what(key);
     let mut names: Vec<Spanned<String>> = Vec::new();
     let entries = reader.list(item, &what, "names").unwrap_or_default();
     for (index, entry) in entries.into_iter().enumerate() {
@@ -89,5 +94,5 @@ fn remove(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<String> {
             names.push(name);
         }
     }
-    names.into_iter().map(|name| name.value).collect()
+    names
 }

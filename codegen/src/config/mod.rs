@@ -9,9 +9,11 @@ mod changes;
 mod functions;
 mod outputs;
 mod path;
+mod prescribed;
 mod system;
 
 pub use functions::Named;
+pub use prescribed::Prescribed;
 pub use system::System;
 
 pub use crate::options::{Formulation, Functions};

@@ -18,6 +18,7 @@ use super::{
     functions::{self, Named},
     outputs::{self, Output},
     path,
+    prescribed::{self, Prescribed},
 };
 
 /// One system to generate.
@@ -31,11 +32,13 @@ pub struct System {
     pub options: Options,
     /// The functions that it names, where they stand: what is wrong with one may follow from the model.
     pub named: Named,
+    /// The joints that it prescribes, where they stand: what is wrong with one follows from the model.
+    pub prescribed: Prescribed,
     /// How many operations its functions may need.
     pub budget: Vec<Budget>,
 }
 
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 16] = [
     "model",
     "output",
     "manifest",
@@ -51,6 +54,7 @@ const KEYS: [&str; 15] = [
     "snap",
     "lock",
     "remove",
+    "prescribed",
 ];
 
 /// Reads a system, as far as it has no fault, and what it writes.
@@ -71,13 +75,22 @@ pub(super) fn read(
     let functions = functions::read(reader, &table, known);
     let (functions, named) = functions.unzip();
     let budget = budget::read(reader, &table, functions.as_ref(), known);
-    let options = options(reader, &table, functions, companions, output.as_ref());
+    let prescribed = prescribed::read(reader, &table);
+    let options = options(
+        reader,
+        &table,
+        functions,
+        &prescribed,
+        companions,
+        output.as_ref(),
+    );
     let system = || {
         Some(System {
             model: model?,
             output: output.as_ref()?.module.value.clone(),
             options: options?,
             named: named?,
+            prescribed,
             budget,
         })
     };
@@ -89,6 +102,7 @@ fn options(
     reader: &mut Reader,
     system: &Table<'_, '_>,
     functions: Option<Functions>,
+    prescribed: &Prescribed,
     companions: BTreeSet<CompanionKind>,
     output: Option<&Output>,
 ) -> Option<Options> {
@@ -100,6 +114,7 @@ fn options(
     Some(Options {
         reading,
         changes,
+        prescribed: prescribed.names(),
         functions: functions?,
         formulation: formulation?,
         fma,

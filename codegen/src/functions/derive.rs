@@ -151,14 +151,14 @@ fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> SpeedM
 pub(super) fn with_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
     mut tau: Vec<Expr>,
 ) -> Vec<Expr> {
     mechanics::add_forces(graph, tree, accelerations, &mut tau);
     tau
 }
 
-fn matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+pub(super) fn matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     let a = dynamics::mass_matrix(graph, tree);
     with_rotors(graph, tree, a)
 }

@@ -69,7 +69,7 @@ fn accelerated(
     tree: &Tree,
     plan: Option<&Plan>,
     subject: &Subject,
-    given: Accelerations,
+    given: Accelerations<'static>,
 ) -> Vec<Expr> {
     let frame = subject.frame();
     of_motion(match (plan, subject.view) {

@@ -10,6 +10,9 @@ use super::{
 };
 use crate::tree::Tree;
 
+/// The constant that says of which speeds the accelerations are given.
+pub const PRESCRIBED: &str = "PRESCRIBED";
+
 /// A function of the generated module.
 #[derive(Debug)]
 pub struct Function {
@@ -27,6 +30,8 @@ pub struct Function {
     pub is_default: bool,
     /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
     pub solves: bool,
+    /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
+    pub prescribes: bool,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
     /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
@@ -54,6 +59,7 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     solves: false,
+    prescribes: false,
     doc: &[],
     candidates: &[],
 };

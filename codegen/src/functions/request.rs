@@ -2,6 +2,8 @@
 //!
 //! In: parts, on the tree of a model. Out: a [`Request`]: its name, what it is given and writes, and its derivation.
 
+use std::collections::BTreeSet;
+
 use super::{
     argument::Argument,
     candidate::Formulation,
@@ -11,7 +13,7 @@ use super::{
     part::Part,
     syntax::AT_SIN_COS,
 };
-use crate::{recursive::Plan, tree::Tree};
+use crate::{recursive::Plan, solve, tree::Tree};
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -172,6 +174,21 @@ impl Request {
     /// True where accelerations are solved for.
     pub fn solves(&self) -> bool {
         self.functions().any(|function| function.solves)
+    }
+
+    /// True where accelerations of the prescribed speeds are given, and forces of the others.
+    pub fn prescribes(&self) -> bool {
+        self.functions().any(|function| function.prescribes)
+    }
+
+    /// About how many operations a factorisation for it and a solution need.
+    pub fn factorising(&self, tree: &Tree) -> usize {
+        let mut solving = self.functions().filter(|function| function.solves);
+        if solving.all(|function| function.prescribes) {
+            solve::operations(tree, &tree.prescribed)
+        } else {
+            solve::operations(tree, &BTreeSet::new())
+        }
     }
 
     /// The formulations in which the function can be derived.

@@ -2,7 +2,7 @@
 
 use super::{
     argument::Argument,
-    function::Function,
+    function::{Function, PRESCRIBED},
     packed::{ELIMINATION, Packed},
     part::Part,
     request::Request,
@@ -186,6 +186,7 @@ impl Request {
             .filter(|part| part.function.has_frame_speeds());
         let of_frames = of_frames.map(Part::speeds_constant);
         let tables = compact.into_iter().chain(packed).chain(order);
-        tables.chain(of_frames).collect()
+        let prescribed = self.prescribes().then(|| PRESCRIBED.to_owned());
+        tables.chain(of_frames).chain(prescribed).collect()
     }
 }

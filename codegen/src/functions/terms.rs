@@ -6,12 +6,30 @@ use crate::tree::{Body, Tree};
 /// count once.
 pub(super) fn of_matrix(tree: &Tree) -> usize {
     let pairs = |motions: usize| motions * (motions + 1) / 2;
-    moving(tree).into_iter().map(pairs).sum()
+    moving(tree, n_speeds).into_iter().map(pairs).sum()
+}
+
+/// Eqs. (42), (43) where some speeds are prescribed: for every body a term for each speed that moves it, or one for each pair of
+/// which not both are prescribed, where these are more.
+pub(super) fn of_partitioned(tree: &Tree) -> usize {
+    let is_prescribed = |body: &Body| {
+        let speeds = body.joint.speeds().into_iter();
+        speeds
+            .filter(|(_, speed)| tree.prescribed.contains(speed))
+            .count()
+    };
+    let pairs = |motions: usize| motions * (motions + 1) / 2;
+    let all = moving(tree, n_speeds);
+    let prescribed = moving(tree, is_prescribed);
+    let terms = all.into_iter().zip(prescribed);
+    terms
+        .map(|(all, prescribed)| all.max(pairs(all) - pairs(prescribed)))
+        .sum()
 }
 
 /// Eqs. (36), (43): for every body, one term for each speed that moves it.
 pub(super) fn of_vector(tree: &Tree) -> usize {
-    moving(tree).into_iter().sum()
+    moving(tree, n_speeds).into_iter().sum()
 }
 
 /// The pairs of speeds that move a body in common, each once.
@@ -20,15 +38,23 @@ pub(super) fn pairs(tree: &Tree) -> usize {
         let own = body.joint.speeds().len();
         (moving - own..moving).map(|below| below + 1).sum::<usize>()
     };
-    tree.bodies.iter().zip(moving(tree)).map(of_body).sum()
+    tree.bodies
+        .iter()
+        .zip(moving(tree, n_speeds))
+        .map(of_body)
+        .sum()
 }
 
-/// For every body the number of joints' own speeds on its path.
-fn moving(tree: &Tree) -> Vec<usize> {
+fn n_speeds(body: &Body) -> usize {
+    body.joint.speeds().len()
+}
+
+/// For every body the number of joints' own speeds on its path, of those that count.
+fn moving(tree: &Tree, own: impl Fn(&Body) -> usize) -> Vec<usize> {
     let mut moving: Vec<usize> = Vec::with_capacity(tree.bodies.len());
     for body in &tree.bodies {
         let below = body.lower.map_or(0, |lower| moving[lower.index()]);
-        moving.push(below + body.joint.speeds().len());
+        moving.push(below + own(body));
     }
     moving
 }

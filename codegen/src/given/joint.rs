@@ -1,5 +1,7 @@
 //! Where a joint sits and how it moves: its coordinates, speeds and accelerations, and the way that they make.
 
+use std::collections::BTreeSet;
+
 use super::numbers::{constant, constant_back, fixed};
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector},
@@ -9,9 +11,11 @@ use crate::{
 
 /// The accelerations with which a right-hand side is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Accelerations {
+pub enum Accelerations<'a> {
     /// `u_dot` as an argument.
     Given,
+    /// The same of these speeds, zero of the others.
+    GivenOf(&'a BTreeSet<SpeedId>),
     /// Zero: what is left is the bias.
     Zero,
 }
@@ -44,12 +48,14 @@ pub fn speed(graph: &mut ExprGraph, motion: Option<Motion>) -> Expr {
 pub fn acceleration(
     graph: &mut ExprGraph,
     motion: Option<Motion>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> Expr {
-    match accelerations {
-        Accelerations::Given => of_motion(graph, motion, Input::UDot),
-        Accelerations::Zero => graph.zero(),
-    }
+    let given = match accelerations {
+        Accelerations::Given => motion,
+        Accelerations::GivenOf(speeds) => motion.filter(|own| speeds.contains(&own.speed)),
+        Accelerations::Zero => None,
+    };
+    of_motion(graph, given, Input::UDot)
 }
 
 fn of_motion(

@@ -74,7 +74,7 @@ pub fn add_rotor_forces(graph: &mut ExprGraph, tree: &Tree, tau: &mut [Expr]) {
 pub fn add_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
     tau: &mut [Expr],
 ) {
     each(graph, tree, |graph, joint, acting| {

@@ -203,7 +203,7 @@ pub fn acceleration(
     relative: &BodyMap<Matrix>,
     w_rel: &BodyMap<Vector>,
     w: &BodyMap<Vector>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> BodyMap<Vector> {
     BodyMap::outward(tree.bodies.len(), |body, alpha| {
         graph.enter(body);

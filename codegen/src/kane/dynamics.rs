@@ -106,7 +106,7 @@ pub fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 pub fn loaded_inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> Vec<Expr> {
     let needed = needed(graph, tree, accelerations);
     generalized(graph, tree, &needed)
@@ -116,7 +116,7 @@ pub fn loaded_inverse_dynamics(
 pub(super) fn needed(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> BodyMap<Wrench> {
     let inertial = inertia_and_weight(graph, tree, accelerations);
     let loads = loads(graph, tree);
@@ -133,7 +133,7 @@ pub(super) fn needed(
 pub fn inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> Vec<Expr> {
     let wrenches = inertia_and_weight(graph, tree, accelerations);
     generalized(graph, tree, &wrenches)
@@ -176,7 +176,7 @@ pub fn loads(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
 fn inertia_and_weight(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> BodyMap<Wrench> {
     let motion = velocity::accelerations(graph, tree, accelerations);
     let weights = gravity_in_bodies(graph, tree, &motion.rotational.relative);

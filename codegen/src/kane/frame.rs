@@ -68,7 +68,7 @@ pub fn acceleration(
     graph: &mut ExprGraph,
     tree: &Tree,
     frame: NamedFrame,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> FrameMotion {
     let motion = acceleration_in_body(graph, tree, frame, accelerations);
     to_inertial(graph, tree, frame, motion)
@@ -79,7 +79,7 @@ pub fn local_acceleration(
     graph: &mut ExprGraph,
     tree: &Tree,
     frame: NamedFrame,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> FrameMotion {
     let motion = acceleration_in_body(graph, tree, frame, accelerations);
     to_own(graph, tree, frame, motion)
@@ -265,7 +265,7 @@ fn acceleration_in_body(
     graph: &mut ExprGraph,
     tree: &Tree,
     frame: NamedFrame,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> FrameMotion {
     let Some(body) = tree.frame_body(frame) else {
         return still(graph);

@@ -200,7 +200,7 @@ pub struct BodyAccelerations {
 pub fn accelerations(
     graph: &mut ExprGraph,
     tree: &Tree,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> BodyAccelerations {
     let rotational = rotational(graph, tree);
     let Rotational { relative, w_rel, w } = &rotational;

@@ -2,7 +2,9 @@
 //! committed modules finds them by the same names.
 
 use super::{BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
-use crate::functions::{Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_SPEEDS};
+use crate::functions::{
+    Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_SPEEDS, PRESCRIBED,
+};
 
 /// The system's name.
 pub(crate) const NAME: &str = "NAME";
@@ -49,6 +51,8 @@ pub enum Data<'a> {
     Text(&'a str),
     /// Names.
     Texts(&'static str, Vec<&'a str>),
+    /// For each whether something is true.
+    Truths(&'static str, &'a [bool]),
     /// Whole numbers.
     Integers(&'a str, Vec<usize>),
     /// Numbers; some may be infinite.
@@ -208,6 +212,16 @@ impl Facts {
             Data::Terms(&base.terms),
         );
         length.into_iter().chain([names, terms]).collect()
+    }
+
+    /// The constant of modules in which accelerations of some speeds are given, and forces of the others.
+    pub fn prescribed_constant(&self) -> Option<Constant<'_>> {
+        let prescribed = self.prescribed.as_ref()?;
+        Some(constant(
+            PRESCRIBED,
+            "True for each speed whose acceleration `hybrid_dynamics` is given, and whose force it finds.",
+            Data::Truths(N_SPEEDS, prescribed),
+        ))
     }
 
     /// The constants of Jacobians: which speeds move the frames.

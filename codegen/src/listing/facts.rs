@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     functions::{Axis, Block, Declared, N_BASE_PARAMETERS, Packed},
-    id::BodyId,
+    id::{BodyId, SpeedId},
     origin::Origin,
     passes::sines,
     solve,
@@ -49,6 +49,8 @@ pub struct Facts {
     pub elimination: Option<Vec<usize>>,
     /// The base parameters, where a function writes their columns.
     pub base_parameters: Option<BaseParameters>,
+    /// For every speed whether its acceleration is prescribed, where a function asks.
+    pub prescribed: Option<Vec<bool>>,
     /// The patterns of compact outputs, each once.
     pub patterns: Vec<Pattern>,
     /// The speeds that move frames, each frame's once.
@@ -101,6 +103,8 @@ pub(super) struct Wanted {
     pub(super) packed: BTreeSet<Packed>,
     /// The base parameters, where some function writes their columns.
     pub(super) base_parameters: Option<BaseParameters>,
+    /// Some ask which speeds are prescribed.
+    pub(super) prescribed: bool,
     /// What those with compact outputs write, each once.
     pub(super) patterns: Vec<Pattern>,
     /// The speeds that move the frames of Jacobians, each frame's once.
@@ -145,6 +149,7 @@ impl Facts {
             packed,
             elimination,
             base_parameters: wanted.base_parameters,
+            prescribed: wanted.prescribed.then(|| prescribed(tree)),
             patterns: wanted.patterns,
             frame_speeds: wanted.frame_speeds,
         }
@@ -161,6 +166,13 @@ impl Facts {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.chart == JointChart::EulerParameters)
     }
+}
+
+fn prescribed(tree: &Tree) -> Vec<bool> {
+    let speeds = (0..tree.n_speeds).map(SpeedId::new);
+    speeds
+        .map(|speed| tree.prescribed.contains(&speed))
+        .collect()
 }
 
 fn angles(tree: &Tree, coordinates: &[String]) -> Vec<Angle> {

@@ -110,6 +110,7 @@ fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
         base_parameters: BaseParameters::of(tree, functions),
         frame_speeds: FrameSpeeds::of(tree, functions),
         angles: any(Request::is_at_sin_cos),
+        prescribed: any(Request::prescribes),
         packed: functions
             .iter()
             .flat_map(|one| one.function.packed())

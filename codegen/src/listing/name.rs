@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 45] = [
+pub const RESERVED: [&str; 47] = [
     "accelerations",
     "alpha",
     "angular",
@@ -59,6 +59,8 @@ pub const RESERVED: [&str; 45] = [
     "velocity",
     "w",
     "w_rel",
+    "whole_tau",
+    "whole_u_dot",
     "y",
 ];
 

@@ -37,6 +37,8 @@ pub struct Options {
     pub reading: Reading,
     /// What is changed of the description.
     pub changes: Changes,
+    /// The joints whose accelerations are given, where forces of the others are, by their names or those of their bodies.
+    pub prescribed: Vec<String>,
     /// Which functions. `q_dot` is always among them, and with quaternions `normalize`: the runtime's trait `System` needs
     /// them.
     pub functions: Functions,

@@ -18,6 +18,7 @@ impl Options {
         let Self {
             reading: Reading { base, chart },
             changes: Changes { snap, lock, remove },
+            prescribed,
             functions,
             formulation,
             fma,
@@ -40,6 +41,8 @@ impl Options {
         parts.extend(listed("lock", locked.collect()));
         let removed = remove.iter().map(|name| format!("{name:?}"));
         parts.extend(listed("remove", removed.collect()));
+        let prescribed = prescribed.iter().map(|name| format!("{name:?}"));
+        parts.extend(listed("prescribed", prescribed.collect()));
         let without = without.iter();
         let without = without.map(|one| name_of(one, &Technique::ALL).to_owned());
         parts.extend(listed("without", without.collect()));

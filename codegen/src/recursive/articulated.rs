@@ -5,7 +5,7 @@
 //! resists along that motion no more, and a wrench whose part along it is the joint's own force. From the inertial frame
 //! outward the accelerations follow. A body that moves freely hands nothing inward but that force.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     articulated_inertia::Inertia,
@@ -13,6 +13,7 @@ use super::{
     linkage::Linkage,
     loaded,
     passage::{Drive, Passenger},
+    prescribed::Prescribed,
     rotation::Turn,
     wrench::Wrench,
 };
@@ -20,8 +21,18 @@ use crate::{
     expr::{Expr, ExprGraph, Vector},
     given::{self, Accelerations, Loads},
     id::{BodyId, BodyMap, SpeedId},
+    solve::Partitioned,
     tree::{Joint, Motion},
 };
+
+/// A motion as it was met on the way inward.
+#[derive(Clone, Debug)]
+enum Met {
+    /// Its acceleration is sought.
+    Eliminated(Eliminated),
+    /// Its force is.
+    Prescribed(Prescribed),
+}
 
 /// A motion that was eliminated: about (0 to 2) or along (3 to 5) an axis.
 #[derive(Clone, Debug)]
@@ -35,16 +46,19 @@ struct Eliminated {
     has_rotor: bool,
 }
 
-/// Accelerations with `M u_dot + bias = tau`, of the linkage's motions; `tau` is theirs, less what springs and dampers take.
+/// Accelerations with `M u_dot + bias = tau`, of the linkage's motions, and forces of the prescribed speeds, whose accelerations
+/// are given; `tau` is theirs, less what springs and dampers take.
 pub(super) fn solution(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     tau: Vec<Expr>,
+    prescribed: &BTreeSet<SpeedId>,
     loads: Loads,
-) -> Vec<Expr> {
-    let wrenches = loaded::needed(graph, linkage, Accelerations::Zero, loads);
+) -> Partitioned {
+    let given = Accelerations::GivenOf(prescribed);
+    let wrenches = loaded::needed(graph, linkage, given, loads);
     let wrenches = BodyMap::outward(linkage.tree.bodies.len(), |body, _| vec![wrenches[body]]);
-    let mut solutions = solutions(graph, linkage, wrenches, &[tau]);
+    let mut solutions = solutions(graph, linkage, wrenches, &[tau], prescribed);
     solutions.remove(0)
 }
 
@@ -60,7 +74,9 @@ pub(super) fn solutions_at_rest(
         moment: still,
     };
     let wrenches = BodyMap::outward(linkage.tree.bodies.len(), |_, _| vec![none; taus.len()]);
-    solutions(graph, linkage, wrenches, taus)
+    let solutions = solutions(graph, linkage, wrenches, taus, &BTreeSet::new());
+    let accelerations = solutions.into_iter().map(|own| own.accelerations);
+    accelerations.collect()
 }
 
 /// The same for right-hand sides, each of which has a wrench that every link needs beside its accelerations.
@@ -69,7 +85,8 @@ fn solutions(
     linkage: &Linkage<'_>,
     mut wrenches: BodyMap<Vec<Wrench>>,
     taus: &[Vec<Expr>],
-) -> Vec<Vec<Expr>> {
+    prescribed: &BTreeSet<SpeedId>,
+) -> Vec<Partitioned> {
     let Linkage {
         tree,
         links,
@@ -79,7 +96,7 @@ fn solutions(
     let mut inertias = BodyMap::outward(tree.bodies.len(), |body, _| {
         Inertia::Rigid(links[body].inertia)
     });
-    let mut eliminated = BTreeMap::new();
+    let mut met = BTreeMap::new();
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut resisting = Resisting {
@@ -87,7 +104,8 @@ fn solutions(
             inertia: inertias[body],
             wrenches: std::mem::take(&mut wrenches[body]),
             taus,
-            eliminated: &mut eliminated,
+            prescribed,
+            met: &mut met,
         };
         resisting.name(graph);
         passages[body].inward_to_joint(graph, &mut resisting);
@@ -107,27 +125,31 @@ fn solutions(
     }
     let sides = 0..taus.len();
     sides
-        .map(|side| recovered(graph, linkage, &eliminated, side))
+        .map(|side| recovered(graph, linkage, &met, side))
         .collect()
 }
 
-/// The accelerations of the motions for one right-hand side, from the inertial frame outward.
+/// What is sought of the motions for one right-hand side, from the inertial frame outward.
 fn recovered(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
-    eliminated: &BTreeMap<SpeedId, Eliminated>,
+    met: &BTreeMap<SpeedId, Met>,
     side: usize,
-) -> Vec<Expr> {
+) -> Partitioned {
     let Linkage { tree, passages, .. } = linkage;
-    let mut accelerations = vec![graph.zero(); tree.n_speeds];
+    let none = vec![graph.zero(); tree.n_speeds];
+    let mut found = Partitioned {
+        accelerations: none.clone(),
+        forces: none,
+    };
     BodyMap::outward(tree.bodies.len(), |body, added: &BodyMap<[Vector; 2]>| {
         graph.enter(body);
         let below = tree.lower(body).map(|lower| added[lower]);
         let mut accelerating = Accelerating {
             added: below.unwrap_or([graph.zero_vector(); 2]),
-            eliminated,
+            met,
             side,
-            accelerations: &mut accelerations,
+            found: &mut found,
         };
         passages[body].outward(graph, &mut accelerating);
         let added = accelerating.added;
@@ -135,23 +157,30 @@ fn recovered(
         graph.name_vector(added[1], "a_added");
         added
     });
-    accelerations
+    found
 }
 
 /// What accelerations add to a link's own, angular and linear, on its way outward through a joint.
 struct Accelerating<'a> {
     added: [Vector; 2],
-    eliminated: &'a BTreeMap<SpeedId, Eliminated>,
+    met: &'a BTreeMap<SpeedId, Met>,
     side: usize,
-    accelerations: &'a mut [Expr],
+    found: &'a mut Partitioned,
 }
 
 impl Accelerating<'_> {
     fn recover(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         for Motion { speed, .. } in motions.into_iter().flatten() {
-            let eliminated = &self.eliminated[&speed];
-            let acceleration = eliminated.recover(graph, self.side, &mut self.added);
-            self.accelerations[speed.index()] = acceleration;
+            match &self.met[&speed] {
+                Met::Eliminated(own) => {
+                    let acceleration = own.recover(graph, self.side, &mut self.added);
+                    self.found.accelerations[speed.index()] = acceleration;
+                }
+                Met::Prescribed(own) => {
+                    let force = own.force(graph, self.side, &self.added);
+                    self.found.forces[speed.index()] = force;
+                }
+            }
         }
     }
 }
@@ -201,7 +230,8 @@ struct Resisting<'a> {
     inertia: Inertia,
     wrenches: Vec<Wrench>,
     taus: &'a [Vec<Expr>],
-    eliminated: &'a mut BTreeMap<SpeedId, Eliminated>,
+    prescribed: &'a BTreeSet<SpeedId>,
+    met: &'a mut BTreeMap<SpeedId, Met>,
 }
 
 impl Passenger for Resisting<'_> {
@@ -214,7 +244,7 @@ impl Passenger for Resisting<'_> {
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         for (axis, motion) in drive.motions().into_iter().enumerate().rev() {
-            self.eliminate(graph, axis, motion);
+            self.meet(graph, axis, motion);
         }
         for wrench in &mut self.wrenches {
             *wrench = wrench.map(|v| rotation.backward(graph, v));
@@ -225,7 +255,7 @@ impl Passenger for Resisting<'_> {
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         // Before rotations: of a body that carries none but free ones their block is a multiple of the identity.
         for (axis, motion) in motions.into_iter().enumerate().rev() {
-            self.eliminate(graph, 3 + axis, motion);
+            self.meet(graph, 3 + axis, motion);
         }
     }
 }
@@ -246,11 +276,21 @@ impl Resisting<'_> {
         }
     }
 
-    /// Eliminates a motion of a joint, if there is one: `D` is what resists it, `l` the column of the inertia over that.
-    fn eliminate(&mut self, graph: &mut ExprGraph, place: usize, motion: Option<Motion>) {
+    /// A motion of a joint enters, if there is one: it is eliminated, or where it is prescribed passed by.
+    fn meet(&mut self, graph: &mut ExprGraph, place: usize, motion: Option<Motion>) {
         let Some(motion) = motion else {
             return;
         };
+        let met = if self.prescribed.contains(&motion.speed) {
+            Met::Prescribed(Prescribed::new(graph, place, &self.inertia, &self.wrenches))
+        } else {
+            Met::Eliminated(self.eliminate(graph, place, motion))
+        };
+        self.met.insert(motion.speed, met);
+    }
+
+    /// Eliminates a motion: `D` is what resists it, `l` the column of the inertia over that.
+    fn eliminate(&mut self, graph: &mut ExprGraph, place: usize, motion: Motion) -> Eliminated {
         let name = self.joint.motion_names()[place];
         let mut rows = self.inertia.rows(graph);
         let mut needed: Vec<_> = self.wrenches.iter().map(Wrench::parts).collect();
@@ -308,12 +348,11 @@ impl Resisting<'_> {
         let own = own.collect();
         self.inertia = Inertia::of_rows(graph, &rows);
         self.wrenches = needed.into_iter().map(Wrench::of_parts).collect();
-        let eliminated = Eliminated {
+        Eliminated {
             place,
             own,
             factors,
             has_rotor,
-        };
-        self.eliminated.insert(motion.speed, eliminated);
+        }
     }
 }

@@ -20,7 +20,7 @@ pub fn inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     forces(graph, &linkage, accelerations, Loads::Absent)
@@ -31,7 +31,7 @@ pub fn loaded_inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     forces(graph, &linkage, accelerations, Loads::Given)
@@ -41,7 +41,7 @@ pub fn loaded_inverse_dynamics(
 pub(super) fn forces(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
     loads: Loads,
 ) -> Vec<Expr> {
     let wrenches = loaded::needed(graph, linkage, accelerations, loads);

@@ -4,9 +4,11 @@
 //! products, `P^-1` times an angular acceleration along its own axes, Eq. (9). Solving for the latter costs less: it enters
 //! where it is, and what is known of the link alone stays constant. The same holds of three translations.
 
+use std::collections::BTreeSet;
+
 use super::plan::{Plan, Technique};
 use crate::{
-    id::BodyMap,
+    id::{BodyMap, SpeedId},
     tree::{Coordinate, Joint, Mechanics, Motion, Orientation, Tree, Value},
 };
 
@@ -29,9 +31,9 @@ impl LinkAxes {
         }
     }
 
-    /// The motions as they are solved for.
-    pub(super) fn of_solution(joint: &Joint, plan: &Plan) -> Self {
-        if !plan.uses(Technique::LinkAxes) {
+    /// The motions as they are solved for. Those of which some are prescribed are as the speeds.
+    pub(super) fn of_solution(joint: &Joint, plan: &Plan, prescribed: &BTreeSet<SpeedId>) -> Self {
+        if !plan.uses(Technique::LinkAxes) || is_any_among(&joint.motions(), prescribed) {
             return Self::of_speeds(joint);
         }
         let turns = match joint.orientation {
@@ -60,14 +62,20 @@ impl LinkAxes {
     }
 }
 
-/// The bodies that nothing holds on the inertial frame, where the plan takes them to fall.
-pub(super) fn falling(tree: &Tree, plan: &Plan) -> BodyMap<bool> {
+/// The bodies that nothing holds or moves on the inertial frame, where the plan takes them to fall.
+pub(super) fn falling(tree: &Tree, plan: &Plan, prescribed: &BTreeSet<SpeedId>) -> BodyMap<bool> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         let joint = &tree.body(body).joint;
-        let is_loose = tree.lower(body).is_none() && are_free(joint.translations);
+        let is_moved = is_any_among(&joint.shifts(), prescribed);
+        let is_loose = tree.lower(body).is_none() && are_free(joint.translations) && !is_moved;
         // A rotor does not fall.
         plan.uses(Technique::Fall) && is_loose && !has_rotors(&joint.mechanics[3..])
     })
+}
+
+fn is_any_among(motions: &[Option<Motion>], speeds: &BTreeSet<SpeedId>) -> bool {
+    let mut motions = motions.iter().flatten();
+    motions.any(|motion| speeds.contains(&motion.speed))
 }
 
 fn are_free(coordinates: [Coordinate; 3]) -> bool {

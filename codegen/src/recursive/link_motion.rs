@@ -39,7 +39,7 @@ pub(super) struct LinkMotion {
 pub(super) fn motions(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> BodyMap<LinkMotion> {
     let Linkage {
         tree, links, falls, ..
@@ -64,7 +64,7 @@ pub(super) fn motions(
 pub(super) fn inertial_wrenches(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> BodyMap<Wrench> {
     let Linkage { tree, links, .. } = linkage;
     let by_second = linkage.plan.uses(Technique::SecondMoments);
@@ -85,7 +85,7 @@ pub(super) fn inertial_wrenches(
 }
 
 /// Makes inputs of the speeds and accelerations of a joint's translations, before the sums in which they then stand first.
-fn read_translations(graph: &mut ExprGraph, joint: &Joint, accelerations: Accelerations) {
+fn read_translations(graph: &mut ExprGraph, joint: &Joint, accelerations: Accelerations<'_>) {
     given::shift_speeds(graph, joint);
     for shift in joint.shifts() {
         given::acceleration(graph, shift, accelerations);
@@ -96,7 +96,7 @@ fn read_translations(graph: &mut ExprGraph, joint: &Joint, accelerations: Accele
 struct Moving<'a> {
     /// That of the lower link; `None` is the inertial frame.
     lower: Option<&'a LinkMotion>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'a>,
     w: Vector,
     alpha: Vector,
     a: Vector,
@@ -108,7 +108,7 @@ impl<'a> Moving<'a> {
         graph: &mut ExprGraph,
         lower: Option<&'a LinkMotion>,
         base: Vector,
-        accelerations: Accelerations,
+        accelerations: Accelerations<'a>,
     ) -> Self {
         let still = graph.zero_vector();
         let (w, alpha, a) = lower.map_or((still, still, base), |own| (own.w, own.alpha, own.a));

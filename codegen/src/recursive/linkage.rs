@@ -1,12 +1,18 @@
 //! What every quantity passes through: the links of a plan, and how the motions of their joints are taken.
 
+use std::collections::BTreeSet;
+
 use super::{
     link::{self, Link},
     link_axes::{self, LinkAxes},
     passage::Passage,
     plan::Plan,
 };
-use crate::{expr::ExprGraph, id::BodyMap, tree::Tree};
+use crate::{
+    expr::ExprGraph,
+    id::{BodyMap, SpeedId},
+    tree::Tree,
+};
 
 /// The links of a plan, joined.
 #[derive(Debug)]
@@ -42,12 +48,15 @@ impl<'a> Linkage<'a> {
         }
     }
 
-    /// Forces and accelerations are those of the motions that are solved for.
-    pub(super) fn of_solution(graph: &mut ExprGraph, tree: &'a Tree, plan: &'a Plan) -> Self {
-        let axes = BodyMap::outward(tree.bodies.len(), |body, _| {
-            LinkAxes::of_solution(&tree.body(body).joint, plan)
-        });
-        Self::along(graph, tree, plan, axes, link_axes::falling(tree, plan))
+    /// Forces and accelerations are those of the motions that are solved for, and of the prescribed speeds.
+    pub(super) fn of_solution(
+        graph: &mut ExprGraph,
+        tree: &'a Tree,
+        plan: &'a Plan,
+        prescribed: &BTreeSet<SpeedId>,
+    ) -> Self {
+        let falls = link_axes::falling(tree, plan, prescribed);
+        Self::along(graph, tree, plan, solved(tree, plan, prescribed), falls)
     }
 
     /// The same where nothing has weight.
@@ -56,10 +65,8 @@ impl<'a> Linkage<'a> {
         tree: &'a Tree,
         plan: &'a Plan,
     ) -> Self {
-        let axes = BodyMap::outward(tree.bodies.len(), |body, _| {
-            LinkAxes::of_solution(&tree.body(body).joint, plan)
-        });
         let falls = BodyMap::outward(tree.bodies.len(), |_, _| false);
+        let axes = solved(tree, plan, &BTreeSet::new());
         Self::along(graph, tree, plan, axes, falls)
     }
 
@@ -84,4 +91,11 @@ impl<'a> Linkage<'a> {
             falls,
         }
     }
+}
+
+/// The axes along which motions are solved for.
+fn solved(tree: &Tree, plan: &Plan, prescribed: &BTreeSet<SpeedId>) -> BodyMap<LinkAxes> {
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        LinkAxes::of_solution(&tree.body(body).joint, plan, prescribed)
+    })
 }

@@ -13,7 +13,7 @@ use crate::{
 pub(super) fn needed(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
     loads: Loads,
 ) -> BodyMap<Wrench> {
     let inertial = link_motion::inertial_wrenches(graph, linkage, accelerations);

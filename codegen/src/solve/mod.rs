@@ -6,9 +6,12 @@
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
 mod inverse;
+mod partitioned;
 mod projected;
 
 use std::collections::BTreeSet;
+
+pub use partitioned::{Partitioned, partitioned};
 
 use crate::{
     expr::{Expr, ExprGraph},
@@ -44,13 +47,15 @@ impl BodySpeed {
     }
 }
 
-/// About how many operations factorisation and solution need, where all entries along paths to the inertial frame are there.
-pub fn operations(tree: &Tree) -> usize {
+/// About how many operations factorisation and solution need for all speeds but the prescribed ones, where all entries along
+/// paths to the inertial frame are there.
+pub fn operations(tree: &Tree, prescribed: &BTreeSet<SpeedId>) -> usize {
     let mut coupled: Vec<usize> = Vec::with_capacity(tree.bodies.len());
     let mut sum = 0;
     for body in &tree.bodies {
         let below = body.lower.map_or(0, |lower| coupled[lower.index()]);
-        let own = body.joint.speeds().len();
+        let own = body.joint.speeds().into_iter();
+        let own = own.filter(|(_, speed)| !prescribed.contains(speed)).count();
         // Each speed with n coupled ones below it: n factors, n (n + 1) / 2 updates, and 2 n terms of the solution.
         sum += (below..below + own).map(|n| n * (n + 6)).sum::<usize>();
         coupled.push(below + own);
@@ -70,8 +75,18 @@ pub fn subtract(graph: &mut ExprGraph, tree: &Tree, tau: &mut [Expr], needed: &[
 }
 
 /// Factorises a mass matrix.
-pub fn factorise(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> Factors {
+pub fn factorise(graph: &mut ExprGraph, tree: &Tree, a: SpeedMatrix) -> Factors {
     let order = elimination_order(tree);
+    factorised(graph, tree, a, order)
+}
+
+/// Factorises the rows and columns of a mass matrix that belong to the speeds in this order; the pivots of others are zero.
+fn factorised(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    mut a: SpeedMatrix,
+    order: Vec<BodySpeed>,
+) -> Factors {
     let mut couplings = Vec::with_capacity(order.len());
     let mut pivots = vec![graph.zero(); tree.n_speeds];
     for (place, &k) in order.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! One text for a tree, however its description was written: what a hash is taken of.
 //!
 //! In: a tree. Out: text that holds all that can influence generated code, and nothing else: no paths, no spans,
-//! no formatting. Floats stand in their shortest text that reads back bit for bit.
+//! no formatting. Which speeds are prescribed the options say. Floats stand in their shortest text that reads back bit for bit.
 
 use std::fmt::Write as _;
 

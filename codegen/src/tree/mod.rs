@@ -33,9 +33,10 @@ mod principal;
 mod rotations;
 mod values;
 
-// What is read off a tree.
+// What is read off a tree, or marked in it.
 mod canonical;
 mod named;
+mod prescribed;
 
 pub use crate::description::Order;
 pub use base_parameter::{BaseParameter, BaseParameters, InertialParameter, N_INERTIAL};
@@ -49,6 +50,7 @@ pub use mechanics::Mechanics;
 pub(crate) use mobility::Units;
 pub use named::NamedFrame;
 pub use offset::{Offset, Step};
+pub use prescribed::{PrescribedFault, prescribe};
 pub(crate) use principal::principal;
 pub use rotations::snapped_sin_cos;
 pub use system::Tree;

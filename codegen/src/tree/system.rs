@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::description::Order;
-use crate::id::BodyId;
+use crate::id::{BodyId, SpeedId};
 use crate::tree::base_parameter::BaseParameters;
 use crate::tree::body::Body;
 use crate::tree::frames::Frame;
@@ -29,6 +29,8 @@ pub struct Tree {
     pub snap: f64,
     /// The values that the user sets at run time: gravity's, then body by body.
     pub parameters: Vec<Parameter>,
+    /// The speeds whose accelerations are given, where forces of the others are: `hybrid_dynamics` alone depends on them.
+    pub prescribed: BTreeSet<SpeedId>,
     /// The number of generalized coordinates, the length of `q`.
     pub n_coordinates: usize,
     /// The number of generalized speeds, the length of `u`.

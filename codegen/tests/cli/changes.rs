@@ -33,6 +33,7 @@ fn every_command_knows_them() {
             "--snap <",
             "--lock <",
             "--remove <",
+            "--prescribed <",
         ] {
             assert!(help.contains(option), "{command} {option}");
         }

@@ -20,6 +20,7 @@ mod info;
 mod interface;
 #[cfg(unix)]
 mod kills;
+mod prescribed;
 mod project;
 mod requests;
 mod revisions;

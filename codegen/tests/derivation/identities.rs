@@ -286,7 +286,7 @@ fn passes_keep_the_values_of_every_function() {
                 let error = match function.name {
                     "forward_dynamics_pivots" => pivot_error(&m, &factored, &plain),
                     // Rounding of the matrix moves a solution by its condition.
-                    "forward_dynamics" | "loaded_forward_dynamics" => {
+                    "forward_dynamics" | "loaded_forward_dynamics" | "hybrid_dynamics" => {
                         relative(&factored, &plain) / condition(&m)
                     }
                     _ => relative_to(larger(largest(&plain), 1.0), &factored, &plain),

@@ -11,6 +11,7 @@ mod frame_identities;
 mod frame_references;
 mod frames;
 mod fused;
+mod hybrid;
 mod identities;
 mod multiply_add;
 mod passes;

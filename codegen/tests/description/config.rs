@@ -84,6 +84,7 @@ fn reading_and_changes_are_read_in_an_order_of_their_own() {
         snap = 1e-5
         lock = { wrist = 1, "elbow joint" = -0.5 }
         remove = ["finger_2", "finger_1"]
+        prescribed = ["base", "arm base"]
 
         [[system]]
         model = "arm.toml"
@@ -108,6 +109,8 @@ fn reading_and_changes_are_read_in_an_order_of_their_own() {
             remove: vec!["finger_2".to_owned(), "finger_1".to_owned()],
         }
     );
+    assert_eq!(panda.options.prescribed, ["base", "arm base"]);
+    assert_eq!(arm.options.prescribed, [""; 0]);
     assert_eq!(
         (arm.options.reading, &arm.options.changes),
         (Reading::default(), &Changes::default())

@@ -7,7 +7,7 @@ mod robot;
 mod systems;
 
 pub use robot::{Dynamics, Limits, Robot};
-pub use systems::{Center, Identified};
+pub use systems::{Center, Hybrid, Identified};
 
 macro_rules! modules {
     ($($(#[$meaning:meta])* $name:ident)+) => {$(
@@ -106,6 +106,18 @@ modules! {
     ur5_regressor
     /// Its regressor.
     panda_regressor
+    /// Two joints prescribed.
+    ur5_hybrid
+    /// Three joints prescribed.
+    panda_hybrid
+    /// Joints of its legs prescribed.
+    solo12_legs_hybrid
+    /// Its base and joints of its legs prescribed.
+    solo12_base_hybrid
+    /// As `solo12_legs_hybrid`, its base described by angles.
+    solo12_angles_legs_hybrid
+    /// As `solo12_base_hybrid`, its base described by angles.
+    solo12_angles_base_hybrid
     /// A joint and the two that follow it.
     gripper
     /// In the notes' formulation.
@@ -211,6 +223,19 @@ pub const IDENTIFIED: [(&str, MakeIdentified); 3] = [
     ("cartpole", make!(cartpole_regressor)),
     ("ur5", make!(ur5_regressor)),
     ("panda", make!(panda_regressor)),
+];
+
+/// Makes a robot of which some joints are prescribed.
+pub type MakeHybrid = fn() -> Box<dyn Hybrid>;
+
+/// Robots of which some joints are prescribed, with the names of their references.
+pub const HYBRIDS: [(&str, MakeHybrid); 6] = [
+    ("ur5", make!(ur5_hybrid)),
+    ("panda", make!(panda_hybrid)),
+    ("solo12", make!(solo12_legs_hybrid)),
+    ("solo12", make!(solo12_base_hybrid)),
+    ("solo12", make!(solo12_angles_legs_hybrid)),
+    ("solo12", make!(solo12_angles_base_hybrid)),
 ];
 
 /// The panda with fused multiply-add.

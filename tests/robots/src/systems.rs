@@ -6,7 +6,7 @@ use kane::{
     Array, Joint,
     functions::{
         CenterOfMass, CenterOfMassJacobian, CenterOfMassVelocity, CentroidalMomentumMatrix,
-        Regressor,
+        HybridDynamics, Regressor,
     },
 };
 
@@ -32,6 +32,16 @@ pub trait Identified {
     fn joints(&self) -> &'static [Joint];
     /// The regressor, a row for each speed.
     fn regressor(&self, q: &[f64], u: &[f64], u_dot: &[f64]) -> Vec<f64>;
+}
+
+/// A system of which some joints are prescribed.
+pub trait Hybrid {
+    /// Each body's joint.
+    fn joints(&self) -> &'static [Joint];
+    /// For each speed whether it is prescribed.
+    fn prescribed(&self) -> &'static [bool];
+    /// The whole accelerations and the whole forces.
+    fn hybrid_dynamics(&self, q: &[f64], u: &[f64], u_dot: &[f64], tau: &[f64]) -> [Vec<f64>; 2];
 }
 
 fn rows<U: Array<f64>>(rows: &[U]) -> Vec<f64> {
@@ -84,5 +94,30 @@ impl<S: Regressor<f64>> Identified for S {
         Regressor::regressor(self, &array(q), &array(u), &array(u_dot), &mut y);
         let rows = y.as_ref().iter().flat_map(AsRef::as_ref);
         rows.flatten().copied().collect()
+    }
+}
+
+impl<S: HybridDynamics<f64>> Hybrid for S {
+    fn joints(&self) -> &'static [Joint] {
+        S::JOINTS
+    }
+
+    fn prescribed(&self) -> &'static [bool] {
+        S::PRESCRIBED
+    }
+
+    fn hybrid_dynamics(&self, q: &[f64], u: &[f64], u_dot: &[f64], tau: &[f64]) -> [Vec<f64>; 2] {
+        let [mut whole_u_dot, mut whole_tau] = [S::U::filled(f64::NAN); 2];
+        let given = (array(q), array(u), array(u_dot), array(tau));
+        HybridDynamics::hybrid_dynamics(
+            self,
+            &given.0,
+            &given.1,
+            &given.2,
+            &given.3,
+            &mut whole_u_dot,
+            &mut whole_tau,
+        );
+        [whole_u_dot, whole_tau].map(|whole| whole.as_ref().to_vec())
     }
 }

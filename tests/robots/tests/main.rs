@@ -4,6 +4,7 @@ mod changes;
 mod charts;
 mod common;
 mod frames;
+mod hybrid;
 mod joined;
 mod lanes;
 mod matrices;

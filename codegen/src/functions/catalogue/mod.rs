@@ -5,6 +5,7 @@ mod coordinates;
 mod dynamics;
 mod energy;
 mod frames;
+mod hybrid;
 mod kinematics;
 mod loaded;
 mod matrices;
@@ -13,7 +14,7 @@ mod regressor;
 use super::function::Function;
 
 /// Every function of the whole system that a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 54] = [
+pub static CATALOGUE: [Function; 55] = [
     kinematics::RELATIVE_ROTATION,
     kinematics::ROTATION,
     kinematics::RELATIVE_ANGULAR_VELOCITY,
@@ -59,6 +60,7 @@ pub static CATALOGUE: [Function; 54] = [
     energy::KINETIC_ENERGIES,
     energy::POTENTIAL_ENERGIES,
     loaded::JOINT_WRENCHES,
+    hybrid::HYBRID_DYNAMICS,
     center::CENTER_OF_MASS,
     center::CENTER_OF_MASS_VELOCITY,
     center::CENTER_OF_MASS_JACOBIAN,

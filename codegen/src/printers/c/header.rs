@@ -8,7 +8,7 @@ use super::{
     text::{once, table},
 };
 use crate::{
-    functions::{Access, Block, Declared, ELIMINATION, Element, Length, Signature},
+    functions::{Access, Block, Declared, ELIMINATION, Element, Length, PRESCRIBED, Signature},
     listing::{Facts, Module, Size, nominal},
 };
 
@@ -135,6 +135,13 @@ impl Header<'_> {
             let speeds = order.iter().map(ToString::to_string);
             tables.push(table(doc, &declared, speeds));
         }
+        let prescribed = self.facts.prescribed.iter();
+        tables.extend(prescribed.filter(|own| !own.is_empty()).map(|own| {
+            let doc = "1 for each speed whose acceleration `hybrid_dynamics` is given, and whose force it finds; 0 for others.";
+            let declared = format!("int {prefix}{PRESCRIBED}[{prefix}NU]");
+            let truths = own.iter().map(|truth| u8::from(*truth).to_string());
+            table(doc, &declared, truths)
+        }));
         let frames = self.facts.frame_speeds.iter();
         let frames = frames.filter(|frame| !frame.speeds.is_empty());
         tables.extend(frames.map(|frame| {

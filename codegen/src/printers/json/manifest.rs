@@ -19,7 +19,7 @@ pub(crate) fn text(module: &Module) -> String {
     let functions: Vec<String> = functions
         .map(|one| format!("    {}", function(facts, one)))
         .collect();
-    let members = [
+    let mut members = vec![
         // The sign of the format.
         ("generated_by", string("kane generate")),
         ("model", string(&origin.model)),
@@ -40,7 +40,15 @@ pub(crate) fn text(module: &Module) -> String {
         ("preparation", operations(module.prepare.operations)),
         ("functions", format!("[\n{}\n  ]", functions.join(",\n"))),
     ];
-    let members = members.map(|(key, value)| format!("  {}: {value}", string(key)));
+    if let Some(prescribed) = &facts.prescribed {
+        let speeds = facts.speeds.iter().zip(prescribed);
+        let speeds = speeds.filter_map(|(speed, is_prescribed)| is_prescribed.then_some(speed));
+        members.insert(members.len() - 1, ("prescribed", strings(speeds)));
+    }
+    let members = members.into_iter();
+    let members: Vec<String> = members
+        .map(|(key, value)| format!("  {}: {value}", string(key)))
+        .collect();
     format!("{{\n{}\n}}\n", members.join(",\n"))
 }
 

@@ -42,6 +42,11 @@ fn held(data: &Data<'_>) -> (TokenStream, TokenStream) {
             length,
             texts.iter().map(|text| quote!(#text)),
         ),
+        Data::Truths(length, truths) => array(
+            &quote!(bool),
+            length,
+            truths.iter().map(|truth| quote!(#truth)),
+        ),
         Data::Integers(length, numbers) => {
             array(&quote!(usize), length, numbers.iter().copied().map(integer))
         }

@@ -10,7 +10,7 @@ use super::{
     text::{allow_generated, doc, ident},
 };
 use crate::{
-    functions::{ELIMINATION, Part, Shape},
+    functions::{ELIMINATION, PRESCRIBED, Part, Shape},
     listing::{Facts, Function, constants::BASE_PARAMETER_TERMS},
 };
 
@@ -121,10 +121,15 @@ fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
         let speeds = ident(&part.speeds_constant());
         quote!(const SPEEDS: &'static [usize] = &#speeds;)
     });
+    let prescribed = part.function.prescribes.then(|| {
+        let prescribed = ident(PRESCRIBED);
+        quote!(const #prescribed: &'static [bool] = &#prescribed;)
+    });
     Some(parse_quote! {
         impl<R: kane::Real> kane::functions::#trait_name<R #(, #frame)*> for Prepared<R> {
             #associated
             #speeds
+            #prescribed
             #[inline]
             fn #method(&self, #(#arguments),*) {
                 self::#own(self, #(#names),*);

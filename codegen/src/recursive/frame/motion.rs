@@ -32,7 +32,7 @@ pub fn acceleration(
     tree: &Tree,
     plan: &Plan,
     frame: NamedFrame,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'static>,
 ) -> FrameMotion {
     let links = link::links(graph, tree, plan);
     let mut seen = Moving::of(graph, tree, &links, frame, Some(accelerations));
@@ -70,7 +70,7 @@ pub fn local_acceleration(
     tree: &Tree,
     plan: &Plan,
     frame: NamedFrame,
-    accelerations: Accelerations,
+    accelerations: Accelerations<'static>,
 ) -> FrameMotion {
     let still = graph.zero_vector();
     accelerated(graph, tree, plan, frame, (accelerations, still)).acceleration
@@ -98,7 +98,7 @@ fn accelerated(
     tree: &Tree,
     plan: &Plan,
     frame: NamedFrame,
-    (accelerations, base): (Accelerations, Vector),
+    (accelerations, base): (Accelerations<'static>, Vector),
 ) -> Accelerated {
     let links = link::links(graph, tree, plan);
     let mut carried = Thrown {
@@ -137,7 +137,7 @@ struct Moving {
     velocity: FrameMotion,
     acceleration: FrameMotion,
     /// `None` where no acceleration is wanted.
-    accelerations: Option<Accelerations>,
+    accelerations: Option<Accelerations<'static>>,
     /// Of the frame's origin, from the link's.
     position: Vector,
 }
@@ -148,7 +148,7 @@ impl Moving {
         tree: &Tree,
         links: &BodyMap<Link>,
         frame: NamedFrame,
-        accelerations: Option<Accelerations>,
+        accelerations: Option<Accelerations<'static>>,
     ) -> Self {
         let zero = graph.zero_vector();
         let still = FrameMotion {
@@ -231,7 +231,7 @@ impl Passenger for Moving {
 
 /// The acceleration of the link that has been reached outward, along its axes.
 struct Thrown {
-    accelerations: Accelerations,
+    accelerations: Accelerations<'static>,
     /// Angular velocity.
     angular: Vector,
     /// Of its origin, and angular.
@@ -283,7 +283,7 @@ impl Passenger for Thrown {
 fn accelerated_by(
     graph: &mut ExprGraph,
     motions: [Option<Motion>; 3],
-    accelerations: Accelerations,
+    accelerations: Accelerations<'_>,
 ) -> Vector {
     motions.map(|motion| given::acceleration(graph, motion, accelerations))
 }

@@ -1,5 +1,7 @@
 //! The stages from joints that stand to a whole tree.
 
+use std::collections::BTreeSet;
+
 use crate::description::Description;
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::limits::FOLLOWING;
@@ -55,6 +57,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
         markers,
         snap: settled.snap,
         parameters: values.parameters,
+        prescribed: BTreeSet::new(),
         n_coordinates: numbered.n_coordinates,
         n_speeds: numbered.n_speeds,
         base_parameters: BaseParameters::default(),

@@ -7,6 +7,7 @@ use kane_codegen::{
 };
 
 use super::{
+    hybrid::apart,
     model::Model,
     numbering::renumbered_output,
     quantities::{mass_matrix, worst},
@@ -36,7 +37,7 @@ fn bases(tree: &Tree) -> Vec<(&str, usize)> {
 
 /// The largest relative difference of two models of one system, over all functions that `both` have; with its function.
 ///
-/// Forward dynamics is compared through the mass matrix (see [`forward_dynamics_undoes_inverse_dynamics`](super::forces::forward_dynamics_undoes_inverse_dynamics)), bias and inverse
+/// Forward and hybrid dynamics are compared through the mass matrix (see [`forward_dynamics_undoes_inverse_dynamics`](super::forces::forward_dynamics_undoes_inverse_dynamics)), bias and inverse
 /// dynamics relative to the mass matrix as well, for theirs are sums of terms of its size, and the forces of loads relative to
 /// the loads' largest moment arm, which is that of the partial velocities.
 pub fn disagreement(
@@ -66,6 +67,7 @@ pub fn disagreement(
                 let left: Vec<f64> = expected.iter().zip(&found).map(|(a, b)| a - b).collect();
                 size_of(m.norm() * larger(largest(&expected), 1.0), &m.times(&left))
             }
+            "hybrid_dynamics" => apart(a, state, &found, &expected),
             // Joints that follow one another couple branches, whose order is then that of elimination: only the product of
             // all pivots does not depend on it.
             "forward_dynamics_pivots" if has_mimics(a.tree()) => {

@@ -49,6 +49,11 @@ macro_rules! test_every_identity {
             joint_wrenches_along_motions_are_the_forces: EXACT;
         }
         $crate::test_every_identity! {
+            hybrid,
+            hybrid_dynamics_keeps_a_motion_and_its_forces: EXACT;
+            whole_forces_are_those_of_whole_accelerations: EXACT;
+        }
+        $crate::test_every_identity! {
             center,
             the_mass_center_moves_as_all_mass_does: EXACT;
             the_centroidal_momentum_matrix_gives_momentum: EXACT;

@@ -10,6 +10,7 @@ pub mod composition;
 pub mod coriolis;
 pub mod energies;
 pub mod forces;
+pub mod hybrid;
 pub mod kinematics;
 mod list;
 pub mod loaded;

@@ -6,9 +6,10 @@ use kane::{
     functions::{
         BaseRegressor, CenterOfMass, CenterOfMassJacobian, CenterOfMassJacobianDotU,
         CenterOfMassVelocity, CentroidalMomentumMatrix, CentroidalMomentumMatrixDotU,
-        CoriolisMatrix, JointRegressor, JointWrenches, KineticEnergies, LoadedForwardDynamics,
-        LoadedInverseDynamics, MassMatrixDot, MassMatrixFactors, MassMatrixInverse,
-        MassMatrixInversePacked, MassMatrixProduct, MassMatrixSolve, PotentialEnergies, Regressor,
+        CoriolisMatrix, HybridDynamics, JointRegressor, JointWrenches, KineticEnergies,
+        LoadedForwardDynamics, LoadedInverseDynamics, MassMatrixDot, MassMatrixFactors,
+        MassMatrixInverse, MassMatrixInversePacked, MassMatrixProduct, MassMatrixSolve,
+        PotentialEnergies, Regressor,
     },
 };
 
@@ -28,6 +29,7 @@ pub trait Further<R: Real>:
     + KineticEnergies<R>
     + PotentialEnergies<R>
     + JointWrenches<R>
+    + HybridDynamics<R>
     + CenterOfMass<R>
     + CenterOfMassVelocity<R>
     + CenterOfMassJacobian<R>
@@ -52,6 +54,7 @@ impl<R: Real, S> Further<R> for S where
         + KineticEnergies<R>
         + PotentialEnergies<R>
         + JointWrenches<R>
+        + HybridDynamics<R>
         + CenterOfMass<R>
         + CenterOfMassVelocity<R>
         + CenterOfMassJacobian<R>
@@ -136,6 +139,11 @@ fn forces<R: Real + Into<f64>, S: Further<R>>(
             system.joint_wrenches(q, u, u_dot, loads, &mut force, &mut moment);
             let parts = [force, moment].map(|part| numbers(part.as_ref().as_flattened()));
             return Some(parts.concat());
+        }
+        "hybrid_dynamics" => {
+            let mut whole_tau = out;
+            system.hybrid_dynamics(q, u, u_dot, tau, &mut out, &mut whole_tau);
+            return Some([out, whole_tau].map(|part| numbers(part.as_ref())).concat());
         }
         _ => return energies(system, function, arguments),
     }

@@ -1,0 +1,34 @@
+//! Accelerations of some joints and forces of the others.
+
+use crate::functions::{
+    argument::Argument,
+    candidate::Candidate,
+    derive_hybrid,
+    function::{Function, Output, PLAIN},
+    shape::Shape,
+    terms,
+};
+
+pub(super) const HYBRID_DYNAMICS: Function = Function {
+    name: "hybrid_dynamics",
+    trait_name: Some("HybridDynamics"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Tau],
+    outputs: &[
+        Output::new("whole_u_dot", Shape::SPEEDS),
+        Output::new("whole_tau", Shape::SPEEDS),
+    ],
+    solves: true,
+    prescribes: true,
+    doc: &[
+        "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",
+        "given and the forces found; of the others the reverse: `M u_dot + bias = tau` holds of the whole `u_dot` and `tau`, which are written.",
+        "What is given is copied; entries of `u_dot` and `tau` that are found are not read. With all prescribed it is `inverse_dynamics`, with",
+        "none `forward_dynamics`. N m and rad/s^2 for an angle's speed, N and m/s^2 for a translation's. Also known as mixed dynamics, hybrid aba.",
+        "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
+        Candidate::planned(derive_hybrid::hybrid_dynamics_recursive),
+    ],
+    ..PLAIN
+};

@@ -1,0 +1,211 @@
+//! Joints whose accelerations are prescribed: names become speeds of a tree.
+//!
+//! In: the tree of a description, and names of joints or of their bodies. Out: the tree with the speeds of these joints
+//! [prescribed](Tree::prescribed). Does not: change anything else of it.
+
+use std::collections::BTreeMap;
+
+use crate::description::{Description, JointKind, WrittenBody};
+use crate::diagnostic::nearest;
+use crate::tree::names::joint_name;
+use crate::tree::system::Tree;
+
+/// Why the accelerations of a joint cannot be prescribed.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PrescribedFault {
+    /// There is no such joint.
+    #[error("`{}` is no joint of the model", name.escape_debug())]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The joints that have speeds, the nearest name first where one is near.
+        known: Vec<String>,
+        /// True where the first of them is near.
+        is_near: bool,
+    },
+    /// Two names mean one joint.
+    #[error("{}", twice(first, name))]
+    Twice {
+        /// The second name.
+        name: String,
+        /// The first one.
+        first: String,
+    },
+    /// No coordinate of the joint is free.
+    #[error("the joint `{}` has no speed: {why}", name.escape_debug())]
+    Held {
+        /// The name.
+        name: String,
+        /// What holds it.
+        why: &'static str,
+    },
+    /// The joint follows another one.
+    #[error(
+        "the joint `{}` has no speed of its own: it follows `{}`",
+        name.escape_debug(),
+        leader.escape_debug()
+    )]
+    Follows {
+        /// The name.
+        name: String,
+        /// The joint whose speed moves it.
+        leader: String,
+    },
+}
+
+fn twice(first: &str, name: &str) -> String {
+    let (shown, name_shown) = (first.escape_debug(), name.escape_debug());
+    if first == name {
+        format!("`{shown}` is named twice")
+    } else {
+        format!("`{shown}` and `{name_shown}` are one joint")
+    }
+}
+
+/// The most names that a help lists.
+const MOST_NAMED: usize = 40;
+
+impl PrescribedFault {
+    /// The name that it is about.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Unknown { name, .. }
+            | Self::Twice { name, .. }
+            | Self::Held { name, .. }
+            | Self::Follows { name, .. } => name,
+        }
+    }
+
+    /// What was expected in its place, in a few words.
+    pub fn expected(&self) -> &'static str {
+        match self {
+            Self::Twice { .. } => "expected each joint once",
+            Self::Unknown { .. } | Self::Held { .. } | Self::Follows { .. } => {
+                "expected a joint with a speed of its own"
+            }
+        }
+    }
+
+    /// What to do about it.
+    pub fn help(&self) -> String {
+        match self {
+            Self::Unknown { known, .. } if known.is_empty() => {
+                "no joint of the model has a speed: leave `prescribed` out".to_owned()
+            }
+            Self::Unknown { known, is_near, .. } if *is_near => {
+                format!("did you mean `{}`?", known[0].escape_debug())
+            }
+            Self::Unknown { known, .. } => {
+                let names = known.iter().take(MOST_NAMED);
+                let names: Vec<String> =
+                    names.map(|name| name.escape_debug().to_string()).collect();
+                let more = if known.len() > MOST_NAMED {
+                    ", ..."
+                } else {
+                    ""
+                };
+                format!("joints with speeds are {}{more}", names.join(", "))
+            }
+            Self::Twice { .. } => "leave one of the two out".to_owned(),
+            Self::Held { .. } => "leave it out: its acceleration is zero".to_owned(),
+            Self::Follows { leader, .. } => {
+                format!("prescribe `{}`, which moves both", leader.escape_debug())
+            }
+        }
+    }
+}
+
+/// The tree with the speeds of these joints prescribed.
+///
+/// # Errors
+/// Every name that is none of a joint with speeds of its own, and every second name of one joint.
+pub fn prescribe(
+    description: &Description,
+    tree: Tree,
+    names: &[String],
+) -> Result<Tree, Vec<PrescribedFault>> {
+    let mut tree = tree;
+    let mut faults = Vec::new();
+    let mut first_names: BTreeMap<usize, &String> = BTreeMap::new();
+    for name in names {
+        let Some(place) = place(description, name) else {
+            faults.push(unknown(&tree, name));
+            continue;
+        };
+        if let Some(first) = first_names.get(&place) {
+            let (name, first) = (name.clone(), (*first).clone());
+            faults.push(PrescribedFault::Twice { name, first });
+            continue;
+        }
+        first_names.insert(place, name);
+        let body = &description.bodies[place];
+        match moving(&tree, body) {
+            None => faults.push(held(body, name)),
+            Some(moving) => match tree.bodies[moving].joint.speeds() {
+                speeds if speeds.is_empty() => faults.push(follows(&tree, moving, name)),
+                speeds => tree
+                    .prescribed
+                    .extend(speeds.into_iter().map(|(_, speed)| speed)),
+            },
+        }
+    }
+    if faults.is_empty() {
+        Ok(tree)
+    } else {
+        Err(faults)
+    }
+}
+
+/// The place in the user's list of the body whose joint has this name, or which has it itself.
+fn place(description: &Description, name: &str) -> Option<usize> {
+    let mut bodies = 0..description.bodies.len();
+    let joint = bodies.find(|body| joint_name(description, *body) == Some(name));
+    let of_body = |body: &WrittenBody| body.name.as_ref().is_some_and(|known| known.value == name);
+    joint.or_else(|| description.bodies.iter().position(of_body))
+}
+
+/// The body of the tree that moves by the joint of this one; `None` where it is part of another.
+fn moving(tree: &Tree, body: &WrittenBody) -> Option<usize> {
+    let name = &body.name.as_ref()?.value;
+    tree.bodies.iter().position(|own| own.name == *name)
+}
+
+fn unknown(tree: &Tree, name: &str) -> PrescribedFault {
+    let with_speeds = tree.bodies.iter();
+    let with_speeds = with_speeds.filter(|body| !body.joint.speeds().is_empty());
+    let known: Vec<&str> = with_speeds.map(|body| body.joint.name.as_str()).collect();
+    let near = nearest(name, &known);
+    let others = known.iter().copied().filter(|known| Some(*known) != near);
+    PrescribedFault::Unknown {
+        name: name.to_owned(),
+        known: near.into_iter().chain(others).map(str::to_owned).collect(),
+        is_near: near.is_some(),
+    }
+}
+
+fn held(body: &WrittenBody, name: &str) -> PrescribedFault {
+    let is_fixed = match body.joint.kind.as_ref().map(|kind| &kind.value) {
+        Some(JointKind::Fixed) => true,
+        Some(JointKind::List(motions)) => motions.is_empty(),
+        _ => false,
+    };
+    PrescribedFault::Held {
+        name: name.to_owned(),
+        why: match &body.joint.mimic {
+            _ if is_fixed => "it is fixed in the model",
+            Some(_) => "it is locked or removed, or follows a joint that is",
+            None => "it is locked or removed",
+        },
+    }
+}
+
+fn follows(tree: &Tree, moving: usize, name: &str) -> PrescribedFault {
+    let bodies = tree.speed_bodies();
+    let mut motions = tree.bodies[moving].joint.motions().into_iter().flatten();
+    let leader = motions.next().map(|motion| bodies[motion.speed.index()]);
+    let leader = leader.map(|body| tree.body(body).joint.name.clone());
+    PrescribedFault::Follows {
+        name: name.to_owned(),
+        leader: leader.unwrap_or_default(),
+    }
+}

@@ -1,0 +1,337 @@
+//! Joints whose accelerations are prescribed.
+
+use serde_json::{Value, json};
+
+use super::project::{Project, model, system};
+
+const FUNCTIONS: &str = "functions = [\"hybrid_dynamics\"]\n";
+
+/// An arm of three bodies: the second is fixed or moves as it is said, and the third follows the first.
+fn followed(joint: &str) -> String {
+    let body = |name: &str, joint: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = 1.5\nmass_center = [0.1, 0.02, -0.4]\n\
+             inertia = {{ xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.0, xz = 0.01, yz = 0.0 }}\n\
+             attachment = [0.0, 0.0, -1.0]\n{joint}\n"
+        )
+    };
+    format!(
+        "name = \"arm\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n{}{}{}",
+        body("upper", "joint = [\"theta1\"]\njoint_name = \"shoulder\""),
+        body("fore", joint),
+        body(
+            "hand",
+            "joint = [\"theta2\"]\nmimic = { joint = \"shoulder\", multiplier = 2.0 }"
+        ),
+    )
+}
+
+/// A project with this model, these joints prescribed, and more lines in `kane.toml`.
+fn project(model: &str, prescribed: &str, more: &str) -> Project {
+    let project = Project::empty();
+    project.write("models/arm.toml", model);
+    let config = system("models/arm.toml", "generated/arm.rs");
+    let config = config.lines().filter(|line| !line.starts_with("functions"));
+    let config: Vec<&str> = config.collect();
+    let config = format!(
+        "{}\n{FUNCTIONS}prescribed = {prescribed}\n{more}",
+        config.join("\n")
+    );
+    project.write("kane.toml", &config);
+    project
+}
+
+#[test]
+fn unknown_joint_is_pointed_at_in_kane_toml() {
+    let project = project(&followed("joint = [\"theta3\"]"), r#"["shulder"]"#, "");
+    let ran = project.kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1: `shulder` is no joint of the model
+     --> kane.toml:5:15
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["shulder"]
+      |               ^^^^^^^^^ expected a joint with a speed of its own
+      |
+      = help: did you mean `shoulder`?
+    "#);
+    // The same of one model, and of what is up to date.
+    assert_eq!(project.kane(&["generate", "models/arm.toml"]).err, ran.err);
+    assert_eq!(project.kane(&["check"]).err, ran.err);
+}
+
+#[test]
+fn joints_without_speeds_of_their_own_are_pointed_at_together() {
+    let model = followed("joint = \"fixed\"");
+    let project = project(&model, r#"["fore", "hand", "elephant"]"#, "");
+    let ran = project.kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1: the joint `fore` has no speed: it is fixed in the model
+     --> kane.toml:5:15
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["fore", "hand", "elephant"]
+      |               ^^^^^^ expected a joint with a speed of its own
+      |
+      = help: leave it out: its acceleration is zero
+
+    error: `prescribed` of system 1: the joint `hand` has no speed of its own: it follows `shoulder`
+     --> kane.toml:5:23
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["fore", "hand", "elephant"]
+      |                       ^^^^^^ expected a joint with a speed of its own
+      |
+      = help: prescribe `shoulder`, which moves both
+
+    error: `prescribed` of system 1: `elephant` is no joint of the model
+     --> kane.toml:5:31
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["fore", "hand", "elephant"]
+      |                               ^^^^^^^^^^ expected a joint with a speed of its own
+      |
+      = help: joints with speeds are shoulder
+    "#);
+}
+
+#[test]
+fn joint_that_is_locked_or_removed_has_no_acceleration_to_prescribe() {
+    let model = followed("joint = [\"theta3\"]");
+    for more in ["lock = { fore = 0.5 }\n", "remove = [\"fore\"]\n"] {
+        let project = project(&model, r#"["fore"]"#, more);
+        let ran = project.kane(&["generate"]);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+        assert!(
+            ran.err
+                .contains("the joint `fore` has no speed: it is locked or removed"),
+            "{}",
+            ran.err
+        );
+        assert!(ran.err.contains("kane.toml:5:15"), "{}", ran.err);
+    }
+    let project = project(&model, r#"["hand"]"#, "lock = { shoulder = 0.5 }\n");
+    let ran = project.kane(&["generate"]);
+    assert!(
+        ran.err
+            .contains("it is locked or removed, or follows a joint that is"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn joint_named_twice_is_pointed_at_by_both_names() {
+    let model = followed("joint = [\"theta3\"]");
+    let ran = project(&model, r#"["fore", "fore"]"#, "").kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1 names `fore` twice
+     --> kane.toml:5:23
+      |
+    5 | prescribed = ["fore", "fore"]
+      |               ------  ^^^^^^ the second one
+      |               |
+      |               the first one
+    "#);
+    // By its own name and by its body's.
+    let ran = project(&model, r#"["shoulder", "upper"]"#, "").kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @r#"
+    error: `prescribed` of system 1: `shoulder` and `upper` are one joint
+     --> kane.toml:5:27
+      |
+    2 | model = "models/arm.toml"
+      |         ----------------- the model
+    ...
+    5 | prescribed = ["shoulder", "upper"]
+      |               ----------  ^^^^^^^ expected each joint once
+      |               |
+      |               the first one
+      |
+      = help: leave one of the two out
+    "#);
+}
+
+#[test]
+fn names_that_are_no_text_are_pointed_at() {
+    let model = followed("joint = [\"theta3\"]");
+    let ran = project(&model, "[1]", "").kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("kane.toml:5:15"), "{}", ran.err);
+    let ran = project(&model, "\"fore\"", "").kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("kane.toml:5:14"), "{}", ran.err);
+}
+
+#[test]
+fn joints_of_the_command_line_have_no_place_in_kane_toml() {
+    let project = project(&followed("joint = [\"theta3\"]"), r#"["shulder"]"#, "");
+    let ran = project.kane(&["generate", "models/arm.toml", "--prescribed", "hand"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err, @"error: the joint `hand` has no speed of its own: it follows `shoulder`; prescribe `shoulder`, which moves both");
+    for command in [
+        &["info", "models/arm.toml"][..],
+        &["check", "models/arm.toml"],
+    ] {
+        let ran = project.kane(&[command, &["--prescribed", "hand"]].concat());
+        assert_eq!(ran.code, 2);
+        assert!(
+            ran.err
+                .starts_with("error: the joint `hand` has no speed of its own"),
+            "{}",
+            ran.err
+        );
+    }
+    let twice = [
+        "info",
+        "models/arm.toml",
+        "--prescribed",
+        "fore",
+        "--prescribed",
+        "fore",
+    ];
+    assert_eq!(
+        project.kane(&twice).err,
+        "error: --prescribed names `fore` twice\n"
+    );
+}
+
+#[test]
+fn banner_repeats_them_in_an_order_of_their_own_and_what_was_written_is_up_to_date() {
+    let model = followed("joint = [\"theta3\"]");
+    let one = project(&model, r#"["shoulder", "fore"]"#, "");
+    assert_eq!(one.kane(&["generate"]).code, 0);
+    let module = one.read("generated/arm.rs");
+    let line = module.lines().nth(1).unwrap();
+    assert!(
+        line.ends_with("snap: 1e-9; prescribed: \"fore\", \"shoulder\"."),
+        "{line}"
+    );
+    assert_eq!(one.kane(&["check"]).code, 0);
+    let other = project(&model, r#"["fore", "shoulder"]"#, "");
+    assert_eq!(other.kane(&["generate"]).code, 0);
+    assert_eq!(other.read("generated/arm.rs"), module);
+    let none = project(&model, "[]", "");
+    assert_eq!(none.kane(&["generate"]).code, 0);
+    assert!(
+        none.read("generated/arm.rs")
+            .lines()
+            .nth(1)
+            .unwrap()
+            .ends_with("snap: 1e-9.")
+    );
+    // Options stand above `kane.toml`.
+    let ran = other.kane(&["generate", "models/arm.toml", "--prescribed", "fore"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let changed = other.read("generated/arm.rs");
+    assert!(changed.contains("prescribed: \"fore\"."), "{changed}");
+    assert!(
+        changed.contains("PRESCRIBED: [bool; NU] = [false, true];"),
+        "{changed}"
+    );
+    assert_eq!(other.kane(&["check"]).code, 1);
+}
+
+#[test]
+fn module_without_the_function_has_no_constant_of_it_and_is_the_same_but_for_its_banner() {
+    let project = Project::generated();
+    let plain = project.read("generated/arm.rs");
+    let config = project.read("kane.toml") + "prescribed = [\"fore\"]\n";
+    project.write("kane.toml", &config);
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let module = project.read("generated/arm.rs");
+    let after_banner = |text: &str| text.split_once("\n\n").unwrap().1.to_owned();
+    assert_eq!(after_banner(&module), after_banner(&plain));
+    assert_ne!(module, plain);
+}
+
+#[test]
+fn manifest_and_header_say_which_speeds_they_are() {
+    let more = "manifest = true\nabi = \"c\"\n";
+    let project = project(&followed("joint = [\"theta3\"]"), r#"["fore"]"#, more);
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let manifest: Value = serde_json::from_str(&project.read("generated/arm.json")).unwrap();
+    assert_eq!(manifest["prescribed"], json!(["fore_theta3_dot"]));
+    let functions = manifest["functions"].as_array().unwrap();
+    let hybrid = functions
+        .iter()
+        .find(|one| one["name"] == "hybrid_dynamics")
+        .unwrap();
+    assert_eq!(hybrid["arguments"], json!(["p", "q", "u", "u_dot", "tau"]));
+    assert_eq!(
+        hybrid["outputs"],
+        json!([{ "name": "whole_u_dot", "shape": [2] }, { "name": "whole_tau", "shape": [2] }])
+    );
+    let header = project.read("generated/arm.h");
+    assert!(
+        header.contains("int ARM_PRESCRIBED[ARM_NU] = {\n    0,\n    1\n};"),
+        "{header}"
+    );
+}
+
+#[test]
+fn eval_and_info_prescribe_too() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "2.0"));
+    let state = json!({
+        "q": [0.3, 0.1, -0.4], "u": [0.5, -0.2, 0.7], "u_dot": [1.0, 2.0, 3.0], "tau": [4.0, 5.0, 6.0]
+    });
+    let evaluated = |function: &str, options: &[&str], state: &Value| -> Value {
+        let arguments = ["eval", "arm.toml", "--function", function, "--state", "-"];
+        let ran = project.kane_given(&[&arguments, options].concat(), &state.to_string());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        serde_json::from_str(&ran.out).unwrap()
+    };
+    let found = evaluated("hybrid_dynamics", &["--prescribed", "upper"], &state);
+    assert_eq!(found["whole_u_dot"][0], 1.0);
+    assert_eq!(found["whole_u_dot"][1], 2.0);
+    assert_eq!(found["whole_tau"][2], 6.0);
+    let mut moved = state.clone();
+    moved["u_dot"] = found["whole_u_dot"].clone();
+    let tau = evaluated("inverse_dynamics", &[], &moved);
+    for speed in 0..3 {
+        let [found, expected] =
+            [&found["whole_tau"][speed], &tau[speed]].map(|one| one.as_f64().unwrap());
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    }
+    let count = |options: &[&str]| {
+        let arguments = [
+            "info",
+            "arm.toml",
+            "--functions",
+            "hybrid_dynamics",
+            "--json",
+        ];
+        let ran = project.kane(&[&arguments, options].concat());
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.out
+    };
+    assert_ne!(count(&[]), count(&["--prescribed", "upper"]));
+}
+
+#[test]
+fn diff_tells_what_prescribing_costs() {
+    let project = project(&followed("joint = [\"theta3\"]"), "[]", "");
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    let plain = project.read("generated/arm.rs");
+    project.write("generated/plain.rs", &plain);
+    let arguments = ["generate", "models/arm.toml", "--prescribed", "fore"];
+    assert_eq!(project.kane(&arguments).code, 0);
+    let ran = project.kane(&["diff", "generated/plain.rs", "generated/arm.rs"]);
+    assert!(ran.out.contains("hybrid_dynamics"), "{ran:?}");
+    assert!(
+        ran.out.contains("the model is the same: its options"),
+        "{ran:?}"
+    );
+}

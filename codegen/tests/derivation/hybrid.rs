@@ -1,0 +1,317 @@
+//! Hybrid dynamics: some joints' accelerations are prescribed, the others' forces.
+
+use std::{collections::BTreeSet, fmt::Write as _};
+
+use kane_codegen::{
+    compile::{self, Options},
+    description::{Base, Reading},
+    expr::Input,
+    functions::{Formulation, Function, Request},
+    id::SpeedId,
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+use kane_test_support::{
+    compare::{assert_within, larger, largest, relative_to, size_of},
+    dynamics::State,
+    numeric::Matrix,
+    random::Random,
+    systems::{RandomSystem, Sizes, Style, tree},
+};
+
+use crate::{compiled::read, evaluator::input};
+
+/// How far two ways to one number may be apart, relative to the mass matrix and the numbers.
+const EXACT: f64 = 1e-12;
+
+const SEEDS: std::ops::RangeInclusive<u64> = 1..=60;
+
+fn random_tree(seed: u64) -> Tree {
+    let style = if seed.is_multiple_of(3) {
+        Style::Plain
+    } else {
+        Style::Framed
+    };
+    let bodies = usize::try_from(seed % 12 + 1).expect("a few");
+    let system = RandomSystem::new(seed, Sizes { bodies, speeds: 30 }, style);
+    tree(&system.toml()).expect("a random system is accepted")
+}
+
+/// The tree with these joints prescribed, by the places of their bodies.
+fn prescribing(tree: &Tree, is_prescribed: impl FnMut(&usize) -> bool) -> Tree {
+    let bodies = (0..tree.bodies.len()).filter(is_prescribed);
+    let speeds = bodies.flat_map(|body| tree.bodies[body].joint.speeds());
+    Tree {
+        prescribed: speeds.map(|(_, speed)| speed).collect(),
+        ..tree.clone()
+    }
+}
+
+fn all_speeds(tree: &Tree) -> BTreeSet<SpeedId> {
+    (0..tree.n_speeds).map(SpeedId::new).collect()
+}
+
+/// A tree of which some joints are prescribed, in a state.
+struct Case<'a> {
+    what: String,
+    tree: Tree,
+    state: &'a State,
+    m: &'a Matrix,
+    /// The largest entry of the bias.
+    bias: f64,
+}
+
+/// Random trees with random joints prescribed: none, all, or some.
+fn each(check: impl Fn(&Case<'_>)) {
+    for seed in SEEDS {
+        let plain = random_tree(seed);
+        let state = &State::random(&plain, seed);
+        let m = &Matrix::new(plain.n_speeds, noted(&plain, "mass_matrix", state));
+        let bias = largest(&noted(&plain, "bias", state));
+        let mut random = Random::new(seed);
+        for chance in [0.0, 0.3, 0.5, 0.7, 1.0] {
+            let tree = prescribing(&plain, |_| random.chance(chance));
+            let prescribed = tree.prescribed.iter().map(|speed| speed.index());
+            let prescribed: Vec<usize> = prescribed.collect();
+            let what = format!("seed {seed}, {prescribed:?} of {}", tree.n_speeds);
+            check(&Case {
+                what,
+                tree,
+                state,
+                m,
+                bias,
+            });
+        }
+    }
+}
+
+impl Case<'_> {
+    /// How far two results are apart: accelerations by the forces for what is between them, forces as they are; relative to
+    /// the mass matrix and all numbers.
+    fn apart(&self, found: &[f64], expected: &[f64]) -> f64 {
+        let ([a, f], [b, g]) = (halves(&self.tree, found), halves(&self.tree, expected));
+        let scale = larger(
+            self.m.norm() * larger(largest(&b), 1.0),
+            larger(largest(&g), self.bias),
+        );
+        let left: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
+        larger(
+            size_of(scale, &self.m.times(&left)),
+            relative_to(scale, &f, &g),
+        )
+    }
+}
+
+fn function(name: &str) -> &'static Function {
+    Function::find(name).expect("a function of the catalogue")
+}
+
+fn evaluate_by(
+    tree: &Tree,
+    name: &str,
+    formulation: Formulation,
+    plan: &Plan,
+    state: &State,
+) -> Vec<f64> {
+    let derived = function(name).derive(tree, formulation, plan);
+    let graph = &derived.graph;
+    graph.evaluate(&derived.roots, |given| input(tree, state, given))
+}
+
+/// By the notes' equations.
+fn noted(tree: &Tree, name: &str, state: &State) -> Vec<f64> {
+    evaluate_by(tree, name, Formulation::Notes, &Plan::plain(tree), state)
+}
+
+/// `whole_u_dot` and `whole_tau`.
+fn halves(tree: &Tree, found: &[f64]) -> [Vec<f64>; 2] {
+    let (u_dot, tau) = found.split_at(tree.n_speeds);
+    [u_dot.to_vec(), tau.to_vec()]
+}
+
+#[test]
+fn the_recursion_agrees_with_the_notes_whatever_is_prescribed() {
+    each(|case| {
+        let (tree, state) = (&case.tree, case.state);
+        let expected = noted(tree, "hybrid_dynamics", state);
+        let full = Plan::full(tree);
+        let plain = Plan::plain(tree);
+        let plans = [
+            ("articulated bodies", full.clone()),
+            ("factors", full.with(Technique::Articulated, false)),
+            ("the speeds' axes", full.with(Technique::LinkAxes, false)),
+            ("nothing", plain.clone()),
+            ("these alone", plain.with(Technique::Articulated, true)),
+        ];
+        for (by, plan) in plans {
+            let recursive = Formulation::Recursive;
+            let found = evaluate_by(tree, "hybrid_dynamics", recursive, &plan, state);
+            let error = case.apart(&found, &expected);
+            assert_within(format!("{}, by {by}", case.what), error, EXACT);
+        }
+    });
+}
+
+#[test]
+fn what_is_given_is_copied() {
+    each(|case| {
+        let (tree, state) = (&case.tree, case.state);
+        for formulation in [Formulation::Notes, Formulation::Recursive] {
+            let plan = Plan::full(tree);
+            let found = evaluate_by(tree, "hybrid_dynamics", formulation, &plan, state);
+            let [u_dot, tau] = halves(tree, &found);
+            for speed in 0..tree.n_speeds {
+                let (found, given) = if tree.prescribed.contains(&SpeedId::new(speed)) {
+                    (u_dot[speed], state.u_dot[speed])
+                } else {
+                    (tau[speed], state.tau[speed])
+                };
+                assert_eq!(found.to_bits(), given.to_bits(), "{}: {speed}", case.what);
+            }
+        }
+    });
+}
+
+#[test]
+fn inverse_dynamics_of_the_whole_accelerations_are_the_whole_forces() {
+    each(|case| {
+        let found = noted(&case.tree, "hybrid_dynamics", case.state);
+        let [u_dot, _] = halves(&case.tree, &found);
+        let moved = State {
+            u_dot: u_dot.clone(),
+            ..case.state.clone()
+        };
+        let tau = noted(&case.tree, "inverse_dynamics", &moved);
+        let error = case.apart(&found, &[u_dot, tau].concat());
+        assert_within(&case.what, error, EXACT);
+    });
+}
+
+#[test]
+fn the_others_prescribed_undo_it() {
+    each(|case| {
+        let expected = noted(&case.tree, "hybrid_dynamics", case.state);
+        let [u_dot, tau] = halves(&case.tree, &expected);
+        let other = Tree {
+            prescribed: &all_speeds(&case.tree) - &case.tree.prescribed,
+            ..case.tree.clone()
+        };
+        let given = State {
+            u_dot,
+            tau,
+            ..case.state.clone()
+        };
+        let (recursive, full) = (Formulation::Recursive, Plan::full(&other));
+        let found = evaluate_by(&other, "hybrid_dynamics", recursive, &full, &given);
+        assert_within(&case.what, case.apart(&found, &expected), EXACT);
+    });
+}
+
+#[test]
+fn all_prescribed_is_inverse_dynamics_and_none_is_forward_dynamics() {
+    each(|case| {
+        let (tree, state) = (&case.tree, case.state);
+        for formulation in [Formulation::Notes, Formulation::Recursive] {
+            let value = |name| evaluate_by(tree, name, formulation, &Plan::full(tree), state);
+            let expected = if tree.prescribed.is_empty() {
+                [value("forward_dynamics"), state.tau.clone()]
+            } else if tree.prescribed == all_speeds(tree) {
+                [state.u_dot.clone(), value("inverse_dynamics")]
+            } else {
+                continue;
+            };
+            let error = case.apart(&value("hybrid_dynamics"), &expected.concat());
+            assert_within(&case.what, error, EXACT);
+        }
+    });
+}
+
+#[test]
+fn accelerations_and_forces_that_are_found_are_not_read() {
+    each(|case| {
+        let tree = &case.tree;
+        for formulation in [Formulation::Notes, Formulation::Recursive] {
+            let derived = function("hybrid_dynamics").derive(tree, formulation, &Plan::full(tree));
+            let found = |speed: usize| {
+                let speed = SpeedId::new(speed);
+                if tree.prescribed.contains(&speed) {
+                    Input::Tau(speed)
+                } else {
+                    Input::UDot(speed)
+                }
+            };
+            let unread: Vec<Input> = (0..tree.n_speeds).map(found).collect();
+            let values = derived.graph.evaluate(&derived.roots, |given| {
+                if unread.contains(&given) {
+                    f64::NAN
+                } else {
+                    input(tree, case.state, given)
+                }
+            });
+            assert!(values.iter().all(|value| !value.is_nan()), "{}", case.what);
+        }
+    });
+}
+
+/// The operations of a function as it is emitted.
+fn count(tree: &Tree, name: &str) -> usize {
+    let request = Request::from(function(name));
+    let choice = compile::choose(tree, &request, &Options::default());
+    compile::operations(&choice.derived).total()
+}
+
+#[test]
+fn counts_with_none_and_with_all_prescribed_are_those_of_the_dynamics() {
+    for seed in 1..=12 {
+        let none = random_tree(seed);
+        let all = prescribing(&none, |_| true);
+        let forward = count(&none, "forward_dynamics");
+        assert_eq!(count(&none, "hybrid_dynamics"), forward, "seed {seed}");
+        let (hybrid, inverse) = (
+            count(&all, "hybrid_dynamics"),
+            count(&all, "inverse_dynamics"),
+        );
+        // The search starts from other plans.
+        assert!(
+            hybrid.abs_diff(inverse) * 100 <= inverse,
+            "seed {seed}: {hybrid} with all prescribed, {inverse} of inverse dynamics"
+        );
+    }
+}
+
+#[test]
+fn counts_of_robots() {
+    let mut text = String::new();
+    let mut robot = |name: &str, base: Option<Base>, sets: &[(&str, &dyn Fn(usize) -> bool)]| {
+        let path = format!("tests/robots/{name}/{name}.urdf");
+        let plain = read(&path, &Reading { base, chart: None });
+        let forward = count(&plain, "forward_dynamics");
+        writeln!(text, "{name}\n    forward dynamics: {forward}").unwrap();
+        for (what, is_prescribed) in sets {
+            let tree = prescribing(&plain, |body| is_prescribed(*body));
+            let hybrid = count(&tree, "hybrid_dynamics");
+            writeln!(text, "    {what} prescribed: {hybrid}").unwrap();
+        }
+        let inverse = count(&plain, "inverse_dynamics");
+        writeln!(text, "    inverse dynamics: {inverse}").unwrap();
+    };
+    let arm: [(&str, &dyn Fn(usize) -> bool); 6] = [
+        ("none", &|_| false),
+        ("first joint", &|body| body == 0),
+        ("every other joint", &|body| body % 2 == 1),
+        ("inner half", &|body| body < 3),
+        ("outer half", &|body| body >= 3),
+        ("all", &|_| true),
+    ];
+    robot("ur5", None, &arm);
+    robot("panda", None, &arm);
+    let legs: [(&str, &dyn Fn(usize) -> bool); 5] = [
+        ("none", &|_| false),
+        ("base", &|body| body == 0),
+        ("every other joint", &|body| body % 2 == 1),
+        ("all but the base", &|body| body > 0),
+        ("all", &|_| true),
+    ];
+    robot("solo12", Some(Base::Free), &legs);
+    insta::assert_snapshot!(text);
+}
