@@ -1,0 +1,59 @@
+//! The pseudo-inertia of a body: its ten inertial parameters as one matrix, which is positive definite where they are those of
+//! a body of positive density.
+//!
+//! `P = [[Σ, m c], [m cᵀ, m]]` with `Σ` the integral of `x xᵀ` over the mass, `x` from the body's origin. The tensor of inertia about
+//! the origin is `tr(Σ) 1 - Σ`. That `P` is positive definite says three things at once: positive mass, positive moments, and that no
+//! principal moment exceeds the sum of the other two.
+
+use nalgebra::{Matrix3, Matrix4, Vector3};
+
+/// The inertial parameters of a body, in the order of [`kane::functions::Regressor`].
+pub const PARAMETERS: usize = 10;
+
+/// `P` of a mass, kg, a mass centre, m, and the tensor of inertia about it, kg m².
+pub fn of_mass_center(
+    mass: f64,
+    center: &Vector3<f64>,
+    about_center: &Matrix3<f64>,
+) -> Matrix4<f64> {
+    let second = Matrix3::identity() * (about_center.trace() / 2.0) - about_center
+        + mass * center * center.transpose();
+    let mut p = Matrix4::zeros();
+    p.fixed_view_mut::<3, 3>(0, 0).copy_from(&second);
+    p.fixed_view_mut::<3, 1>(0, 3).copy_from(&(mass * center));
+    p.fixed_view_mut::<1, 3>(3, 0)
+        .copy_from(&(mass * center.transpose()));
+    p[(3, 3)] = mass;
+    p
+}
+
+/// The ten inertial parameters of `P`: linear in it.
+pub fn parameters(p: &Matrix4<f64>) -> [f64; PARAMETERS] {
+    let trace = p[(0, 0)] + p[(1, 1)] + p[(2, 2)];
+    [
+        p[(3, 3)],
+        p[(0, 3)],
+        p[(1, 3)],
+        p[(2, 3)],
+        trace - p[(0, 0)],
+        -p[(0, 1)],
+        trace - p[(1, 1)],
+        -p[(0, 2)],
+        -p[(1, 2)],
+        trace - p[(2, 2)],
+    ]
+}
+
+/// The least eigenvalue of `P` once its axes begin in the mass centre, as a part of the greatest: lengths and masses do not matter, and it is
+/// positive where `P` is positive definite.
+pub fn margin(p: &Matrix4<f64>) -> f64 {
+    let mass = p[(3, 3)];
+    let moments = p.fixed_view::<3, 1>(0, 3);
+    let about_center = p.fixed_view::<3, 3>(0, 0) - moments * moments.transpose() / mass;
+    let eigenvalues = about_center.symmetric_eigenvalues();
+    if mass > 0.0 {
+        eigenvalues.min() / eigenvalues.max()
+    } else {
+        mass
+    }
+}
