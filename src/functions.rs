@@ -60,7 +60,7 @@
 //! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
 //! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
 //! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Matrix` | (36), (43) |
-//! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Matrix`, `TERMS` | (36), (43) |
+//! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Matrix`, `NAMES`, `TERMS` | (36), (43) |
 //! | [`JointRegressor`] | `joint_regressor(q, u, u_dot, y)` | `Terms` | |
 //! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
 //! | [`Velocity`] of a frame | `velocity(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (25), (11) |
@@ -439,6 +439,8 @@ pub trait BaseRegressor<R: Real>: System<R> {
     type Row: Array<R>;
     /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
     type Matrix: Array<Self::Row>;
+    /// The base parameters in words, one a column: `mcx(upper) + 0.32 m(fore)`.
+    const NAMES: &'static [&'static str];
     /// What the base parameters are made of, one after the other; the factors hold for the nominal parameters.
     const TERMS: &'static [crate::BaseTerm];
     /// Overwrites the last argument; meaning, frame and unit are those of [`BaseRegressor`].

@@ -41,7 +41,7 @@ fn related(
             let column = columns.at(place);
             let projected = span.project(column);
             if column.is_known && !projected.is_within(column) {
-                span.add(place, column, projected);
+                span.add(place, column, &projected);
             }
         }
         for place in ORDER.map(|own| body.index() * N_INERTIAL + own) {
@@ -54,7 +54,7 @@ fn related(
             if is_given(place, is_within) {
                 relations[place] = Relation::Given(span.terms(column, &projected));
             } else if !is_within {
-                span.add(place, column, projected);
+                span.add(place, column, &projected);
             }
         }
     }

@@ -50,7 +50,7 @@ impl<'a> Span<'a> {
     }
 
     /// Adds a column that is none of the span.
-    pub(super) fn add(&mut self, place: usize, column: &'a Column, projected: Projected) {
+    pub(super) fn add(&mut self, place: usize, column: &'a Column, projected: &Projected) {
         let length = projected.length();
         let mut of_columns = vec![0.0; self.columns.len() + 1];
         for (part, earlier) in projected.along.iter().zip(&self.of_columns) {

@@ -6,8 +6,6 @@ use crate::{Drive, Link, panda, ur5};
 
 /// An arm of revolute joints, one a body.
 pub trait Arm: BaseRegressor<f64> + JointRegressor<f64> + InverseDynamics<f64> {
-    /// The base parameters' names.
-    const BASE_PARAMETERS: &'static [&'static str];
     /// What the URDF says of the links' masses: the truth, and known to nobody else.
     const LINKS: &'static [Link];
     /// The truth of the joints' drives, of which a URDF says nothing: of the size that is usual for such arms.
@@ -30,7 +28,6 @@ const fn drive(viscous: f64, coulomb: f64, rotor: f64) -> Drive {
 }
 
 impl Arm for ur5::Prepared<f64> {
-    const BASE_PARAMETERS: &'static [&'static str] = &ur5::BASE_PARAMETERS;
     #[allow(clippy::unreadable_literal, reason = "generated")]
     const LINKS: &'static [Link] = include!(concat!(env!("OUT_DIR"), "/ur5_links.rs"));
     const DRIVES: &'static [Drive] = &[
@@ -49,7 +46,6 @@ impl Arm for ur5::Prepared<f64> {
 }
 
 impl Arm for panda::Prepared<f64> {
-    const BASE_PARAMETERS: &'static [&'static str] = &panda::BASE_PARAMETERS;
     #[allow(clippy::unreadable_literal, reason = "generated")]
     const LINKS: &'static [Link] = include!(concat!(env!("OUT_DIR"), "/panda_links.rs"));
     const DRIVES: &'static [Drive] = &[

@@ -14,7 +14,7 @@ const NONE: f64 = 1e-6;
 /// The name of a column of the regressors.
 fn name<A: Arm>(column: usize) -> String {
     match column.checked_sub(base_parameters::<A>()) {
-        None => A::BASE_PARAMETERS[column].to_owned(),
+        None => A::NAMES[column].to_owned(),
         Some(place) => {
             let (coefficient, _) = DRIVE[place % COEFFICIENTS];
             let body = A::SPEED_BODIES[place / COEFFICIENTS];

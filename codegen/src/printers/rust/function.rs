@@ -1,5 +1,6 @@
 //! One function: documentation, signature, statements, and the trait that holds it.
 
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Item, ItemFn, parse_quote};
 
@@ -10,8 +11,11 @@ use super::{
     text::{allow_generated, doc, ident},
 };
 use crate::{
-    functions::{ELIMINATION, PRESCRIBED, Part, Shape},
-    listing::{Facts, Function, constants::BASE_PARAMETER_TERMS},
+    functions::{self as catalogue, Declared, ELIMINATION, PRESCRIBED, Part, Shape},
+    listing::{
+        Facts, Function,
+        constants::{BASE_PARAMETER_TERMS, BASE_PARAMETERS},
+    },
 };
 
 /// What callers may wonder at.
@@ -54,21 +58,12 @@ pub(super) fn item(facts: &Facts, function: &Function) -> Item {
     Item::Fn(item)
 }
 
-/// The runtime crate's trait for a function of the catalogue.
-fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
-    let alone = part.function;
-    let (trait_name, method) = (ident(alone.trait_name?), ident(alone.name));
-    let own = ident(&function.signature.name);
-    let frame = part.subject.as_ref().map(frames::frame_type).into_iter();
-    // The first one is `self`.
-    let arguments = function.signature.arguments.iter().skip(1);
-    let names = arguments.clone().map(|argument| ident(&argument.name));
-    let output = arguments.clone().next_back();
-    let output_type = output.map(|output| signature::held(output, "R"));
-    let arguments = arguments.map(signature::declared);
+/// What the trait of a function leaves to the system: the types of its last output, and tables beside it.
+fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenStream {
     let shape = alone.outputs[0].shape;
+    let output_type = output.map(|output| signature::held(output, "R"));
     let packed = shape.packed().map(|packed| ident(packed.places_constant()));
-    let associated = match shape {
+    match shape {
         Shape::SPEED_MATRIX => quote!(type Matrix = #output_type;),
         Shape::MASS_MATRIX_PACKED | Shape::INVERSE_PACKED => quote! {
             type Entries = #output_type;
@@ -88,16 +83,17 @@ fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
             type Matrix = #output_type;
         },
         Shape::BASE_PARAMETERS => {
-            let terms = ident(BASE_PARAMETER_TERMS);
+            let (names, terms) = (ident(BASE_PARAMETERS), ident(BASE_PARAMETER_TERMS));
             let row = output.map(|output| signature::held(&output.row(), "R"));
             quote! {
                 type Row = #row;
                 type Matrix = #output_type;
+                const NAMES: &'static [&'static str] = &#names;
                 const TERMS: &'static [kane::BaseTerm] = &#terms;
             }
         }
         Shape::COLUMNS => {
-            let columns = format_ident!("{trait_name}Columns");
+            let columns = format_ident!("{}Columns", alone.trait_name.unwrap_or_default());
             let blocks = ident(&alone.blocks_constant());
             quote! {
                 type #columns = #output_type;
@@ -116,7 +112,21 @@ fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
             quote!(type Row = #row; type Matrix = #output_type;)
         }
         _ => quote!(),
-    };
+    }
+}
+
+/// The runtime crate's trait for a function of the catalogue.
+fn trait_impl(function: &Function, part: &Part) -> Option<Item> {
+    let alone = part.function;
+    let (trait_name, method) = (ident(alone.trait_name?), ident(alone.name));
+    let own = ident(&function.signature.name);
+    let frame = part.subject.as_ref().map(frames::frame_type).into_iter();
+    // The first one is `self`.
+    let arguments = function.signature.arguments.iter().skip(1);
+    let names = arguments.clone().map(|argument| ident(&argument.name));
+    let output = arguments.clone().next_back();
+    let arguments = arguments.map(signature::declared);
+    let associated = associated(alone, output);
     let speeds = part.function.has_frame_speeds().then(|| {
         let speeds = ident(&part.speeds_constant());
         quote!(const SPEEDS: &'static [usize] = &#speeds;)
