@@ -12,6 +12,7 @@ use super::{
     plan::{Plan, Technique},
     rotation::Turn,
     shared::{self, Shared},
+    shortcut::Shortcuts,
     wrench::Wrench,
 };
 use crate::{
@@ -32,11 +33,14 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
         let link = &linkage.links[body];
         own_columns(graph, tree, body, link, &motions[body], &shared[body])
     });
+    let mut shortcuts = Shortcuts::new(graph, &linkage);
     let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
     for body in tree.body_ids().rev() {
         let mut carried = Carried {
             tree,
+            body,
             columns: std::mem::take(&mut columns[body]),
+            shortcuts: &mut shortcuts,
             y: &mut y,
         };
         linkage.passages[body].inward(graph, &mut carried);
@@ -57,6 +61,8 @@ struct UnitColumn {
     body: BodyId,
     parameter: usize,
     wrench: Wrench,
+    /// The force where the root's translations are read, once it is there; the wrench's is then zero.
+    arrived: Option<Vector>,
 }
 
 /// Those of a body, but what its lower body's give.
@@ -93,6 +99,7 @@ fn own_columns(
             body,
             parameter,
             wrench,
+            arrived: None,
         });
     }
     columns
@@ -141,18 +148,20 @@ impl LinkMotion {
 }
 
 /// Unit columns on their way inward through a joint, whose motions read off them what acts along them.
-struct Carried<'a> {
+struct Carried<'a, 'b> {
     tree: &'a Tree,
+    body: BodyId,
     columns: Vec<UnitColumn>,
+    shortcuts: &'a mut Shortcuts<'b>,
     y: &'a mut [Expr],
 }
 
-impl Carried<'_> {
+impl Carried<'_, '_> {
     fn read_off(
         &mut self,
         graph: &mut ExprGraph,
         motions: [Option<Motion>; 3],
-        part: fn(&Wrench) -> Vector,
+        part: fn(&UnitColumn) -> Vector,
     ) {
         for (axis, motion) in motions.into_iter().enumerate() {
             let Some(Motion { speed, factor }) = motion else {
@@ -161,7 +170,7 @@ impl Carried<'_> {
             let factor = graph.number(factor);
             for own in &self.columns {
                 graph.enter(own.body);
-                let share = graph.mul(factor, part(&own.wrench)[axis]);
+                let share = graph.mul(factor, part(own)[axis]);
                 let entry = &mut self.y[place(self.tree, speed.index(), own.body, own.parameter)];
                 *entry = graph.add(*entry, share);
             }
@@ -169,7 +178,35 @@ impl Carried<'_> {
     }
 }
 
-impl Passenger for Carried<'_> {
+impl UnitColumn {
+    fn force(&self) -> Vector {
+        self.arrived.unwrap_or(self.wrench.force)
+    }
+}
+
+impl Carried<'_, '_> {
+    /// Sends the forces on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+        let with_force = |graph: &ExprGraph, own: &UnitColumn| {
+            own.arrived.is_none() && !graph.is_zero_vector(own.wrench.force)
+        };
+        let n_forces = self.columns.iter().filter(|own| with_force(graph, own));
+        let n_forces = n_forces.count();
+        let Some(shortcut) = self.shortcuts.from(graph, self.body, n_forces) else {
+            return;
+        };
+        for own in &mut self.columns {
+            if with_force(graph, own) {
+                graph.enter(own.body);
+                own.wrench = own.wrench.moved(graph, shortcut.offset);
+                own.arrived = Some(shortcut.arrived(graph, own.wrench.force));
+                own.wrench.force = graph.zero_vector();
+            }
+        }
+    }
+}
+
+impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
         let at = &self.tree.body(lower).identifier;
         for own in &mut self.columns {
@@ -182,7 +219,10 @@ impl Passenger for Carried<'_> {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        self.read_off(graph, drive.motions(), |wrench| wrench.moment);
+        self.read_off(graph, drive.motions(), |own| own.wrench.moment);
+        if let Drive::Angle(..) = drive {
+            self.take_shortcut(graph);
+        }
         for own in &mut self.columns {
             graph.enter(own.body);
             own.wrench = own.wrench.map(|v| rotation.backward(graph, v));
@@ -190,6 +230,6 @@ impl Passenger for Carried<'_> {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        self.read_off(graph, motions, |wrench| wrench.force);
+        self.read_off(graph, motions, UnitColumn::force);
     }
 }
