@@ -9,6 +9,7 @@
 //! How fast a whole tree is translated does not matter: of `v` only what joints beyond the root add is there.
 
 use super::{
+    ahead::{About, Ahead},
     linkage::Linkage,
     moments::{Changing, Moments, Rates},
     passage::{Drive, Passenger, speeds},
@@ -34,6 +35,8 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
     let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut shortcuts = Shortcuts::new(graph, &linkage);
+    let angular = BodyMap::outward(tree.bodies.len(), |body, _| velocities[body].velocity[0]);
+    let mut ahead = Ahead::new(graph, &linkage, Some(angular));
     let mut c = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
@@ -44,6 +47,7 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             velocities: &velocities[body].at_motions,
             columns: std::mem::take(&mut columns[body]),
             shortcuts: &mut shortcuts,
+            ahead: &mut ahead,
             c: &mut c,
         };
         linkage.passages[body].inward(graph, &mut carried);
@@ -176,6 +180,7 @@ struct Carried<'a, 'b> {
     velocities: &'a [Velocity],
     columns: Vec<Column>,
     shortcuts: &'a mut Shortcuts<'b>,
+    ahead: &'a mut Ahead<'b>,
     c: &'a mut SpeedMatrix,
 }
 
@@ -255,6 +260,37 @@ impl Carried<'_, '_> {
         }
     }
 
+    /// Reads off what joints below make of columns of which moments alone are left, if that is cheaper than to carry them there.
+    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+        if !self.ahead.may(self.body) {
+            return;
+        }
+        let no_force = self.ahead.is_still(self.body);
+        let is_left = |graph: &ExprGraph, own: &Column| {
+            let linear = [own.needed[1], own.momentum[1]];
+            no_force || linear.iter().all(|part| graph.is_zero_vector(*part))
+        };
+        let columns = std::mem::take(&mut self.columns);
+        let (moments, others): (Vec<_>, Vec<_>) =
+            columns.into_iter().partition(|own| is_left(graph, own));
+        self.columns = others;
+        let Some(axes) = self.ahead.from(graph, self.body, 3 * moments.len()) else {
+            self.columns.extend(moments);
+            return;
+        };
+        for column in &moments {
+            graph.enter(column.body);
+            for &About { motion, axis, rate } in &axes {
+                let row = graph.dot(axis, column.needed[0]);
+                speed_matrix::add(graph, self.c, [motion, column.motion], row);
+                let turned = graph.dot(rate, column.momentum[0]);
+                let couple = graph.dot(axis, column.couple);
+                let mirrored = graph.add(turned, couple);
+                speed_matrix::add(graph, self.c, [column.motion, motion], mirrored);
+            }
+        }
+    }
+
     /// Row and column of the motion that began last, about (0 to 2) or along (3 to 5) an axis.
     fn read(&mut self, graph: &mut ExprGraph, motion: Motion, place: usize, [w, v]: Velocity) {
         let unit = graph.unit_vector(place % 3);
@@ -298,6 +334,7 @@ impl Passenger for Carried<'_, '_> {
         }
         if let Drive::Angle(..) = drive {
             self.take_shortcut(graph);
+            self.read_ahead(graph);
         }
         for column in &mut self.columns {
             column.turn(graph, rotation);

@@ -5,6 +5,7 @@
 //! body's inertia needs as much as if the lower body had it: its columns are sums of that body's (`shared`), and are not carried.
 
 use super::{
+    ahead::{About, Ahead},
     link::Link,
     link_motion::{self, LinkMotion},
     linkage::Linkage,
@@ -18,7 +19,7 @@ use super::{
 use crate::{
     expr::{Axis, Expr, ExprGraph, Vector},
     given::{self, Accelerations},
-    id::{BodyId, BodyMap},
+    id::{BodyId, BodyMap, SpeedId},
     kane::regressor::{COMPONENTS, PARAMETERS, place},
     tree::{Motion, Tree},
 };
@@ -34,6 +35,7 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
         own_columns(graph, tree, body, link, &motions[body], &shared[body])
     });
     let mut shortcuts = Shortcuts::new(graph, &linkage);
+    let mut ahead = Ahead::new(graph, &linkage, None);
     let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
     for body in tree.body_ids().rev() {
         let mut carried = Carried {
@@ -41,6 +43,7 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
             body,
             columns: std::mem::take(&mut columns[body]),
             shortcuts: &mut shortcuts,
+            ahead: &mut ahead,
             y: &mut y,
         };
         linkage.passages[body].inward(graph, &mut carried);
@@ -153,6 +156,7 @@ struct Carried<'a, 'b> {
     body: BodyId,
     columns: Vec<UnitColumn>,
     shortcuts: &'a mut Shortcuts<'b>,
+    ahead: &'a mut Ahead<'b>,
     y: &'a mut [Expr],
 }
 
@@ -171,8 +175,7 @@ impl Carried<'_, '_> {
             for own in &self.columns {
                 graph.enter(own.body);
                 let share = graph.mul(factor, part(own)[axis]);
-                let entry = &mut self.y[place(self.tree, speed.index(), own.body, own.parameter)];
-                *entry = graph.add(*entry, share);
+                own.add(graph, self.tree, (speed, share), self.y);
             }
         }
     }
@@ -182,11 +185,26 @@ impl UnitColumn {
     fn force(&self) -> Vector {
         self.arrived.unwrap_or(self.wrench.force)
     }
+
+    /// Adds to its entry of a speed.
+    fn add(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        (speed, share): (SpeedId, Expr),
+        y: &mut [Expr],
+    ) {
+        let entry = &mut y[place(tree, speed.index(), self.body, self.parameter)];
+        *entry = graph.add(*entry, share);
+    }
 }
 
 impl Carried<'_, '_> {
     /// Sends the forces on a shortcut, if there is one here.
     fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+        if !self.shortcuts.may(graph, self.body) {
+            return;
+        }
         let with_force = |graph: &ExprGraph, own: &UnitColumn| {
             own.arrived.is_none() && !graph.is_zero_vector(own.wrench.force)
         };
@@ -201,6 +219,34 @@ impl Carried<'_, '_> {
                 own.wrench = own.wrench.moved(graph, shortcut.offset);
                 own.arrived = Some(shortcut.arrived(graph, own.wrench.force));
                 own.wrench.force = graph.zero_vector();
+            }
+        }
+    }
+}
+
+impl Carried<'_, '_> {
+    /// Reads off what joints below feel of moments alone, if that is cheaper than to carry them there.
+    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+        if !self.ahead.may(self.body) {
+            return;
+        }
+        let no_force = self.ahead.is_still(self.body);
+        let columns = std::mem::take(&mut self.columns);
+        let (moments, others): (Vec<_>, Vec<_>) = columns
+            .into_iter()
+            .partition(|own| no_force || graph.is_zero_vector(own.wrench.force));
+        self.columns = others;
+        let Some(axes) = self.ahead.from(graph, self.body, moments.len()) else {
+            self.columns.extend(moments);
+            return;
+        };
+        for own in &moments {
+            graph.enter(own.body);
+            for &About { motion, axis, .. } in &axes {
+                let along = graph.dot(axis, own.wrench.moment);
+                let factor = graph.number(motion.factor);
+                let share = graph.mul(factor, along);
+                own.add(graph, self.tree, (motion.speed, share), self.y);
             }
         }
     }
@@ -222,6 +268,7 @@ impl Passenger for Carried<'_, '_> {
         self.read_off(graph, drive.motions(), |own| own.wrench.moment);
         if let Drive::Angle(..) = drive {
             self.take_shortcut(graph);
+            self.read_ahead(graph);
         }
         for own in &mut self.columns {
             graph.enter(own.body);

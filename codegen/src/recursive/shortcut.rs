@@ -65,9 +65,7 @@ impl<'a> Shortcuts<'a> {
             let shifts = tree.body(body).joint.shifts();
             let is_next = match tree.lower(body) {
                 None => true,
-                Some(lower) => {
-                    is_still[lower] && graph.is_zero_vector(links[body].passage.offset)
-                }
+                Some(lower) => is_still[lower] && graph.is_zero_vector(links[body].passage.offset),
             };
             is_next && shifts.iter().all(Option::is_none)
         });
@@ -77,6 +75,11 @@ impl<'a> Shortcuts<'a> {
             is_still,
             directions: BodyMap::outward(tree.bodies.len(), |_, _| None),
         }
+    }
+
+    /// True for a link from which there may be a shortcut.
+    pub(super) fn may(&self, graph: &ExprGraph, body: BodyId) -> bool {
+        self.is_open[body] || self.ends(graph, body)
     }
 
     /// The shortcut from a link for so many linear parts, if that is cheaper than to carry them on.
