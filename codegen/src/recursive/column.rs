@@ -1,8 +1,8 @@
 //! Columns of the mass matrix on their way inward.
 
-use super::rotation::Turn;
+use super::{rotation::Turn, shortcut::Shortcut};
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector},
+    expr::{Expr, ExprGraph, Vector},
     id::BodyId,
     tree::{Motion, Tree},
 };
@@ -77,10 +77,10 @@ impl Column {
         self.arrived.is_some()
     }
 
-    /// Sends the linear part where its root's translations are read, along `directions`, past the last `offset` on the way.
-    pub(super) fn arrive(&mut self, graph: &mut ExprGraph, offset: Vector, directions: &Matrix) {
-        self.shift(graph, offset);
-        self.arrived = Some(graph.mul_vector(directions, self.linear));
+    /// Sends the linear part on a shortcut, past the last offset on the way.
+    pub(super) fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
+        self.shift(graph, shortcut.offset);
+        self.arrived = Some(shortcut.arrived(graph, self.linear));
         self.linear = graph.zero_vector();
     }
 

@@ -100,6 +100,23 @@ impl Carried<'_, '_> {
     }
 }
 
+impl Carried<'_, '_> {
+    /// Sends the linear parts of columns on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+        let body = self.body;
+        let ends = self.shortcuts.ends(graph, body);
+        // The body's own is turned with the composite's first moment, whose product with the axis it is.
+        let leaves = |own: &Column| !own.has_arrived() && !(ends && own.body() == body);
+        let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
+        if let Some(shortcut) = self.shortcuts.from(graph, body, n_columns) {
+            for column in self.columns.iter_mut().filter(|own| leaves(own)) {
+                column.arrive(graph, &shortcut);
+            }
+            graph.enter(body);
+        }
+    }
+}
+
 impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
         for column in &mut self.columns {
@@ -117,7 +134,7 @@ impl Passenger for Carried<'_, '_> {
             self.begin(graph, motion, axis, momentum);
         }
         if let Drive::Angle(..) = drive {
-            self.shortcuts.take(graph, self.body, &mut self.columns);
+            self.take_shortcut(graph);
         }
         self.composite = rotation.backward_composite(graph, &self.composite);
         for column in &mut self.columns {

@@ -9,15 +9,17 @@
 //! How fast a whole tree is translated does not matter: of `v` only what joints beyond the root add is there.
 
 use super::{
+    ahead::{About, Ahead},
     linkage::Linkage,
     moments::{Changing, Moments, Rates},
     passage::{Drive, Passenger, speeds},
     plan::Plan,
     rotation::Turn,
+    shortcut::{Shortcut, Shortcuts},
     speed_matrix,
 };
 use crate::{
-    expr::{ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -32,6 +34,9 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
     });
     let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
+    let mut shortcuts = Shortcuts::new(graph, &linkage);
+    let angular = BodyMap::outward(tree.bodies.len(), |body, _| velocities[body].velocity[0]);
+    let mut ahead = Ahead::new(graph, &linkage, Some(angular));
     let mut c = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
@@ -41,6 +46,8 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             rates: rates[body],
             velocities: &velocities[body].at_motions,
             columns: std::mem::take(&mut columns[body]),
+            shortcuts: &mut shortcuts,
+            ahead: &mut ahead,
             c: &mut c,
         };
         linkage.passages[body].inward(graph, &mut carried);
@@ -124,9 +131,29 @@ struct Column {
     /// Angular and linear momentum.
     momentum: [Vector; 2],
     couple: Vector,
+    /// The force that is needed where the root's translations are read, once it is there; linear parts are then zero.
+    arrived: Option<Vector>,
 }
 
 impl Column {
+    /// What is needed about (0 to 2) or along (3 to 5) an axis.
+    fn needed(&self, place: usize) -> Expr {
+        if place < 3 {
+            self.needed[0][place]
+        } else {
+            self.arrived.unwrap_or(self.needed[1])[place - 3]
+        }
+    }
+
+    /// Sends the linear parts on a shortcut: the root's translations are along axes that do not turn, so that there is no
+    /// mirrored entry to be read.
+    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
+        self.shift(graph, shortcut.offset);
+        self.arrived = Some(shortcut.arrived(graph, self.needed[1]));
+        self.needed[1] = graph.zero_vector();
+        self.momentum[1] = graph.zero_vector();
+    }
+
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);
         self.needed = self.needed.map(|v| rotation.backward(graph, v));
@@ -145,17 +172,19 @@ impl Column {
 
 /// A composite body and the columns of what it carries, on their way inward through a joint: where a speed moves the body, its
 /// column begins, and row and column are read off all columns.
-struct Carried<'a> {
+struct Carried<'a, 'b> {
     body: BodyId,
     moments: Moments,
     rates: Rates,
     /// The link's velocity wherever motions of the rest of the way enter.
     velocities: &'a [Velocity],
     columns: Vec<Column>,
+    shortcuts: &'a mut Shortcuts<'b>,
+    ahead: &'a mut Ahead<'b>,
     c: &'a mut SpeedMatrix,
 }
 
-impl Carried<'_> {
+impl Carried<'_, '_> {
     /// The velocity where the next motions enter.
     fn next(&mut self) -> Velocity {
         let (velocity, rest) = self
@@ -188,6 +217,7 @@ impl Carried<'_> {
             ],
             momentum: [moments.about(graph, axis), momentum],
             couple: graph.add_vectors(couple, carried),
+            arrived: None,
         });
     }
 
@@ -215,7 +245,50 @@ impl Carried<'_> {
                 graph.scale(moments.mass, unit),
             ],
             couple: graph.cross(whole, unit),
+            arrived: None,
         });
+    }
+
+    /// Sends the linear parts of columns on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+        let (body, columns) = (self.body, &mut self.columns);
+        let n_columns = columns.iter().filter(|own| own.arrived.is_none()).count();
+        if let Some(shortcut) = self.shortcuts.from(graph, body, 2 * n_columns) {
+            for column in columns.iter_mut().filter(|own| own.arrived.is_none()) {
+                column.arrive(graph, &shortcut);
+            }
+        }
+    }
+
+    /// Reads off what joints below make of columns of which moments alone are left, if that is cheaper than to carry them there.
+    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+        if !self.ahead.may(self.body) {
+            return;
+        }
+        let no_force = self.ahead.is_still(self.body);
+        let is_left = |graph: &ExprGraph, own: &Column| {
+            let linear = [own.needed[1], own.momentum[1]];
+            no_force || linear.iter().all(|part| graph.is_zero_vector(*part))
+        };
+        let columns = std::mem::take(&mut self.columns);
+        let (moments, others): (Vec<_>, Vec<_>) =
+            columns.into_iter().partition(|own| is_left(graph, own));
+        self.columns = others;
+        let Some(axes) = self.ahead.from(graph, self.body, 3 * moments.len()) else {
+            self.columns.extend(moments);
+            return;
+        };
+        for column in &moments {
+            graph.enter(column.body);
+            for &About { motion, axis, rate } in &axes {
+                let row = graph.dot(axis, column.needed[0]);
+                speed_matrix::add(graph, self.c, [motion, column.motion], row);
+                let turned = graph.dot(rate, column.momentum[0]);
+                let couple = graph.dot(axis, column.couple);
+                let mirrored = graph.add(turned, couple);
+                speed_matrix::add(graph, self.c, [column.motion, motion], mirrored);
+            }
+        }
     }
 
     /// Row and column of the motion that began last, about (0 to 2) or along (3 to 5) an axis.
@@ -223,7 +296,7 @@ impl Carried<'_> {
         let unit = graph.unit_vector(place % 3);
         let last = self.columns.len() - 1;
         for (i, column) in self.columns.iter().enumerate() {
-            let row = column.needed[place / 3][place % 3];
+            let row = column.needed(place);
             speed_matrix::add(graph, self.c, [motion, column.motion], row);
             if i == last {
                 continue;
@@ -241,7 +314,7 @@ impl Carried<'_> {
     }
 }
 
-impl Passenger for Carried<'_> {
+impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         for column in &mut self.columns {
             column.shift(graph, offset);
@@ -258,6 +331,10 @@ impl Passenger for Carried<'_> {
                 self.begin_turn(graph, motion, axis, velocity);
                 self.read(graph, motion, axis, velocity);
             }
+        }
+        if let Drive::Angle(..) = drive {
+            self.take_shortcut(graph);
+            self.read_ahead(graph);
         }
         for column in &mut self.columns {
             column.turn(graph, rotation);

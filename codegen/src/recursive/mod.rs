@@ -5,6 +5,7 @@
 //! rotations are applied axis by axis, so that generalized forces are read off on the way.
 //! Does not: define anything; `kane` says what the results mean. Nor choose the plan: that is `search`'s.
 
+mod ahead;
 mod articulated;
 mod articulated_inertia;
 pub mod center;

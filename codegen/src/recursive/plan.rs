@@ -22,7 +22,8 @@ pub enum Technique {
     Parallel,
     /// Moments of inertia forces are `U S - S U^T` where second moments are zero.
     SecondMoments,
-    /// What the inertial frame feels of a joint's motion is taken there at once, past joints at the same point.
+    /// What the inertial frame feels of a joint's motion is taken there at once, past joints at the same point, or left out where
+    /// it feels nothing of it.
     Shortcut,
     /// Where a frame is passes inward from it, and not outward from the inertial frame.
     Inward,

@@ -5,6 +5,7 @@
 //! body's inertia needs as much as if the lower body had it: its columns are sums of that body's (`shared`), and are not carried.
 
 use super::{
+    ahead::{About, Ahead},
     link::Link,
     link_motion::{self, LinkMotion},
     linkage::Linkage,
@@ -12,12 +13,13 @@ use super::{
     plan::{Plan, Technique},
     rotation::Turn,
     shared::{self, Shared},
+    shortcut::Shortcuts,
     wrench::Wrench,
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Vector},
     given::{self, Accelerations},
-    id::{BodyId, BodyMap},
+    id::{BodyId, BodyMap, SpeedId},
     kane::regressor::{COMPONENTS, PARAMETERS, place},
     tree::{Motion, Tree},
 };
@@ -32,11 +34,16 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
         let link = &linkage.links[body];
         own_columns(graph, tree, body, link, &motions[body], &shared[body])
     });
+    let mut shortcuts = Shortcuts::new(graph, &linkage);
+    let mut ahead = Ahead::new(graph, &linkage, None);
     let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
     for body in tree.body_ids().rev() {
         let mut carried = Carried {
             tree,
+            body,
             columns: std::mem::take(&mut columns[body]),
+            shortcuts: &mut shortcuts,
+            ahead: &mut ahead,
             y: &mut y,
         };
         linkage.passages[body].inward(graph, &mut carried);
@@ -57,6 +64,8 @@ struct UnitColumn {
     body: BodyId,
     parameter: usize,
     wrench: Wrench,
+    /// The force where the root's translations are read, once it is there; the wrench's is then zero.
+    arrived: Option<Vector>,
 }
 
 /// Those of a body, but what its lower body's give.
@@ -93,6 +102,7 @@ fn own_columns(
             body,
             parameter,
             wrench,
+            arrived: None,
         });
     }
     columns
@@ -141,18 +151,21 @@ impl LinkMotion {
 }
 
 /// Unit columns on their way inward through a joint, whose motions read off them what acts along them.
-struct Carried<'a> {
+struct Carried<'a, 'b> {
     tree: &'a Tree,
+    body: BodyId,
     columns: Vec<UnitColumn>,
+    shortcuts: &'a mut Shortcuts<'b>,
+    ahead: &'a mut Ahead<'b>,
     y: &'a mut [Expr],
 }
 
-impl Carried<'_> {
+impl Carried<'_, '_> {
     fn read_off(
         &mut self,
         graph: &mut ExprGraph,
         motions: [Option<Motion>; 3],
-        part: fn(&Wrench) -> Vector,
+        part: fn(&UnitColumn) -> Vector,
     ) {
         for (axis, motion) in motions.into_iter().enumerate() {
             let Some(Motion { speed, factor }) = motion else {
@@ -161,15 +174,85 @@ impl Carried<'_> {
             let factor = graph.number(factor);
             for own in &self.columns {
                 graph.enter(own.body);
-                let share = graph.mul(factor, part(&own.wrench)[axis]);
-                let entry = &mut self.y[place(self.tree, speed.index(), own.body, own.parameter)];
-                *entry = graph.add(*entry, share);
+                let share = graph.mul(factor, part(own)[axis]);
+                own.add(graph, self.tree, (speed, share), self.y);
             }
         }
     }
 }
 
-impl Passenger for Carried<'_> {
+impl UnitColumn {
+    fn force(&self) -> Vector {
+        self.arrived.unwrap_or(self.wrench.force)
+    }
+
+    /// Adds to its entry of a speed.
+    fn add(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        (speed, share): (SpeedId, Expr),
+        y: &mut [Expr],
+    ) {
+        let entry = &mut y[place(tree, speed.index(), self.body, self.parameter)];
+        *entry = graph.add(*entry, share);
+    }
+}
+
+impl Carried<'_, '_> {
+    /// Sends the forces on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+        if !self.shortcuts.may(graph, self.body) {
+            return;
+        }
+        let with_force = |graph: &ExprGraph, own: &UnitColumn| {
+            own.arrived.is_none() && !graph.is_zero_vector(own.wrench.force)
+        };
+        let n_forces = self.columns.iter().filter(|own| with_force(graph, own));
+        let n_forces = n_forces.count();
+        let Some(shortcut) = self.shortcuts.from(graph, self.body, n_forces) else {
+            return;
+        };
+        for own in &mut self.columns {
+            if with_force(graph, own) {
+                graph.enter(own.body);
+                own.wrench = own.wrench.moved(graph, shortcut.offset);
+                own.arrived = Some(shortcut.arrived(graph, own.wrench.force));
+                own.wrench.force = graph.zero_vector();
+            }
+        }
+    }
+}
+
+impl Carried<'_, '_> {
+    /// Reads off what joints below feel of moments alone, if that is cheaper than to carry them there.
+    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+        if !self.ahead.may(self.body) {
+            return;
+        }
+        let no_force = self.ahead.is_still(self.body);
+        let columns = std::mem::take(&mut self.columns);
+        let (moments, others): (Vec<_>, Vec<_>) = columns
+            .into_iter()
+            .partition(|own| no_force || graph.is_zero_vector(own.wrench.force));
+        self.columns = others;
+        let Some(axes) = self.ahead.from(graph, self.body, moments.len()) else {
+            self.columns.extend(moments);
+            return;
+        };
+        for own in &moments {
+            graph.enter(own.body);
+            for &About { motion, axis, .. } in &axes {
+                let along = graph.dot(axis, own.wrench.moment);
+                let factor = graph.number(motion.factor);
+                let share = graph.mul(factor, along);
+                own.add(graph, self.tree, (motion.speed, share), self.y);
+            }
+        }
+    }
+}
+
+impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
         let at = &self.tree.body(lower).identifier;
         for own in &mut self.columns {
@@ -182,7 +265,11 @@ impl Passenger for Carried<'_> {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        self.read_off(graph, drive.motions(), |wrench| wrench.moment);
+        self.read_off(graph, drive.motions(), |own| own.wrench.moment);
+        if let Drive::Angle(..) = drive {
+            self.take_shortcut(graph);
+            self.read_ahead(graph);
+        }
         for own in &mut self.columns {
             graph.enter(own.body);
             own.wrench = own.wrench.map(|v| rotation.backward(graph, v));
@@ -190,6 +277,6 @@ impl Passenger for Carried<'_> {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        self.read_off(graph, motions, |wrench| wrench.force);
+        self.read_off(graph, motions, UnitColumn::force);
     }
 }

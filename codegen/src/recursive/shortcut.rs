@@ -1,21 +1,44 @@
-//! Shortcuts for the columns of a mass matrix to a root that translates.
+//! Shortcuts for what passes inward in columns, past the last offset on the way.
 //!
 //! The linear part of a column is needed for the levers of the offsets that it passes, and where the root's translations are
-//! read, in axes that do not turn with the root. Once the last offset is passed it can go there at once: one rotation by a
-//! matrix that all columns of the link share, in place of one at every joint on the way.
+//! read, in axes that do not turn with the root. The last offset can be passed before the joint is, for it can be had along
+//! the link's axes: then the linear part goes to the root's translations at once, by one rotation that all columns of the link
+//! share, in place of one at every joint on the way; or, where the root has none, nowhere.
 
-use super::{column::Column, linkage::Linkage, plan::Technique, rotation::Turn};
+use super::{linkage::Linkage, plan::Technique, rotation::Turn};
 use crate::{
-    expr::{ExprGraph, Matrix},
+    expr::{ExprGraph, Matrix, Vector},
     id::{BodyId, BodyMap},
 };
 
-/// The links from which a column's linear part can go to the root's translations.
+/// The links from which a column's linear part can leave.
 pub(super) struct Shortcuts<'a> {
     linkage: &'a Linkage<'a>,
+    /// To the root's translations.
     is_open: BodyMap<bool>,
+    /// Links whose origins stay where they are.
+    is_still: BodyMap<bool>,
     /// The axes along which the root translates, by rows, in link components: as far as they were asked for.
     directions: BodyMap<Option<Matrix>>,
+}
+
+/// A shortcut from a link.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shortcut {
+    /// From the lower link's origin, along the link's axes.
+    pub(super) offset: Vector,
+    /// The axes along which the root translates, by rows, in link components; `None` where it does not.
+    pub(super) directions: Option<Matrix>,
+}
+
+impl Shortcut {
+    /// What is read where the root translates.
+    pub(super) fn arrived(&self, graph: &mut ExprGraph, linear: Vector) -> Vector {
+        match &self.directions {
+            Some(directions) => graph.mul_vector(directions, linear),
+            None => graph.zero_vector(),
+        }
+    }
 }
 
 impl<'a> Shortcuts<'a> {
@@ -38,35 +61,67 @@ impl<'a> Shortcuts<'a> {
             };
             linkage.plan.uses(Technique::Shortcut) && only_turns && is_next
         });
+        let is_still = BodyMap::outward(tree.bodies.len(), |body, is_still: &BodyMap<bool>| {
+            let shifts = tree.body(body).joint.shifts();
+            let is_next = match tree.lower(body) {
+                None => true,
+                Some(lower) => is_still[lower] && graph.is_zero_vector(links[body].passage.offset),
+            };
+            is_next && shifts.iter().all(Option::is_none)
+        });
         Self {
             linkage,
             is_open,
+            is_still,
             directions: BodyMap::outward(tree.bodies.len(), |_, _| None),
         }
     }
 
-    /// Sends the linear parts of columns that have arrived at a link, in its axes, to the root's translations, if that is
-    /// cheaper than to carry them on.
-    pub(super) fn take(&mut self, graph: &mut ExprGraph, body: BodyId, columns: &mut [Column]) {
-        let n_columns = columns.iter().filter(|own| !own.has_arrived()).count();
-        if !self.is_open[body] || !self.is_cheaper(graph, body, n_columns) {
-            return;
+    /// True for a link from which there may be a shortcut.
+    pub(super) fn may(&self, graph: &ExprGraph, body: BodyId) -> bool {
+        self.is_open[body] || self.ends(graph, body)
+    }
+
+    /// The shortcut from a link for so many linear parts, if that is cheaper than to carry them on.
+    pub(super) fn from(
+        &mut self,
+        graph: &mut ExprGraph,
+        body: BodyId,
+        n_vectors: usize,
+    ) -> Option<Shortcut> {
+        let ends = self.ends(graph, body);
+        if !(self.is_open[body] || ends) || !self.is_cheaper(graph, body, n_vectors, ends) {
+            return None;
         }
         graph.enter(body);
         let passage = &self.linkage.links[body].passage;
         let offset = passage.constant.forward(graph, passage.offset);
         let offset = passage.forward_from_joint(graph, offset);
         graph.name_vector(offset, "offset_turned");
-        let directions = self.directions(graph, body);
-        for column in columns.iter_mut().filter(|own| !own.has_arrived()) {
-            column.arrive(graph, offset, &directions);
-        }
+        let directions = (!ends).then(|| self.directions(graph, body));
         graph.enter(body);
+        Some(Shortcut { offset, directions })
+    }
+
+    /// True for the last offset on the way to a root that does not translate.
+    pub(super) fn ends(&self, graph: &ExprGraph, body: BodyId) -> bool {
+        let Linkage { tree, links, .. } = self.linkage;
+        let only_turns = tree.body(body).joint.hinge_axis().is_some();
+        self.linkage.plan.uses(Technique::Shortcut)
+            && only_turns
+            && tree.lower(body).is_some_and(|lower| self.is_still[lower])
+            && !graph.is_zero_vector(links[body].passage.offset)
     }
 
     /// A rotation costs a vector 6 operations, three of them, for the directions, 18; an offset along one axis across the
     /// joint's has two parts when turned, so that each lever costs 4 more.
-    fn is_cheaper(&self, graph: &mut ExprGraph, body: BodyId, n_columns: usize) -> bool {
+    fn is_cheaper(
+        &self,
+        graph: &mut ExprGraph,
+        body: BodyId,
+        n_vectors: usize,
+        ends: bool,
+    ) -> bool {
         let joint = &self.linkage.tree.body(body).joint;
         let Some(axis) = joint.hinge_axis() else {
             return false;
@@ -78,10 +133,11 @@ impl<'a> Shortcuts<'a> {
             .into_iter()
             .filter(|i| !graph.is_zero(offset[*i]))
             .count();
+        let directions = if ends { 0 } else { 18 };
         match n_across {
-            0 => 6 * n_columns > 18,
-            1 => 2 * n_columns > 20,
-            _ => 6 * n_columns > 24,
+            0 => 6 * n_vectors > directions,
+            1 => 2 * n_vectors > directions + 2,
+            _ => 6 * n_vectors > directions + 6,
         }
     }
 

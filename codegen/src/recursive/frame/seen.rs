@@ -151,8 +151,7 @@ impl Seen {
             walk.outward(graph, tree, (body, &links[body]), &passage);
         }
         graph.enter(tree.frame_body(frame));
-        let step = graph.mul_vector(&walk.basis, reach.position);
-        walk.way.marks.push(Mark::Step(step));
+        walk.reach(graph, tree, last, reach.position);
         Self {
             axes: graph.mul_matrices(&reach.axes, &transpose(&walk.basis)),
             way: walk.way,
@@ -266,6 +265,26 @@ impl Walk {
     fn step(&mut self, graph: &mut ExprGraph, step: Vector) {
         let step = graph.mul_vector(&self.basis, step);
         self.way.marks.push(Mark::Step(step));
+    }
+
+    /// The last step, to the frame's origin. A point on the axis of the last joint is met before the joint turns, which does not
+    /// move it.
+    fn reach(
+        &mut self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        last: Option<BodyId>,
+        position: Vector,
+    ) {
+        let hinge = last.and_then(|body| tree.body(body).joint.hinge_axis());
+        let is_on_axis = hinge.is_some_and(|axis| {
+            let (b, c) = axis.others();
+            graph.is_zero(position[b]) && graph.is_zero(position[c])
+        });
+        let turns = |mark: &mut Mark| matches!(mark, Mark::About(body, ..) if Some(*body) == last);
+        let turned = self.way.marks.pop_if(|mark| is_on_axis && turns(mark));
+        self.step(graph, position);
+        self.way.marks.extend(turned);
     }
 
     /// The direction of an axis, for what is ahead; inward the lower link moves the other way.
