@@ -76,7 +76,7 @@ program() {
 }
 # Relaxed, because Pinocchio asks for joints that are not among the few of casadi.cpp.
 program casadi "half a minute" -O1 -DBOOST_VARIANT_USE_RELAXED_GET_BY_DEFAULT -isystem "$site/casadi/include" -L"$site/casadi" -lcasadi "-Wl,-rpath,$site/casadi"
-program bench "five minutes" -O3 -march=native -isystem "$site/mujoco/include" "$mujoco" "-Wl,-rpath,$site/mujoco" -ldl
+program bench "six minutes" -O3 -march=native -isystem "$site/mujoco/include" "$mujoco" "-Wl,-rpath,$site/mujoco" -ldl
 
 say "our functions and dynibo"
 features=()
