@@ -1,67 +1,20 @@
-// bench FOLDER LIBRARY SECONDS URDF:fixed|free...: times every candidate on the same states in one process and prints ratios.
-// Exits with 1 where our results are not those of Pinocchio.
+// bench FOLDER LIBRARY SECONDS FUNCTIONS URDF:fixed|free:JOINT...: times every candidate on the same states in one process, prints
+// ratios, and operations. FUNCTIONS are names with spaces between, none for all; JOINT moves the link of the Jacobian. Exits
+// with 1 where our results are not those of Pinocchio.
 //
 // All start from the same states of Pinocchio, converted to a candidate's own coordinates before, and compared with Pinocchio's
 // results after, the timed part. Rounds are interleaved: in each, every candidate is called often enough to take some
 // microseconds, first on one state after the other, then on states that depend on its own last result. Ratios are those of
 // two times of one round, and their median is printed, since the machine's speed changes from round to round.
-#include "rivals.hpp"
+#include "conversion.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <map>
-#include <random>
+#include <sstream>
 
 static const int STATES = 256, ROUND_NS = 20000, LEAST_ROUNDS = 32;
 static const double AGREE = 1e-6;
 static const int PAGE = 512, LINE = 8; // of memory and of the cache, in numbers
-
-struct State {
-  Vector q, u, x;
-};
-
-// `u = T v`, `u_dot = T a + c`, and because T is orthogonal `tau = T tau_P`.
-struct Conversion {
-  Matrix t;
-  Vector c, q;
-};
-
-static Conversion convert(const Candidate &to, const Robot &robot, const Vector &q, const Vector &v) {
-  const int n = robot.model.nv, base = robot.floating ? 6 : 0;
-  Conversion made{Matrix::Zero(n, n), Vector::Zero(n), q};
-  for (int i = base; i < n; ++i) {
-    const int place = base + (to.places.empty() ? i - base : to.places[i - base]);
-    made.t(place, i) = 1;
-    made.q[place + (robot.floating ? 1 : 0)] = q[i + (robot.floating ? 1 : 0)];
-  }
-  if (!robot.floating) return made;
-  const auto &in = to.convention;
-  const Eigen::Quaterniond turn(q[6], q[3], q[4], q[5]);
-  const Eigen::Matrix3d r = turn.toRotationMatrix(), one = Eigen::Matrix3d::Identity();
-  const int linear = in.angular_first ? 3 : 0, angular = 3 - linear, position = in.quaternion_first ? 4 : 0;
-  made.t.block<3, 3>(linear, 0) = in.inertial_linear ? r : one;
-  made.t.block<3, 3>(angular, 3) = in.inertial_angular ? r : one;
-  if (in.inertial_linear) made.c.segment<3>(linear) = r * v.segment<3>(3).cross(v.head<3>());
-  made.q.segment<3>(position) = q.head<3>();
-  auto e = made.q.segment<4>(in.quaternion_first ? 0 : 3);
-  if (in.scalar_first) e << q[6], q[3], q[4], q[5];
-  else e << q[3], q[4], q[5], q[6];
-  return made;
-}
-
-static std::vector<State> random_states(const Robot &robot, Function f) {
-  std::mt19937_64 source(1);
-  auto uniform = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(source); };
-  std::vector<State> states(STATES);
-  for (auto &s : states) {
-    s.q = Vector::NullaryExpr(robot.model.nq, [&] { return uniform(3); });
-    if (robot.floating) s.q.segment<4>(3).normalize();
-    s.u = Vector::NullaryExpr(robot.model.nv, [&] { return uniform(1.5); });
-    s.x = Vector::NullaryExpr(robot.model.nv, [&] { return uniform(f == FORWARD_DYNAMICS ? 10 : 3); });
-  }
-  return states;
-}
 
 // One array after the other, each beginning at a cache line.
 struct Memory {
@@ -82,8 +35,8 @@ struct Runner {
   double difference = 0;
   std::vector<double> independent, chained; // ns, one for each round
 
-  Runner(const Candidate &made, const Robot &robot)
-      : candidate(made), nq(robot.model.nq), nv(robot.model.nv), q(nq, STATES + 1), u(nv, STATES + 1), x(nv, STATES + 1), out(nv * nv + PAGE, 1), written(out.begin) {}
+  Runner(const Candidate &made, const Robot &robot, Function f)
+      : candidate(made), nq(robot.model.nq), nv(robot.model.nv), q(nq, STATES + 1), u(nv, STATES + 1), x(nv, STATES + 1), out(robot.rows(f) * robot.columns(f) + PAGE, 1), written(out.begin) {}
 
   void call(int state) { candidate.call(candidate.object, q.at(state), u.at(state), x.at(state), written); }
 
@@ -94,22 +47,13 @@ struct Runner {
     for (int i = 0; i < STATES; ++i) {
       const State &s = states[i];
       const auto own = convert(candidate, robot, s.q, s.u);
-      Vector rest = f == INVERSE_DYNAMICS ? own.c : Vector::Zero(nv);
       Eigen::Map<Vector>(q.at(i), nq) = own.q;
       Eigen::Map<Vector>(u.at(i), nv) = own.t * s.u;
-      Eigen::Map<Vector>(x.at(i), nv) = own.t * s.x + rest;
+      Eigen::Map<Vector>(x.at(i), nv) = own.t * s.x;
+      if (f != FORWARD_DYNAMICS) Eigen::Map<Vector>(x.at(i), nv) += own.c; // they are accelerations
       call(i);
-      Matrix result = candidate.expand(written), expected;
-      if (f == MASS_MATRIX) {
-        data.M.setZero();
-        expected = symmetric(pin::crba(robot.model, data, s.q));
-        result = (own.t.transpose() * result * own.t).eval();
-      } else {
-        expected = f == INVERSE_DYNAMICS ? pin::rnea(robot.model, data, s.q, s.u, s.x) : pin::aba(robot.model, data, s.q, s.u, s.x);
-        if (f == FORWARD_DYNAMICS) result -= own.c;
-        result = (own.t.transpose() * result).eval();
-      }
-      const double off = (result - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+      const Matrix result = to_pinocchio(robot, data, f, s, own, candidate.expand(written)), wanted = expected(robot, data, f, s);
+      const double off = (result - wanted).cwiseAbs().maxCoeff() / wanted.cwiseAbs().maxCoeff();
       difference = off <= difference ? difference : off; // not a number counts
     }
     robot.model.gravity.linear() = Eigen::Vector3d(0, 0, -9.81);
@@ -128,7 +72,8 @@ struct Runner {
       const int from = (first + i) % STATES;
       const double share = 1e-30 * written[candidate.whole];
       add(q, from, nq, share);
-      if (f != MASS_MATRIX) add(u, from, nv, share), add(x, from, nv, share);
+      if (reads_u(f)) add(u, from, nv, share);
+      if (reads_x(f)) add(x, from, nv, share);
       call(STATES);
     }
     return nanoseconds_since(begin) / calls;
@@ -155,7 +100,8 @@ static double median_ratio(const std::vector<double> &a, const std::vector<doubl
 
 static const std::vector<std::string> RIVALS = {"CasADi", "Pinocchio", "MuJoCo", "dynibo"};
 
-// One line of the table, of the runner `own`. Of Pinocchio's two conventions the faster counts.
+// One line of the table, of the runner `own`; an empty cell where there is no rival. Of Pinocchio's two conventions the faster
+// counts.
 static void print(const Robot &robot, const std::string &function, const char *how, const Runner &own, const std::vector<Runner> &runners,
                   std::vector<double> Runner::*times) {
   const auto &ours = own.*times;
@@ -164,23 +110,16 @@ static void print(const Robot &robot, const std::string &function, const char *h
     double ratio = 0;
     for (const auto &runner : runners)
       if (runner.candidate.name == rival) ratio = std::max(ratio, median_ratio(ours, runner.*times));
-    std::printf(" %.2f |", ratio);
+    std::printf(ratio > 0 ? " %.2f |" : " |", ratio);
   }
   std::printf(" %.2f |\n", quantile(ours, 0.9) / quantile(ours, 0.1));
 }
 
 // False where our results are not those of Pinocchio.
 static bool compare(Robot &robot, Function f, const Rust &rust, double seconds) {
-  const auto states = random_states(robot, f);
-  std::vector<Candidate> candidates = {rust.kane(robot, f),
-                                       CasADi::candidate(robot, f),
-                                       Pinocchio<pin::Convention::LOCAL>::candidate(robot, f),
-                                       Pinocchio<pin::Convention::WORLD>::candidate(robot, f),
-                                       MuJoCo::candidate(robot, f),
-                                       rust.dynibo(robot, f)};
-  if (f == MASS_MATRIX) candidates.push_back(rust.kane_packed(robot));
+  const auto states = random_states(robot, f, STATES);
   std::vector<Runner> runners;
-  for (const auto &candidate : candidates) runners.emplace_back(candidate, robot);
+  for (const auto &candidate : candidates_of(robot, f, rust)) runners.emplace_back(candidate, robot, f);
   for (auto &runner : runners) {
     runner.check(robot, f, states);
     // MuJoCo moves inertias that no body can have.
@@ -212,19 +151,52 @@ static bool compare(Robot &robot, Function f, const Rust &rust, double seconds) 
   return agree;
 }
 
+// Of our functions, and of the C that CasADi wrote.
+static void print_operations(const std::vector<Robot> &robots, const std::vector<Function> &functions, const Rust &rust) {
+  std::printf("\n| robot | function | operations: kane | CasADi |\n|---|---|---|---|\n");
+  for (const auto &robot : robots)
+    for (const auto f : functions) {
+      std::ifstream in(robot.folder + "/operations");
+      std::string name, counted = "";
+      for (std::string count; in >> name >> count;)
+        if (name == NAMES[f]) counted = count;
+      std::printf("| %s | %s | %zu | %s |\n", robot.name.c_str(), NAMES[f], rust.operations(robot, f), counted.c_str());
+    }
+}
+
+// Throws where a name is none of a function.
+static std::vector<Function> functions_of(const std::string &names) {
+  std::vector<Function> found;
+  std::istringstream in(names);
+  for (std::string name; in >> name;) {
+    const auto has = [&](Function f) { return name == NAMES[f]; };
+    const auto f = std::find_if(std::begin(FUNCTIONS), std::end(FUNCTIONS), has);
+    if (f == std::end(FUNCTIONS)) throw std::runtime_error("no function " + name);
+    found.push_back(*f);
+  }
+  if (found.empty()) found.assign(std::begin(FUNCTIONS), std::end(FUNCTIONS));
+  return found;
+}
+
 int main(int argc, char **argv) {
-  if (argc < 5) return std::cerr << "usage: bench FOLDER LIBRARY SECONDS URDF:fixed|free...\n", 2;
+  if (argc < 6) return std::cerr << "usage: bench FOLDER LIBRARY SECONDS FUNCTIONS URDF:fixed|free:JOINT...\n", 2;
   const std::string folder = argv[1];
   const Rust rust{argv[2]};
+  const auto functions = functions_of(argv[4]);
+  std::vector<Robot> robots;
+  for (int i = 5; i < argc; ++i) {
+    const std::string given = argv[i];
+    const auto joint = given.rfind(':'), base = given.rfind(':', joint - 1);
+    const std::string urdf = given.substr(0, base), file = urdf.substr(urdf.rfind('/') + 1), name = file.substr(0, file.rfind('.'));
+    const bool free = given.substr(base + 1, joint - base - 1) == "free";
+    robots.push_back({name, urdf, folder + "/" + name, read_model(folder + "/" + name + ".txt"), free, given.substr(joint + 1)});
+  }
   std::printf("| robot | function | calls | kane, ns |");
   for (const auto &rival : RIVALS) std::printf(" / %s |", rival.c_str());
   std::printf(" spread |\n|---|---|---|---|---|---|---|---|---|\n");
   bool agree = true;
-  for (int i = 4; i < argc; ++i) {
-    const std::string given = argv[i], urdf = given.substr(0, given.rfind(':'));
-    const std::string name = urdf.substr(urdf.rfind('/') + 1, urdf.rfind('.') - urdf.rfind('/') - 1);
-    Robot robot{name, urdf, folder + "/" + name, read_model(folder + "/" + name + ".txt"), given.substr(given.rfind(':') + 1) == "free"};
-    for (const auto f : {INVERSE_DYNAMICS, MASS_MATRIX, FORWARD_DYNAMICS}) agree &= compare(robot, f, rust, std::atof(argv[3]));
-  }
+  for (auto &robot : robots)
+    for (const auto f : functions) agree &= compare(robot, f, rust, std::atof(argv[3]));
+  print_operations(robots, functions, rust);
   return agree ? 0 : 1;
 }

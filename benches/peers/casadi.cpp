@@ -1,7 +1,8 @@
-// casadi MODEL.txt FOLDER: C from Pinocchio's own templates on CasADi's symbols, one file a function.
+// casadi MODEL.txt FOLDER JOINT: C from Pinocchio's own templates on CasADi's symbols, one file a function.
 //
 // Of the graph with and without CasADi's elimination of common subexpressions the one with fewer operations is written;
-// of the mass matrix the upper triangle, which is what Pinocchio computes. Prints the operations of each.
+// of the mass matrix and of its inverse the upper triangle, which is what Pinocchio computes; the Jacobian is that of the link
+// that JOINT moves. Prints the operations of each.
 #include <pinocchio/autodiff/casadi.hpp>
 #include <pinocchio/multibody.hpp>
 
@@ -25,8 +26,12 @@ template <typename Scalar, int Options> struct FewJoints {
 #include "model.hpp"
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/frames.hpp>
+#include <pinocchio/algorithm/jacobian.hpp>
+#include <pinocchio/algorithm/regressor.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
+#include <algorithm>
 #include <iostream>
 
 using casadi::SX;
@@ -57,24 +62,43 @@ template <typename Derived> static SX sparse(const Eigen::MatrixBase<Derived> &m
   return out;
 }
 
-static void write(const std::string &folder, const std::string &name, const std::vector<SX> &in, const SX &out) {
-  const casadi::Function plain(name, in, {out}, casadi::Dict{{"cse", false}}), shared(name, in, {out}, casadi::Dict{{"cse", true}});
-  const auto &chosen = operations(shared) < operations(plain) ? shared : plain;
+// Of the graphs of all these outputs, which are equal, the one with the fewest operations.
+static void write(const std::string &folder, const std::string &name, const std::vector<SX> &in, const std::vector<SX> &outs) {
+  std::vector<casadi::Function> graphs;
+  for (const auto &out : outs)
+    for (const bool shared : {false, true}) graphs.emplace_back(name, in, std::vector<SX>{out}, casadi::Dict{{"cse", shared}});
+  const auto fewer = [](const auto &a, const auto &b) { return operations(a) < operations(b); };
+  const auto &chosen = *std::min_element(graphs.begin(), graphs.end(), fewer);
   casadi::CodeGenerator code(name + ".c");
   code.add(chosen);
   code.generate(folder + "/");
   std::cout << name << " " << operations(chosen) << std::endl;
 }
 
+// In the two ways of Pinocchio: all joints', then that of one; or along its path alone.
+static std::vector<SX> jacobians(const ModelOf<SX> &model, pin::JointIndex tip, const std::string &joint, const Eigen::Matrix<SX, Eigen::Dynamic, 1> &q) {
+  DataOf<SX> all(model), path(model);
+  DataOf<SX>::Matrix6x one = DataOf<SX>::Matrix6x::Zero(6, model.nv), other = one;
+  pin::computeJointJacobians(model, all, q);
+  pin::getJointJacobian(model, all, tip, pin::LOCAL_WORLD_ALIGNED, one);
+  pin::computeFrameJacobian(model, path, q, model.getFrameId(joint), pin::LOCAL_WORLD_ALIGNED, other);
+  return {sparse(one), sparse(other)};
+}
+
 int main(int argc, char **argv) {
-  if (argc != 3) return std::cerr << "usage: casadi MODEL.txt FOLDER\n", 2;
-  const auto model = read_model(argv[1]).cast<SX>();
-  const std::string folder = argv[2];
+  if (argc != 4) return std::cerr << "usage: casadi MODEL.txt FOLDER JOINT\n", 2;
+  const auto numbers = read_model(argv[1]);
+  const auto model = numbers.cast<SX>();
+  const std::string folder = argv[2], joint = argv[3];
   Eigen::Matrix<SX, Eigen::Dynamic, 1> q, v, a, tau;
   const SX sq = symbols("q", model.nq, q), sv = symbols("v", model.nv, v), sa = symbols("a", model.nv, a),
            st = symbols("tau", model.nv, tau);
-  DataOf<SX> inverse(model), matrix(model), forward(model);
-  write(folder, "inverse_dynamics", {sq, sv, sa}, sparse(pin::rnea(model, inverse, q, v, a)));
-  write(folder, "mass_matrix", {sq}, sparse(pin::crba(model, matrix, q), true));
-  write(folder, "forward_dynamics", {sq, sv, st}, sparse(pin::aba(model, forward, q, v, tau)));
+  DataOf<SX> inverse(model), matrix(model), forward(model), coriolis(model), inverted(model), regressor(model);
+  write(folder, "inverse_dynamics", {sq, sv, sa}, {sparse(pin::rnea(model, inverse, q, v, a))});
+  write(folder, "mass_matrix", {sq}, {sparse(pin::crba(model, matrix, q), true)});
+  write(folder, "forward_dynamics", {sq, sv, st}, {sparse(pin::aba(model, forward, q, v, tau))});
+  write(folder, "jacobian", {sq}, jacobians(model, tip_of(numbers, joint), joint, q));
+  write(folder, "coriolis_matrix", {sq, sv}, {sparse(pin::computeCoriolisMatrix(model, coriolis, q, v))});
+  write(folder, "mass_matrix_inverse", {sq}, {sparse(pin::computeMinverse(model, inverted, q), true)});
+  write(folder, "regressor", {sq, sv, sa}, {sparse(pin::computeJointTorqueRegressor(model, regressor, q, v, a))});
 }

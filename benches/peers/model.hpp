@@ -50,8 +50,15 @@ inline Model read_model(const std::string &path) {
     else if (kind == "RevoluteUnaligned") joint = typename J::JointModelRevoluteUnaligned(axis);
     else throw std::runtime_error(path + ": a joint of kind " + kind);
     const auto id = model.addJoint(parent, joint, pin::SE3(rotation, place), name);
+    model.addJointFrame(id);
     model.appendBodyToJoint(id, pin::Inertia(mass, center, inertia), pin::SE3::Identity());
   }
   if (!in || joints == 0) throw std::runtime_error(path + ": missing or short");
   return model;
+}
+
+// The joint of this name. Throws where there is none.
+inline pin::JointIndex tip_of(const Model &model, const std::string &joint) {
+  if (!model.existJointName(joint)) throw std::runtime_error("no joint " + joint);
+  return model.getJointId(joint);
 }

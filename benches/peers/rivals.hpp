@@ -1,103 +1,88 @@
-// Every candidate behind one interface: a function, the object it works on, and in what its arguments and results are expressed.
+// Every candidate behind the interface of candidate.hpp.
 #pragma once
-#include "model.hpp"
+#include "candidate.hpp"
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/frames.hpp>
+#include <pinocchio/algorithm/jacobian.hpp>
+#include <pinocchio/algorithm/regressor.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
 #include <dlfcn.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cstring>
-#include <functional>
 #include <iostream>
 #include <memory>
-#include <vector>
 
-typedef Eigen::VectorXd Vector;
-typedef Eigen::MatrixXd Matrix;
-
-enum Function { INVERSE_DYNAMICS, MASS_MATRIX, FORWARD_DYNAMICS };
-static const char *const NAMES[] = {"inverse_dynamics", "mass_matrix", "forward_dynamics"};
-
-// Object, q, u, x, output; x is u_dot for inverse dynamics, tau for forward dynamics. As kane/src/lib.rs has it.
-typedef void (*Call)(void *, const double *, const double *, const double *, double *);
-
-// What a floating base's coordinates and speeds are. Pinocchio's come first: the position, a quaternion (x, y, z, w); the
-// origin's velocity, then the angular velocity, both in the base's axes.
-struct Convention {
-  bool scalar_first, quaternion_first, inertial_linear, inertial_angular, angular_first;
-};
-static const Convention PINOCCHIO = {false, false, false, false, false};
-static const Convention KANE = {true, true, true, false, true};
-static const Convention MUJOCO = {true, false, true, false, false};
-static const Convention DYNIBO = {false, false, true, true, true};
-
-struct Candidate {
-  std::string name;
-  Convention convention;
-  Call call;
-  void *object;
-  // The output as it stands in memory, as a vector or a whole matrix in the candidate's own speeds.
-  std::function<Matrix(const double *)> expand;
-  // Where the output holds an entry that depends on all coordinates: the last angular speed of a floating base, else the first.
-  int whole = 0;
-  // The place of each of Pinocchio's joints after the base, where the order is another.
-  std::vector<int> places = {};
-  // As in dynibo, where it is a constant, or as in a URDF, which has none.
-  double gravity = 9.81;
-};
-
-inline Matrix symmetric(Matrix m) {
-  m.triangularView<Eigen::StrictlyLower>() = m.transpose();
-  return m;
-}
-
-struct Robot {
-  std::string name, urdf, folder; // of compiled C and of the model as MJCF
-  Model model;
-  bool floating;
-
-  // The entry of `Candidate::whole` for a dense output whose angular speeds begin at `angular`.
-  int whole(Function f, int angular) const {
-    const int place = floating ? angular + 2 : 0;
-    return f == MASS_MATRIX ? place * (model.nv + 1) : place;
-  }
-  std::function<Matrix(const double *)> dense(Function f) const {
-    const int n = model.nv;
-    return [n, f](const double *out) -> Matrix { return Eigen::Map<const Matrix>(out, n, f == MASS_MATRIX ? n : 1); };
-  }
-};
-
-// Pinocchio's functions in one of its two conventions; they leave their results in `data`, of which one number is copied.
+// Pinocchio's functions in one of its two conventions; they leave their results in `data` or, the Jacobian, in `jacobian`, of
+// which one number is copied. Of the Jacobian there are two ways too: all joints', then that of one; or along its path alone.
 template <pin::Convention convention> struct Pinocchio {
   const Model &model;
   Data data;
-  int place;
+  int row, column;
+  pin::JointIndex tip;
+  pin::FrameIndex frame;
+  Data::Matrix6x jacobian;
   typedef Eigen::Map<const Vector, Eigen::Aligned64> In;
 
   static void inverse_dynamics(void *object, const double *q, const double *u, const double *x, double *out) {
     auto &o = *static_cast<Pinocchio *>(object);
     pin::rnea(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv), In(x, o.model.nv));
-    out[o.place] = o.data.tau[o.place];
+    out[0] = o.data.tau[o.row];
   }
   static void mass_matrix(void *object, const double *q, const double *, const double *, double *out) {
     auto &o = *static_cast<Pinocchio *>(object);
     pin::crba(o.model, o.data, In(q, o.model.nq), convention);
-    out[o.place] = o.data.M.data()[o.place];
+    out[0] = o.data.M(o.row, o.column);
   }
   static void forward_dynamics(void *object, const double *q, const double *u, const double *x, double *out) {
     auto &o = *static_cast<Pinocchio *>(object);
     pin::aba(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv), In(x, o.model.nv), convention);
-    out[o.place] = o.data.ddq[o.place];
+    out[0] = o.data.ddq[o.row];
+  }
+  static void frame_jacobian(void *object, const double *q, const double *, const double *, double *out) {
+    auto &o = *static_cast<Pinocchio *>(object);
+    if (convention == pin::Convention::LOCAL) {
+      pin::computeJointJacobians(o.model, o.data, In(q, o.model.nq));
+      pin::getJointJacobian(o.model, o.data, o.tip, pin::LOCAL_WORLD_ALIGNED, o.jacobian);
+    } else pin::computeFrameJacobian(o.model, o.data, In(q, o.model.nq), o.frame, pin::LOCAL_WORLD_ALIGNED, o.jacobian);
+    out[0] = o.jacobian(o.row, o.column);
+  }
+  static void coriolis_matrix(void *object, const double *q, const double *u, const double *, double *out) {
+    auto &o = *static_cast<Pinocchio *>(object);
+    pin::computeCoriolisMatrix(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv));
+    out[0] = o.data.C(o.row, o.column);
+  }
+  static void mass_matrix_inverse(void *object, const double *q, const double *, const double *, double *out) {
+    auto &o = *static_cast<Pinocchio *>(object);
+    pin::computeMinverse(o.model, o.data, In(q, o.model.nq));
+    out[0] = o.data.Minv(o.row, o.column);
+  }
+  static void regressor(void *object, const double *q, const double *u, const double *x, double *out) {
+    auto &o = *static_cast<Pinocchio *>(object);
+    pin::computeJointTorqueRegressor(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv), In(x, o.model.nv));
+    out[0] = o.data.jointTorqueRegressor(o.row, o.column);
   }
   static Candidate candidate(const Robot &robot, Function f) {
-    auto *o = new Pinocchio{robot.model, Data(robot.model), robot.whole(f, 3)};
-    const Call calls[] = {inverse_dynamics, mass_matrix, forward_dynamics};
-    auto expand = [o, f](const double *) -> Matrix {
-      return f == INVERSE_DYNAMICS ? Matrix(o->data.tau) : f == MASS_MATRIX ? symmetric(o->data.M) : Matrix(o->data.ddq);
-    };
-    return {"Pinocchio", PINOCCHIO, calls[f], o, expand, o->place};
+    const auto [row, column] = robot.entry(f, 3);
+    const auto tip = robot.tip();
+    auto *o = new Pinocchio{robot.model, Data(robot.model), row, column, tip, robot.model.getFrameId(robot.joint), Data::Matrix6x::Zero(6, robot.model.nv)};
+    const Call calls[] = {inverse_dynamics, mass_matrix, forward_dynamics, frame_jacobian, coriolis_matrix, mass_matrix_inverse, regressor};
+    return {"Pinocchio", PINOCCHIO, calls[f], o, [o, f](const double *) { return o->result(f); }, 0};
+  }
+  Matrix result(Function f) const {
+    switch (f) {
+    case INVERSE_DYNAMICS: return data.tau;
+    case MASS_MATRIX: return symmetric(data.M);
+    case FORWARD_DYNAMICS: return data.ddq;
+    case JACOBIAN: return jacobian;
+    case CORIOLIS_MATRIX: return data.C;
+    case MASS_MATRIX_INVERSE: return symmetric(data.Minv);
+    case REGRESSOR: return data.jointTorqueRegressor;
+    }
+    return {};
   }
 };
 
@@ -138,12 +123,14 @@ struct CasADi {
       Matrix m = Matrix::Zero(pattern[0], pattern[1]);
       for (long long j = 0; j < pattern[1]; ++j)
         for (long long k = begins[j]; k < begins[j + 1]; ++k) m(rows[k], j) = out[k];
-      return f == MASS_MATRIX ? symmetric(m) : m;
+      return is_symmetric(f) ? symmetric(m) : m;
     };
-    // Of an upper triangle, the last entry of a column is that on the diagonal.
-    const int place = robot.whole(f, 3);
-    const int whole = dense || f != MASS_MATRIX ? place : begins[place / (robot.model.nv + 1) + 1] - 1;
-    return {"CasADi", PINOCCHIO, call, o, expand, whole};
+    const auto [row, column] = robot.entry(f, 3);
+    long long whole = dense ? column * pattern[0] + row : -1;
+    for (long long k = dense ? 0 : begins[column]; !dense && k < begins[column + 1]; ++k)
+      if (rows[k] == row) whole = k;
+    if (whole < 0) throw std::runtime_error("CasADi's " + name + " of " + robot.name + " leaves out what all the others compute");
+    return {"CasADi", PINOCCHIO, call, o, expand, int(whole)};
   }
 };
 
@@ -152,6 +139,7 @@ struct MuJoCo {
   mjModel *m;
   mjData *d;
   std::vector<double> rest;
+  int body;
 
   void place(const double *q) {
     std::memcpy(d->qpos, q, sizeof(double) * m->nq);
@@ -185,12 +173,17 @@ struct MuJoCo {
     for (int i = 0; i < o.m->nv; ++i) rest[i] = x[i] - rest[i];
     mj_solveM(o.m, o.d, out, rest, 1);
   }
+  static void jacobian(void *object, const double *q, const double *, const double *, double *out) {
+    auto &o = *static_cast<MuJoCo *>(object);
+    o.place(q);
+    mj_jacBody(o.m, o.d, out, out + 3 * o.m->nv, o.body);
+  }
   static Candidate candidate(const Robot &robot, Function f) {
     char error[1000] = "";
     mjModel *m = mj_loadXML((robot.folder + ".xml").c_str(), nullptr, error, sizeof error);
     if (!m) throw std::runtime_error(error);
-    auto *o = new MuJoCo{m, mj_makeData(m), std::vector<double>(m->nv)};
-    const Call calls[] = {inverse_dynamics, mass_matrix, forward_dynamics};
+    auto *o = new MuJoCo{m, mj_makeData(m), std::vector<double>(m->nv), mj_name2id(m, mjOBJ_BODY, robot.joint.c_str())};
+    const Call calls[] = {inverse_dynamics, mass_matrix, forward_dynamics, jacobian};
     auto sparse = [m](const double *out) -> Matrix {
       Matrix upper = Matrix::Zero(m->nv, m->nv);
       for (int i = 0; i < m->nv; ++i)
@@ -230,6 +223,9 @@ struct Rust {
     // Row after row, the last entry of each on the diagonal; the base's rows are whole.
     return {"kane", KANE, found.call, found.object, expand, robot.floating ? 5 : 0};
   }
+  size_t operations(const Robot &robot, Function f) const {
+    return symbol<size_t (*)(const char *, unsigned)>(library, "kane_operations")(robot.name.c_str(), f);
+  }
   Candidate dynibo(const Robot &robot, Function f) const {
     const char *urdf = robot.urdf.c_str();
     const auto found = symbol<Found (*)(const char *, bool, unsigned)>(library, "dynibo_candidate")(urdf, robot.floating, f);
@@ -246,3 +242,15 @@ struct Rust {
     return {"dynibo", DYNIBO, found.call, found.object, robot.dense(f), whole, places, 9.80665};
   }
 };
+
+// Ours first. Of the functions after the Jacobian CasADi and Pinocchio have one each, the others none.
+inline std::vector<Candidate> candidates_of(const Robot &robot, Function f, const Rust &rust) {
+  std::vector<Candidate> all = {rust.kane(robot, f), CasADi::candidate(robot, f), Pinocchio<pin::Convention::LOCAL>::candidate(robot, f)};
+  if (f <= JACOBIAN) {
+    all.push_back(Pinocchio<pin::Convention::WORLD>::candidate(robot, f));
+    all.push_back(MuJoCo::candidate(robot, f));
+  }
+  if (f <= FORWARD_DYNAMICS) all.push_back(rust.dynibo(robot, f));
+  if (f == MASS_MATRIX) all.push_back(rust.kane_packed(robot));
+  return all;
+}

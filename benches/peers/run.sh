@@ -5,6 +5,7 @@
 #
 # PEERS_WORK: the folder of everything that is downloaded and built; by default kane-peers in the user's cache.
 # PEERS_SECONDS: for how long each function of each robot is timed; by default 2.
+# PEERS_FUNCTIONS: what is timed, names with spaces between, as "jacobian regressor"; by default all that the table has.
 # PEERS_FMA: 1 for our functions with fused multiply-add; by default without.
 # PEERS_SNAP: what the rivals' models are snapped to, as ours are to 1e-9; by default 0, as their readers leave them.
 set -euo pipefail
@@ -31,6 +32,16 @@ base() {
 }
 for robot in "${robots[@]}"; do base "$robot" >/dev/null; done
 
+# The joint of the link whose Jacobian is compared; kane/build.rs names the link.
+joint() {
+    case $1 in
+    ur5) echo wrist_3_joint ;;
+    panda) echo panda_joint7 ;;
+    solo12) echo FL_KFE ;;
+    talos) echo arm_left_7_joint ;;
+    esac
+}
+
 mkdir -p "$work/bin"
 cd "$work"
 
@@ -54,16 +65,18 @@ pinocchio=(
 
 # program OUTPUT TIME ARGUMENT...: compiles "$here/OUTPUT.cpp" where it, a header or the packages are newer.
 program() {
-    local name=$1 time=$2
+    local name=$1 time=$2 old='' source
     shift 2
-    if [ "bin/$name" -nt "$here/$name.cpp" ] && [ "bin/$name" -nt "$here/model.hpp" ] &&
-        [ "bin/$name" -nt "$here/rivals.hpp" ] && [ "bin/$name" -nt venv/packages ]; then return; fi
+    for source in "$here/$name.cpp" "$here"/*.hpp venv/packages; do
+        if [ ! "bin/$name" -nt "$source" ]; then old=1; fi
+    done
+    if [ -z "$old" ]; then return; fi
     say "compiling $name.cpp, about $time"
     g++ "${pinocchio[@]}" "$here/$name.cpp" -o "bin/$name" "$@"
 }
 # Relaxed, because Pinocchio asks for joints that are not among the few of casadi.cpp.
 program casadi "half a minute" -O1 -DBOOST_VARIANT_USE_RELAXED_GET_BY_DEFAULT -isystem "$site/casadi/include" -L"$site/casadi" -lcasadi "-Wl,-rpath,$site/casadi"
-program bench "three minutes" -O3 -march=native -isystem "$site/mujoco/include" "$mujoco" "-Wl,-rpath,$site/mujoco" -ldl
+program bench "six minutes" -O3 -march=native -isystem "$site/mujoco/include" "$mujoco" "-Wl,-rpath,$site/mujoco" -ldl
 
 say "our functions and dynibo"
 features=()
@@ -76,17 +89,17 @@ models=$work/models-$snap
 arguments=()
 for robot in "${robots[@]}"; do
     urdf=$(cd "$here/../../tests/robots/$robot" && pwd)/$robot.urdf
-    arguments+=("$urdf:$(base "$robot")")
+    arguments+=("$urdf:$(base "$robot"):$(joint "$robot")")
     if [ "$models/$robot/done" -nt bin/casadi ] && [ "$models/$robot/done" -nt "$here/model.py" ] &&
         [ "$models/$robot/done" -nt "$urdf" ]; then continue; fi
     say "CasADi's code of $robot"
     venv/bin/python "$here/model.py" "$urdf" "$(base "$robot")" "$models" "$snap"
     mkdir -p "$models/$robot"
-    bin/casadi "$models/$robot.txt" "$models/$robot" >"$models/$robot/operations"
+    bin/casadi "$models/$robot.txt" "$models/$robot" "$(joint "$robot")" >"$models/$robot/operations"
     for source in "$models/$robot"/*.c; do
         gcc -O3 -march=native -fPIC -shared -w "$source" -o "${source%.c}.so" -lm
     done
     touch "$models/$robot/done"
 done
 
-bin/bench "$models" "$work/target/release/libkane_peers.so" "${PEERS_SECONDS:-2}" "${arguments[@]}"
+bin/bench "$models" "$work/target/release/libkane_peers.so" "${PEERS_SECONDS:-2}" "${PEERS_FUNCTIONS:-}" "${arguments[@]}"

@@ -4,12 +4,13 @@ use kane_codegen::{build_script::Build, description::Base};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    for (name, base) in [
-        ("ur5", Base::Fixed),
-        ("panda", Base::Fixed),
-        ("solo12", Base::Free),
-        ("talos", Base::Free),
+    for (name, base, link) in [
+        ("ur5", Base::Fixed, "wrist_3_link"),
+        ("panda", Base::Fixed, "panda_link7"),
+        ("solo12", Base::Free, "FL_LOWER_LEG"),
+        ("talos", Base::Free, "arm_left_7_link"),
     ] {
+        let jacobian = format!("jacobian({link})");
         let build = Build::new(format!("../../../tests/robots/{name}/{name}.urdf"))
             .base(base)
             .functions([
@@ -17,6 +18,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 "mass_matrix",
                 "mass_matrix_packed",
                 "forward_dynamics",
+                &jacobian,
+                "coriolis_matrix",
+                "mass_matrix_inverse",
+                "regressor",
             ]);
         let build = if cfg!(feature = "fma") {
             build.fma()

@@ -13,9 +13,28 @@ use crate::{Candidate, Function};
 /// What a call works on.
 struct Object {
     robot: Model,
-    function: Function,
+    function: Quantity,
     n_coordinates: usize,
     n_speeds: usize,
+}
+
+/// What dynibo and this comparison have in common.
+#[derive(Clone, Copy)]
+enum Quantity {
+    InverseDynamics,
+    MassMatrix,
+    ForwardDynamics,
+}
+
+impl Quantity {
+    fn new(function: Function) -> Option<Self> {
+        match function {
+            Function::InverseDynamics => Some(Self::InverseDynamics),
+            Function::MassMatrix => Some(Self::MassMatrix),
+            Function::ForwardDynamics => Some(Self::ForwardDynamics),
+            _ => None,
+        }
+    }
 }
 
 enum Model {
@@ -24,6 +43,9 @@ enum Model {
 }
 
 pub(crate) fn candidate(urdf: &str, floating: bool, function: Function) -> Candidate {
+    let Some(function) = Quantity::new(function) else {
+        return Candidate::NONE;
+    };
     object(urdf, floating, function).map_or_else(
         |error| {
             eprintln!("dynibo does not take {urdf}: {error}");
@@ -33,7 +55,7 @@ pub(crate) fn candidate(urdf: &str, floating: bool, function: Function) -> Candi
     )
 }
 
-fn object(urdf: &str, floating: bool, function: Function) -> Result<Object, Error> {
+fn object(urdf: &str, floating: bool, function: Quantity) -> Result<Object, Error> {
     let model = RobotModel::from_urdf(urdf)?;
     let n = model.joint_count();
     let (robot, n_coordinates, n_speeds) = if floating {
@@ -73,16 +95,16 @@ unsafe extern "C" fn call(
         )
     };
     let n_out = match object.function {
-        Function::MassMatrix => object.n_speeds * object.n_speeds,
-        Function::InverseDynamics | Function::ForwardDynamics => object.n_speeds,
+        Quantity::MassMatrix => object.n_speeds * object.n_speeds,
+        Quantity::InverseDynamics | Quantity::ForwardDynamics => object.n_speeds,
     };
     // SAFETY: as above.
     let out = unsafe { slice::from_raw_parts_mut(out, n_out) };
     let done = match &mut object.robot {
         Model::Fixed(robot) => match object.function {
-            Function::InverseDynamics => robot.inverse_dynamics(q, u, x, &[], out),
-            Function::MassMatrix => robot.mass_matrix(q, out),
-            Function::ForwardDynamics => robot.forward_dynamics(q, u, x, &[], out),
+            Quantity::InverseDynamics => robot.inverse_dynamics(q, u, x, &[], out),
+            Quantity::MassMatrix => robot.mass_matrix(q, out),
+            Quantity::ForwardDynamics => robot.forward_dynamics(q, u, x, &[], out),
         },
         Model::Floating(robot) => floating(robot, object.function, [q, u, x], out),
     };
@@ -93,7 +115,7 @@ unsafe extern "C" fn call(
 
 fn floating(
     robot: &mut FloatingRobot,
-    function: Function,
+    function: Quantity,
     [q, u, x]: [&[f64]; 3],
     out: &mut [f64],
 ) -> Result<(), Error> {
@@ -103,12 +125,12 @@ fn floating(
     );
     let (q, joints) = (&q[7..], &u[6..]);
     match function {
-        Function::InverseDynamics => {
+        Quantity::InverseDynamics => {
             let base = BaseState::new(frame, twist(u), twist(x))?;
             robot.inverse_dynamics(&base, q, joints, &x[6..], &[], out)
         }
-        Function::MassMatrix => robot.mass_matrix(&BaseState::stationary(frame)?, q, out),
-        Function::ForwardDynamics => {
+        Quantity::MassMatrix => robot.mass_matrix(&BaseState::stationary(frame)?, q, out),
+        Quantity::ForwardDynamics => {
             let base = BaseState::new(frame, twist(u), Twist::zeros())?;
             robot.forward_dynamics(&base, q, joints, x, &[], out)
         }

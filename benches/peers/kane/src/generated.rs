@@ -2,12 +2,18 @@
 
 use std::ffi::c_void;
 
-use kane::functions::{self, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
+use kane::{
+    System,
+    functions::{
+        self, CoriolisMatrix, ForwardDynamics, InverseDynamics, Jacobian, MassMatrix,
+        MassMatrixInverse, MassMatrixPacked, Regressor,
+    },
+};
 
 use crate::{Call, Candidate, Function};
 
 macro_rules! robots {
-    ($($name:ident)*) => {
+    ($($name:ident: $link:ident;)*) => {
         $(mod $name {
             include!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".rs"));
         })*
@@ -15,9 +21,17 @@ macro_rules! robots {
         pub(crate) fn candidate(robot: &str, function: Function) -> Candidate {
             match robot {
                 $(stringify!($name) => {
-                    Candidate::new(call::<$name::Prepared<f64>>(function), $name::Prepared::<f64>::nominal())
+                    let call = call::<$name::Prepared<f64>, $name::frames::$link>(function);
+                    Candidate::new(call, $name::Prepared::<f64>::nominal())
                 })*
                 _ => Candidate::NONE,
+            }
+        }
+
+        pub(crate) fn operations(robot: &str, function: Function) -> usize {
+            match robot {
+                $(stringify!($name) => total::<$name::Prepared<f64>>(function),)*
+                _ => 0,
             }
         }
 
@@ -44,17 +58,39 @@ macro_rules! robots {
     };
 }
 
-robots!(ur5 panda solo12 talos);
+robots! {
+    ur5: Wrist_3Link;
+    panda: PandaLink7;
+    solo12: FlLowerLeg;
+    talos: ArmLeft_7Link;
+}
 
-fn call<S>(function: Function) -> Call
+fn call<S, F>(function: Function) -> Call
 where
-    S: InverseDynamics<f64> + MassMatrix<f64> + ForwardDynamics<f64>,
+    S: InverseDynamics<f64>
+        + MassMatrix<f64>
+        + ForwardDynamics<f64>
+        + Jacobian<f64, F>
+        + CoriolisMatrix<f64>
+        + MassMatrixInverse<f64>
+        + Regressor<f64>,
 {
     match function {
         Function::InverseDynamics => inverse_dynamics::<S>,
         Function::MassMatrix => mass_matrix::<S>,
         Function::ForwardDynamics => forward_dynamics::<S>,
+        Function::Jacobian => jacobian::<S, F>,
+        Function::CoriolisMatrix => coriolis_matrix::<S>,
+        Function::MassMatrixInverse => mass_matrix_inverse::<S>,
+        Function::Regressor => regressor::<S>,
     }
+}
+
+fn total<S: System<f64>>(function: Function) -> usize {
+    let name = function.name();
+    let of = |found: &str| found == name || found.ends_with(&format!("_{name}"));
+    let cost = S::OPERATIONS.iter().find(|cost| of(cost.function));
+    cost.map_or(0, kane::Cost::total)
 }
 
 unsafe extern "C" fn inverse_dynamics<S: InverseDynamics<f64>>(
@@ -112,5 +148,55 @@ unsafe extern "C" fn forward_dynamics<S: ForwardDynamics<f64>>(
             &*tau.cast(),
             &mut *u_dot.cast(),
         );
+    }
+}
+
+unsafe extern "C" fn jacobian<S: Jacobian<f64, F>, F>(
+    object: *mut c_void,
+    q: *const f64,
+    _: *const f64,
+    _: *const f64,
+    rows: *mut f64,
+) {
+    let rows: *mut [S::U; 3] = rows.cast();
+    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are six rows.
+    unsafe {
+        let (linear, angular) = (&mut *rows, &mut *rows.add(1));
+        (*object.cast::<S>()).jacobian(&*q.cast(), linear, angular);
+    }
+}
+
+unsafe extern "C" fn coriolis_matrix<S: CoriolisMatrix<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    u: *const f64,
+    _: *const f64,
+    c: *mut f64,
+) {
+    // SAFETY: the object is of this type, the arrays are as long as the robot's.
+    unsafe { (*object.cast::<S>()).coriolis_matrix(&*q.cast(), &*u.cast(), &mut *c.cast()) }
+}
+
+unsafe extern "C" fn mass_matrix_inverse<S: MassMatrixInverse<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    _: *const f64,
+    _: *const f64,
+    inverse: *mut f64,
+) {
+    // SAFETY: the object is of this type, the arrays are as long as the robot's.
+    unsafe { (*object.cast::<S>()).mass_matrix_inverse(&*q.cast(), &mut *inverse.cast()) }
+}
+
+unsafe extern "C" fn regressor<S: Regressor<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    u: *const f64,
+    u_dot: *const f64,
+    y: *mut f64,
+) {
+    // SAFETY: the object is of this type, the arrays are as long as the robot's.
+    unsafe {
+        (*object.cast::<S>()).regressor(&*q.cast(), &*u.cast(), &*u_dot.cast(), &mut *y.cast());
     }
 }

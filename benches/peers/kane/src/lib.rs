@@ -1,7 +1,7 @@
 //! What the program of the comparison loads: for each robot and function one C function and what it works on.
 //!
-//! Arrays are as long as the robot's coordinates and speeds. The third, `x`, is `u_dot` for inverse dynamics and `tau` for
-//! forward dynamics. Neither library is told that its arguments are finite, and both are called as a user calls them.
+//! Arrays are as long as the robot's coordinates and speeds. The third, `x`, is `u_dot` for inverse dynamics and the regressor,
+//! `tau` for forward dynamics. Neither library is told that its arguments are finite, and both are called as a user calls them.
 
 use std::{
     ffi::{CStr, c_char, c_void},
@@ -41,6 +41,10 @@ enum Function {
     InverseDynamics,
     MassMatrix,
     ForwardDynamics,
+    Jacobian,
+    CoriolisMatrix,
+    MassMatrixInverse,
+    Regressor,
 }
 
 impl Function {
@@ -49,12 +53,29 @@ impl Function {
             0 => Some(Self::InverseDynamics),
             1 => Some(Self::MassMatrix),
             2 => Some(Self::ForwardDynamics),
+            3 => Some(Self::Jacobian),
+            4 => Some(Self::CoriolisMatrix),
+            5 => Some(Self::MassMatrixInverse),
+            6 => Some(Self::Regressor),
             _ => None,
+        }
+    }
+
+    /// How its name in a generated module ends; before that stands a frame's, if anything.
+    fn name(self) -> &'static str {
+        match self {
+            Self::InverseDynamics => "inverse_dynamics",
+            Self::MassMatrix => "mass_matrix",
+            Self::ForwardDynamics => "forward_dynamics",
+            Self::Jacobian => "jacobian",
+            Self::CoriolisMatrix => "coriolis_matrix",
+            Self::MassMatrixInverse => "mass_matrix_inverse",
+            Self::Regressor => "regressor",
         }
     }
 }
 
-/// A function of a generated robot; the mass matrix row by row, whole.
+/// A function of a generated robot; matrices row by row, whole, of the Jacobian the linear rows first.
 ///
 /// # Safety
 /// `robot` is a C string.
@@ -66,6 +87,17 @@ pub unsafe extern "C" fn kane_candidate(robot: *const c_char, function: u32) -> 
     found.map_or(Candidate::NONE, |(function, robot)| {
         generated::candidate(robot, function)
     })
+}
+
+/// The operations of a function of a generated robot, 0 where there is none.
+///
+/// # Safety
+/// `robot` is a C string.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn kane_operations(robot: *const c_char, function: u32) -> usize {
+    // SAFETY: as the caller promises.
+    let robot = unsafe { CStr::from_ptr(robot) }.to_string_lossy();
+    Function::new(function).map_or(0, |function| generated::operations(&robot, function))
 }
 
 /// The packed mass matrix of a generated robot.
