@@ -14,7 +14,8 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 47] = [
+pub const RESERVED: [&str; 48] = [
+    "acceleration",
     "accelerations",
     "alpha",
     "angular",
