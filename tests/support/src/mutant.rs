@@ -63,7 +63,8 @@ fn line_at(text: &str, place: usize) -> &str {
     &text[start..end]
 }
 
-/// True for a line of a function's body.
+/// True for a line of a function's body: no comment, and no text of a table between functions.
 fn is_statement(line: &str) -> bool {
-    line.starts_with("    ") && !line.trim_start().starts_with("//")
+    let begins = |sign: &str| line.trim_start().starts_with(sign);
+    line.starts_with("    ") && !begins("//") && !begins("\"")
 }
