@@ -106,7 +106,7 @@ impl Carried<'_, '_> {
         let body = self.body;
         let ends = self.shortcuts.ends(graph, body);
         // The body's own is turned with the composite's first moment, whose product with the axis it is.
-        let leaves = |own: &Column| !own.has_arrived() && !(ends && own.body() == body);
+        let leaves = |own: &Column| !(own.has_arrived() || ends && own.body() == body);
         let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
         if let Some(shortcut) = self.shortcuts.from(graph, body, n_columns) {
             for column in self.columns.iter_mut().filter(|own| leaves(own)) {
