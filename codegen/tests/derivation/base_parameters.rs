@@ -90,7 +90,11 @@ fn robot(name: &str) -> Tree {
 fn unit_columns(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let n_columns = rows.first().map_or(0, Vec::len);
     let columns = (0..n_columns).map(|column| rows.iter().map(|row| row[column]).collect());
-    let most = rows.iter().map(|row| largest(row)).fold(0.0, larger);
+    let most = rows
+        .iter()
+        .map(Vec::as_slice)
+        .map(largest)
+        .fold(0.0, larger);
     let columns: Vec<Vec<f64>> = columns.collect();
     let columns = columns.into_iter().map(|column| (largest(&column), column));
     let columns = columns.filter(|(length, _)| *length > 1e-12 * most);

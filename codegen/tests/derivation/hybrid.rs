@@ -24,7 +24,7 @@ use crate::{compiled::read, evaluator::input};
 /// How far two ways to one number may be apart, relative to the mass matrix and the numbers.
 const EXACT: f64 = 1e-12;
 
-const SEEDS: std::ops::RangeInclusive<u64> = 1..=60;
+const SEEDS: std::ops::RangeInclusive<u64> = 1..=30;
 
 fn random_tree(seed: u64) -> Tree {
     let style = if seed.is_multiple_of(3) {
