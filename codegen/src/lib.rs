@@ -33,6 +33,8 @@ pub mod description;
 pub mod tree;
 // From here on there are expressions, simplified as they are built.
 pub mod expr;
+// How they change with what they are made of.
+pub mod differentiate;
 // Numbers for what is found or tested by numbers.
 mod drawn;
 pub mod partition;

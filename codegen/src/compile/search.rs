@@ -33,7 +33,26 @@ const SINE_OF_SEVERAL: usize = 1_000_000;
 const MOST_STARTS: usize = 1_500;
 
 /// The cheapest plan that was found for the function, without the techniques in `without`.
+///
+/// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
 pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+    if !function.differentiates() {
+        return cheapest_values(tree, function, without);
+    }
+    let ways = [Technique::Composite, Technique::Reverse];
+    let values = cheapest_values(tree, &function.values(), without);
+    let forward = ways.iter().fold(values, |plan, &way| plan.with(way, false));
+    let others = ways.into_iter().filter(|way| !without.contains(way));
+    let plans = std::iter::once(forward.clone()).chain(others.map(|way| forward.with(way, true)));
+    let count = |plan: &Plan| {
+        let derived = candidate(tree, function, Formulation::Recursive, plan);
+        operations(&derived).total()
+    };
+    plans.min_by_key(count).expect("search: one plan is forward")
+}
+
+/// The same, where nothing is differentiated.
+fn cheapest_values(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut best: Option<Search<'_>> = None;
     // Which way inertias are best regrouped depends most on these two.
     let starts: [&[Technique]; 4] = [
@@ -223,6 +242,7 @@ impl Search<'_> {
                     Technique::Articulated => self.factors_have_a_chance(),
                     Technique::LinkAxes | Technique::Fall => self.function.solves(),
                     Technique::Inward => self.function.is_of_frames(),
+                    Technique::Composite | Technique::Reverse => false,
                     _ => true,
                 };
                 if says_something && !without.contains(&technique) {

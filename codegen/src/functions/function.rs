@@ -8,7 +8,7 @@ use super::{
     shape::{Axis, Shape},
     subject::View,
 };
-use crate::tree::Tree;
+use crate::{expr::ExprGraph, recursive::Plan, solve::SpeedMatrix, tree::Tree};
 
 /// The constant that says of which speeds the accelerations are given.
 pub const PRESCRIBED: &str = "PRESCRIBED";
@@ -32,12 +32,18 @@ pub struct Function {
     pub solves: bool,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
+    /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
+    pub(super) derivatives: Option<Jacobians>,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
     /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
     /// The ways to derive it; of two that need as many operations the first is emitted.
     pub candidates: &'static [Candidate],
 }
+
+/// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
+pub(super) type Jacobians =
+    fn(&mut ExprGraph, &Tree, &Plan) -> Vec<(Argument, SpeedMatrix)>;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +66,7 @@ pub(super) const PLAIN: Function = Function {
     is_default: false,
     solves: false,
     prescribes: false,
+    derivatives: None,
     doc: &[],
     candidates: &[],
 };

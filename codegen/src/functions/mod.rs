@@ -7,9 +7,11 @@
 mod argument;
 mod candidate;
 mod catalogue;
+mod derivative;
 mod derive;
 mod derive_center;
 mod derive_coriolis;
+mod derive_derivatives;
 mod derive_energy;
 mod derive_frame;
 mod derive_hybrid;
@@ -29,10 +31,12 @@ mod subject;
 mod syntax;
 mod terms;
 mod user_axes;
+mod variable;
 
 pub use argument::Argument;
 pub use candidate::{Candidate, Formulation};
 pub use catalogue::{CATALOGUE, OF_FRAMES};
+pub use derivative::Derivative;
 pub use derived::{Block, Derived, pattern};
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use packed::{ELIMINATION, Packed};
@@ -41,8 +45,9 @@ pub use part::Part;
 pub use request::Request;
 pub use request_error::RequestError;
 pub use shape::{
-    Axis, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_SPEEDS, Shape,
+    Axis, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS, Shape,
 };
 pub use signature::{Access, Declared, Signature};
 pub use subject::{Subject, SubjectFrame, View};
 pub use syntax::split;
+pub use variable::Variable;

@@ -5,13 +5,16 @@
 //! not: know which frames there are.
 
 use super::{
+    argument::Argument,
     catalogue::{CATALOGUE, OF_FRAMES},
+    derivative::Derivative,
     function::{Function, Of},
     part::{LOCAL, Part, text_of},
     request::Request,
     request_error::RequestError,
     subject::{Subject, SubjectFrame, View},
-    syntax::{self, AT_SIN_COS, Kind, Word},
+    syntax::{self, AT_SIN_COS, Kind, Word, written},
+    variable::{self, Variable},
 };
 use crate::{diagnostic, tree::Tree};
 
@@ -28,6 +31,8 @@ pub struct Parsed {
 struct ParsedPart {
     function: &'static Function,
     subject: Option<ParsedSubject>,
+    /// By what it is differentiated; empty where it is not.
+    by: Vec<Word>,
 }
 
 /// Frames that are named, before it is known whether the model has them.
@@ -38,7 +43,10 @@ struct ParsedSubject {
 }
 
 /// Where a request stands in a module: whether it is the catalogue's, its parts, whether it is given sines and cosines.
-pub type Place = (bool, Vec<(usize, Option<(Vec<String>, View)>)>, bool);
+pub type Place = (bool, Vec<PartPlace>, bool);
+
+/// The same of a part: its place in the catalogue, its frames, what it is differentiated by.
+pub(super) type PartPlace = (usize, Option<(Vec<String>, View)>, Vec<String>);
 
 impl Parsed {
     /// Reads a request; the grammar stands in the module `syntax`.
@@ -135,13 +143,58 @@ impl Parsed {
 
 impl ParsedPart {
     fn of(text: &str, part: &syntax::Part) -> Result<Self, RequestError> {
-        let place = part.place.clone();
-        let Kind::Named { name, of } = &part.kind else {
-            return Err(RequestError::NotAvailable {
-                part: text[place.clone()].to_owned(),
-                place,
+        match &part.kind {
+            Kind::Named { name, of } => Self::named((name, of), part.place.clone()),
+            Kind::Derivative { of, by } => {
+                let Kind::Named { name, of } = &of.kind else {
+                    return Err(not_available(text, of));
+                };
+                let values = Self::named((name, of), part.place.clone())?;
+                values.differentiated(text, by)
+            }
+            Kind::Product { .. } => Err(not_available(text, part)),
+        }
+    }
+
+    /// The same, differentiated.
+    fn differentiated(self, text: &str, by: &[Word]) -> Result<Self, RequestError> {
+        let name = self.function.name;
+        if self.function.is_compact() {
+            return Err(RequestError::Compact {
+                request: text.to_owned(),
+                name: name.to_owned(),
             });
-        };
+        }
+        for (at, word) in by.iter().enumerate() {
+            if by[..at].iter().any(|known| known.text == word.text) {
+                return Err(RequestError::Repeated {
+                    request: text.to_owned(),
+                    name: word.text.clone(),
+                });
+            }
+            if let Some(Variable::Given(argument)) = Variable::find(None, &word.text)
+                && !self.function.arguments.contains(&argument)
+            {
+                let of_function = variable::ARGUMENTS.into_iter();
+                let of_function = of_function.filter(|one| self.function.arguments.contains(one));
+                return Err(RequestError::VariableNotTaken {
+                    name: name.to_owned(),
+                    variable: argument.name(),
+                    known: of_function.map(Argument::name).collect(),
+                    place: word.place.clone(),
+                });
+            }
+        }
+        Ok(Self {
+            by: by.to_vec(),
+            ..self
+        })
+    }
+
+    fn named(
+        (name, of): (&Word, &[Word]),
+        place: std::ops::Range<usize>,
+    ) -> Result<Self, RequestError> {
         let Some(function) = Function::find(&name.text) else {
             return Err(RequestError::Unknown {
                 name: name.text.clone(),
@@ -167,36 +220,67 @@ impl ParsedPart {
             }
             (Of::Frames(views), frames) => Some(ParsedSubject::of_several(frames, views)),
         };
-        Ok(Self { function, subject })
+        Ok(Self {
+            function,
+            subject,
+            by: Vec::new(),
+        })
     }
 
     fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, Vec<RequestError>> {
         let subject = self.subject.as_ref();
+        let variable = |word: &Word| {
+            let variable = Variable::find(tree, &word.text);
+            variable.ok_or_else(|| {
+                vec![RequestError::UnknownVariable {
+                    name: word.text.clone(),
+                    known: variables(self.function, tree),
+                    place: word.place.clone(),
+                }]
+            })
+        };
+        let by = all_or_faults(self.by.iter().map(variable));
+        let subject = subject.map(|subject| subject.on(text, tree)).transpose();
+        let (by, subject) = match (by, subject) {
+            (Ok(by), Ok(subject)) => (by, subject),
+            (by, subject) => {
+                let faults = [by.err(), subject.err()].into_iter().flatten();
+                return Err(faults.flatten().collect());
+            }
+        };
         Ok(Part {
             function: self.function,
-            subject: subject.map(|subject| subject.on(text, tree)).transpose()?,
+            subject,
+            derivative: (!by.is_empty()).then_some(Derivative { by }),
         })
     }
 
     /// The function, where it is of the whole system.
     fn of_system(&self) -> Option<&'static Function> {
-        self.subject.is_none().then_some(self.function)
+        let is_plain = self.subject.is_none() && self.by.is_empty();
+        is_plain.then_some(self.function)
     }
 
     fn text(&self) -> String {
-        match &self.subject {
+        let of = match &self.subject {
             None => self.function.name.to_owned(),
             Some(subject) => text_of(self.function, subject.names(), subject.view),
+        };
+        if self.by.is_empty() {
+            return of;
         }
+        let by: Vec<String> = self.by.iter().map(|word| written(&word.text)).collect();
+        format!("d({of})/d({})", by.join(", "))
     }
 
-    fn place(&self) -> (usize, Option<(Vec<String>, View)>) {
+    fn place(&self) -> PartPlace {
         let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
         let position = functions.position(|function| function.name == self.function.name);
         let subject = self.subject.as_ref();
         (
             position.expect("functions: a part is of the catalogue"),
             subject.map(|subject| (subject.names().map(str::to_owned).collect(), subject.view)),
+            self.by.iter().map(|word| word.text.clone()).collect(),
         )
     }
 }
@@ -268,6 +352,26 @@ impl ParsedSubject {
             view: self.view,
         })
     }
+}
+
+/// What can be written but not had.
+fn not_available(text: &str, part: &syntax::Part) -> RequestError {
+    let place = part.place.clone();
+    RequestError::NotAvailable {
+        part: text[place.clone()].to_owned(),
+        place,
+    }
+}
+
+/// By what a function can be differentiated.
+fn variables(function: &Function, tree: Option<&Tree>) -> Vec<String> {
+    let arguments = variable::ARGUMENTS.into_iter();
+    let arguments = arguments.filter(|argument| function.arguments.contains(argument));
+    let arguments = arguments.map(|argument| argument.name().to_owned());
+    let parameters = tree.map_or(&[][..], |tree| &tree.parameters).iter();
+    let all = parameters.clone().take(1).map(|_| variable::PARAMETERS.to_owned());
+    let parameters = parameters.map(|parameter| parameter.name.clone());
+    arguments.chain(all).chain(parameters).collect()
 }
 
 /// All of what is found, or all that is wrong.

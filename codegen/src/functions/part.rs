@@ -1,7 +1,10 @@
 //! A part of a request: a function of the catalogue, and what it is of.
 
+use std::borrow::Cow;
+
 use super::{
     candidate::Formulation,
+    derivative::Derivative,
     derived::Derived,
     function::{Function, Output},
     packed::Packed,
@@ -11,7 +14,7 @@ use super::{
     terms,
 };
 use crate::{
-    recursive::Plan,
+    recursive::{Plan, Technique},
     tree::{N_INERTIAL, Tree},
 };
 
@@ -25,6 +28,8 @@ pub struct Part {
     pub function: &'static Function,
     /// The frames that it is of; `None` of the whole system.
     pub subject: Option<Subject>,
+    /// By what it is differentiated; `None` for its values.
+    pub derivative: Option<Derivative>,
 }
 
 /// A function of frames as it is asked for: `velocity(tool0, local)`.
@@ -41,6 +46,14 @@ pub(super) fn text_of<'a>(
 impl Part {
     /// As it is asked for.
     pub fn text(&self) -> String {
+        let of = self.text_of_values();
+        match &self.derivative {
+            None => of,
+            Some(derivative) => format!("d({of})/d({})", derivative.joined(", ")),
+        }
+    }
+
+    fn text_of_values(&self) -> String {
         let Some(subject) = &self.subject else {
             return self.function.name.to_owned();
         };
@@ -50,7 +63,20 @@ impl Part {
 
     /// Its name in generated code: `bias`, `tool0_velocity_local`.
     pub fn name(&self) -> String {
-        self.name_of(self.function.name)
+        let of = self.name_of(self.function.name);
+        match &self.derivative {
+            None => of,
+            Some(derivative) => format!("d_{of}_d_{}", derivative.joined("_")),
+        }
+    }
+
+    /// The same, not differentiated.
+    #[must_use]
+    pub fn values(&self) -> Self {
+        Self {
+            derivative: None,
+            ..self.clone()
+        }
     }
 
     /// What its frames and how they are seen make of a name.
@@ -78,12 +104,26 @@ impl Part {
     }
 
     /// What it writes, in order.
-    pub fn outputs(&self) -> &'static [Output] {
-        self.function.outputs
+    pub fn outputs(&self) -> Cow<'static, [Output]> {
+        match &self.derivative {
+            None => self.function.outputs.into(),
+            Some(derivative) => derivative.outputs(self.function.outputs).into(),
+        }
     }
 
     /// Lines of documentation.
     pub fn doc(&self) -> Vec<String> {
+        let of = self.doc_of_values();
+        let Some(derivative) = &self.derivative else {
+            return of;
+        };
+        let mut lines = derivative.doc(&self.text_of_values(), &self.outputs());
+        lines.push("Of that function:".to_owned());
+        lines.extend(of);
+        lines
+    }
+
+    fn doc_of_values(&self) -> Vec<String> {
         let lines = self.function.doc.iter();
         let Some(subject) = &self.subject else {
             return lines.map(ToString::to_string).collect();
@@ -162,7 +202,7 @@ impl Part {
                     .length(tree)
                     .unwrap_or_else(|| self.own_length(*axis, tree, terms::of_vector(tree))),
             };
-            output.shape.axes.iter().map(length).product::<usize>()
+            output.shape.all().map(|axis| length(&axis)).product::<usize>()
         };
         self.outputs().iter().map(of_output).sum()
     }
@@ -194,6 +234,23 @@ impl Part {
         plan: &Plan,
     ) {
         let candidate = self.function.candidate(formulation);
+        let first = derived.roots.len();
+        if candidate.formulation == Formulation::Recursive
+            && plan.uses(Technique::Composite)
+            && let Some(derivative) = &self.derivative
+            && let Some(jacobians) = self.function.derivatives
+            && derivative.from_jacobians(derived, tree, plan, jacobians)
+        {
+            return;
+        }
         candidate.derive_in(derived, tree, plan, self.subject.as_ref());
+        if let Some(derivative) = &self.derivative {
+            let own = |axis| self.own_length(axis, tree, 0);
+            let outputs = self.function.outputs.iter();
+            let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
+            let sizes: Vec<usize> = sizes.collect();
+            let is_reverse = plan.uses(Technique::Reverse);
+            derivative.apply(derived, tree, (first, &sizes), is_reverse);
+        }
     }
 }

@@ -12,6 +12,7 @@ use super::{
     packed::Packed,
     part::Part,
     syntax::AT_SIN_COS,
+    variable::Variable,
 };
 use crate::{recursive::Plan, solve, tree::Tree};
 
@@ -35,7 +36,7 @@ impl Request {
     /// The part, where it is one as the catalogue has it.
     pub fn alone(&self) -> Option<&Part> {
         match &self.parts[..] {
-            [part] if !self.at_sin_cos => Some(part),
+            [part] if !self.at_sin_cos && part.derivative.is_none() => Some(part),
             _ => None,
         }
     }
@@ -59,8 +60,11 @@ impl Request {
     /// The packed matrices among the outputs, each once.
     pub fn packed(&self) -> Vec<Packed> {
         let is_written = |packed: &Packed| {
-            let mut outputs = self.parts.iter().flat_map(Part::outputs);
-            outputs.any(|output| output.shape.packed() == Some(*packed))
+            let mut functions = self.functions();
+            functions.any(|function| {
+                let mut outputs = function.outputs.iter();
+                outputs.any(|output| output.shape.packed() == Some(*packed))
+            })
         };
         Packed::ALL.into_iter().filter(is_written).collect()
     }
@@ -109,8 +113,9 @@ impl Request {
     pub fn lengths(&self, tree: &Tree, n_columns: usize) -> Vec<Vec<usize>> {
         let of_part = |part: &Part| {
             let own = |axis| part.own_length(axis, tree, n_columns);
-            let outputs = part.outputs().iter();
-            let lengths = outputs.map(|output| output.shape.lengths(tree, own));
+            let outputs = part.outputs();
+            let lengths = outputs.iter();
+            let lengths = lengths.map(|output| output.shape.lengths(tree, own));
             lengths.collect::<Vec<_>>()
         };
         self.parts.iter().flat_map(of_part).collect()
@@ -119,16 +124,16 @@ impl Request {
     pub(super) fn outputs_of(&self, part: &Part) -> Vec<Output> {
         let arguments = self.arguments();
         let is_free = |name: &str| {
-            let all = self.parts.iter().flat_map(Part::outputs);
-            let among = all.filter(|output| output.name == name);
-            among.count() == 1 && arguments.iter().all(|argument| argument.name() != name)
+            let parts = self.parts.iter();
+            let all = parts.flat_map(|part| part.outputs().into_owned());
+            all.filter(|output| output.name == name).count() == 1 && arguments.iter().all(|argument| argument.name() != name)
         };
         let outputs = part.outputs();
         let named = |output: &Output| {
             if self.parts.len() == 1 || is_free(&output.name) {
                 return output.clone();
             }
-            let own = match outputs {
+            let own = match outputs[..] {
                 [_] => part.name(),
                 _ => format!("{}_{}", part.name(), output.name),
             };
@@ -226,6 +231,31 @@ impl Request {
         functions.any(|function| function.candidate(formulation).takes_plan())
     }
 
+    /// True where some part is a derivative.
+    pub fn differentiates(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.any(|part| part.derivative.is_some())
+    }
+
+    /// True where some part is differentiated by all values set at run time.
+    pub fn is_by_parameters(&self) -> bool {
+        let derivatives = self.parts.iter().filter_map(|part| part.derivative.as_ref());
+        let mut variables = derivatives.flat_map(|derivative| &derivative.by);
+        variables.any(|variable| *variable == Variable::Parameters)
+    }
+
+    /// The same with the values of what is differentiated in the place of its derivatives, each once.
+    #[must_use]
+    pub fn values(&self) -> Self {
+        let mut parts: Vec<Part> = Vec::new();
+        for part in self.parts.iter().map(Part::values) {
+            if parts.iter().all(|known| known.text() != part.text()) {
+                parts.push(part);
+            }
+        }
+        Self::new(parts, self.at_sin_cos)
+    }
+
     /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no
     /// notice of `formulation`, and only what needs a plan of `plan`.
     pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
@@ -241,8 +271,12 @@ impl Request {
 impl From<&'static Function> for Request {
     /// A function of the whole system.
     fn from(function: &'static Function) -> Self {
-        let subject = None;
-        Self::new(vec![Part { function, subject }], false)
+        let part = Part {
+            function,
+            subject: None,
+            derivative: None,
+        };
+        Self::new(vec![part], false)
     }
 }
 

@@ -90,6 +90,28 @@ pub enum RequestError {
         /// Where in the request.
         place: Range<usize>,
     },
+    /// A variable that the function is not given.
+    #[error("`{name}` is not given `{variable}`; {}", given(known))]
+    VariableNotTaken {
+        /// The function.
+        name: String,
+        /// The variable.
+        variable: &'static str,
+        /// What it is given.
+        known: Vec<&'static str>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// What is no variable.
+    #[error("`{}` is no variable; {}", name.escape_debug(), listed(known))]
+    UnknownVariable {
+        /// What was found.
+        name: String,
+        /// The variables of the function.
+        known: Vec<String>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
     /// What can be written but not had.
     #[error("`{}` is not available", part.escape_debug())]
     NotAvailable {
@@ -128,6 +150,8 @@ impl RequestError {
             | Self::FrameNotTaken { place, .. }
             | Self::View { place, .. }
             | Self::UnknownFrame { place, .. }
+            | Self::VariableNotTaken { place, .. }
+            | Self::UnknownVariable { place, .. }
             | Self::NotAvailable { place, .. } => Some(place.clone()),
             Self::Unknown { .. }
             | Self::Repeated { .. }
@@ -140,6 +164,11 @@ impl RequestError {
 
 /// The most frames that are listed.
 const MOST_LISTED: usize = 20;
+
+fn given(known: &[&'static str]) -> String {
+    let known: Vec<String> = known.iter().map(ToString::to_string).collect();
+    format!("of what it is given {}", listed(&known))
+}
 
 fn listed(known: &[String]) -> String {
     let names = known.iter().take(MOST_LISTED);

@@ -16,6 +16,9 @@ pub const N_SPEEDS: &str = "NU";
 /// The constant that holds the number of base parameters.
 pub const N_BASE_PARAMETERS: &str = "BASE_PARAMETERS_LEN";
 
+/// The constant that holds the number of values set at run time.
+pub const N_PARAMETERS: &str = "PARAMETERS_LEN";
+
 /// What an axis of an array counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
@@ -31,6 +34,10 @@ pub enum Axis {
     Bodies,
     /// The inertial parameters of a body.
     Parameters,
+    /// Values set at run time.
+    Values,
+    /// The components of a load: force, then moment.
+    LoadComponents,
     /// Base parameters: combinations of these on which forces depend.
     BaseParameters,
     /// The columns of a compact output's non-zero partitions, with their pattern beside the function.
@@ -46,6 +53,8 @@ pub enum Axis {
 pub struct Shape {
     /// The axes.
     pub axes: &'static [Axis],
+    /// Those of what it is differentiated by, within them.
+    pub by: &'static [Axis],
 }
 
 /// What an array is of.
@@ -78,6 +87,8 @@ impl Axis {
         Some(match self {
             Self::Three => 3,
             Self::Parameters => N_INERTIAL,
+            Self::Values => tree.parameters.len(),
+            Self::LoadComponents => 6,
             Self::BaseParameters => base_parameters::of(tree).len(),
             Self::Coordinates => tree.n_coordinates,
             Self::Speeds => tree.n_speeds,
@@ -92,6 +103,7 @@ impl Axis {
         match self {
             Self::Three
             | Self::Parameters
+            | Self::LoadComponents
             | Self::Columns
             | Self::FrameSpeeds
             | Self::FrameComponents => None,
@@ -100,6 +112,7 @@ impl Axis {
             Self::Packed(packed) => Some(packed.length_constant()),
             Self::Bodies => Some(N_BODIES),
             Self::BaseParameters => Some(N_BASE_PARAMETERS),
+            Self::Values => Some(N_PARAMETERS),
         }
     }
 
@@ -108,6 +121,7 @@ impl Axis {
         match (self, self.constant()) {
             (Self::Three, _) => Length::Number(3),
             (Self::Parameters, _) => Length::Number(N_INERTIAL),
+            (Self::LoadComponents, _) => Length::Number(6),
             (_, Some(constant)) => Length::Constant(constant.to_owned()),
             (_, None) => own(self),
         }
@@ -122,6 +136,8 @@ impl Axis {
             Self::Packed(_) => "a pair of speeds",
             Self::Bodies => "a body",
             Self::Parameters => "a parameter",
+            Self::Values => "a value set at run time",
+            Self::LoadComponents => "a component of a load",
             Self::BaseParameters => "a base parameter",
             Self::Columns => "a column",
             Self::FrameSpeeds => "a speed that moves the frame",
@@ -131,96 +147,66 @@ impl Axis {
 }
 
 impl Shape {
+    const fn of(axes: &'static [Axis]) -> Self {
+        Self { axes, by: &[] }
+    }
+
     /// One number.
-    pub const SCALAR: Self = Self { axes: &[] };
+    pub const SCALAR: Self = Self::of(&[]);
     /// `[R; 3]`.
-    pub const VECTOR: Self = Self {
-        axes: &[Axis::Three],
-    };
+    pub const VECTOR: Self = Self::of(&[Axis::Three]);
     /// `[[R; 3]; 3]`.
-    pub const MATRIX: Self = Self {
-        axes: &[Axis::Three, Axis::Three],
-    };
+    pub const MATRIX: Self = Self::of(&[Axis::Three, Axis::Three]);
     /// `[R; NQ]`.
-    pub const COORDINATES: Self = Self {
-        axes: &[Axis::Coordinates],
-    };
+    pub const COORDINATES: Self = Self::of(&[Axis::Coordinates]);
     /// `[R; NU]`.
-    pub const SPEEDS: Self = Self {
-        axes: &[Axis::Speeds],
-    };
+    pub const SPEEDS: Self = Self::of(&[Axis::Speeds]);
     /// `[[R; NU]; NU]`.
-    pub const SPEED_MATRIX: Self = Self {
-        axes: &[Axis::Speeds, Axis::Speeds],
-    };
+    pub const SPEED_MATRIX: Self = Self::of(&[Axis::Speeds, Axis::Speeds]);
     /// `[[R; NU]; 3]`.
-    pub const SPEED_COLUMNS: Self = Self {
-        axes: &[Axis::Three, Axis::Speeds],
-    };
+    pub const SPEED_COLUMNS: Self = Self::of(&[Axis::Three, Axis::Speeds]);
     /// `[[R; 3]; NU]`.
-    pub const SPEED_VECTORS: Self = Self {
-        axes: &[Axis::Speeds, Axis::Three],
-    };
+    pub const SPEED_VECTORS: Self = Self::of(&[Axis::Speeds, Axis::Three]);
     /// `[[[R; 10]; NB]; NU]`.
-    pub const BODY_PARAMETERS: Self = Self {
-        axes: &[Axis::Speeds, Axis::Bodies, Axis::Parameters],
-    };
+    pub const BODY_PARAMETERS: Self = Self::of(&[Axis::Speeds, Axis::Bodies, Axis::Parameters]);
     /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
-    pub const BASE_PARAMETERS: Self = Self {
-        axes: &[Axis::Speeds, Axis::BaseParameters],
-    };
+    pub const BASE_PARAMETERS: Self = Self::of(&[Axis::Speeds, Axis::BaseParameters]);
     /// `[R; MASS_MATRIX_PACKED_LEN]`.
-    pub const MASS_MATRIX_PACKED: Self = Self {
-        axes: &[Axis::Packed(Packed::MassMatrix)],
-    };
+    pub const MASS_MATRIX_PACKED: Self = Self::of(&[Axis::Packed(Packed::MassMatrix)]);
     /// `[R; MASS_MATRIX_INVERSE_PACKED_LEN]`.
-    pub const INVERSE_PACKED: Self = Self {
-        axes: &[Axis::Packed(Packed::Inverse)],
-    };
+    pub const INVERSE_PACKED: Self = Self::of(&[Axis::Packed(Packed::Inverse)]);
     /// `[R; MASS_MATRIX_FACTORS_LEN]`.
-    pub const FACTORS: Self = Self {
-        axes: &[Axis::Packed(Packed::Factors)],
-    };
+    pub const FACTORS: Self = Self::of(&[Axis::Packed(Packed::Factors)]);
     /// `[R; NB]`.
-    pub const BODY_SCALARS: Self = Self {
-        axes: &[Axis::Bodies],
-    };
+    pub const BODY_SCALARS: Self = Self::of(&[Axis::Bodies]);
     /// `[[R; 3]; NB]`.
-    pub const BODY_VECTORS: Self = Self {
-        axes: &[Axis::Bodies, Axis::Three],
-    };
+    pub const BODY_VECTORS: Self = Self::of(&[Axis::Bodies, Axis::Three]);
     /// `[[[R; 3]; 3]; NB]`.
-    pub const BODY_MATRICES: Self = Self {
-        axes: &[Axis::Bodies, Axis::Three, Axis::Three],
-    };
+    pub const BODY_MATRICES: Self = Self::of(&[Axis::Bodies, Axis::Three, Axis::Three]);
     /// `[[R; NU]; 3]`.
-    pub const VECTOR_BY_SPEEDS: Self = Self {
-        axes: &[Axis::Three, Axis::Speeds],
-    };
+    pub const VECTOR_BY_SPEEDS: Self = Self::of(&[Axis::Three, Axis::Speeds]);
     /// `[[R; NAME_SPEEDS_LEN]; 3]`.
-    pub const VECTOR_BY_FRAME_SPEEDS: Self = Self {
-        axes: &[Axis::Three, Axis::FrameSpeeds],
-    };
+    pub const VECTOR_BY_FRAME_SPEEDS: Self = Self::of(&[Axis::Three, Axis::FrameSpeeds]);
     /// `[[R; 6]; 6]`, of one frame.
-    pub const FRAME_MATRIX: Self = Self {
-        axes: &[Axis::FrameComponents, Axis::FrameComponents],
-    };
+    pub const FRAME_MATRIX: Self = Self::of(&[Axis::FrameComponents, Axis::FrameComponents]);
     /// `[[R; 3]; NAME_COLUMNS]`.
-    pub const COLUMNS: Self = Self {
-        axes: &[Axis::Columns, Axis::Three],
-    };
+    pub const COLUMNS: Self = Self::of(&[Axis::Columns, Axis::Three]);
+
+    /// All axes, outermost first.
+    pub fn all(self) -> impl Iterator<Item = Axis> {
+        self.axes.iter().chain(self.by).copied()
+    }
 
     /// The lengths of the nested arrays, outermost first; `own` knows those that the function decides.
     pub fn lengths(self, tree: &Tree, own: impl Fn(Axis) -> usize) -> Vec<usize> {
-        let axes = self.axes.iter();
-        axes.map(|axis| axis.length(tree).unwrap_or_else(|| own(*axis)))
+        let axes = self.all();
+        axes.map(|axis| axis.length(tree).unwrap_or_else(|| own(axis)))
             .collect()
     }
 
     /// The lengths as generated code names them; `own` names those that the function decides.
     pub fn declared(self, own: impl Fn(Axis) -> Length) -> Vec<Length> {
-        let axes = self.axes.iter();
-        axes.map(|axis| axis.declared(&own)).collect()
+        self.all().map(|axis| axis.declared(&own)).collect()
     }
 
     /// The packed matrix that it is, if it is one.

@@ -3,7 +3,7 @@
 
 use super::{BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
 use crate::functions::{
-    Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_SPEEDS, PRESCRIBED,
+    Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS, PRESCRIBED,
 };
 
 /// The system's name.
@@ -24,6 +24,8 @@ pub(crate) const FRAMES: &str = "FRAMES";
 pub(crate) const BASE_PARAMETERS: &str = "BASE_PARAMETERS";
 /// What they are made of.
 pub(crate) const BASE_PARAMETER_TERMS: &str = "BASE_PARAMETER_TERMS";
+/// The fields of `Parameters`.
+const PARAMETER_NAMES: &str = "PARAMETER_NAMES";
 /// Hash of the model.
 pub(crate) const FINGERPRINT: &str = "FINGERPRINT";
 /// What functions cost.
@@ -212,6 +214,21 @@ impl Facts {
             Data::Terms(&base.terms),
         );
         length.into_iter().chain([names, terms]).collect()
+    }
+
+    /// The constants of modules with derivatives by all values set at run time: what these are called.
+    pub fn parameter_constants(&self) -> Vec<Constant<'_>> {
+        let Some(length) = self.sizes.named(N_PARAMETERS) else {
+            return Vec::new();
+        };
+        let names = self.parameters.iter();
+        let names = names.map(|parameter| parameter.name.as_str()).collect();
+        let names = constant(
+            PARAMETER_NAMES,
+            "The fields of `Parameters`, in the order of the columns of derivatives by them.",
+            Data::Texts(N_PARAMETERS, names),
+        );
+        vec![size(length), names]
     }
 
     /// The constant of modules in which accelerations of some speeds are given, and forces of the others.

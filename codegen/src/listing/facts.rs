@@ -6,7 +6,7 @@ use super::{
     BaseParameters, Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size, Sizes,
 };
 use crate::{
-    functions::{Axis, Block, Declared, N_BASE_PARAMETERS, Packed},
+    functions::{Axis, Block, Declared, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
     id::{BodyId, SpeedId},
     origin::Origin,
     passes::sines,
@@ -105,6 +105,8 @@ pub(super) struct Wanted {
     pub(super) base_parameters: Option<BaseParameters>,
     /// Some ask which speeds are prescribed.
     pub(super) prescribed: bool,
+    /// Some are differentiated by all values set at run time.
+    pub(super) values: bool,
     /// What those with compact outputs write, each once.
     pub(super) patterns: Vec<Pattern>,
     /// The speeds that move the frames of Jacobians, each frame's once.
@@ -233,6 +235,12 @@ fn sizes(
         value: base.texts.len(),
         doc: "Number of base parameters.".to_owned(),
         brief: "Number of base parameters",
+    }));
+    sizes.extend(wanted.values.then(|| Size {
+        name: N_PARAMETERS.to_owned(),
+        value: tree.parameters.len(),
+        doc: "Number of values set at run time.".to_owned(),
+        brief: "Number of values set at run time",
     }));
     sizes.extend(wanted.frame_speeds.iter().map(|frame| Size {
         name: frame.length.clone(),

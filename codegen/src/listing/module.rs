@@ -111,6 +111,7 @@ fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
         frame_speeds: FrameSpeeds::of(tree, functions),
         angles: any(Request::is_at_sin_cos),
         prescribed: any(Request::prescribes),
+        values: any(Request::is_by_parameters),
         packed: functions
             .iter()
             .flat_map(|one| one.function.packed())

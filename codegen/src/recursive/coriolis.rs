@@ -68,7 +68,7 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
 }
 
 /// Angular velocity, and velocity of the origin.
-type Velocity = [Vector; 2];
+pub(super) type Velocity = [Vector; 2];
 
 /// A link's velocity on its way outward through a joint.
 #[derive(Clone, Debug)]
@@ -122,20 +122,86 @@ impl Passenger for Moving {
 
 /// What a speed's unit value makes of the masses that it moves, about the origin and along the axes that have been reached.
 #[derive(Clone, Copy, Debug)]
-struct Column {
+pub(super) struct Column {
     /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
-    body: BodyId,
-    motion: Motion,
+    pub(super) body: BodyId,
+    pub(super) motion: Motion,
     /// Angular and linear: what the change of J needs.
-    needed: [Vector; 2],
+    pub(super) needed: [Vector; 2],
     /// Angular and linear momentum.
-    momentum: [Vector; 2],
-    couple: Vector,
+    pub(super) momentum: [Vector; 2],
+    pub(super) couple: Vector,
     /// The force that is needed where the root's translations are read, once it is there; linear parts are then zero.
     arrived: Option<Vector>,
 }
 
+/// What a composite body is made of, and how fast that changes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Masses<'a> {
+    pub(super) body: BodyId,
+    pub(super) moments: &'a Moments,
+    pub(super) rates: &'a Rates,
+}
+
 impl Column {
+    /// That of a turn about an axis of a link that moves so.
+    pub(super) fn of_turn(
+        graph: &mut ExprGraph,
+        Masses { body, moments, rates }: Masses<'_>,
+        motion: Motion,
+        axis: usize,
+        [w, v]: Velocity,
+    ) -> Self {
+        let unit = graph.unit_vector(axis);
+        let momentum = graph.cross(unit, moments.first);
+        let (seen, seen_back) = (rates.column(graph, axis), rates.row(graph, axis));
+        let spread = graph.mul_symmetric(&moments.second, w);
+        let turned = graph.cross(unit, spread);
+        let axis_rate = graph.cross(w, unit);
+        let swept = graph.mul_symmetric(&moments.second, axis_rate);
+        let carried = graph.cross(v, momentum);
+        let couple = graph.add_vectors(seen_back, swept);
+        let (moving, turning) = (graph.cross(unit, rates.first), graph.cross(w, momentum));
+        Self {
+            body,
+            motion,
+            needed: [
+                graph.sub_vectors(seen, turned),
+                graph.add_vectors(moving, turning),
+            ],
+            momentum: [moments.about(graph, axis), momentum],
+            couple: graph.add_vectors(couple, carried),
+            arrived: None,
+        }
+    }
+
+    /// That of a translation along an axis.
+    pub(super) fn of_shift(
+        graph: &mut ExprGraph,
+        Masses { body, moments, rates }: Masses<'_>,
+        motion: Motion,
+        axis: usize,
+        [w, v]: Velocity,
+    ) -> Self {
+        let unit = graph.unit_vector(axis);
+        let axis_rate = graph.cross(w, unit);
+        let force = graph.scale(moments.mass, axis_rate);
+        let (carried, turned) = (graph.scale(moments.mass, v), graph.cross(w, moments.first));
+        let whole = graph.add_vectors(rates.first, carried);
+        let whole = graph.add_vectors(whole, turned);
+        Self {
+            body,
+            motion,
+            needed: [graph.cross(moments.first, axis_rate), force],
+            momentum: [
+                graph.cross(moments.first, unit),
+                graph.scale(moments.mass, unit),
+            ],
+            couple: graph.cross(whole, unit),
+            arrived: None,
+        }
+    }
+
     /// What is needed about (0 to 2) or along (3 to 5) an axis.
     fn needed(&self, place: usize) -> Expr {
         if place < 3 {
@@ -154,14 +220,14 @@ impl Column {
         self.momentum[1] = graph.zero_vector();
     }
 
-    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
+    pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);
         self.needed = self.needed.map(|v| rotation.backward(graph, v));
         self.momentum = self.momentum.map(|v| rotation.backward(graph, v));
         self.couple = rotation.backward(graph, self.couple);
     }
 
-    fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
+    pub(super) fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
         graph.enter(self.body);
         for [angular, linear] in [&mut self.needed, &mut self.momentum] {
             let lever = graph.cross(offset, *linear);
@@ -195,58 +261,12 @@ impl Carried<'_, '_> {
         *velocity
     }
 
-    /// The column of a turn about an axis.
-    fn begin_turn(&mut self, graph: &mut ExprGraph, motion: Motion, axis: usize, [w, v]: Velocity) {
-        let Self { moments, rates, .. } = self;
-        let unit = graph.unit_vector(axis);
-        let momentum = graph.cross(unit, moments.first);
-        let (seen, seen_back) = (rates.column(graph, axis), rates.row(graph, axis));
-        let spread = graph.mul_symmetric(&moments.second, w);
-        let turned = graph.cross(unit, spread);
-        let axis_rate = graph.cross(w, unit);
-        let swept = graph.mul_symmetric(&moments.second, axis_rate);
-        let carried = graph.cross(v, momentum);
-        let couple = graph.add_vectors(seen_back, swept);
-        let (moving, turning) = (graph.cross(unit, rates.first), graph.cross(w, momentum));
-        self.columns.push(Column {
+    fn masses(&self) -> Masses<'_> {
+        Masses {
             body: self.body,
-            motion,
-            needed: [
-                graph.sub_vectors(seen, turned),
-                graph.add_vectors(moving, turning),
-            ],
-            momentum: [moments.about(graph, axis), momentum],
-            couple: graph.add_vectors(couple, carried),
-            arrived: None,
-        });
-    }
-
-    /// The column of a translation along an axis.
-    fn begin_shift(
-        &mut self,
-        graph: &mut ExprGraph,
-        motion: Motion,
-        axis: usize,
-        [w, v]: Velocity,
-    ) {
-        let Self { moments, rates, .. } = self;
-        let unit = graph.unit_vector(axis);
-        let axis_rate = graph.cross(w, unit);
-        let force = graph.scale(moments.mass, axis_rate);
-        let (carried, turned) = (graph.scale(moments.mass, v), graph.cross(w, moments.first));
-        let whole = graph.add_vectors(rates.first, carried);
-        let whole = graph.add_vectors(whole, turned);
-        self.columns.push(Column {
-            body: self.body,
-            motion,
-            needed: [graph.cross(moments.first, axis_rate), force],
-            momentum: [
-                graph.cross(moments.first, unit),
-                graph.scale(moments.mass, unit),
-            ],
-            couple: graph.cross(whole, unit),
-            arrived: None,
-        });
+            moments: &self.moments,
+            rates: &self.rates,
+        }
     }
 
     /// Sends the linear parts of columns on a shortcut, if there is one here.
@@ -328,7 +348,8 @@ impl Passenger for Carried<'_, '_> {
         let velocity = self.next();
         for (axis, motion) in drive.motions().into_iter().enumerate() {
             if let Some(motion) = motion {
-                self.begin_turn(graph, motion, axis, velocity);
+                let column = Column::of_turn(graph, self.masses(), motion, axis, velocity);
+                self.columns.push(column);
                 self.read(graph, motion, axis, velocity);
             }
         }
@@ -340,16 +361,18 @@ impl Passenger for Carried<'_, '_> {
             column.turn(graph, rotation);
         }
         graph.enter(self.body);
+        let w = drive.speeds(graph);
         self.rates = self
             .rates
-            .undriven(graph, &mut self.moments, rotation, drive);
+            .undriven(graph, &mut self.moments, rotation, (drive, w));
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         let velocity = self.next();
         for (axis, motion) in motions.into_iter().enumerate() {
             if let Some(motion) = motion {
-                self.begin_shift(graph, motion, axis, velocity);
+                let column = Column::of_shift(graph, self.masses(), motion, axis, velocity);
+                self.columns.push(column);
                 self.read(graph, motion, 3 + axis, velocity);
             }
         }

@@ -93,18 +93,18 @@ fn read_translations(graph: &mut ExprGraph, joint: &Joint, accelerations: Accele
 }
 
 /// A motion on its way outward through a joint.
-struct Moving<'a> {
+pub(super) struct Moving<'a> {
     /// That of the lower link; `None` is the inertial frame.
     lower: Option<&'a LinkMotion>,
     accelerations: Accelerations<'a>,
-    w: Vector,
-    alpha: Vector,
+    pub(super) w: Vector,
+    pub(super) alpha: Vector,
     a: Vector,
 }
 
 impl<'a> Moving<'a> {
     /// At the lower link's origin; `base` is the acceleration of the inertial frame, less gravity.
-    fn new(
+    pub(super) fn new(
         graph: &mut ExprGraph,
         lower: Option<&'a LinkMotion>,
         base: Vector,
@@ -145,7 +145,12 @@ impl<'a> Moving<'a> {
         w[a] = graph.add(w[a], rate);
     }
 
-    fn arrived(self, graph: &mut ExprGraph) -> LinkMotion {
+    /// The motion where it has come.
+    pub(super) fn reached(&self, graph: &mut ExprGraph) -> LinkMotion {
+        LinkMotion::new(graph, self.w, self.alpha, self.a)
+    }
+
+    pub(super) fn arrived(self, graph: &mut ExprGraph) -> LinkMotion {
         let Self { w, alpha, a, .. } = self;
         graph.name_vector(w, "w");
         graph.name_vector(alpha, "alpha");

@@ -178,14 +178,14 @@ impl Passenger for Carried<'_> {
             }
         }
         // The body's speeds are read as its own, before columns of others need them.
-        drive.speeds(graph);
+        let w = drive.speeds(graph);
         for column in &mut self.columns {
             column.undriven(graph, rotation, drive);
         }
         graph.enter(self.body);
         self.rates = self
             .rates
-            .undriven(graph, &mut self.moments, rotation, drive);
+            .undriven(graph, &mut self.moments, rotation, (drive, w));
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {

@@ -12,6 +12,7 @@ pub mod center;
 mod column;
 pub mod composite;
 pub mod coriolis;
+pub mod derivatives;
 pub mod energy;
 mod exchange;
 pub mod forward_dynamics;

@@ -46,6 +46,16 @@ impl Moments {
         across(graph, axis, self.second.column(axis), self.second.diagonal)
     }
 
+    /// The angular momentum for an angular velocity.
+    pub(super) fn spinning(&self, graph: &mut ExprGraph, w: Vector) -> Vector {
+        let columns = [0, 1, 2].map(|axis| {
+            let about = self.about(graph, axis);
+            graph.scale(w[axis], about)
+        });
+        let sum = graph.add_vectors(columns[0], columns[1]);
+        graph.add_vectors(sum, columns[2])
+    }
+
     /// About a point from which this one's point lies at `d`: `h' = h + m d`, `S' = S + h d^T + d h'^T`.
     pub(super) fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
         let shift = graph.scale(self.mass, d);
@@ -97,7 +107,7 @@ pub(super) trait Changing: Sized {
     /// Components before a rotation of what is given by those after it.
     fn turned_back(&self, graph: &mut ExprGraph, rotation: &dyn Turn) -> Self;
 
-    /// Before a rotation, seen from the axes before it; so become the moments.
+    /// Before a rotation that is driven at `w`, seen from the axes before it; so become the moments.
     ///
     /// The rate of an angle may enter on either side of its rotation: before it, where a link that carries nothing has no rates yet.
     fn undriven(
@@ -105,9 +115,8 @@ pub(super) trait Changing: Sized {
         graph: &mut ExprGraph,
         moments: &mut Moments,
         rotation: &dyn Turn,
-        drive: Drive,
+        (drive, w): (Drive, Vector),
     ) -> Self {
-        let w = drive.speeds(graph);
         if let Drive::AngularVelocity(_) = drive {
             let driven = self.driven(graph, moments, w);
             *moments = moments.turned_back(graph, rotation);
@@ -184,6 +193,16 @@ impl Rates {
     /// A row of it.
     pub(super) fn row(&self, graph: &mut ExprGraph, axis: usize) -> Vector {
         across(graph, axis, self.second[axis], self.diagonal())
+    }
+
+    /// It times a vector.
+    pub(super) fn times(&self, graph: &mut ExprGraph, v: Vector) -> Vector {
+        let columns = [0, 1, 2].map(|axis| {
+            let column = self.column(graph, axis);
+            graph.scale(v[axis], column)
+        });
+        let sum = graph.add_vectors(columns[0], columns[1]);
+        graph.add_vectors(sum, columns[2])
     }
 
     fn diagonal(&self) -> Vector {

@@ -33,13 +33,17 @@ pub enum Technique {
     LinkAxes,
     /// Where accelerations are solved for, bodies that nothing holds are taken to fall, and gravity is added to the result.
     Fall,
+    /// Derivatives of dynamics come from composite bodies, and not from the values' own operations.
+    Composite,
+    /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
+    Reverse,
     /// Common factors are taken out of sums.
     Factor,
 }
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 12] = [
+    pub const ALL: [(&str, Self); 14] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -51,6 +55,8 @@ impl Technique {
         ("articulated", Self::Articulated),
         ("link_axes", Self::LinkAxes),
         ("fall", Self::Fall),
+        ("composite", Self::Composite),
+        ("reverse", Self::Reverse),
         ("factor", Self::Factor),
     ];
 

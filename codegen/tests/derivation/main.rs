@@ -4,6 +4,7 @@ mod base_parameters;
 mod chains;
 mod compiled;
 mod counts;
+mod derivatives;
 mod equivalences;
 mod evaluator;
 mod expr;

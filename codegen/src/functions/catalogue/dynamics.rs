@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
+    derive, derive_derivatives,
     function::{Function, Output, PLAIN},
     shape::Shape,
     terms,
@@ -78,6 +78,7 @@ pub(super) const BIAS: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("bias", Shape::SPEEDS)],
     is_default: true,
+    derivatives: Some(derive_derivatives::bias),
     doc: &[
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
@@ -111,6 +112,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     is_default: true,
+    derivatives: Some(derive_derivatives::inverse_dynamics),
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive_loaded,
+    derive_derivatives, derive_loaded,
     function::{Function, Output, PLAIN},
     shape::Shape,
     terms,
@@ -14,6 +14,7 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     trait_name: Some("LoadedInverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
+    derivatives: Some(derive_derivatives::loaded_inverse_dynamics),
     doc: &[
         "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",

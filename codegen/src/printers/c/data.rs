@@ -5,7 +5,12 @@ use crate::listing::{BaseTerm, Constant, Data, Facts, Frame};
 
 /// The tables, in the order of the module's constants; what is empty is left out.
 pub(super) fn tables(facts: &Facts, prefix: &str) -> Vec<String> {
-    let constants = [facts.constants(), facts.base_parameter_constants()].concat();
+    let constants = [
+        facts.constants(),
+        facts.base_parameter_constants(),
+        facts.parameter_constants(),
+    ]
+    .concat();
     let mut tables: Vec<String> = constants
         .iter()
         .filter_map(|constant| of(constant, prefix))

@@ -94,6 +94,8 @@ fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
     for axis in counted {
         let map: &[usize] = match axis {
             Axis::Three => &all[..3],
+            Axis::LoadComponents => &all[..6],
+            Axis::Values => unreachable!("of a derivative"),
             Axis::Parameters => &all,
             Axis::Coordinates => &maps.coordinates,
             Axis::Speeds => &maps.speeds,

@@ -1,0 +1,40 @@
+//! How an operation changes with its operands.
+
+use crate::expr::{Expr, ExprGraph, Node, NodeId};
+
+/// Each operand among those that `vary`, and how much the node changes with it.
+pub(super) fn partials(
+    graph: &mut ExprGraph,
+    id: NodeId,
+    varies: impl Fn(NodeId) -> bool,
+) -> Vec<(NodeId, Expr)> {
+    let mut found = Vec::with_capacity(2);
+    match graph.node(id) {
+        Node::Number(_) | Node::Input(_) => {}
+        Node::Sin(a) => found.push((a, graph.cos(Expr::of(a)))),
+        Node::Cos(a) => found.push((a, -graph.sin(Expr::of(a)))),
+        Node::Abs(a) => found.push((a, sign(graph, a))),
+        Node::Add(a, b) => {
+            let one = graph.one();
+            found.extend([a, b].map(|term| (term.node(), one.signed(term.is_negative()))));
+        }
+        Node::Mul(a, b) => found.extend([(a, Expr::of(b)), (b, Expr::of(a))]),
+        Node::Div(a, b) => {
+            let reciprocal = graph.reciprocal(Expr::of(b));
+            found.push((a, reciprocal));
+            if varies(b) {
+                let slope = graph.mul(Expr::of(id), reciprocal);
+                found.push((b, -slope));
+            }
+        }
+    }
+    found.retain(|&(operand, _)| varies(operand));
+    found
+}
+
+/// `a / |a|`; zero where `a` is: what is added is less than any rounding of another size.
+fn sign(graph: &mut ExprGraph, a: NodeId) -> Expr {
+    let (size, least) = (graph.abs(Expr::of(a)), graph.number(f64::MIN_POSITIVE));
+    let size = graph.add(size, least);
+    graph.div(Expr::of(a), size)
+}

@@ -1,0 +1,50 @@
+//! Rows of a Jacobian: an entry for each variable on which something depends.
+
+use std::{cmp::Ordering, collections::BTreeMap};
+
+use crate::expr::{Expr, ExprGraph, Input};
+
+/// Entries by their places, which ascend; what is not there is zero.
+pub type Row = Vec<(usize, Expr)>;
+
+/// How inputs change with variables.
+pub type Seeds = BTreeMap<Input, Row>;
+
+/// A row times a factor; what becomes zero is left out.
+pub(super) fn scaled(graph: &mut ExprGraph, factor: Expr, row: &Row) -> Row {
+    let scaled = row.iter().map(|&(place, entry)| (place, graph.mul(factor, entry)));
+    let scaled: Row = scaled.collect();
+    without_zeros(graph, scaled)
+}
+
+/// The sum of two rows.
+pub(super) fn added(graph: &mut ExprGraph, a: Row, b: Row) -> Row {
+    if a.is_empty() {
+        return b;
+    }
+    let mut sum = Vec::with_capacity(a.len().max(b.len()));
+    let (mut a, mut b) = (a.into_iter().peekable(), b.into_iter().peekable());
+    loop {
+        let order = match (a.peek(), b.peek()) {
+            (Some((of_a, _)), Some((of_b, _))) => of_a.cmp(of_b),
+            (Some(_), None) => Ordering::Less,
+            (None, Some(_)) => Ordering::Greater,
+            (None, None) => break,
+        };
+        let (first, second) = match order {
+            Ordering::Less => (a.next(), None),
+            Ordering::Greater => (None, b.next()),
+            Ordering::Equal => (a.next(), b.next()),
+        };
+        sum.extend(match (first, second) {
+            (Some((place, x)), Some((_, y))) => Some((place, graph.add(x, y))),
+            (one, other) => one.or(other),
+        });
+    }
+    without_zeros(graph, sum)
+}
+
+fn without_zeros(graph: &ExprGraph, mut row: Row) -> Row {
+    row.retain(|&(_, entry)| !graph.is_zero(entry));
+    row
+}

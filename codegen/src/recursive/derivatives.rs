@@ -1,0 +1,455 @@
+//! Derivatives of inverse dynamics from composite bodies (as Singh, Russell and Wensing 2022 have them, here in the axes of links).
+//!
+//! A displacement along a motion moves all that is carried, rigidly and with its relative motions. Seen along with it, the
+//! acceleration of a mass at `r` changes by `A + D × r + 2 u × r_dot`, where for a turn about `e`, in terms of the lower link's
+//! motion, `u = w × e`, `D = alpha × e + w × u` and `A = a × e`; for a translation `D` alone is left, everywhere the same.
+//! A change of the speed changes it by `2 e × r_dot + (w + w') × e × r`, with `w'` after the joint; for a translation by `2 w × e`.
+//!
+//! So a column begins with two wrenches that its masses need more, by its coordinate and by its speed. They pass inward with the
+//! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
+//! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
+
+use super::{
+    coriolis::{Column as Carrying, Masses, Velocity},
+    link_motion::{LinkMotion, Moving},
+    linkage::Linkage,
+    loaded,
+    moments::{Changing, Moments, Rates},
+    passage::{Drive, Passenger, speeds},
+    plan::Plan,
+    rotation::Turn,
+    speed_matrix,
+    wrench::Wrench,
+};
+use crate::{
+    expr::{Expr, ExprGraph, Vector},
+    given::{self, Accelerations, Loads},
+    id::{BodyId, BodyMap},
+    solve::SpeedMatrix,
+    tree::{Motion, Tree},
+};
+
+/// How generalized forces change: rows are forces, columns speeds.
+#[derive(Clone, Debug)]
+pub struct Derivatives {
+    /// With the coordinates, along the motions of the speeds.
+    pub by_q: SpeedMatrix,
+    /// With the speeds.
+    pub by_u: SpeedMatrix,
+    /// With the accelerations: the mass matrix.
+    pub by_u_dot: SpeedMatrix,
+}
+
+/// The derivatives of `A y_dot - f` of Eq. (43), without springs, dampers and rotors.
+pub fn of_inverse_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    accelerations: Accelerations<'_>,
+    loads: Loads,
+) -> Derivatives {
+    let linkage = Linkage::of_speeds(graph, tree, plan);
+    let mut wrenches = loaded::needed(graph, &linkage, accelerations, loads);
+    let ways = ways(graph, &linkage, accelerations);
+    let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
+        Moments::of(&linkage.links[body])
+    });
+    let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
+    let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
+    let zero = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    let mut found = Derivatives {
+        by_q: zero.clone(),
+        by_u: zero.clone(),
+        by_u_dot: zero,
+    };
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let mut carried = Carried {
+            body,
+            moments: moments[body],
+            rates: rates[body],
+            wrench: wrenches[body],
+            way: &ways[body].at_motions,
+            columns: std::mem::take(&mut columns[body]),
+            found: &mut found,
+        };
+        linkage.passages[body].inward(graph, &mut carried);
+        let Carried {
+            moments: arrived,
+            rates: changing,
+            wrench,
+            columns: others,
+            ..
+        } = carried;
+        if let Some(lower) = tree.lower(body) {
+            graph.enter(lower);
+            moments[lower] = moments[lower].plus(graph, &arrived);
+            rates[lower] = rates[lower].plus(graph, &changing);
+            wrenches[lower] = wrenches[lower].plus(graph, &wrench);
+            columns[lower].extend(others);
+        }
+    }
+    found
+}
+
+/// How a link moves where motions enter.
+#[derive(Clone, Copy, Debug)]
+struct At {
+    /// As it arrives there.
+    lower: LinkMotion,
+    /// With these motions.
+    after: LinkMotion,
+    /// Twice the velocity of the origin, of which only what joints beyond the root add is there.
+    v: Vector,
+}
+
+/// The way outward through a joint.
+struct Way<'a> {
+    moving: Moving<'a>,
+    v: Vector,
+    is_root: bool,
+    /// In the order of the way.
+    at_motions: Vec<At>,
+}
+
+/// What is left of it at the link.
+struct Went {
+    motion: LinkMotion,
+    v: Vector,
+    at_motions: Vec<At>,
+}
+
+fn ways(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    accelerations: Accelerations<'_>,
+) -> BodyMap<Went> {
+    let tree = linkage.tree;
+    let gravity = given::gravity(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, ways: &BodyMap<Went>| {
+        graph.enter(body);
+        let lower = tree.lower(body).map(|lower| &ways[lower]);
+        let base = gravity.map(|along| -along);
+        let motion = lower.map(|lower| &lower.motion);
+        let mut way = Way {
+            moving: Moving::new(graph, motion, base, accelerations),
+            v: lower.map_or_else(|| graph.zero_vector(), |lower| lower.v),
+            is_root: lower.is_none(),
+            at_motions: Vec::new(),
+        };
+        linkage.passages[body].outward(graph, &mut way);
+        Went {
+            motion: way.moving.arrived(graph),
+            v: way.v,
+            at_motions: way.at_motions,
+        }
+    })
+}
+
+impl Passenger for Way<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        let w = doubled(graph, self.moving.w);
+        let swept = graph.cross(w, offset);
+        self.v = graph.add_vectors(self.v, swept);
+        self.moving.shift(graph, lower, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let Moving { w, alpha, .. } = self.moving;
+        self.v = rotation.forward(graph, self.v);
+        self.moving.turn(graph, rotation, drive);
+        let after = self.moving.reached(graph);
+        // About the axis of an angle both are the same to what is asked of them.
+        let lower = if let Drive::AngularVelocity(_) = drive {
+            let [w, alpha] = [w, alpha].map(|v| rotation.forward(graph, v));
+            LinkMotion::new(graph, w, alpha, after.a)
+        } else {
+            after
+        };
+        let v = self.v;
+        self.at_motions.push(At { lower, after, v });
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let lower = self.moving.reached(graph);
+        if !self.is_root {
+            let own = speeds(graph, motions);
+            let own = doubled(graph, own);
+            self.v = graph.add_vectors(self.v, own);
+        }
+        self.moving.along(graph, motions);
+        let after = lower;
+        let v = self.v;
+        self.at_motions.push(At { lower, after, v });
+    }
+}
+
+fn doubled(graph: &mut ExprGraph, v: Vector) -> Vector {
+    let two = graph.number(2.0);
+    graph.scale(two, v)
+}
+
+/// What the masses that a motion moves need and have, about the origin and along the axes that have been reached.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    /// For its speed: what is needed of a change of it, momentum and couple.
+    carrying: Carrying,
+    /// Moment and force that are needed of a change of its coordinate.
+    displaced: [Vector; 2],
+}
+
+impl Column {
+    fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
+        self.carrying.shift(graph, offset);
+        let lever = graph.cross(offset, self.displaced[1]);
+        self.displaced[0] = graph.add_vectors(self.displaced[0], lever);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
+        self.carrying.turn(graph, rotation);
+        self.displaced = self.displaced.map(|v| rotation.backward(graph, v));
+    }
+}
+
+/// What reads the mirrored entries of a motion off momentum and couple.
+struct Reader {
+    motion: Motion,
+    /// About (0 to 2) or along (3 to 5) an axis.
+    place: usize,
+    /// By the coordinate: for the momentum, angular and linear, and for the couple.
+    by_q: [Vector; 3],
+    /// By the speed: for the momentum.
+    by_u: [Vector; 2],
+}
+
+impl Reader {
+    fn of_turn(graph: &mut ExprGraph, motion: Motion, axis: usize, at: &At, own: Vector) -> Self {
+        let e = graph.unit_vector(axis);
+        let u = graph.cross(at.lower.w, e);
+        let d = at.lower.u.map(|row| row[axis]);
+        let (felt, moved) = (graph.cross(at.after.a, e), graph.cross(at.v, u));
+        let twice = doubled(graph, at.after.w);
+        let (turned, own) = (graph.cross(twice, e), graph.cross(own, e));
+        Self {
+            motion,
+            place: axis,
+            by_q: [d, graph.add_vectors(felt, moved), u],
+            by_u: [graph.sub_vectors(turned, own), graph.cross(at.v, e)],
+        }
+    }
+
+    fn of_shift(graph: &mut ExprGraph, motion: Motion, axis: usize, at: &At) -> Self {
+        let e = graph.unit_vector(axis);
+        let twice = doubled(graph, at.lower.w);
+        let still = graph.zero_vector();
+        Self {
+            motion,
+            place: 3 + axis,
+            by_q: [still, at.lower.u.map(|row| row[axis]), still],
+            by_u: [still, graph.cross(twice, e)],
+        }
+    }
+
+    /// How the force along a motion farther out changes with the coordinate.
+    fn displaced(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
+        let [d, a, u] = self.by_q;
+        let (turned, carried) = (graph.dot(d, of.momentum[0]), graph.dot(a, of.momentum[1]));
+        let couple = graph.dot(u, of.couple);
+        let sum = graph.add(turned, carried);
+        graph.add(sum, couple)
+    }
+
+    /// How it changes with the speed.
+    fn driven(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
+        let [turned, lever] = self.by_u;
+        let (turned, lever) = (
+            graph.dot(turned, of.momentum[0]),
+            graph.dot(lever, of.momentum[1]),
+        );
+        let sum = graph.add(turned, lever);
+        if self.place < 3 {
+            graph.add(sum, of.couple[self.place])
+        } else {
+            sum
+        }
+    }
+}
+
+/// A composite body and the columns of what it carries, on their way inward through a joint.
+struct Carried<'a> {
+    body: BodyId,
+    moments: Moments,
+    /// Doubled.
+    rates: Rates,
+    wrench: Wrench,
+    /// The rest of the way.
+    way: &'a [At],
+    columns: Vec<Column>,
+    found: &'a mut Derivatives,
+}
+
+impl Carried<'_> {
+    fn next(&mut self) -> At {
+        let (at, rest) = self
+            .way
+            .split_last()
+            .expect("derivatives: the way inward is the way outward");
+        self.way = rest;
+        *at
+    }
+
+    fn masses(&self) -> Masses<'_> {
+        Masses {
+            body: self.body,
+            moments: &self.moments,
+            rates: &self.rates,
+        }
+    }
+
+    /// The column of a turn; `own` is the angular velocity that enters with it, where that has several components.
+    fn begin_turn(&self, graph: &mut ExprGraph, reader: &Reader, at: &At, own: Vector) -> Column {
+        let (axis, Self { moments, rates, .. }) = (reader.place, self);
+        let velocity: Velocity = [doubled(graph, at.after.w), at.v];
+        let mut carrying = Carrying::of_turn(graph, self.masses(), reader.motion, axis, velocity);
+        let e = graph.unit_vector(axis);
+        let own = graph.cross(own, e);
+        let (spun, swept) = (moments.spinning(graph, own), graph.cross(own, moments.first));
+        let needed = &mut carrying.needed;
+        *needed = [
+            graph.sub_vectors(needed[0], spun),
+            graph.sub_vectors(needed[1], swept),
+        ];
+
+        let u = reader.by_q[2];
+        let d = reader.by_q[0];
+        let a = graph.cross(at.after.a, e);
+        let moving = graph.cross(velocity[0], moments.first);
+        let moving = graph.add_vectors(rates.first, moving);
+        let force = [
+            graph.cross(e, self.wrench.force),
+            graph.scale(moments.mass, a),
+            graph.cross(d, moments.first),
+            graph.cross(u, moving),
+        ];
+        let spread = graph.mul_symmetric(&moments.second, u);
+        let swept = graph.cross(velocity[0], spread);
+        let moment = [
+            graph.cross(e, self.wrench.moment),
+            graph.cross(moments.first, a),
+            moments.spinning(graph, d),
+            rates.times(graph, u),
+            swept.map(|along| -along),
+        ];
+        Column {
+            carrying,
+            displaced: [sum(graph, &moment), sum(graph, &force)],
+        }
+    }
+
+    /// The column of a translation.
+    fn begin_shift(&self, graph: &mut ExprGraph, reader: &Reader, at: &At) -> Column {
+        let (axis, moments) = (reader.place - 3, &self.moments);
+        let velocity: Velocity = [doubled(graph, at.lower.w), at.v];
+        let carrying = Carrying::of_shift(graph, self.masses(), reader.motion, axis, velocity);
+        let (e, d) = (graph.unit_vector(axis), reader.by_q[1]);
+        let moment = [
+            graph.cross(e, self.wrench.force),
+            graph.cross(moments.first, d),
+        ];
+        Column {
+            carrying,
+            displaced: [sum(graph, &moment), graph.scale(moments.mass, d)],
+        }
+    }
+
+    /// Rows and mirrored entries of motions that enter together, of which the columns began last.
+    fn read(&mut self, graph: &mut ExprGraph, readers: &[Reader]) {
+        let first = self.columns.len() - readers.len();
+        let Self { columns, found, .. } = self;
+        for reader in readers {
+            let (place, part) = (reader.place % 3, reader.place / 3);
+            for (i, column) in columns.iter().enumerate() {
+                let own = &column.carrying;
+                let row = [reader.motion, own.motion];
+                let mirrored = [own.motion, reader.motion];
+                let momentum = own.momentum[part][place];
+                speed_matrix::add(graph, &mut found.by_u, row, own.needed[part][place]);
+                let displaced = reader.displaced(graph, own);
+                speed_matrix::add(graph, &mut found.by_q, mirrored, displaced);
+                if i >= first {
+                    // Each of them meets each other.
+                    speed_matrix::add(graph, &mut found.by_u_dot, row, momentum);
+                    continue;
+                }
+                let a = &mut found.by_u_dot;
+                speed_matrix::add_mirrored(graph, a, row, momentum, false);
+                speed_matrix::add(graph, &mut found.by_q, row, column.displaced[part][place]);
+                let driven = reader.driven(graph, own);
+                speed_matrix::add(graph, &mut found.by_u, mirrored, driven);
+            }
+        }
+    }
+}
+
+fn sum(graph: &mut ExprGraph, terms: &[Vector]) -> Vector {
+    let zero = graph.zero_vector();
+    terms.iter().fold(zero, |sum, &term| graph.add_vectors(sum, term))
+}
+
+impl Passenger for Carried<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        for column in &mut self.columns {
+            column.shift(graph, offset);
+        }
+        graph.enter(self.body);
+        self.wrench = self.wrench.moved(graph, offset);
+        self.rates = self.rates.moved(graph, offset);
+        self.moments = self.moments.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let at = self.next();
+        let own = match drive {
+            Drive::AngularVelocity(_) => drive.speeds(graph),
+            Drive::Nothing | Drive::Angle(..) => graph.zero_vector(),
+        };
+        let motions = drive.motions().into_iter().enumerate();
+        let motions = motions.filter_map(|(axis, motion)| Some((axis, motion?)));
+        let readers: Vec<Reader> = motions
+            .map(|(axis, motion)| Reader::of_turn(graph, motion, axis, &at, own))
+            .collect();
+        for reader in &readers {
+            let column = self.begin_turn(graph, reader, &at, own);
+            self.columns.push(column);
+        }
+        self.read(graph, &readers);
+        for column in &mut self.columns {
+            column.turn(graph, rotation);
+        }
+        graph.enter(self.body);
+        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
+        let w = drive.speeds(graph);
+        let w = doubled(graph, w);
+        self.rates = self
+            .rates
+            .undriven(graph, &mut self.moments, rotation, (drive, w));
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let at = self.next();
+        let moving = motions.into_iter().enumerate();
+        let moving = moving.filter_map(|(axis, motion)| Some((axis, motion?)));
+        let readers: Vec<Reader> = moving
+            .map(|(axis, motion)| Reader::of_shift(graph, motion, axis, &at))
+            .collect();
+        for reader in &readers {
+            let column = self.begin_shift(graph, reader, &at);
+            self.columns.push(column);
+        }
+        self.read(graph, &readers);
+        graph.enter(self.body);
+        let own = speeds(graph, motions);
+        let own = doubled(graph, own);
+        self.rates = self.rates.carried(graph, &self.moments, own);
+    }
+}

@@ -1,0 +1,182 @@
+//! Derivatives: of every function by every variable against differences of order 12, and every way to them against each other.
+
+use kane_codegen::{
+    expr::Input,
+    functions::{Argument, CATALOGUE, Formulation, Function, Request},
+    id::ParameterId,
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+use kane_test_support::{
+    compare::{assert_within, larger, largest, relative_to},
+    dynamics::State,
+    numeric::derivative,
+};
+
+use crate::{
+    evaluator::input,
+    frames::{relative, request, system},
+};
+
+/// How far two ways to one derivative may be apart, relative to its largest entry and to one.
+const EXACT: f64 = 1e-12;
+
+/// How far differences may be off, relative to the largest entry of the values and of the derivative: see
+/// [`derivative`], of sums that are ten times as large as what is left of them.
+const DIFFERENCED: f64 = 1e-11;
+
+/// The same where the mass matrix is inverted, twice in a derivative, whose condition numbers here are below 1e4.
+const INVERTED: f64 = 1e-8;
+
+/// The variables of a function, in the order of its arguments.
+fn variables(tree: &Tree, function: &Function) -> Vec<String> {
+    let known = [
+        Argument::Q,
+        Argument::U,
+        Argument::UDot,
+        Argument::Tau,
+        Argument::Loads,
+    ];
+    let arguments = known.into_iter();
+    let arguments = arguments.filter(|argument| function.arguments.contains(argument));
+    let names = arguments.map(|argument| argument.name().to_owned());
+    let has_values = !tree.parameters.is_empty();
+    names
+        .chain(has_values.then(|| "parameters".to_owned()))
+        .collect()
+}
+
+fn values(tree: &Tree, request: &Request, plan: &Plan, state: &State) -> Vec<f64> {
+    let derived = request.derive(tree, Formulation::Recursive, plan);
+    let graph = &derived.graph;
+    graph.evaluate(&derived.roots, |given| input(tree, state, given))
+}
+
+/// Ways to differentiate by the notes' equations or the recursion.
+fn ways(tree: &Tree) -> [(Formulation, Plan); 4] {
+    let [sweep, reverse] = [false, true].map(|is_reverse| {
+        let plan = Plan::full(tree).with(Technique::Composite, false);
+        plan.with(Technique::Reverse, is_reverse)
+    });
+    [
+        (Formulation::Notes, sweep.clone()),
+        (Formulation::Recursive, sweep),
+        (Formulation::Recursive, reverse),
+        (Formulation::Recursive, Plan::full(tree)),
+    ]
+}
+
+#[test]
+fn all_ways_give_the_same_derivatives() {
+    for seed in 501..=530 {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        for text in [
+            "d(inverse_dynamics)/d(q, u, u_dot)",
+            "d(loaded_inverse_dynamics)/d(u_dot, u, q, loads)",
+            "d(loaded_inverse_dynamics)/d(q, u)",
+            "d(bias)/d(q, u)",
+        ] {
+            let request = request(&tree, text);
+            let all = ways(&tree).map(|(formulation, plan)| {
+                let derived = request.derive(&tree, formulation, &plan);
+                let graph = &derived.graph;
+                graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+            });
+            for (way, found) in all.iter().enumerate().skip(1) {
+                let what = format!("{seed}, {text}, way {way}");
+                assert_within(what, relative(found, &all[0]), EXACT);
+            }
+        }
+    }
+}
+
+/// What a function gives in the state that lies `t` away along an entry of a variable.
+fn moved(
+    tree: &Tree,
+    request: &Request,
+    state: &State,
+    (variable, entry): (&str, usize),
+) -> impl Fn(f64) -> Vec<f64> {
+    let derived = request.derive(tree, Formulation::Recursive, &Plan::full(tree));
+    move |t| {
+        let mut state = state.clone();
+        match variable {
+            "q" => state = state.displaced(tree, entry, t),
+            "u" => state.u[entry] += t,
+            "u_dot" => state.u_dot[entry] += t,
+            "tau" => state.tau[entry] += t,
+            "loads" => state.loads[entry / 6][entry % 6] += t,
+            _ => {}
+        }
+        let graph = &derived.graph;
+        graph.evaluate(&derived.roots, |given| match given {
+            Input::Parameter(id) if variable == "parameters" && id.index() == entry => {
+                input(tree, &state, given) + t
+            }
+            given => input(tree, &state, given),
+        })
+    }
+}
+
+/// The entries of a variable, and a step along each for differences.
+fn n_entries(tree: &Tree, variable: &str) -> usize {
+    match variable {
+        "loads" => 6 * tree.bodies.len(),
+        "parameters" => tree.parameters.len(),
+        _ => tree.n_speeds,
+    }
+}
+
+fn inverts(name: &str) -> bool {
+    let inverting = ["forward_dynamics", "solve", "inverse_packed", "matrix_inverse", "hybrid"];
+    inverting.iter().any(|part| name.contains(part))
+}
+
+#[test]
+fn every_function_changes_as_its_derivatives_say() {
+    let mut worst = 0.0;
+    for seed in [502, 506, 511] {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        for function in CATALOGUE.iter().filter(|function| !function.is_compact()) {
+            let whole = request(&tree, function.name);
+            let at = values(&tree, &whole, &Plan::full(&tree), &state);
+            for variable in variables(&tree, function) {
+                let name = function.name;
+                let text = format!("d({name})/d({variable})");
+                let found = values(&tree, &request(&tree, &text), &Plan::full(&tree), &state);
+                let n = n_entries(&tree, &variable);
+                assert_eq!(found.len(), at.len() * n, "{text}");
+                for entry in 0..n {
+                    let along = moved(&tree, &whole, &state, (&variable, entry));
+                    let expected = derivative(along);
+                    let own: Vec<f64> = found.chunks(n).map(|row| row[entry]).collect();
+                    let scale = larger(larger(largest(&at), largest(&expected)), 1.0);
+                    let error = relative_to(scale, &own, &expected);
+                    worst = larger(worst, error);
+                    let allowed = if inverts(name) { INVERTED } else { DIFFERENCED };
+                    assert_within(format!("{seed}, {text}, {entry}"), error, allowed);
+                }
+            }
+        }
+    }
+    println!("largest error {worst:e}");
+}
+
+#[test]
+fn a_named_parameter_has_the_column_of_all() {
+    let (_, tree) = system(511);
+    let state = State::random(&tree, 511);
+    let all = request(&tree, "d(bias)/d(parameters)");
+    let all = values(&tree, &all, &Plan::full(&tree), &state);
+    let n = tree.parameters.len();
+    assert!(n > 0);
+    for place in 0..n {
+        let name = &tree.parameters[ParameterId::new(place).index()].name;
+        let one = request(&tree, &format!("d(bias)/d({name})"));
+        let one = values(&tree, &one, &Plan::full(&tree), &state);
+        let column: Vec<f64> = all.chunks(n).map(|row| row[place]).collect();
+        assert_within(name, relative(&one, &column), EXACT);
+    }
+}
