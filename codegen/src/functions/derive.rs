@@ -143,7 +143,7 @@ pub(super) fn normalize(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     orientation::normalized(graph, tree)
 }
 
-fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> SpeedMatrix {
+pub(super) fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> SpeedMatrix {
     mechanics::add_rotors(graph, tree, &mut a);
     a
 }

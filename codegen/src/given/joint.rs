@@ -16,6 +16,8 @@ pub enum Accelerations<'a> {
     Given,
     /// The same of these speeds, zero of the others.
     GivenOf(&'a BTreeSet<SpeedId>),
+    /// These, by speeds.
+    Values(&'a [Expr]),
     /// Zero: what is left is the bias.
     Zero,
 }
@@ -41,7 +43,7 @@ pub fn coordinate(graph: &mut ExprGraph, coordinate: Coordinate) -> Expr {
 
 /// The speed of a relative motion: an entry of `u`, or a multiple of one that it follows; zero where held.
 pub fn speed(graph: &mut ExprGraph, motion: Option<Motion>) -> Expr {
-    of_motion(graph, motion, Input::U)
+    of_motion(graph, motion, |graph, speed| graph.input(Input::U(speed)))
 }
 
 /// The derivative of the speed of a relative motion.
@@ -51,22 +53,25 @@ pub fn acceleration(
     accelerations: Accelerations<'_>,
 ) -> Expr {
     let given = match accelerations {
+        Accelerations::Values(values) => {
+            return of_motion(graph, motion, |_, speed| values[speed.index()]);
+        }
         Accelerations::Given => motion,
         Accelerations::GivenOf(speeds) => motion.filter(|own| speeds.contains(&own.speed)),
         Accelerations::Zero => None,
     };
-    of_motion(graph, given, Input::UDot)
+    of_motion(graph, given, |graph, speed| graph.input(Input::UDot(speed)))
 }
 
 fn of_motion(
     graph: &mut ExprGraph,
     motion: Option<Motion>,
-    input: impl Fn(SpeedId) -> Input,
+    value: impl Fn(&mut ExprGraph, SpeedId) -> Expr,
 ) -> Expr {
     let Some(Motion { speed, factor }) = motion else {
         return graph.zero();
     };
-    let (speed, factor) = (graph.input(input(speed)), graph.number(factor));
+    let (speed, factor) = (value(graph, speed), graph.number(factor));
     graph.mul(factor, speed)
 }
 

@@ -76,6 +76,8 @@ fn all_ways_give_the_same_derivatives() {
             "d(loaded_inverse_dynamics)/d(u_dot, u, q, loads)",
             "d(loaded_inverse_dynamics)/d(q, u)",
             "d(bias)/d(q, u)",
+            "d(forward_dynamics)/d(q, u, tau)",
+            "d(loaded_forward_dynamics)/d(q, u, tau)",
         ] {
             let request = request(&tree, text);
             let all = ways(&tree).map(|(formulation, plan)| {
@@ -85,7 +87,8 @@ fn all_ways_give_the_same_derivatives() {
             });
             for (way, found) in all.iter().enumerate().skip(1) {
                 let what = format!("{seed}, {text}, way {way}");
-                assert_within(what, relative(found, &all[0]), EXACT);
+                let allowed = if inverts(text) { INVERTED } else { EXACT };
+                assert_within(what, relative(found, &all[0]), allowed);
             }
         }
     }
@@ -129,7 +132,7 @@ fn n_entries(tree: &Tree, variable: &str) -> usize {
 }
 
 fn inverts(name: &str) -> bool {
-    let inverting = ["forward_dynamics", "solve", "inverse_packed", "matrix_inverse", "hybrid"];
+    let inverting = ["forward_dynamics", "factors", "pivots", "solve", "inverse_packed", "matrix_inverse", "hybrid"];
     inverting.iter().any(|part| name.contains(part))
 }
 

@@ -112,7 +112,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     is_default: true,
-    derivatives: Some(derive_derivatives::inverse_dynamics),
+    derivatives: Some(derive_derivatives::of_inverse_dynamics),
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
@@ -131,6 +131,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
     solves: true,
+    derivatives: Some(derive_derivatives::forward_dynamics),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",

@@ -33,6 +33,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves: true,
+    derivatives: Some(derive_derivatives::loaded_forward_dynamics),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
