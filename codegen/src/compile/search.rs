@@ -39,16 +39,24 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
     if !function.differentiates() {
         return cheapest_values(tree, function, without);
     }
-    let ways = [Technique::Composite, Technique::Reverse];
-    let values = cheapest_values(tree, &function.values(), without);
-    let forward = ways.iter().fold(values, |plan, &way| plan.with(way, false));
-    let others = ways.into_iter().filter(|way| !without.contains(way));
-    let plans = std::iter::once(forward.clone()).chain(others.map(|way| forward.with(way, true)));
+    let forward = cheapest_values(tree, &function.values(), without)
+        .with(Technique::Composite, false)
+        .with(Technique::Reverse, false);
+    let mut plans = vec![forward.clone()];
+    if !without.contains(&Technique::Reverse) {
+        plans.push(forward.with(Technique::Reverse, true));
+    }
+    if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
+        // Most of what they cost are columns such as those of the Coriolis matrix.
+        let columns = Request::parse("coriolis_matrix").expect("search: the catalogue has it");
+        let columns = cheapest_values(tree, &columns, without);
+        plans.extend([&forward, &columns].map(|plan| plan.with(Technique::Composite, true)));
+    }
     let count = |plan: &Plan| {
         let derived = candidate(tree, function, Formulation::Recursive, plan);
         operations(&derived).total()
     };
-    plans.min_by_key(count).expect("search: one plan is forward")
+    plans.into_iter().min_by_key(count).expect("search: one plan is forward")
 }
 
 /// The same, where nothing is differentiated.

@@ -3,11 +3,12 @@
 use super::{argument::Argument, derive, variable::Variable};
 use crate::{
     differentiate::{Seeds, forward},
-    expr::ExprGraph,
-    given::{Accelerations, Loads},
+    expr::{Expr, ExprGraph},
+    given::{self, Accelerations, Loads, orientation},
+    id::{BodyId, SpeedId},
     recursive::{Plan, derivatives, inverse_dynamics},
-    solve::{self, Factors, SpeedMatrix},
-    tree::Tree,
+    solve::{self, SpeedMatrix},
+    tree::{Orientation, Tree, Value},
 };
 
 type Jacobians = Vec<(Argument, SpeedMatrix)>;
@@ -60,26 +61,87 @@ fn of_accelerations(
     let mut net = derive::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &bias);
     let u_dot = factors.solve(graph, net);
+    let inverse = factors.inverse(graph, tree);
     let given = Accelerations::Values(&u_dot);
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, given, loads);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
     add_mechanics(graph, tree, zero, &mut all);
-    for (_, matrix) in &mut all {
-        *matrix = solved(graph, &factors, matrix);
+    let turned = turned_roots(graph, tree, &u_dot, &inverse);
+    for column in turned.iter().map(|(speed, _)| speed.index()) {
+        // They are known without a solution.
+        for row in &mut all[0].1 {
+            row[column] = graph.zero();
+        }
     }
-    let inverse = factors.inverse(graph, tree);
+    for (_, matrix) in &mut all {
+        let columns = transposed(matrix).into_iter();
+        let needed = columns.map(|column| column.into_iter().map(|entry| -entry).collect());
+        *matrix = transposed(&factors.solutions(graph, tree, needed));
+    }
+    for (speed, column) in turned {
+        for (row, entry) in all[0].1.iter_mut().zip(column) {
+            row[speed.index()] = entry;
+        }
+    }
     all.push((Argument::Tau, inverse));
     all
 }
 
-/// `-M^-1 X`, column by column.
-fn solved(graph: &mut ExprGraph, factors: &Factors, matrix: &SpeedMatrix) -> SpeedMatrix {
-    let columns = 0..matrix.len();
-    let columns = columns.map(|column| {
-        let needed = matrix.iter().map(|row| -row[column]);
-        factors.solve(graph, needed.collect())
-    });
-    transposed(&columns.collect::<Vec<_>>())
+/// How accelerations change as a root that floats is turned, speed by speed: with it turns all that it carries, but neither
+/// gravity nor the forces that act along its translations.
+///
+/// For a turn about `e` it is `M^-1` times the forces `F × e` there, and `e × (s_ddot - g)` of the translations themselves.
+fn turned_roots(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    u_dot: &[Expr],
+    inverse: &SpeedMatrix,
+) -> Vec<(SpeedId, Vec<Expr>)> {
+    let zero = Accelerations::Zero;
+    let none = vec![graph.zero(); tree.n_speeds];
+    let taken = derive::with_forces(graph, tree, zero, none);
+    let mut net = derive::applied(graph, tree);
+    solve::subtract(graph, tree, &mut net, &taken);
+    let gravity = given::gravity(graph, tree);
+    let mut turned = Vec::new();
+    for body in tree.body_ids().filter(|body| floats(tree, *body)) {
+        graph.enter(body);
+        let joint = &tree.body(body).joint;
+        let Orientation::AngularVelocity { speeds, .. } = joint.orientation else {
+            continue;
+        };
+        let along = joint.shifts().map(|motion| motion.map_or(0, |motion| motion.speed.index()));
+        let force = along.map(|place| net[place]);
+        let to_joint = given::constant(graph, &joint.rotation);
+        let gravity = graph.mul_vector(&to_joint, gravity);
+        let falling = [0, 1, 2].map(|axis| graph.sub(u_dot[along[axis]], gravity[axis]));
+        let axes = orientation::of_joint(graph, tree, joint);
+        for (speed, e) in speeds.into_iter().zip(axes) {
+            let moved = graph.cross(force, e);
+            let mut column = Vec::with_capacity(tree.n_speeds);
+            for row in inverse {
+                let terms = [0, 1, 2].map(|axis| graph.mul(row[along[axis]], moved[axis]));
+                let sum = graph.add(terms[0], terms[1]);
+                column.push(graph.add(sum, terms[2]));
+            }
+            let carried = graph.cross(e, falling);
+            for (place, own) in along.into_iter().zip(carried) {
+                column[place] = graph.add(column[place], own);
+            }
+            turned.push((speed, column));
+        }
+    }
+    turned
+}
+
+/// True for a body that moves freely against the inertial frame, without rotors and alone.
+fn floats(tree: &Tree, body: BodyId) -> bool {
+    let joint = &tree.body(body).joint;
+    let zero = Value::Baked(0.0);
+    let is_free = matches!(joint.orientation, Orientation::AngularVelocity { .. })
+        && joint.translations.iter().all(|own| own.is_free());
+    let has_rotors = joint.mechanics.iter().any(|own| own.armature != zero);
+    tree.lower(body).is_none() && is_free && !has_rotors && !tree.has_followers()
 }
 
 fn transposed(matrix: &SpeedMatrix) -> SpeedMatrix {

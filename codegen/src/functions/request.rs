@@ -237,6 +237,12 @@ impl Request {
         parts.any(|part| part.derivative.is_some())
     }
 
+    /// True where some part is a derivative of dynamics, which composite bodies give.
+    pub fn differentiates_dynamics(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.any(|part| part.derivative.is_some() && part.function.derivatives.is_some())
+    }
+
     /// True where some part is differentiated by all values set at run time.
     pub fn is_by_parameters(&self) -> bool {
         let derivatives = self.parts.iter().filter_map(|part| part.derivative.as_ref());

@@ -18,6 +18,7 @@ use super::{
     passage::{Drive, Passenger, speeds},
     plan::Plan,
     rotation::Turn,
+    shortcut::{Shortcut, Shortcuts},
     speed_matrix,
     wrench::Wrench,
 };
@@ -56,6 +57,7 @@ pub fn of_inverse_dynamics(
     });
     let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
+    let mut shortcuts = Shortcuts::new(graph, &linkage);
     let zero = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     let mut found = Derivatives {
         by_q: zero.clone(),
@@ -66,6 +68,7 @@ pub fn of_inverse_dynamics(
         graph.enter(body);
         let mut carried = Carried {
             body,
+            shortcuts: &mut shortcuts,
             moments: moments[body],
             rates: rates[body],
             wrench: wrenches[body],
@@ -196,9 +199,35 @@ struct Column {
     carrying: Carrying,
     /// Moment and force that are needed of a change of its coordinate.
     displaced: [Vector; 2],
+    /// The forces that are needed, by the speed and by the coordinate, where the root's translations are read, once they are
+    /// there; linear parts are then zero.
+    arrived: Option<[Vector; 2]>,
 }
 
 impl Column {
+    /// What is needed by the speed and by the coordinate, about (0 to 2) or along (3 to 5) an axis.
+    fn needed(&self, place: usize) -> [Expr; 2] {
+        let moments = [self.carrying.needed[0], self.displaced[0]];
+        let forces = [self.carrying.needed[1], self.displaced[1]];
+        match place {
+            0..3 => moments.map(|moment| moment[place]),
+            _ => self.arrived.unwrap_or(forces).map(|force| force[place - 3]),
+        }
+    }
+
+    /// Sends the forces that are needed on a shortcut. Momentum stays: it is read off for rows on the way.
+    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
+        graph.enter(self.carrying.body);
+        let arrived = [&mut self.carrying.needed, &mut self.displaced].map(|[moment, force]| {
+            let lever = graph.cross(shortcut.offset, *force);
+            *moment = graph.add_vectors(*moment, lever);
+            let arrived = shortcut.arrived(graph, *force);
+            *force = graph.zero_vector();
+            arrived
+        });
+        self.arrived = Some(arrived);
+    }
+
     fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
         self.carrying.shift(graph, offset);
         let lever = graph.cross(offset, self.displaced[1]);
@@ -276,8 +305,9 @@ impl Reader {
 }
 
 /// A composite body and the columns of what it carries, on their way inward through a joint.
-struct Carried<'a> {
+struct Carried<'a, 'b> {
     body: BodyId,
+    shortcuts: &'a mut Shortcuts<'b>,
     moments: Moments,
     /// Doubled.
     rates: Rates,
@@ -288,7 +318,7 @@ struct Carried<'a> {
     found: &'a mut Derivatives,
 }
 
-impl Carried<'_> {
+impl Carried<'_, '_> {
     fn next(&mut self) -> At {
         let (at, rest) = self
             .way
@@ -343,6 +373,7 @@ impl Carried<'_> {
         Column {
             carrying,
             displaced: [sum(graph, &moment), sum(graph, &force)],
+            arrived: None,
         }
     }
 
@@ -359,6 +390,18 @@ impl Carried<'_> {
         Column {
             carrying,
             displaced: [sum(graph, &moment), graph.scale(moments.mass, d)],
+            arrived: None,
+        }
+    }
+
+    /// Sends the forces of columns on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+        let (body, columns) = (self.body, &mut self.columns);
+        let n_columns = columns.iter().filter(|own| own.arrived.is_none()).count();
+        if let Some(shortcut) = self.shortcuts.from(graph, body, 2 * n_columns) {
+            for column in columns.iter_mut().filter(|own| own.arrived.is_none()) {
+                column.arrive(graph, &shortcut);
+            }
         }
     }
 
@@ -373,7 +416,8 @@ impl Carried<'_> {
                 let row = [reader.motion, own.motion];
                 let mirrored = [own.motion, reader.motion];
                 let momentum = own.momentum[part][place];
-                speed_matrix::add(graph, &mut found.by_u, row, own.needed[part][place]);
+                let [needed, moved] = column.needed(reader.place);
+                speed_matrix::add(graph, &mut found.by_u, row, needed);
                 let displaced = reader.displaced(graph, own);
                 speed_matrix::add(graph, &mut found.by_q, mirrored, displaced);
                 if i >= first {
@@ -383,7 +427,7 @@ impl Carried<'_> {
                 }
                 let a = &mut found.by_u_dot;
                 speed_matrix::add_mirrored(graph, a, row, momentum, false);
-                speed_matrix::add(graph, &mut found.by_q, row, column.displaced[part][place]);
+                speed_matrix::add(graph, &mut found.by_q, row, moved);
                 let driven = reader.driven(graph, own);
                 speed_matrix::add(graph, &mut found.by_u, mirrored, driven);
             }
@@ -396,7 +440,7 @@ fn sum(graph: &mut ExprGraph, terms: &[Vector]) -> Vector {
     terms.iter().fold(zero, |sum, &term| graph.add_vectors(sum, term))
 }
 
-impl Passenger for Carried<'_> {
+impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         for column in &mut self.columns {
             column.shift(graph, offset);
@@ -423,6 +467,9 @@ impl Passenger for Carried<'_> {
             self.columns.push(column);
         }
         self.read(graph, &readers);
+        if let Drive::Angle(..) = drive {
+            self.take_shortcut(graph);
+        }
         for column in &mut self.columns {
             column.turn(graph, rotation);
         }

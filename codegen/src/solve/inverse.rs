@@ -5,28 +5,8 @@
 //! mirror image of the other. What lies between a speed and a body farther in is
 //! eliminated from its row of L once, and serves the columns of that body and of all other branches on it.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use super::{BodySpeed, Factors, SpeedMatrix, inverse};
-use crate::{
-    expr::{Expr, ExprGraph},
-    tree::Tree,
-};
-
-/// Entries of a row by their places in the order of elimination.
-type Row = Vec<(usize, Expr)>;
-
-/// Rows of `-L`, with what was eliminated from them. Speeds are their places in the order of elimination: what is farther in
-/// has a higher one.
-struct Reduced {
-    order: Vec<BodySpeed>,
-    /// Whatever a speed is coupled with, and that one, and so on.
-    reached: Vec<BTreeSet<usize>>,
-    /// The first one on the next body farther in.
-    foot: Vec<Option<usize>>,
-    /// By speed, and by the place below which all was eliminated.
-    known: BTreeMap<(usize, usize), Row>,
-}
+use super::{Factors, SpeedMatrix, inverse, reduced::Reduced};
+use crate::{expr::ExprGraph, tree::Tree};
 
 impl Factors {
     /// `A^-1`; what is structurally zero is the number zero.
@@ -38,7 +18,7 @@ impl Factors {
             for j in (i..n).rev() {
                 let (own, other) = (self.order[i], self.order[j]);
                 graph.enter(own.body);
-                let row = reduced.for_column(graph, tree, i, j);
+                let row = reduced.row(graph, tree, i, &reduced.path(j));
                 let mut sum = graph.zero();
                 if i == j {
                     sum = inverse(graph, own, self.pivots[own.index()]);
@@ -55,92 +35,5 @@ impl Factors {
             }
         }
         h
-    }
-}
-
-impl Reduced {
-    fn new(factors: &Factors) -> Self {
-        let n = factors.order.len();
-        let mut places = vec![0; n];
-        for (place, k) in factors.order.iter().enumerate() {
-            places[k.index()] = place;
-        }
-        let row = |couplings: &Vec<(BodySpeed, Expr)>| -> Row {
-            let entries = couplings.iter();
-            let entries = entries.map(|&(speed, factor)| (places[speed.index()], -factor));
-            entries.collect()
-        };
-        let own: Vec<Row> = factors.couplings.iter().map(row).collect();
-        let next: Vec<Option<usize>> = own
-            .iter()
-            .map(|row| row.iter().map(|&(other, _)| other).min())
-            .collect();
-        let (mut reached, mut foot) = (vec![BTreeSet::new(); n], vec![None; n]);
-        for place in (0..n).rev() {
-            for &(other, _) in &own[place] {
-                let farther = reached[other].clone();
-                reached[place].extend(farther);
-                reached[place].insert(other);
-            }
-            let body = |place: usize| factors.order[place].body;
-            foot[place] = match next[place] {
-                Some(below) if body(below) == body(place) => foot[below],
-                below => below,
-            };
-        }
-        let rows = own
-            .into_iter()
-            .enumerate()
-            .map(|(place, row)| ((place, 0), row));
-        Self {
-            order: factors.order.clone(),
-            reached,
-            foot,
-            known: rows.collect(),
-        }
-    }
-
-    /// The shortest row that gives `H_ij`.
-    fn for_column(&mut self, graph: &mut ExprGraph, tree: &Tree, i: usize, j: usize) -> Row {
-        let mut on_path = self.reached[j].clone();
-        on_path.insert(j);
-        // What must stay: the column's right-hand side is not zero there.
-        let Some(&first) = self.reached[i].intersection(&on_path).next() else {
-            return Vec::new();
-        };
-        let (mut cut, mut at) = (0, i);
-        while let Some(foot) = self.foot[at].filter(|foot| *foot <= first) {
-            self.eliminate(graph, tree, i, [cut, foot]);
-            (cut, at) = (foot, foot);
-        }
-        self.known[&(i, cut)].clone()
-    }
-
-    /// Makes the row from which all below the place `to` is eliminated, of that from which all below `from` was.
-    fn eliminate(&mut self, graph: &mut ExprGraph, tree: &Tree, i: usize, [from, to]: [usize; 2]) {
-        if self.known.contains_key(&(i, to)) {
-            return;
-        }
-        let row = self.known[&(i, from)].clone();
-        let (gone, stays): (Row, Row) = row.into_iter().partition(|&(other, _)| other < to);
-        let mut sums: BTreeMap<usize, Expr> = stays.into_iter().collect();
-        for (k, factor) in gone {
-            self.eliminate(graph, tree, k, [0, to]);
-            graph.enter(self.order[i].body);
-            for &(other, entry) in &self.known[&(k, to)] {
-                let term = graph.mul(factor, entry);
-                let sum = sums.get(&other).copied();
-                let sum = sum.map_or(term, |sum| graph.add(sum, term));
-                sums.insert(other, sum);
-            }
-        }
-        let (own, foot) = (self.order[i], &tree.body(self.order[to].body).identifier);
-        for (&other, &entry) in &sums {
-            let other = self.order[other];
-            let at = &tree.body(other.body).identifier;
-            let [k, l] = [own, other].map(|speed| speed.coordinate);
-            graph.name(entry, format!("l_{k}_{at}_{l}_on_{foot}"));
-        }
-        self.known.insert((i, to), sums.into_iter().collect());
     }
 }

@@ -8,6 +8,8 @@
 mod inverse;
 mod partitioned;
 mod projected;
+mod reduced;
+mod solutions;
 
 use std::collections::BTreeSet;
 
