@@ -56,7 +56,10 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
         let derived = candidate(tree, function, Formulation::Recursive, plan);
         operations(&derived).total()
     };
-    plans.into_iter().min_by_key(count).expect("search: one plan is forward")
+    plans
+        .into_iter()
+        .min_by_key(count)
+        .expect("search: one plan is forward")
 }
 
 /// The same, where nothing is differentiated.

@@ -12,7 +12,9 @@ pub type Seeds = BTreeMap<Input, Row>;
 
 /// A row times a factor; what becomes zero is left out.
 pub(super) fn scaled(graph: &mut ExprGraph, factor: Expr, row: &Row) -> Row {
-    let scaled = row.iter().map(|&(place, entry)| (place, graph.mul(factor, entry)));
+    let scaled = row
+        .iter()
+        .map(|&(place, entry)| (place, graph.mul(factor, entry)));
     let scaled: Row = scaled.collect();
     without_zeros(graph, scaled)
 }

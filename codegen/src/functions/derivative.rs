@@ -47,9 +47,11 @@ impl Derivative {
             "The derivatives of `{of}`: rows are the entries of its outputs, columns those of the variables."
         )];
         let by_all = outputs.iter().zip(self.by.iter().cycle());
-        lines.extend(by_all.map(|(output, variable)| {
-            format!("- `{}`: by {}.", output.name, variable.meaning())
-        }));
+        lines.extend(
+            by_all.map(|(output, variable)| {
+                format!("- `{}`: by {}.", output.name, variable.meaning())
+            }),
+        );
         lines
     }
 

@@ -42,12 +42,7 @@ pub(super) fn loaded_forward_dynamics(
 }
 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.
-fn of_accelerations(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-    loads: Loads,
-) -> Jacobians {
+fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Jacobians {
     let zero = Accelerations::Zero;
     // What is said of the mass matrix does not depend on accelerations, so that it is there for them.
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads);
@@ -110,7 +105,9 @@ fn turned_roots(
         let Orientation::AngularVelocity { speeds, .. } = joint.orientation else {
             continue;
         };
-        let along = joint.shifts().map(|motion| motion.map_or(0, |motion| motion.speed.index()));
+        let along = joint
+            .shifts()
+            .map(|motion| motion.map_or(0, |motion| motion.speed.index()));
         let force = along.map(|place| net[place]);
         let to_joint = given::constant(graph, &joint.rotation);
         let gravity = graph.mul_vector(&to_joint, gravity);

@@ -42,8 +42,7 @@ pub struct Function {
 }
 
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
-pub(super) type Jacobians =
-    fn(&mut ExprGraph, &Tree, &Plan) -> Vec<(Argument, SpeedMatrix)>;
+pub(super) type Jacobians = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<(Argument, SpeedMatrix)>;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -45,7 +45,8 @@ pub use part::Part;
 pub use request::Request;
 pub use request_error::RequestError;
 pub use shape::{
-    Axis, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS, Shape,
+    Axis, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
+    Shape,
 };
 pub use signature::{Access, Declared, Signature};
 pub use subject::{Subject, SubjectFrame, View};

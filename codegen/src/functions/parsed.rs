@@ -369,7 +369,10 @@ fn variables(function: &Function, tree: Option<&Tree>) -> Vec<String> {
     let arguments = arguments.filter(|argument| function.arguments.contains(argument));
     let arguments = arguments.map(|argument| argument.name().to_owned());
     let parameters = tree.map_or(&[][..], |tree| &tree.parameters).iter();
-    let all = parameters.clone().take(1).map(|_| variable::PARAMETERS.to_owned());
+    let all = parameters
+        .clone()
+        .take(1)
+        .map(|_| variable::PARAMETERS.to_owned());
     let parameters = parameters.map(|parameter| parameter.name.clone());
     arguments.chain(all).chain(parameters).collect()
 }

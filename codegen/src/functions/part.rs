@@ -189,6 +189,14 @@ impl Part {
         lines.map(line).collect()
     }
 
+    /// How many terms the notes' sums have at least; where they are differentiated, about so many for every variable.
+    pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
+        let terms = self.function.literal_terms(tree);
+        let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
+        let columns: usize = by.map(|variable| variable.n_entries(tree)).sum();
+        terms * columns.max(1)
+    }
+
     /// How many numbers it writes, or somewhat more, where joints follow others.
     pub(super) fn n_numbers(&self, tree: &Tree) -> usize {
         let of_output = |output: &Output| {
@@ -202,7 +210,11 @@ impl Part {
                     .length(tree)
                     .unwrap_or_else(|| self.own_length(*axis, tree, terms::of_vector(tree))),
             };
-            output.shape.all().map(|axis| length(&axis)).product::<usize>()
+            output
+                .shape
+                .all()
+                .map(|axis| length(&axis))
+                .product::<usize>()
         };
         self.outputs().iter().map(of_output).sum()
     }

@@ -126,7 +126,8 @@ impl Request {
         let is_free = |name: &str| {
             let parts = self.parts.iter();
             let all = parts.flat_map(|part| part.outputs().into_owned());
-            all.filter(|output| output.name == name).count() == 1 && arguments.iter().all(|argument| argument.name() != name)
+            all.filter(|output| output.name == name).count() == 1
+                && arguments.iter().all(|argument| argument.name() != name)
         };
         let outputs = part.outputs();
         let named = |output: &Output| {
@@ -208,9 +209,7 @@ impl Request {
     /// How many terms the notes' sums have at least: where another formulation needs fewer operations than that, the notes'
     /// need not be derived to know which is cheaper. Parts may have all theirs in common.
     pub fn literal_terms(&self, tree: &Tree) -> usize {
-        let terms = self
-            .functions()
-            .map(|function| function.literal_terms(tree));
+        let terms = self.parts.iter().map(|part| part.literal_terms(tree));
         terms.max().unwrap_or(0)
     }
 
@@ -245,7 +244,10 @@ impl Request {
 
     /// True where some part is differentiated by all values set at run time.
     pub fn is_by_parameters(&self) -> bool {
-        let derivatives = self.parts.iter().filter_map(|part| part.derivative.as_ref());
+        let derivatives = self
+            .parts
+            .iter()
+            .filter_map(|part| part.derivative.as_ref());
         let mut variables = derivatives.flat_map(|derivative| &derivative.by);
         variables.any(|variable| *variable == Variable::Parameters)
     }

@@ -86,12 +86,13 @@ impl Variable {
         let name = self.name();
         match self {
             Self::Given(Argument::Q) => {
-                "`q` along the motion of each speed, alone and per unit of its integral over time".to_owned()
+                "`q` along the motion of each speed, alone and per unit of its integral over time"
+                    .to_owned()
             }
-            Self::Given(Argument::Loads) => {
-                "`loads`, of each body force before moment".to_owned()
+            Self::Given(Argument::Loads) => "`loads`, of each body force before moment".to_owned(),
+            Self::Parameters => {
+                "the values set at run time, in the order of `PARAMETER_NAMES`".to_owned()
             }
-            Self::Parameters => "the values set at run time, in the order of `PARAMETER_NAMES`".to_owned(),
             Self::Given(_) | Self::Parameter { .. } => format!("`{name}`"),
         }
     }
@@ -99,7 +100,8 @@ impl Variable {
     /// How many entries it has.
     pub fn n_entries(&self, tree: &Tree) -> usize {
         let lengths = self.axes().iter().map(|axis| axis.length(tree));
-        let lengths = lengths.map(|length| length.expect("functions: a variable's axes are the tree's"));
+        let lengths =
+            lengths.map(|length| length.expect("functions: a variable's axes are the tree's"));
         lengths.product()
     }
 
@@ -119,7 +121,8 @@ impl Variable {
             Self::Given(argument) => argument.inputs(tree).collect(),
             Self::Parameters => {
                 let all = 0..tree.parameters.len();
-                all.map(|place| Input::Parameter(ParameterId::new(place))).collect()
+                all.map(|place| Input::Parameter(ParameterId::new(place)))
+                    .collect()
             }
             Self::Parameter { id, .. } => vec![Input::Parameter(*id)],
         };

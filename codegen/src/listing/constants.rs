@@ -3,7 +3,8 @@
 
 use super::{BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
 use crate::functions::{
-    Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS, PRESCRIBED,
+    Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
+    PRESCRIBED,
 };
 
 /// The system's name.

@@ -147,7 +147,11 @@ impl Column {
     /// That of a turn about an axis of a link that moves so.
     pub(super) fn of_turn(
         graph: &mut ExprGraph,
-        Masses { body, moments, rates }: Masses<'_>,
+        Masses {
+            body,
+            moments,
+            rates,
+        }: Masses<'_>,
         motion: Motion,
         axis: usize,
         [w, v]: Velocity,
@@ -178,7 +182,11 @@ impl Column {
     /// That of a translation along an axis.
     pub(super) fn of_shift(
         graph: &mut ExprGraph,
-        Masses { body, moments, rates }: Masses<'_>,
+        Masses {
+            body,
+            moments,
+            rates,
+        }: Masses<'_>,
         motion: Motion,
         axis: usize,
         [w, v]: Velocity,

@@ -343,7 +343,10 @@ impl Carried<'_, '_> {
         let mut carrying = Carrying::of_turn(graph, self.masses(), reader.motion, axis, velocity);
         let e = graph.unit_vector(axis);
         let own = graph.cross(own, e);
-        let (spun, swept) = (moments.spinning(graph, own), graph.cross(own, moments.first));
+        let (spun, swept) = (
+            moments.spinning(graph, own),
+            graph.cross(own, moments.first),
+        );
         let needed = &mut carrying.needed;
         *needed = [
             graph.sub_vectors(needed[0], spun),
@@ -437,7 +440,9 @@ impl Carried<'_, '_> {
 
 fn sum(graph: &mut ExprGraph, terms: &[Vector]) -> Vector {
     let zero = graph.zero_vector();
-    terms.iter().fold(zero, |sum, &term| graph.add_vectors(sum, term))
+    terms
+        .iter()
+        .fold(zero, |sum, &term| graph.add_vectors(sum, term))
 }
 
 impl Passenger for Carried<'_, '_> {

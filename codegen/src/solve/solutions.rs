@@ -33,7 +33,9 @@ impl Factors {
     ) -> Vec<Expr> {
         let half = self.eliminated(graph, b);
         let order = self.order.iter().enumerate();
-        let places = order.clone().filter(|(_, k)| !graph.is_zero(half[k.index()]));
+        let places = order
+            .clone()
+            .filter(|(_, k)| !graph.is_zero(half[k.index()]));
         let places: BTreeSet<usize> = places.map(|(place, _)| place).collect();
         let mut x = vec![graph.zero(); half.len()];
         for (place, &k) in order.rev() {

@@ -4,6 +4,7 @@ mod base_parameters;
 mod chains;
 mod compiled;
 mod counts;
+mod derivative_references;
 mod derivatives;
 mod equivalences;
 mod evaluator;
