@@ -69,6 +69,15 @@ impl Candidate {
         ]
     }
 
+    /// The same, with a lower bound of the terms of the notes' sums.
+    pub(super) const fn of_frame_with_terms(
+        entries: OfFrame,
+        least_terms: fn(&Tree) -> usize,
+    ) -> [Self; 2] {
+        let [notes, recursive] = Self::of_frame(entries);
+        [notes.with_terms(least_terms), recursive]
+    }
+
     /// Sums re-associated along the tree, by a plan.
     pub(super) const fn planned(entries: fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>) -> Self {
         Self::new(Formulation::Recursive, Rule::Planned(entries))

@@ -30,6 +30,8 @@ pub struct Function {
     pub is_default: bool,
     /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
     pub solves: bool,
+    /// True where the mass matrix is factorised, whichever way it is derived.
+    pub factorises: bool,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
@@ -59,6 +61,7 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     solves: false,
+    factorises: false,
     prescribes: false,
     doc: &[],
     candidates: &[],

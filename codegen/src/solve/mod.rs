@@ -218,6 +218,9 @@ pub fn inverse_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
     let mut group: Vec<usize> = (0..tree.n_speeds).collect();
     for [row, column] in tree.coupled_speeds() {
         let (low, high) = (group[row].min(group[column]), group[row].max(group[column]));
+        if low == high {
+            continue;
+        }
         for own in &mut group {
             if *own == high {
                 *own = low;

@@ -145,6 +145,7 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     trait_name: Some("ForwardDynamicsPivots"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("pivots", Shape::SPEEDS)],
+    factorises: true,
     doc: &[
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],

@@ -83,6 +83,7 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
     trait_name: Some("MassMatrixFactors"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::FACTORS)],
+    factorises: true,
     doc: &[
         "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill: D on the diagonal, beside it L, whose diagonal is one.",
         "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where joints follow others on several branches.",
