@@ -153,10 +153,6 @@ impl Shape {
     pub const SPEED_MATRIX: Self = Self {
         axes: &[Axis::Speeds, Axis::Speeds],
     };
-    /// `[[R; NU]; 3]`.
-    pub const SPEED_COLUMNS: Self = Self {
-        axes: &[Axis::Three, Axis::Speeds],
-    };
     /// `[[R; 3]; NU]`.
     pub const SPEED_VECTORS: Self = Self {
         axes: &[Axis::Speeds, Axis::Three],
