@@ -1,8 +1,9 @@
 //! `L^T D L`: factorisation and solution of `A x = b` along the tree, written out.
 //!
-//! In: a symmetric matrix whose entries couple speeds only along paths to the inertial frame, and a right-hand
+//! In: a symmetric matrix whose entries couple speeds along paths to the inertial frame, and a right-hand
 //! side. Out: the solution, and the pivots. Afterwards: no entry outside that pattern was built (Featherstone 2005:
-//! eliminating from the leaves inward fills nothing), and each pivot is inverted once.
+//! eliminating from the leaves inward fills nothing), but where joints follow others on several branches; and each pivot is
+//! inverted once.
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
 mod inverse;

@@ -85,8 +85,9 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
     outputs: &[Output::new("entries", Shape::FACTORS)],
     factorises: true,
     doc: &[
-        "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill: D on the diagonal, beside it L, whose diagonal is one.",
-        "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where joints follow others on several branches.",
+        "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill but where joints follow others on several branches:",
+        "D on the diagonal, beside it L, whose diagonal is one.",
+        "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where there is fill.",
         "`MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.",
     ],
     candidates: &[
