@@ -30,8 +30,6 @@ pub struct Function {
     pub is_default: bool,
     /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
     pub solves: bool,
-    /// True where the mass matrix is factorised, whichever way it is derived.
-    pub factorises: bool,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
@@ -61,7 +59,6 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     solves: false,
-    factorises: false,
     prescribes: false,
     doc: &[],
     candidates: &[],
@@ -91,6 +88,11 @@ impl Function {
     pub fn formulations(&self) -> Vec<Formulation> {
         let candidates = self.candidates.iter();
         candidates.map(|candidate| candidate.formulation).collect()
+    }
+
+    /// True where the mass matrix is factorised, whichever way it is derived.
+    pub(super) fn factorises(&self) -> bool {
+        self.candidates.iter().all(|candidate| candidate.factorises)
     }
 
     /// How many terms the notes' sums have at least.

@@ -178,7 +178,7 @@ impl Request {
 
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub fn factorises(&self) -> bool {
-        self.functions().any(|function| function.factorises)
+        self.functions().any(Function::factorises)
     }
 
     /// True where accelerations of the prescribed speeds are given, and forces of the others.
@@ -188,7 +188,7 @@ impl Request {
 
     /// About how many operations a factorisation for it and a solution need.
     pub fn factorising(&self, tree: &Tree) -> usize {
-        let solves = |function: &&Function| function.solves || function.factorises;
+        let solves = |function: &&Function| function.solves || function.factorises();
         let mut solving = self.functions().filter(solves);
         if solving.all(|function| function.prescribes) {
             solve::operations(tree, &tree.prescribed)

@@ -150,12 +150,11 @@ pub(super) const OPERATIONAL_INVERSE_INERTIA: Function = Function {
     trait_name: Some("OperationalInverseInertia"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("inverse_inertia", Shape::FRAME_MATRIX)],
-    factorises: true,
     doc: &[
         "`J M^-1 J^T` of the Jacobian of {frame}: what a unit wrench accelerates; symmetric, six rows a frame, the linear ones first; {axes}.",
         "1/kg, 1/(kg m), 1/(kg m^2). Also known as inverse operational-space inertia, task-space mobility, Delassus matrix of several contacts.",
     ],
-    candidates: &Candidate::of_frame_with_terms(
+    candidates: &Candidate::of_frames_factorising(
         derive_frame::operational_inverse_inertia,
         terms::of_matrix,
     ),
