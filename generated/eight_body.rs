@@ -46324,8 +46324,9 @@ impl<R: kane::Real> kane::functions::MassMatrixSolve<R> for Prepared<R> {
     }
 }
 
-/// The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill: D on the diagonal, beside it L, whose diagonal is one.
-/// `MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where joints follow others on several branches.
+/// The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill but where joints follow others on several branches:
+/// D on the diagonal, beside it L, whose diagonal is one.
+/// `MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where there is fill.
 /// `MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.
 ///
 /// Operations: 8846 = 4916 mul + 3850 add + 32 div + 48 trig; formulation: recursive.
@@ -61289,7 +61290,8 @@ impl<R: kane::Real> kane::functions::PotentialEnergies<R> for Prepared<R> {
 /// All that each joint transmits to its body from the lower body, by which bearings and structures are sized: force, N, and moment, N m,
 /// body components, about the point of the body where its joint sits: its origin, or its `body_attachment` where it has one.
 /// Weight and the loads on all bodies outward of the joint are in it, and so are motors, springs and dampers, which act through the joint:
-/// along the joint's motions it is their `tau` less what springs, dampers and rotors need. Also known as joint reaction, constraint force.
+/// along the joint's motions it is their `tau` less what springs, dampers and rotors need; where others follow, the sum over all of them,
+/// each times its multiplier, is. Also known as joint reaction, constraint force.
 /// A load is the resultant force at the mass centre and the resultant moment, body components.
 ///
 /// Operations: 2015 = 1018 mul + 949 add + 0 div + 48 trig; formulation: recursive.
@@ -68189,7 +68191,7 @@ impl<R: kane::Real> kane::functions::CentroidalMomentumMatrixDotU<R> for Prepare
 
 /// Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of `y` times its viscous
 /// damping, N m s or N s/m, its Coulomb friction, N m or N, and its rotor inertia, kg m^2 or kg; a speed needs these three and no other's.
-/// `y` is the speed, its sign and its rate. The sign is branch-free: it falls to zero where the speed is less than about `1e-14`.
+/// `y` is the speed, its sign and its rate. The sign is branch-free: a half at a speed of `1e-30`, zero at zero, without a dead band.
 /// A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their multiplier
 /// squared, friction times its magnitude. Also known as friction regressor.
 ///

@@ -452,8 +452,8 @@ pub trait BaseRegressor<R: Real>: System<R> {
 /// and its rotor inertia, kg m² or kg.
 ///
 /// A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their
-/// multiplier squared, friction times its magnitude. The sign is branch-free: it falls to zero where the speed is less than
-/// about `1e-14`.
+/// multiplier squared, friction times its magnitude. The sign is branch-free, `u / (|u| + 1e-30)`: a half at a speed of `1e-30`,
+/// zero at zero, without a dead band.
 pub trait JointRegressor<R: Real>: System<R> {
     /// `[[R; 3]; NU]`.
     type Terms: Array<[R; 3]>;

@@ -51,7 +51,7 @@ pub trait System<R: Real> {
     const VELOCITY_LIMITS: &'static [f64] = &[];
     /// The greatest magnitudes of the `NU` generalized forces, N m, N.
     const EFFORT_LIMITS: &'static [f64] = &[];
-    /// Coulomb friction along the `NU` speeds, N m, N.
+    /// Coulomb friction along the `NU` speeds, N m, N, with that of joints that follow, times the size of their multiplier.
     const FRICTION: &'static [f64] = &[];
     /// Hash of the model: of every name, number, joint and place in it, whatever is generated from it; 0 where none is known.
     const FINGERPRINT: u64 = 0;

@@ -39,8 +39,8 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
     fn mass_matrix_inverse_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
 }
 
-/// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, without fill: D on the diagonal, beside it
-/// L, whose diagonal is one. Eq. (42); a sparse Cholesky factorisation.
+/// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, without fill but where joints follow others
+/// on several branches: D on the diagonal, beside it L, whose diagonal is one. Eq. (42); a sparse Cholesky factorisation.
 ///
 /// Rows are eliminated from the leaves inward, in an order of their own. [`solve_factored`] solves with them.
 pub trait MassMatrixFactors<R: Real>: System<R> {

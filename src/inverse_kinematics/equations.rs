@@ -2,12 +2,13 @@
 
 use crate::{Array, Real};
 
-/// What is missing at some `q`.
+/// What is missing at some `q`; of each goal along the axes that it is given by, the inertial ones or, for
+/// [`Seen`](crate::functions::Seen), those of the other frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remaining<R> {
-    /// The greatest inertial component of the way to a goal's position, of all goals that ask for one, m.
+    /// The greatest component of the way to a goal's position, of all goals that ask for one, m.
     pub position: R,
-    /// The greatest inertial component of the turn to a goal's orientation, of all goals that ask for one, rad. A turn by a
+    /// The greatest component of the turn to a goal's orientation, of all goals that ask for one, rad. A turn by a
     /// large angle counts as `2 sin(angle / 2)`.
     pub orientation: R,
     /// `½ eᵀ W e`: half the sum of the squared components of all goals, each times its weight. What a step makes smaller.

@@ -11,7 +11,8 @@ use super::rotation::rotation_to;
 /// Where the frame `F` is to be, and how much that matters.
 ///
 /// `F` is one of the types in the generated module's `frames`, or [`Seen`](crate::functions::Seen) for a pose relative to
-/// another frame: whatever has both [`Pose`] and [`Jacobian`].
+/// another frame: whatever has both [`Pose`] and [`Jacobian`]. What is said here of the inertial frame is then meant of the
+/// other one.
 #[derive(Clone, Copy, Debug)]
 pub struct Goal<R, F> {
     /// Inertial components to components along the frame's axes, by rows, as [`Pose`] writes it.

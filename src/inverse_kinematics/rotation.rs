@@ -2,13 +2,14 @@
 
 use crate::{Array, Real};
 
-/// The vector along the axis about which a frame with the rotation matrix `from` has to turn to get that of `to`, inertial
-/// components; its length is `2 sin(angle / 2)`, the angle itself to third order.
+/// The vector along the axis about which a frame with the rotation matrix `from` has to turn to get that of `to`; its length is
+/// `2 sin(angle / 2)`, the angle itself to third order.
 ///
-/// Rotation matrices are as [`Pose`](crate::functions::Pose) writes them. The vector is of the shorter way, and never vanishes
+/// Rotation matrices are as [`Pose`](crate::functions::Pose) writes them; the vector's components are those that they lead from,
+/// along the inertial axes or those of another frame. The vector is of the shorter way, and never vanishes
 /// but where the two agree.
 pub(super) fn rotation_to<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
-    // The turn of vectors that are fixed in the frame, inertial components.
+    // The turn of vectors that are fixed in the frame.
     let turn: [[R; 3]; 3] = Array::from_fn(|i| {
         Array::from_fn(|j| to[0][i] * from[0][j] + to[1][i] * from[1][j] + to[2][i] * from[2][j])
     });

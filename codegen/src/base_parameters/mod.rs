@@ -4,7 +4,8 @@
 //! compared with those of its lower body: what a joint does not move of an inertia needs as much as if the lower body had it
 //! (Khalil and Kleinfinger 1987), and what no joint below moves needs nothing. Compared are numbers, at seeded states, so that
 //! axes in line, gravity along an axis, and joints that follow others need no rules of their own. Which columns are left holds
-//! for values at run time in general; the factors are those of the nominal ones. Does not: read masses, or any mass centre.
+//! for values at run time in general; the factors are those of the nominal ones, with gravity in every direction that may have it.
+//! Does not: read masses, or any mass centre.
 
 mod columns;
 mod relations;
@@ -16,7 +17,7 @@ use std::collections::BTreeMap;
 use crate::{
     drawn::parameters,
     id::BodyId,
-    tree::{BaseParameter, InertialParameter, N_INERTIAL, Tree},
+    tree::{BaseParameter, InertialParameter, N_INERTIAL, Tree, Value},
 };
 use columns::Columns;
 use relations::Relation;
@@ -29,15 +30,32 @@ pub fn of(tree: &Tree) -> &[BaseParameter] {
 }
 
 fn found(tree: &Tree) -> Vec<BaseParameter> {
-    let nominal = Columns::new(tree, &parameters::nominal(tree));
+    let nominal = parameters::nominal(tree);
     let relations = if tree.parameters.is_empty() {
-        relations::found(tree, &nominal)
+        relations::found(tree, &Columns::new(tree, &nominal))
     } else {
-        let general = Columns::new(tree, &parameters::changed(tree, 1));
-        let pattern = relations::found(tree, &general);
-        relations::like(tree, &nominal, &pattern)
+        let changed = parameters::changed(tree, 1);
+        let pattern = relations::found(tree, &Columns::new(tree, &changed));
+        let columns = Columns::new(tree, &with_gravity(tree, nominal, &changed));
+        relations::like(tree, &columns, &pattern)
     };
     combined(&relations)
+}
+
+/// The nominal values, but with gravity of others. Where the nominal one is zero or along an axis, columns that gravity alone
+/// makes would be zero, and missing where they give others. No factor depends on gravity, but where joints follow others: there
+/// components that are not zero stay.
+fn with_gravity(tree: &Tree, nominal: Vec<f64>, others: &[f64]) -> Vec<f64> {
+    let (mut values, is_free) = (nominal, !tree.has_followers());
+    for component in tree.gravity {
+        if let Value::Runtime(parameter) = component {
+            let value = &mut values[parameter.index()];
+            if is_free || *value == 0.0 {
+                *value = others[parameter.index()];
+            }
+        }
+    }
+    values
 }
 
 /// What each column that is left stands for: its own parameter, and those whose columns it helps to give.

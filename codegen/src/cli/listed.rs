@@ -13,7 +13,7 @@ use kane_codegen::{
     config::{self, Config, System},
     diagnostic::Source,
     error::Error,
-    functions::CATALOGUE,
+    functions::Function,
     input,
 };
 
@@ -45,9 +45,8 @@ impl Listed {
 
     /// Reads a text that stands, or would stand, at this path.
     pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
-        let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
         let source = Source::new(path.to_string_lossy(), text);
-        let config = config::parse(&source, &known)?;
+        let config = config::parse(&source, &Function::names())?;
         let root = paths::target(paths::parent(path))?;
         let shown_root = paths::shown(&root)?;
         Ok(Self {

@@ -7,7 +7,7 @@ use std::mem;
 use clap::Args;
 use kane_codegen::{
     diagnostic::nearest,
-    functions::{CATALOGUE, Parsed, RequestError, split},
+    functions::{Function, Parsed, RequestError, split},
     options::{ALL, Formulation, Functions, Options},
     recursive::Technique,
 };
@@ -153,7 +153,7 @@ pub(crate) fn request(text: &str) -> Result<Parsed, Failures> {
 
 /// Why a function cannot be had, with the name that was probably meant.
 fn unknown_function(name: &str) -> Failures {
-    let known: Vec<&str> = CATALOGUE.iter().map(|function| function.name).collect();
+    let known = Function::names();
     let help = match nearest(name, &known) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("the functions are {}", known.join(", ")),

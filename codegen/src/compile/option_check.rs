@@ -2,7 +2,7 @@
 
 use crate::{
     error::Error,
-    functions::{CATALOGUE, Parsed, RequestError},
+    functions::{Function, Parsed, RequestError},
     options::{Options, SNAP_TOLERANCES, companion},
 };
 
@@ -35,10 +35,10 @@ pub(crate) fn check(options: &Options) -> Result<(), Error> {
     let fault = names.find_map(|name| Parsed::read(name).err());
     fault.map_or(Ok(()), |fault| {
         Err(match fault {
-            RequestError::Unknown { name } => {
-                let known = CATALOGUE.iter().map(|function| function.name).collect();
-                Error::UnknownFunction { name, known }
-            }
+            RequestError::Unknown { name } => Error::UnknownFunction {
+                name,
+                known: Function::names(),
+            },
             fault => Error::Requests(vec![fault]),
         })
     })

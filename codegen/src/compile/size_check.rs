@@ -69,7 +69,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     let is_factorised = options.formulation == Formulation::Notes
         || options.without.contains(&Technique::Articulated)
         || !Technique::Articulated.is_possible(tree);
-    if request.solves() && is_factorised {
+    if request.factorises() || request.solves() && is_factorised {
         let updates = request.factorising(tree);
         bound(
             &format!("factorising for `{name}` takes"),

@@ -31,6 +31,8 @@ pub struct Candidate {
     /// How many terms its sums have at least: where another candidate needs fewer operations than that, this one need
     /// not be derived to know which is cheaper.
     pub least_terms: fn(&Tree) -> usize,
+    /// True where the mass matrix is factorised whatever the plan, though no accelerations are solved for.
+    pub factorises: bool,
     rule: Rule,
 }
 
@@ -69,6 +71,16 @@ impl Candidate {
         ]
     }
 
+    /// The same where both factorise the mass matrix, whose sums have at least so many terms in the notes.
+    pub(super) const fn of_frames_factorising(
+        entries: OfFrame,
+        least_terms: fn(&Tree) -> usize,
+    ) -> [Self; 2] {
+        let [notes, recursive] = Self::of_frame(entries);
+        let notes = notes.with_terms(least_terms);
+        [notes.factorising(), recursive.factorising()]
+    }
+
     /// Sums re-associated along the tree, by a plan.
     pub(super) const fn planned(entries: fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>) -> Self {
         Self::new(Formulation::Recursive, Rule::Planned(entries))
@@ -78,6 +90,7 @@ impl Candidate {
         Self {
             formulation,
             least_terms: |_| 0,
+            factorises: false,
             rule,
         }
     }
@@ -86,6 +99,14 @@ impl Candidate {
     pub(super) const fn with_terms(self, least_terms: fn(&Tree) -> usize) -> Self {
         Self {
             least_terms,
+            ..self
+        }
+    }
+
+    /// The same, for one that factorises the mass matrix.
+    pub(super) const fn factorising(self) -> Self {
+        Self {
+            factorises: true,
             ..self
         }
     }

@@ -96,6 +96,11 @@ impl Function {
         candidates.map(|candidate| candidate.formulation).collect()
     }
 
+    /// True where the mass matrix is factorised, whichever way it is derived.
+    pub(super) fn factorises(&self) -> bool {
+        self.candidates.iter().all(|candidate| candidate.factorises)
+    }
+
     /// How many terms the notes' sums have at least.
     pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
         let mut candidates = self.candidates.iter();

@@ -204,6 +204,9 @@ impl Part {
                 Axis::Packed(Packed::MassMatrix) => terms::pairs(tree),
                 // Not more than there are without combining them, which takes a while.
                 Axis::BaseParameters => N_INERTIAL * tree.bodies.len(),
+                Axis::Packed(Packed::Inverse) if !tree.has_followers() => {
+                    terms::pairs_of_trees(tree)
+                }
                 // Elimination couples more only where joints follow others.
                 Axis::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
                 axis => axis

@@ -182,6 +182,11 @@ impl Request {
         self.functions().any(|function| function.solves)
     }
 
+    /// True where the mass matrix is factorised, whichever way it is derived.
+    pub fn factorises(&self) -> bool {
+        self.functions().any(Function::factorises)
+    }
+
     /// True where accelerations of the prescribed speeds are given, and forces of the others.
     pub fn prescribes(&self) -> bool {
         self.functions().any(|function| function.prescribes)
@@ -189,7 +194,8 @@ impl Request {
 
     /// About how many operations a factorisation for it and a solution need.
     pub fn factorising(&self, tree: &Tree) -> usize {
-        let mut solving = self.functions().filter(|function| function.solves);
+        let solves = |function: &&Function| function.solves || function.factorises();
+        let mut solving = self.functions().filter(solves);
         if solving.all(|function| function.prescribes) {
             solve::operations(tree, &tree.prescribed)
         } else {

@@ -163,8 +163,6 @@ impl Shape {
     pub const SPEEDS: Self = Self::of(&[Axis::Speeds]);
     /// `[[R; NU]; NU]`.
     pub const SPEED_MATRIX: Self = Self::of(&[Axis::Speeds, Axis::Speeds]);
-    /// `[[R; NU]; 3]`.
-    pub const SPEED_COLUMNS: Self = Self::of(&[Axis::Three, Axis::Speeds]);
     /// `[[R; 3]; NU]`.
     pub const SPEED_VECTORS: Self = Self::of(&[Axis::Speeds, Axis::Three]);
     /// `[[[R; 10]; NB]; NU]`.

@@ -45,6 +45,18 @@ pub(super) fn pairs(tree: &Tree) -> usize {
         .sum()
 }
 
+/// The pairs of speeds of one tree at the root, each once.
+pub(super) fn pairs_of_trees(tree: &Tree) -> usize {
+    let mut roots: Vec<usize> = Vec::with_capacity(tree.bodies.len());
+    let mut speeds = vec![0; tree.bodies.len()];
+    for (place, body) in tree.bodies.iter().enumerate() {
+        let root = body.lower.map_or(place, |lower| roots[lower.index()]);
+        roots.push(root);
+        speeds[root] += n_speeds(body);
+    }
+    speeds.into_iter().map(|n| n * (n + 1) / 2).sum()
+}
+
 fn n_speeds(body: &Body) -> usize {
     body.joint.speeds().len()
 }

@@ -102,7 +102,7 @@ pub fn add_forces(
 /// What dampers, Coulomb friction and rotors need along each speed for a unit of theirs, as the speed feels them: the speed, its
 /// sign and its rate.
 ///
-/// The sign is a quotient: one, but for speeds of less than about `1e-14`, where it falls to zero.
+/// The sign is a quotient: one to all digits from about `1e-14` on, a half at `LEAST_SPEED`, zero at zero.
 pub fn unit_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<[Expr; 3]> {
     let mut units = vec![[graph.zero(); 3]; tree.n_speeds];
     for body in tree.body_ids() {

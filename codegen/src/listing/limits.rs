@@ -1,6 +1,6 @@
 //! Limits of coordinates, speeds and forces, and friction: data that no function reads.
 
-use crate::tree::{Coordinate, Mechanics, Tree};
+use crate::tree::{Coordinate, Mechanics, Motion, Tree};
 
 /// Limits, each as long as what it limits.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct Limits {
     pub velocity: Vec<f64>,
     /// The greatest magnitude of each generalized force, N m, N.
     pub effort: Vec<f64>,
-    /// Coulomb friction along each speed, N m, N.
+    /// Coulomb friction along each speed, N m, N: of the joint's own, and of those that follow times the size of their multiplier.
     pub friction: Vec<f64>,
 }
 
@@ -24,7 +24,7 @@ impl Limits {
             upper: along_coordinates(tree, |mechanics| mechanics.range[1], f64::INFINITY),
             velocity: along_speeds(tree, |mechanics| mechanics.velocity),
             effort: along_speeds(tree, |mechanics| mechanics.effort),
-            friction: along_speeds(tree, |mechanics| mechanics.friction),
+            friction: friction(tree),
         }
     }
 }
@@ -51,6 +51,19 @@ fn along_speeds(tree: &Tree, of: impl Fn(&Mechanics) -> f64) -> Vec<f64> {
     for body in &tree.bodies {
         for (motion, speed) in body.joint.speeds() {
             values[speed.index()] = of(&body.joint.mechanics[motion]);
+        }
+    }
+    values
+}
+
+/// What each speed feels of the friction of all joints that it moves.
+fn friction(tree: &Tree) -> Vec<f64> {
+    let mut values = vec![0.0; tree.n_speeds];
+    for joint in tree.bodies.iter().map(|body| &body.joint) {
+        for (motion, mechanics) in joint.motions().into_iter().zip(&joint.mechanics) {
+            if let Some(Motion { speed, factor }) = motion {
+                values[speed.index()] += factor.abs() * mechanics.friction;
+            }
         }
     }
     values

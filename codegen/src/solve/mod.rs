@@ -1,8 +1,9 @@
 //! `L^T D L`: factorisation and solution of `A x = b` along the tree, written out.
 //!
-//! In: a symmetric matrix whose entries couple speeds only along paths to the inertial frame, and a right-hand
+//! In: a symmetric matrix whose entries couple speeds along paths to the inertial frame, and a right-hand
 //! side. Out: the solution, and the pivots. Afterwards: no entry outside that pattern was built (Featherstone 2005:
-//! eliminating from the leaves inward fills nothing), and each pivot is inverted once.
+//! eliminating from the leaves inward fills nothing), but where joints follow others on several branches; and each pivot is
+//! inverted once.
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
 mod inverse;
@@ -220,6 +221,9 @@ pub fn inverse_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
     let mut group: Vec<usize> = (0..tree.n_speeds).collect();
     for [row, column] in tree.coupled_speeds() {
         let (low, high) = (group[row].min(group[column]), group[row].max(group[column]));
+        if low == high {
+            continue;
+        }
         for own in &mut group {
             if *own == high {
                 *own = low;

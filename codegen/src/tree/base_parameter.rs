@@ -18,10 +18,11 @@ pub struct InertialParameter {
 
 /// A combination of inertial parameters: the sum of each times its factor.
 ///
-/// The first one has the factor one and stands in no other combination; its column of the regressor is the combination's.
+/// The first one is the combination's own: it has the factor one and stands in no other, and its column of the regressor is the
+/// combination's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BaseParameter {
-    /// The parameters, those of lower bodies first, with their factors.
+    /// Its own parameter, then the others by body and place, each with its factor.
     pub terms: Vec<(InertialParameter, f64)>,
 }
 

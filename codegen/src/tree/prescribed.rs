@@ -6,8 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{Description, JointKind, WrittenBody};
-use crate::diagnostic::nearest;
-use crate::tree::names::joint_name;
+use crate::tree::names::{self, joint_named};
 use crate::tree::system::Tree;
 
 /// Why the accelerations of a joint cannot be prescribed.
@@ -18,10 +17,8 @@ pub enum PrescribedFault {
     Unknown {
         /// The name.
         name: String,
-        /// The joints that have speeds, the nearest name first where one is near.
+        /// The joints that have speeds.
         known: Vec<String>,
-        /// True where the first of them is near.
-        is_near: bool,
     },
     /// Two names mean one joint.
     #[error("{}", twice(first, name))]
@@ -62,9 +59,6 @@ fn twice(first: &str, name: &str) -> String {
     }
 }
 
-/// The most names that a help lists.
-const MOST_NAMED: usize = 40;
-
 impl PrescribedFault {
     /// The name that it is about.
     pub fn name(&self) -> &str {
@@ -89,22 +83,11 @@ impl PrescribedFault {
     /// What to do about it.
     pub fn help(&self) -> String {
         match self {
-            Self::Unknown { known, .. } if known.is_empty() => {
-                "no joint of the model has a speed: leave `prescribed` out".to_owned()
-            }
-            Self::Unknown { known, is_near, .. } if *is_near => {
-                format!("did you mean `{}`?", known[0].escape_debug())
-            }
-            Self::Unknown { known, .. } => {
-                let names = known.iter().take(MOST_NAMED);
-                let names: Vec<String> =
-                    names.map(|name| name.escape_debug().to_string()).collect();
-                let more = if known.len() > MOST_NAMED {
-                    ", ..."
-                } else {
-                    ""
-                };
-                format!("joints with speeds are {}{more}", names.join(", "))
+            Self::Unknown { name, known } => {
+                let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                names::meant(name, &known, "joints with speeds").unwrap_or_else(|| {
+                    "no joint of the model has a speed: leave `prescribed` out".to_owned()
+                })
             }
             Self::Twice { .. } => "leave one of the two out".to_owned(),
             Self::Held { .. } => "leave it out: its acceleration is zero".to_owned(),
@@ -128,7 +111,7 @@ pub fn prescribe(
     let mut faults = Vec::new();
     let mut first_names: BTreeMap<usize, &String> = BTreeMap::new();
     for name in names {
-        let Some(place) = place(description, name) else {
+        let Some(place) = joint_named(description, name) else {
             faults.push(unknown(&tree, name));
             continue;
         };
@@ -156,14 +139,6 @@ pub fn prescribe(
     }
 }
 
-/// The place in the user's list of the body whose joint has this name, or which has it itself.
-fn place(description: &Description, name: &str) -> Option<usize> {
-    let mut bodies = 0..description.bodies.len();
-    let joint = bodies.find(|body| joint_name(description, *body) == Some(name));
-    let of_body = |body: &WrittenBody| body.name.as_ref().is_some_and(|known| known.value == name);
-    joint.or_else(|| description.bodies.iter().position(of_body))
-}
-
 /// The body of the tree that moves by the joint of this one; `None` where it is part of another.
 fn moving(tree: &Tree, body: &WrittenBody) -> Option<usize> {
     let name = &body.name.as_ref()?.value;
@@ -173,13 +148,9 @@ fn moving(tree: &Tree, body: &WrittenBody) -> Option<usize> {
 fn unknown(tree: &Tree, name: &str) -> PrescribedFault {
     let with_speeds = tree.bodies.iter();
     let with_speeds = with_speeds.filter(|body| !body.joint.speeds().is_empty());
-    let known: Vec<&str> = with_speeds.map(|body| body.joint.name.as_str()).collect();
-    let near = nearest(name, &known);
-    let others = known.iter().copied().filter(|known| Some(*known) != near);
     PrescribedFault::Unknown {
         name: name.to_owned(),
-        known: near.into_iter().chain(others).map(str::to_owned).collect(),
-        is_near: near.is_some(),
+        known: with_speeds.map(|body| body.joint.name.clone()).collect(),
     }
 }
 

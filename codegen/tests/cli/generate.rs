@@ -387,6 +387,29 @@ fn all_unknown_functions_are_reported_with_what_was_meant() {
 }
 
 #[test]
+fn functions_of_frames_are_among_those_that_may_be_meant() {
+    let project = Project::arm();
+    let arguments = ["generate", "models/arm.toml", "--functions"];
+    let ran = |functions: &str| project.kane(&[&arguments[..], &[functions]].concat());
+    let misspelt = ran("jacobain(fore)");
+    assert_eq!(misspelt.code, 2);
+    assert_eq!(
+        misspelt.err,
+        "error: `jacobain` is no function; did you mean `jacobian`?\n"
+    );
+    let none = ran("nonsense_entirely").err;
+    assert!(none.contains(", operational_inverse_inertia"), "{none}");
+    let config = system("models/arm.toml", "generated/arm.rs");
+    project.write(
+        "kane.toml",
+        &config.replace("mass_matrix", "jacobain(fore)"),
+    );
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("did you mean `jacobian`?"), "{}", ran.err);
+}
+
+#[test]
 fn fused_multiplication_is_asked_for_in_kane_toml_or_above_it() {
     let project = Project::arm();
     let config = project.read("kane.toml");

@@ -13,6 +13,7 @@ use kane_codegen::{
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
     dynamics::{Model, State},
+    models::{body, build},
     numeric::rank,
     random::Random,
     systems::{RandomSystem, Sizes, Style},
@@ -77,6 +78,34 @@ fn base_parameters_of_an_arm_can_be_read() {
         .map(|base| base_parameters::text(&tree, base))
         .collect();
     insta::assert_snapshot!(texts.join("\n"));
+}
+
+/// A double pendulum in the plane across this gravity, its root about the inertial z.
+fn pendulum(gravity: &str) -> Vec<String> {
+    let bodies = [("arm", "[0.0, 0.0, 0.0]"), ("fore", "[0.7, 0.0, 0.0]")];
+    let bodies = bodies.map(|(name, attachment)| {
+        body(name, "[\"theta3\"]").replace("[0.0, 0.1, 0.3]", attachment)
+    });
+    let text = format!(
+        "name = \"pendulum\"\ngravity = [{gravity}]\nlower_bodies = [0, 1]\n{}",
+        bodies.concat()
+    );
+    let tree = build(&text).expect("a sound description").tree;
+    let base = base_parameters::of(&tree).iter();
+    base.map(|base| base_parameters::text(&tree, base))
+        .collect()
+}
+
+#[test]
+fn factors_hold_whatever_gravity_is_set_to() {
+    let baked = pendulum("0.0, -9.81, 0.0");
+    assert!(baked.contains(&"mcx(arm) + 0.7 m(fore)".to_owned()));
+    for gravity in [
+        "0.0, { runtime = 0.0 }, 0.0",
+        "{ runtime = 0.0 }, { runtime = 0.0 }, { runtime = -9.81 }",
+    ] {
+        assert_eq!(pendulum(gravity), baked, "{gravity}");
+    }
 }
 
 /// Robots with legs stand free.

@@ -26,6 +26,7 @@ use kane_test_support::{
         quantities::{self, DIFFERENTIATED, EXACT},
         topology,
     },
+    models::{build, system},
     numeric::condition,
     systems::{RandomSystem, Sizes, Style},
     test_every_identity,
@@ -314,4 +315,23 @@ fn assert_same_bits(found: &[f64], expected: &[f64], at: &str) {
         "{at}: off by {:e}",
         distance(found, expected)
     );
+}
+
+#[test]
+fn friction_has_the_sign_of_its_speed_without_a_dead_band() {
+    let text = system("[0]", &[("arm", "[\"theta1\"]")]);
+    let tree = build(&text).expect("a sound description").tree;
+    let function = Function::find("joint_regressor").expect("a function of the catalogue");
+    let derived = function.derive(&tree, Formulation::Notes, &Plan::full(&tree));
+    let sign = |speed: f64| {
+        let given = |input| match input {
+            Input::U(_) => speed,
+            _ => 1.0,
+        };
+        derived.graph.evaluate(&derived.roots, given)[1]
+    };
+    for (speed, expected) in [(0.0, 0.0), (1e-30, 0.5), (1e-13, 1.0), (1e300, 1.0)] {
+        assert_eq!(sign(speed), expected, "{speed:e}");
+        assert_eq!(sign(-speed), -expected, "-{speed:e}");
+    }
 }

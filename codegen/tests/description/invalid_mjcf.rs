@@ -98,6 +98,7 @@ files! {
     two_inertials
     two_orientations
     unknown_class
+    unknown_types_with_fromto
 }
 
 #[test]

@@ -360,6 +360,38 @@ fn hinges(n_bodies: usize) -> String {
 }
 
 #[test]
+fn friction_of_joints_that_follow_is_felt_by_the_speed_that_moves_them() {
+    let bodies = hinges(3);
+    let [head, a, b, c] = bodies.split("[[body]]").collect::<Vec<_>>()[..] else {
+        panic!("three bodies")
+    };
+    let text = format!(
+        "{head}[[body]]{a}friction = 0.5\n[[body]]{b}friction = 0.125\nmimic = {{ joint = \"b1\", multiplier = -2.0 }}\n\
+         [[body]]{c}friction = 0.25\n"
+    );
+    let options = Options {
+        functions: named(&["q_dot"]),
+        ..Options::default()
+    };
+    let source = Source::new("gripper.toml", text);
+    let text = generate(&source, "gripper.toml", &options).unwrap().source;
+    assert!(text.contains("FRICTION: [f64; NU] = [0.75, 0.25];"));
+}
+
+#[test]
+fn unknown_function_is_told_beside_all_that_there_are() {
+    let options = Options {
+        functions: named(&["jacobain(b1)"]),
+        ..Options::default()
+    };
+    let source = Source::new("chain.toml", hinges(1));
+    let error = generate(&source, "chain.toml", &options).unwrap_err();
+    let told = error.to_string();
+    assert!(told.starts_with("`jacobain` is no function; there are relative_rotation, "));
+    assert!(told.ends_with(", operational_inverse_inertia"), "{told}");
+}
+
+#[test]
 fn functions_of_many_angles_declare_their_values_by_few_lets() {
     for n_bodies in [500, 700, 2000] {
         let options = Options {

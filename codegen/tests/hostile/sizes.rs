@@ -236,17 +236,59 @@ fn ten_thousand_bodies_of_any_kind_are_read_or_refused_soon() {
     }
 }
 
-#[test]
-fn what_would_be_too_large_is_told_before_it_is_derived() {
-    let refused = |n: usize, options: Options| {
-        let source = Source::new("model.toml", chain(n, "[\"theta2\"]", ""));
-        let generated = generate(&source, "model.toml", &options, &no_includes);
-        generated.unwrap_err().to_string()
-    };
-    let named = |name: &str| Options {
+/// Why nothing is generated of a chain of so many hinges.
+fn refused(n: usize, options: &Options) -> String {
+    let source = Source::new("model.toml", chain(n, "[\"theta2\"]", ""));
+    let generated = generate(&source, "model.toml", options, &no_includes);
+    generated.unwrap_err().to_string()
+}
+
+fn named(name: &str) -> Options {
+    Options {
         functions: Functions::Named(vec![name.to_owned()]),
         ..Options::default()
+    }
+}
+
+#[test]
+fn inverse_of_thousands_of_speeds_is_told_before_its_places_are_found() {
+    let inverse = refused(5000, &named("mass_matrix_inverse_packed"));
+    assert_eq!(
+        inverse,
+        "the functions, `mass_matrix_inverse_packed` most of all, write 12507500 numbers; expected at most 250000"
+    );
+    let all = Options {
+        functions: Functions::All(Vec::new()),
+        ..Options::default()
     };
+    let all = refused(5000, &all);
+    assert!(all.starts_with("the functions, `"), "{all}");
+}
+
+#[test]
+fn whatever_factorises_is_told_before_it_is_derived() {
+    for name in [
+        "mass_matrix_factors",
+        "forward_dynamics_pivots",
+        "operational_inverse_inertia(b5)",
+    ] {
+        assert_eq!(
+            refused(200, &named(name)),
+            format!("factorising for `{name}` takes 2766100 updates; expected at most 1000000")
+        );
+        let notes = Options {
+            formulation: kane_codegen::config::Formulation::Notes,
+            ..named(name)
+        };
+        assert_eq!(
+            refused(200, &notes),
+            format!("the notes' sums for `{name}` have 1353400 terms; expected at most 100000")
+        );
+    }
+}
+
+#[test]
+fn what_would_be_too_large_is_told_before_it_is_derived() {
     let notes = Options {
         formulation: kane_codegen::config::Formulation::Notes,
         ..named("mass_matrix")
@@ -298,7 +340,7 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
             "factorising for `forward_dynamics` takes 2766100 updates; expected at most 1000000",
         ),
     ] {
-        assert_eq!(refused(n, options), why);
+        assert_eq!(refused(n, &options), why);
     }
 }
 

@@ -61,8 +61,12 @@ pub(super) fn solid(
     if group < settings.groups[0] || group > settings.groups[1] {
         return None;
     }
-    let kind = geom.keyword(reader, "type", &TYPES);
-    let kind = kind.map_or(GeomType::Sphere, |kind| kind.value);
+    let kind = match geom.keyword(reader, "type", &TYPES) {
+        Some(kind) => kind.value,
+        // One that cannot be read is told already, and whatever is meant leads from one point to another.
+        None if geom.has("type") && geom.has("fromto") => GeomType::Capsule,
+        None => GeomType::Sphere,
+    };
     let amount = amount(reader, geom);
     if kind == GeomType::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
         return None;

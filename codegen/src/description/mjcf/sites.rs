@@ -95,8 +95,11 @@ fn frame<'d>(
 
 /// Half way between two points; whatever else says where the site is does not count.
 fn middle(reader: &mut Reader, site: &Attributes<'_>) -> Option<Placement> {
-    let kind = site.keyword(reader, "type", &TYPES);
-    let has_length = kind.is_some_and(|kind| kind.value);
+    let has_length = match site.keyword(reader, "type", &TYPES) {
+        Some(kind) => kind.value,
+        // One that cannot be read is told already, and whatever is meant leads from one point to another.
+        None => site.has("type"),
+    };
     let segment = Segment::read(reader, site, !has_length)?;
     Some(Placement {
         position: segment.center(),

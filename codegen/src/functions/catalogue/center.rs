@@ -45,7 +45,7 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
     name: "center_of_mass_jacobian",
     trait_name: Some("CenterOfMassJacobian"),
     arguments: &[Argument::Q],
-    outputs: &[Output::new("jacobian", Shape::SPEED_COLUMNS)],
+    outputs: &[Output::new("jacobian", Shape::VECTOR_BY_SPEEDS)],
     doc: &[
         "Partial velocities of the mass centre of all bodies, a column for each speed: its velocity is this matrix times `u`, inertial components.",
         "Also known as com Jacobian. Zero where no body has mass; masses that are zero at run time alone give NaN.",
@@ -79,8 +79,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
     trait_name: Some("CentroidalMomentumMatrix"),
     arguments: &[Argument::Q],
     outputs: &[
-        Output::new("linear", Shape::SPEED_COLUMNS),
-        Output::new("angular", Shape::SPEED_COLUMNS),
+        Output::new("linear", Shape::VECTOR_BY_SPEEDS),
+        Output::new("angular", Shape::VECTOR_BY_SPEEDS),
     ],
     doc: &[
         "Momentum of all bodies about their mass centre for a unit of each speed, a column for each: linear, kg m/s, and angular, kg m^2/s, are these",

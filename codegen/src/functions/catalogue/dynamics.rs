@@ -152,8 +152,10 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],
     candidates: &[
-        Candidate::plain(derive::pivots).with_terms(terms::of_matrix),
-        Candidate::planned(derive::pivots_recursive),
+        Candidate::plain(derive::pivots)
+            .with_terms(terms::of_matrix)
+            .factorising(),
+        Candidate::planned(derive::pivots_recursive).factorising(),
     ],
     ..PLAIN
 };

@@ -7,6 +7,7 @@ use crate::functions::{
     function::{Function, Of, Output, PLAIN},
     shape::Shape,
     subject::View,
+    terms,
 };
 
 const ANY_VIEW: Of = Of::Frame(&[View::Inertial, View::Local, View::Other]);
@@ -153,7 +154,10 @@ pub(super) const OPERATIONAL_INVERSE_INERTIA: Function = Function {
         "`J M^-1 J^T` of the Jacobian of {frame}: what a unit wrench accelerates; symmetric, six rows a frame, the linear ones first; {axes}.",
         "1/kg, 1/(kg m), 1/(kg m^2). Also known as inverse operational-space inertia, task-space mobility, Delassus matrix of several contacts.",
     ],
-    candidates: &Candidate::of_frame(derive_frame::operational_inverse_inertia),
+    candidates: &Candidate::of_frames_factorising(
+        derive_frame::operational_inverse_inertia,
+        terms::of_matrix,
+    ),
     ..PLAIN
 };
 

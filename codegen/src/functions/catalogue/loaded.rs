@@ -58,7 +58,8 @@ pub(super) const JOINT_WRENCHES: Function = Function {
         "All that each joint transmits to its body from the lower body, by which bearings and structures are sized: force, N, and moment, N m,",
         "body components, about the point of the body where its joint sits: its origin, or its `body_attachment` where it has one.",
         "Weight and the loads on all bodies outward of the joint are in it, and so are motors, springs and dampers, which act through the joint:",
-        "along the joint's motions it is their `tau` less what springs, dampers and rotors need. Also known as joint reaction, constraint force.",
+        "along the joint's motions it is their `tau` less what springs, dampers and rotors need; where others follow, the sum over all of them,",
+        "each times its multiplier, is. Also known as joint reaction, constraint force.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
     candidates: &[

@@ -84,13 +84,16 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::FACTORS)],
     doc: &[
-        "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill: D on the diagonal, beside it L, whose diagonal is one.",
-        "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where joints follow others on several branches.",
+        "The factors `L` and `D` of the mass matrix of Eq. (42), `M = L^T D L` along the tree, without fill but where joints follow others on several branches:",
+        "D on the diagonal, beside it L, whose diagonal is one.",
+        "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where there is fill.",
         "`MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.",
     ],
     candidates: &[
-        Candidate::plain(derive::mass_matrix_factors).with_terms(terms::of_matrix),
-        Candidate::planned(derive::mass_matrix_factors_recursive),
+        Candidate::plain(derive::mass_matrix_factors)
+            .with_terms(terms::of_matrix)
+            .factorising(),
+        Candidate::planned(derive::mass_matrix_factors_recursive).factorising(),
     ],
     ..PLAIN
 };

@@ -87,9 +87,18 @@ pub static OF_FRAMES: [Function; 10] = [
 ];
 
 impl Function {
+    /// All functions: those of the whole system, then those of frames.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        CATALOGUE.iter().chain(&OF_FRAMES)
+    }
+
+    /// Their names, in the same order.
+    pub fn names() -> Vec<&'static str> {
+        Self::all().map(|function| function.name).collect()
+    }
+
     /// The function with this name.
     pub fn find(name: &str) -> Option<&'static Self> {
-        let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
-        functions.find(|function| function.name == name)
+        Self::all().find(|function| function.name == name)
     }
 }

@@ -54,7 +54,7 @@ pub(super) const JOINT_REGRESSOR: Function = Function {
     doc: &[
         "Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of `y` times its viscous",
         "damping, N m s or N s/m, its Coulomb friction, N m or N, and its rotor inertia, kg m^2 or kg; a speed needs these three and no other's.",
-        "`y` is the speed, its sign and its rate. The sign is branch-free: it falls to zero where the speed is less than about `1e-14`.",
+        "`y` is the speed, its sign and its rate. The sign is branch-free: a half at a speed of `1e-30`, zero at zero, without a dead band.",
         "A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their multiplier",
         "squared, friction times its magnitude. Also known as friction regressor.",
     ],

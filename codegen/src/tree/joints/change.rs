@@ -5,11 +5,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::description::{Chart, CoordinateName, Description, Speeds};
+use crate::diagnostic::Diagnostic;
 use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
-use crate::tree::names::{joint_name, shown};
+use crate::tree::names::{self, joint_name, joint_named, shown};
 
 /// The joints with what the user locks and removes held.
 pub(crate) fn change(
@@ -149,16 +149,10 @@ fn removed(
     locked: &Locked,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<usize> {
-    let bodies = 0..description.bodies.len();
-    let of_body = |body: &WrittenBody| body.name.as_ref().is_some_and(|known| known.value == name);
-    let place = bodies
-        .clone()
-        .find(|body| joint_name(description, *body) == Some(name))
-        .or_else(|| description.bodies.iter().position(of_body));
-    let Some(body) = place else {
-        let known: Vec<&str> = bodies
-            .filter_map(|body| joint_name(description, body))
-            .collect();
+    let Some(body) = joint_named(description, name) else {
+        let bodies = 0..description.bodies.len();
+        let known = bodies.filter_map(|body| joint_name(description, body));
+        let known: Vec<&str> = known.collect();
         let fault = format!("no joint to remove is called `{}`", name.escape_debug());
         findings.push(with_known(
             Diagnostic::error(fault),
@@ -180,21 +174,9 @@ fn removed(
     Some(body)
 }
 
-/// The most names that a help lists.
-const MOST_NAMED: usize = 40;
-
 fn with_known(fault: Diagnostic, name: &str, known: &[&str], what: &str) -> Diagnostic {
-    match nearest(name, known) {
-        Some(near) => fault.help(format!("did you mean `{near}`?")),
-        None if known.is_empty() => fault,
-        None => {
-            let listed = known[..known.len().min(MOST_NAMED)].join(", ");
-            let more = if known.len() > MOST_NAMED {
-                ", ..."
-            } else {
-                ""
-            };
-            fault.help(format!("{what} are {listed}{more}"))
-        }
+    match names::meant(name, known, what) {
+        Some(help) => fault.help(help),
+        None => fault,
     }
 }

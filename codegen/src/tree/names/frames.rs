@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::description::{Carrier, Description};
 use crate::diagnostic::{Diagnostic, Spanned, nearest};
+use crate::tree::names::lookup::listed;
 use crate::tree::names::rules::check_one;
 
 /// Names that are empty, unprintable, or given to another frame or a body too; and bodies that are not there.
@@ -48,9 +49,6 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
     }
 }
 
-/// The most bodies that are listed.
-const MOST_LISTED: usize = 20;
-
 fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagnostic {
     let shown = body.value.escape_debug();
     let fault = Diagnostic::error(format!(
@@ -59,9 +57,7 @@ fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagno
     let help = if let Some(near) = nearest(&body.value, names) {
         format!("did you mean `{}`?", near.escape_debug())
     } else {
-        let names = names.iter().take(MOST_LISTED);
-        let names: Vec<String> = names.map(|name| name.escape_debug().to_string()).collect();
-        let names = names.join(", ");
+        let names = listed(names);
         format!("bodies are {names}; without `body` it is fixed in the inertial frame")
     };
     fault.at(body.span, "unknown body").help(help)

@@ -1,0 +1,50 @@
+//! Names that a user gives: the joint that has one, and what to say of one that is none.
+
+use crate::description::{Description, WrittenBody};
+use crate::diagnostic::nearest;
+use crate::tree::names::shown::joint_name;
+
+/// The place in the user's list of the body whose joint has this name, or which has it itself.
+pub(crate) fn joint_named(description: &Description, name: &str) -> Option<usize> {
+    let mut bodies = 0..description.bodies.len();
+    let of_joint = bodies.find(|body| joint_name(description, *body) == Some(name));
+    let is_named = |body: &WrittenBody| body.name.as_ref().is_some_and(|known| known.value == name);
+    of_joint.or_else(|| description.bodies.iter().position(is_named))
+}
+
+/// Which of the known names was probably meant, or which there are: `what` says of what. `None` where there are none.
+pub(crate) fn meant(name: &str, known: &[&str], what: &str) -> Option<String> {
+    match nearest(name, known) {
+        Some(near) => Some(format!("did you mean `{}`?", near.escape_debug())),
+        None if known.is_empty() => None,
+        None => Some(format!("{what} are {}", listed(known))),
+    }
+}
+
+/// The most names that are listed.
+const MOST_LISTED: usize = 40;
+
+/// Names for people to read, and how many more there are.
+pub(crate) fn listed(names: &[&str]) -> String {
+    let first = names.iter().take(MOST_LISTED);
+    let first: Vec<String> = first.map(|name| name.escape_debug().to_string()).collect();
+    let first = first.join(", ");
+    match names.len().saturating_sub(MOST_LISTED) {
+        0 => first,
+        more => format!("{first} and {more} more"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::listed;
+
+    #[test]
+    fn of_many_names_the_first_are_listed_and_the_others_counted() {
+        let names: Vec<String> = (1..=42).map(|n| format!("j{n}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        assert_eq!(listed(&names[..3]), "j1, j2, j3");
+        assert!(listed(&names[..40]).ends_with(", j39, j40"));
+        assert!(listed(&names).ends_with(", j39, j40 and 2 more"));
+    }
+}
