@@ -51,4 +51,4 @@ pub use shape::{
 pub use signature::{Access, Declared, Signature};
 pub use subject::{Subject, SubjectFrame, View};
 pub use syntax::split;
-pub use variable::Variable;
+pub use variable::{PARAMETER_NAMES, Variable};

@@ -118,7 +118,7 @@ impl Part {
             return of;
         };
         let mut lines = derivative.doc(&self.text_of_values(), &self.outputs());
-        lines.push("Of that function:".to_owned());
+        lines.extend([String::new(), "Of that function:".to_owned(), String::new()]);
         lines.extend(of);
         lines
     }

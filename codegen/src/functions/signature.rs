@@ -7,6 +7,7 @@ use super::{
     part::Part,
     request::Request,
     shape::{Element, Length},
+    variable::PARAMETER_NAMES,
 };
 
 /// A function as its callers see it.
@@ -187,6 +188,9 @@ impl Request {
         let of_frames = of_frames.map(Part::speeds_constant);
         let tables = compact.into_iter().chain(packed).chain(order);
         let prescribed = self.prescribes().then(|| PRESCRIBED.to_owned());
-        tables.chain(of_frames).chain(prescribed).collect()
+        let names = self.is_by_parameters();
+        let names = names.then(|| PARAMETER_NAMES.to_owned());
+        let tables = tables.chain(of_frames).chain(prescribed);
+        tables.chain(names).collect()
     }
 }

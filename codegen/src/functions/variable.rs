@@ -43,6 +43,9 @@ pub(super) const ARGUMENTS: [Argument; 5] = [
 /// What stands for all values set at run time.
 pub(super) const PARAMETERS: &str = "parameters";
 
+/// The constant that holds their names.
+pub const PARAMETER_NAMES: &str = "PARAMETER_NAMES";
+
 impl Variable {
     /// The variable with this name, if there is one.
     pub(super) fn find(tree: Option<&Tree>, name: &str) -> Option<Self> {

@@ -4,7 +4,7 @@
 use super::{BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
 use crate::functions::{
     Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
-    PRESCRIBED,
+    PARAMETER_NAMES, PRESCRIBED,
 };
 
 /// The system's name.
@@ -25,8 +25,6 @@ pub(crate) const FRAMES: &str = "FRAMES";
 pub(crate) const BASE_PARAMETERS: &str = "BASE_PARAMETERS";
 /// What they are made of.
 pub(crate) const BASE_PARAMETER_TERMS: &str = "BASE_PARAMETER_TERMS";
-/// The fields of `Parameters`.
-const PARAMETER_NAMES: &str = "PARAMETER_NAMES";
 /// Hash of the model.
 pub(crate) const FINGERPRINT: &str = "FINGERPRINT";
 /// What functions cost.

@@ -134,6 +134,17 @@ fn functions_of_frames_and_matrices_hold() {
 }
 
 #[test]
+fn derivatives_hold() {
+    let functions = [
+        "inverse_dynamics+d(inverse_dynamics)/d(q, u)",
+        "d(forward_dynamics)/d(q, u, tau)(sin_cos)",
+        "d(jacobian(tool0))/d(q)",
+    ];
+    let functions = functions.map(str::to_owned).to_vec();
+    assert_functions_hold("ur5", Base::Fixed, Functions::Named(functions));
+}
+
+#[test]
 fn an_arm_holds_with_larger_vectors_and_fused_operations() {
     let path = repository("tests/robots/panda/panda.urdf");
     let source = Source::new("panda.urdf", fs::read_to_string(path).unwrap());

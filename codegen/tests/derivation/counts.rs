@@ -136,6 +136,16 @@ fn matrices_of_robots() {
     insta::assert_snapshot!(of_robots(&MATRICES));
 }
 
+/// Of all derivatives of forces, of those that an integrator needs, and of accelerations.
+#[test]
+fn derivatives_of_robots() {
+    insta::assert_snapshot!(of_robots(&[
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        "inverse_dynamics+d(inverse_dynamics)/d(q, u)",
+        "d(forward_dynamics)/d(q, u, tau)",
+    ]));
+}
+
 #[test]
 fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
