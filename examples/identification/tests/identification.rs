@@ -211,5 +211,6 @@ fn what_is_not_a_number_is_the_largest_and_the_least_wherever_it_stands() {
         (largest([1.0, -3.0, 2.0]), least([1.0, -3.0, 2.0])),
         (3.0, -3.0)
     );
-    assert_eq!((largest(&[]), least(&[])), (0.0, f64::INFINITY));
+    let none = [0.0; 0];
+    assert_eq!((largest(none), least(none)), (0.0, f64::INFINITY));
 }
