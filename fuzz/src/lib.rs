@@ -57,7 +57,10 @@ pub fn generate(data: &[u8]) {
         let asked = frame.map_or_else(Vec::new, |frame| promises::of_frame(&frame));
         match how & 64 {
             0 => asked,
-            _ => vec![asked.join("+") + "(sin_cos)"],
+            _ => promises::joined(&asked, usize::from(technique))
+                .map(|joined| joined + "(sin_cos)")
+                .into_iter()
+                .collect(),
         }
     };
     let function = &CATALOGUE[usize::from(function) % CATALOGUE.len()];

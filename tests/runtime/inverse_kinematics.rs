@@ -4,6 +4,8 @@ use kane::functions::{Jacobian, Pose};
 use kane::inverse_kinematics::{Goal, InverseKinematics, Limits};
 use kane::{Chart, Joint, Load, Real, System};
 
+use crate::common::one_coordinate;
+
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A point that slides along three axes: its coordinates are its position, m.
@@ -109,25 +111,7 @@ struct Hinge {
     axis: usize,
 }
 
-impl System<f64> for Hinge {
-    type Q = [f64; 1];
-    type U = [f64; 1];
-    type Loads = [Load<f64>; 1];
-    type Scalars = [f64; 1];
-    type Vectors = [[f64; 3]; 1];
-    type Rotations = [[[f64; 3]; 3]; 1];
-
-    const NAME: &'static str = "hinge";
-    const BODY_NAMES: &'static [&'static str] = &["tool"];
-    const COORDINATE_NAMES: &'static [&'static str] = &["theta"];
-    const SPEED_NAMES: &'static [&'static str] = &["theta_dot"];
-    const LOWER_BODIES: &'static [usize] = &[0];
-    const SPEED_BODIES: &'static [usize] = &[0];
-
-    fn q_dot(&self, _: &[f64; 1], u: &[f64; 1], q_dot: &mut [f64; 1]) {
-        *q_dot = *u;
-    }
-}
+one_coordinate!([f64] Hinge, "hinge", body "tool", coordinate "theta");
 
 impl Pose<f64, Tool> for Hinge {
     fn pose(&self, q: &[f64; 1], rotation: &mut [[f64; 3]; 3], position: &mut [f64; 3]) {

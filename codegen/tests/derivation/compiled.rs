@@ -9,7 +9,7 @@ use std::{collections::BTreeMap, fs, path::Path};
 use kane_codegen::{
     compile::{self, Emittable, Options},
     config::Functions,
-    description::{self, Reading, no_includes},
+    description::{self, Description, Reading, no_includes, toml},
     diagnostic::Source,
     expr::Input,
     passes::sines,
@@ -18,12 +18,20 @@ use kane_codegen::{
 
 /// The model at a path of the repository.
 pub(crate) fn read(path: &str, reading: &Reading) -> Tree {
+    tree::build(&described(path, reading)).unwrap().tree
+}
+
+/// The same as it is written in our own format.
+pub(crate) fn written(path: &str, reading: &Reading) -> String {
+    toml::write(&described(path, reading)).unwrap()
+}
+
+fn described(path: &str, reading: &Reading) -> Description {
     let path = format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(&path).parent().unwrap();
     let include = |own: &str| fs::read_to_string(folder.join(own));
     let source = Source::new(path.as_str(), fs::read_to_string(&path).unwrap());
-    let description = description::read(&source, reading, &include);
-    tree::build(&description).unwrap().tree
+    description::read(&source, reading, &include)
 }
 
 /// The model that a text describes.

@@ -49,12 +49,21 @@ impl Evaluator {
         formulation: Formulation,
         plan: impl FnOnce(&Tree) -> Plan,
     ) -> Self {
-        let text = system.toml();
-        let tree = tree(&text).expect("a random system is accepted");
+        Self::of(&system.name, &system.toml(), formulation, plan)
+    }
+
+    /// A description that is accepted, in our own format.
+    pub(crate) fn of(
+        name: &str,
+        text: &str,
+        formulation: Formulation,
+        plan: impl FnOnce(&Tree) -> Plan,
+    ) -> Self {
+        let tree = tree(text).expect("the description is accepted");
         Self {
-            name: format!("{} in formulation {}", system.name, formulation.name()),
+            name: format!("{name} in formulation {}", formulation.name()),
             plan: plan(&tree),
-            composition: Composition::new(&text, &tree),
+            composition: Composition::new(text, &tree),
             formulation,
             functions: Mutex::default(),
         }

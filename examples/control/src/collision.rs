@@ -9,11 +9,9 @@ use std::{array::from_fn, fmt};
 use kane::{Real, integrate::rk4_step_with};
 
 use crate::{
-    CallTimes, Desired, PERIOD,
+    CallTimes, Desired, Noise, PERIOD,
     gravity_compensation::Controller,
-    in_double, in_scalar,
-    noise::Noise,
-    periods, raise,
+    in_double, in_scalar, periods, raise,
     ur5::{self, EFFORT_LIMITS, NQ, NU, Prepared},
 };
 
@@ -159,7 +157,7 @@ impl Cell {
             *pushed = from_fn(|i| tau[i] + pushed[i]);
         });
         let measured: [f64; NU] =
-            from_fn(|i| tau[i] + NOISE * EFFORT_LIMITS[i] * self.noise.next());
+            from_fn(|i| tau[i] + NOISE * EFFORT_LIMITS[i] * self.noise.normal());
         let (q, u) = (in_scalar(&self.q), in_scalar(&self.u));
         calls.time(|| self.observer.update(&q, &u, &in_scalar(&measured)))
     }
@@ -209,7 +207,7 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{:.0} s without a collision: {} false alarms, residual up to {:.0} % of the threshold; {} collisions of {FORCE} N: the last is seen after {:.0} ms",
+            "{:.0} s without a collision: {} false alarms, residual up to {:.0} % of the threshold; {} collisions of {FORCE} N: each is seen within {:.0} ms",
             self.duration,
             self.false_alarms,
             1e2 * self.quiet,

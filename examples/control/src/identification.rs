@@ -11,9 +11,8 @@ use kane::integrate::rk4_step;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use crate::{
-    CallTimes, Desired, PERIOD,
+    CallTimes, Desired, Noise, PERIOD,
     computed_torque::{self, CENTER, DURATION, desired},
-    noise::Noise,
     panda::{self, EFFORT_LIMITS, FRAMES, NB, NQ, NU, Parameters, Prepared},
     periods, raise,
 };
@@ -300,7 +299,7 @@ pub fn run(seed: u64, calls: &mut CallTimes) -> Report {
         };
         for period in 0..periods(DURATION) {
             let desired = desired(if moves { period as f64 * PERIOD } else { 0.0 });
-            let mut noisy = |deviation: f64| deviation * noise.next();
+            let mut noisy = |deviation: f64| deviation * noise.normal();
             let u_m = u.map(|u| u + noisy(SPEED_NOISE));
             let tau_m = from_fn(|i| tau[i] + noisy(TORQUE_NOISE * EFFORT_LIMITS[i]));
             tau = calls.time(|| {

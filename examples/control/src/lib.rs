@@ -23,6 +23,7 @@ mod turn;
 
 pub use calls::CallTimes;
 pub use desired::Desired;
+pub use noise::Noise;
 
 use kane::Real;
 

@@ -8,28 +8,16 @@ use kane::{
     functions::{Jacobian, Pose},
     inverse_kinematics::{Goal, Goals, InverseKinematics, Limits},
 };
-use kane_examples::{panda, solo12, ur5};
+use kane_examples::{Noise, panda, solo12, ur5};
 
-/// Numbers from -1 to 1, the same ones every time.
-struct Draws(u64);
+/// From -1 to 1.
+fn symmetric(draws: &mut Noise) -> f64 {
+    2.0 * draws.even() - 1.0
+}
 
-impl Draws {
-    #[expect(clippy::cast_precision_loss, reason = "31 bits are kept")]
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / f64::from(1 << 30) - 1.0
-    }
-
-    /// Anywhere between the limits.
-    fn between<const N: usize>(&mut self, limits: &Limits<f64, N>) -> [f64; N] {
-        from_fn(|i| {
-            let (lower, upper) = (limits.lower[i], limits.upper[i]);
-            f64::midpoint(lower, upper) + 0.5 * self.next() * (upper - lower)
-        })
-    }
+/// Anywhere between the limits.
+fn between<const N: usize>(draws: &mut Noise, limits: &Limits<f64, N>) -> [f64; N] {
+    from_fn(|i| limits.lower[i] + draws.even() * (limits.upper[i] - limits.lower[i]))
 }
 
 /// Where the frame `F` is at `q`, as a goal.
@@ -61,17 +49,17 @@ where
     S: Pose<f64, F> + Jacobian<f64, F> + System<f64, Q = [f64; NQ], U = [f64; NU]>,
 {
     let solver = exact(Limits::of::<S>());
-    let mut draws = Draws(1);
+    let mut draws = Noise::new(1);
     for _ in 0..200 {
-        let there = draws.between(&solver.limits);
+        let there = between(&mut draws, &solver.limits);
         let goal = goal::<F, S>(system, &there);
 
-        let mut near = there.map(|q| q + 0.1 * draws.next());
+        let mut near = there.map(|q| q + 0.1 * symmetric(&mut draws));
         let remaining = solver.solve(system, &goal, &mut near, 20);
         assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
         assert_within(&solver.limits, &near);
 
-        let mut far = draws.between(&solver.limits);
+        let mut far = between(&mut draws, &solver.limits);
         let remaining = solver.search(system, &goal, &mut far, 100, 50);
         assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
         assert_within(&solver.limits, &far);
@@ -92,11 +80,16 @@ fn the_ur5_reaches_poses_it_can_reach() {
 fn limits_are_never_left_though_the_goal_is_out_of_reach() {
     let system = panda::Prepared::nominal();
     let solver = exact(Limits::of::<panda::Prepared<f64>>());
-    let mut draws = Draws(2);
+    let mut draws = Noise::new(2);
     for _ in 0..50 {
-        let away = from_fn(|_| 3.0 * draws.next());
+        // No point of the arm is a metre and a half from where it stands.
+        let away = [
+            2.0 + draws.even(),
+            3.0 * symmetric(&mut draws),
+            3.0 * symmetric(&mut draws),
+        ];
         let goal = Goal::<_, panda::frames::Payload>::position(away);
-        let mut q = draws.between(&solver.limits);
+        let mut q = between(&mut draws, &solver.limits);
         let mut before = f64::INFINITY;
         for _ in 0..100 {
             let step = solver.step(&system, &goal, &q);
@@ -154,12 +147,12 @@ where
 fn four_feet_and_a_free_body_reach_their_places() {
     let system = Solo12::nominal();
     let solver = exact(Limits::of::<Solo12>());
-    let mut draws = Draws(3);
+    let mut draws = Noise::new(3);
     for _ in 0..100 {
         let there = standing(&mut draws);
         let goals = stance(&system, &there);
 
-        let mut near = there.map(|q| q + 0.1 * draws.next());
+        let mut near = there.map(|q| q + 0.1 * symmetric(&mut draws));
         let remaining = solver.solve(&system, &goals, &mut near, 20);
         assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
 
@@ -170,8 +163,8 @@ fn four_feet_and_a_free_body_reach_their_places() {
 }
 
 /// Anywhere, turned anyhow, with legs that are bent: a straight leg is singular.
-fn standing(draws: &mut Draws) -> [f64; solo12::NQ] {
-    let mut q: [f64; solo12::NQ] = from_fn(|_| draws.next());
+fn standing(draws: &mut Noise) -> [f64; solo12::NQ] {
+    let mut q: [f64; solo12::NQ] = from_fn(|_| symmetric(draws));
     for (name, q) in Solo12::COORDINATE_NAMES.iter().zip(&mut q) {
         if name.ends_with("kfe") {
             *q = 0.5 * *q - 1.2;
@@ -188,7 +181,7 @@ fn standing(draws: &mut Draws) -> [f64; solo12::NQ] {
 fn nothing_is_allocated() {
     let system = Solo12::nominal();
     let solver = InverseKinematics::new(Limits::of::<Solo12>());
-    let mut draws = Draws(4);
+    let mut draws = Noise::new(4);
     let goals = stance(&system, &standing(&mut draws));
     let mut q = standing(&mut draws);
     let allocations = measure(|| {

@@ -50,7 +50,7 @@ fn the_arm_follows_its_path_as_nearly_as_its_payload_is_known() {
         mistaken.error < mistaken.bound + known.error,
         "{mistaken:?}"
     );
-    assert!(mistaken.error < 3e-3, "{mistaken:?}");
+    assert!((2.25e-3..2.35e-3).contains(&mistaken.error), "{mistaken:?}");
     assert!(mistaken.error > 10.0 * known.error, "{mistaken:?}");
     for report in [known, mistaken] {
         assert!(report.effort < 1.0 && report.speed < 1.0, "{report:?}");
@@ -61,8 +61,8 @@ fn the_arm_follows_its_path_as_nearly_as_its_payload_is_known() {
 fn the_pole_is_swung_up_and_stays_up_though_its_mass_is_mistaken_by_a_fifth() {
     for mass in [0.5, 0.6, 0.4] {
         let report = without_allocating(12_000, |calls| swing_up::run(mass, 0.5, calls));
-        assert!(report.upright_from > 1.0, "it hangs at first: {report:?}");
-        assert!(report.upright_from < 5.0, "{report:?}");
+        // It hangs at first.
+        assert!((2.5..4.5).contains(&report.upright_from), "{report:?}");
         // The slowest motion fades by about 4 1/s, and has had five seconds: less than 1e-8 is left of it.
         assert!(report.angle < 1e-5 && report.position < 1e-5, "{report:?}");
         assert!(report.travel < 2.0 && report.force < 50.0, "{report:?}");
@@ -74,7 +74,7 @@ fn the_hub_is_turned_without_angular_momentum() {
     let turn = [0.5_f64, -0.3, 0.6];
     let angle = turn.iter().map(|x| x * x).sum::<f64>().sqrt();
     let report = without_allocating(48_000, |calls| reorientation::run(turn, 1e-3, 20, calls));
-    assert!(report.error < 1e-3, "{report:?}");
+    assert!(report.error < 4e-4, "{report:?}");
     assert!((report.turn - angle).abs() < 1e-3, "{report:?}");
     assert!(report.joint_error < 2e-3, "{report:?}");
     // Nothing acts from outside: what there is comes from integration, where joints alone have up to 12 kg m²/s.

@@ -3,7 +3,11 @@
 use kane::Array;
 use nalgebra::{DMatrix, DVector};
 
-use crate::{Arm, Identifiable, Noise, Path, stack};
+use crate::{
+    Arm, Identifiable, Noise, Path,
+    extremes::{largest, least},
+    stack,
+};
 
 /// The states of a path by which it is judged: fewer than are measured.
 const STATES: usize = 50;
@@ -52,12 +56,13 @@ fn stacked<A: Arm>(arm: &A, path: &Path) -> DMatrix<f64> {
     stack(arm, &path.states(STATES), &effort)
 }
 
-/// The condition number of these columns; infinite where the torques are too much for the arm.
+/// The condition number of these columns; infinite where the torques are too much for the arm, or no numbers.
 fn condition(w: &DMatrix<f64>, columns: &[usize], prior: &DVector<f64>) -> f64 {
-    if (w * prior).amax() > EFFORT {
+    let effort = largest(&(w * prior));
+    if effort.is_nan() || effort > EFFORT {
         return f64::INFINITY;
     }
     let independent = w.select_columns(columns);
     let values = independent.tr_mul(&independent).symmetric_eigenvalues();
-    (values.max() / values.min()).sqrt()
+    (largest(&values) / least(&values)).sqrt()
 }

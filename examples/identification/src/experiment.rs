@@ -7,6 +7,7 @@ use crate::{
     Arm, Drive, Identifiable, Measured, Noise, Path, Physical,
     consistent::consistent,
     excitation::exciting,
+    extremes::{largest, least},
     links,
     measurement::TORQUE_NOISE,
     names::{names, units},
@@ -63,7 +64,7 @@ pub fn run<A: Arm>(seed: u64) -> Report {
         arm: A::NAME,
         condition: identifiable.condition(),
         columns: identifiable.sums.ncols(),
-        effort: effort(&learnt).max(effort(&tested)),
+        effort: largest([effort(&learnt), effort(&tested)]),
         prior: errors(&of_prior),
         least_squares: errors(&found),
         consistent: errors(&of_found_arm),
@@ -79,11 +80,7 @@ pub fn run<A: Arm>(seed: u64) -> Report {
             })
             .collect(),
         masses: [&truth, &prior, &found_arm].map(masses),
-        margin: found_arm
-            .bodies
-            .iter()
-            .map(pseudo_inertia::margin)
-            .fold(f64::INFINITY, f64::min),
+        margin: least(found_arm.bodies.iter().map(pseudo_inertia::margin)),
     }
 }
 
@@ -110,7 +107,7 @@ fn errors<A: Arm>(
 /// The greatest torque, as a part of the joint's limit.
 fn effort<A: Arm>(measured: &Measured<A>) -> f64 {
     let limits = A::U::from_fn(|i| A::EFFORT_LIMITS[i]);
-    stack_torques::<A>(&measured.truth, &limits).amax()
+    largest(&stack_torques::<A>(&measured.truth, &limits))
 }
 
 /// kg.

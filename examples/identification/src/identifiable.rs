@@ -5,6 +5,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::extremes::{largest, least};
+
 /// A column is a sum of those before it where they leave no greater part of it.
 const DEPENDENT: f64 = 1e-9;
 
@@ -69,7 +71,7 @@ impl Identifiable {
     /// The condition number of the independent columns, which are in SI units.
     pub fn condition(&self) -> f64 {
         let values = self.r.singular_values();
-        values.max() / values.min()
+        largest(&values) / least(&values)
     }
 }
 

@@ -25,6 +25,7 @@ pub mod consistent;
 pub mod drive;
 pub mod excitation;
 pub mod experiment;
+pub mod extremes;
 pub mod identifiable;
 pub mod links;
 pub mod measurement;

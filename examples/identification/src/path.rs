@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use kane::{Array, Real};
 
-use crate::{Arm, Noise};
+use crate::{Arm, Noise, extremes::largest};
 
 /// The harmonics of a series.
 const HARMONICS: usize = 5;
@@ -65,7 +65,7 @@ impl Path {
             for (i, used) in used.iter_mut().enumerate() {
                 let of_reach = (state.q[i] - A::CENTER[i]) / A::REACH[i];
                 let of_speed = state.u[i] / (SPEED * A::VELOCITY_LIMITS[i]);
-                *used = used.max(of_reach.abs()).max(of_speed.abs());
+                *used = largest([*used, of_reach, of_speed]);
             }
         }
         for (joint, used) in self.joints.iter_mut().zip(used) {

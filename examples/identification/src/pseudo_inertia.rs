@@ -7,6 +7,8 @@
 
 use nalgebra::{Matrix3, Matrix4, Vector3};
 
+use crate::extremes::{largest, least};
+
 /// The inertial parameters of a body, in the order of [`kane::functions::Regressor`].
 pub const PARAMETERS: usize = 10;
 
@@ -44,7 +46,7 @@ pub fn parameters(p: &Matrix4<f64>) -> [f64; PARAMETERS] {
     ]
 }
 
-/// The least eigenvalue of `P` once its axes begin in the mass centre, as a part of the greatest: lengths and masses do not matter, and it is
+/// The least eigenvalue of `P` once its axes begin in the mass centre, as a part of the largest: lengths and masses do not matter, and it is
 /// positive where `P` is positive definite.
 pub fn margin(p: &Matrix4<f64>) -> f64 {
     let mass = p[(3, 3)];
@@ -52,7 +54,7 @@ pub fn margin(p: &Matrix4<f64>) -> f64 {
     let about_center = p.fixed_view::<3, 3>(0, 0) - moments * moments.transpose() / mass;
     let eigenvalues = about_center.symmetric_eigenvalues();
     if mass > 0.0 {
-        eigenvalues.min() / eigenvalues.max()
+        least(&eigenvalues) / largest(&eigenvalues)
     } else {
         mass
     }

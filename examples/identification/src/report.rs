@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::extremes::largest;
+
 /// The places of a name in the table.
 const NAME: usize = 52;
 /// One parameter of so many is shown.
@@ -72,14 +74,12 @@ impl Report {
 
     /// How many standard deviations least squares miss at most.
     pub fn missed_at_most(&self) -> f64 {
-        let missed = self.parameters.iter().map(|p| p.deviations(p.found).abs());
-        missed.fold(0.0, f64::max)
+        largest(self.parameters.iter().map(|p| p.deviations(p.found)))
     }
 
     /// How many standard deviations the consistent arm is at most from least squares.
     pub fn moved_at_most(&self) -> f64 {
-        let moved = self.parameters.iter().map(Parameter::moved);
-        moved.fold(0.0, f64::max)
+        largest(self.parameters.iter().map(Parameter::moved))
     }
 }
 
@@ -91,7 +91,7 @@ impl Parameter {
 
     /// How many the consistent arm is from least squares.
     fn moved(&self) -> f64 {
-        ((self.consistent - self.found) / self.deviation).abs()
+        (self.consistent - self.found) / self.deviation
     }
 
     /// The name, cut where it is long.

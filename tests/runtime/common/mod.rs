@@ -8,5 +8,6 @@ mod pendulum;
 
 pub(crate) use cart_pole::CartPole;
 pub(crate) use gimbal::Gimbal;
+pub(crate) use one_coordinate::one_coordinate;
 pub(crate) use oscillator::Oscillator;
 pub(crate) use pendulum::Pendulum;

@@ -158,6 +158,21 @@ pub fn of_frame(name: &str) -> Vec<String> {
     asked.filter(|asked| Parsed::read(asked).is_ok()).collect()
 }
 
+/// As many of these requests as one function can serve, joined from this one on; `None` if there are none. Of functions with
+/// arguments of their own, such as points, it serves one.
+pub fn joined(asked: &[String], first: usize) -> Option<String> {
+    let first = first.checked_rem(asked.len())?;
+    let others = asked[first + 1..].iter().chain(&asked[..first]);
+    let joined = others.fold(asked[first].clone(), |joined, other| {
+        let longer = format!("{joined}+{other}");
+        match Parsed::read(&longer) {
+            Ok(_) => longer,
+            Err(_) => joined,
+        }
+    });
+    Some(joined)
+}
+
 /// The name of one of the frames of a model, where it is right.
 pub fn frame(files: &Files<'_>, reading: Reading, choice: usize) -> Option<String> {
     let description = description::read(&files.model, &reading, &|path| files.include(path));
@@ -171,4 +186,27 @@ pub fn frame(files: &Files<'_>, reading: Reading, choice: usize) -> Option<Strin
 pub fn n_bodies(files: &Files<'_>, reading: Reading) -> usize {
     let description = description::read(&files.model, &reading, &|path| files.include(path));
     description.bodies.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Parsed, joined, of_frame};
+
+    #[test]
+    fn functions_of_a_frame_are_joined_from_any_on() {
+        let asked = of_frame("a \"hand\"+");
+        let has_own = |asked: &&String| {
+            asked.starts_with("point_jacobian") || asked.starts_with("generalized_force")
+        };
+        let n_own = asked.iter().filter(has_own).count();
+        assert!(n_own > 1, "{asked:?}");
+        for (first, name) in asked.iter().enumerate() {
+            let joined = joined(&asked, first).unwrap() + "(sin_cos)";
+            assert!(joined.starts_with(name.as_str()));
+            let parts = joined.matches("(\"a \"\"hand\"\"+\"").count();
+            assert_eq!(parts, asked.len() - n_own + 1, "{joined}");
+            assert!(Parsed::read(&joined).is_ok(), "{joined}");
+        }
+        assert_eq!(joined(&[], 3), None);
+    }
 }

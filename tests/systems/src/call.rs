@@ -2,10 +2,6 @@
 //!
 //! Outputs are filled with NaN before the call: what a function leaves unwritten shows.
 
-mod further;
-
-pub use further::Further;
-
 use kane::{
     Array, Block, Load, Real, System, block,
     functions::{
@@ -18,6 +14,21 @@ use kane::{
         RelativeRotation, Rotation, Singularity,
     },
 };
+
+/// A trait that stands for several others.
+macro_rules! together {
+    ($(#[$meaning:meta])* $name:ident: $($trait:ident),+ $(,)?) => {
+        $(#[$meaning])*
+        pub trait $name<R: Real>: $($trait<R> +)+ {}
+
+        impl<R: Real, S: $($trait<R> +)+> $name<R> for S {}
+    };
+}
+
+// Here, where it knows the macro.
+mod further;
+
+pub use further::Further;
 
 /// Everything that a function can be given.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,31 +47,18 @@ pub struct State {
     pub w_rel: Vec<[f64; 3]>,
 }
 
-/// A system with the functions that have two formulations.
-pub trait Dynamics<R: Real>:
-    GeneralizedForces<R>
-    + MassMatrix<R>
-    + MassMatrixPacked<R>
-    + Forcing<R>
-    + Bias<R>
-    + GravityForces<R>
-    + InverseDynamics<R>
-    + ForwardDynamics<R>
-    + ForwardDynamicsPivots<R>
-{
-}
-
-impl<R: Real, S> Dynamics<R> for S where
-    S: GeneralizedForces<R>
-        + MassMatrix<R>
-        + MassMatrixPacked<R>
-        + Forcing<R>
-        + Bias<R>
-        + GravityForces<R>
-        + InverseDynamics<R>
-        + ForwardDynamics<R>
-        + ForwardDynamicsPivots<R>
-{
+together! {
+    /// A system with the functions that have two formulations.
+    Dynamics:
+        GeneralizedForces,
+        MassMatrix,
+        MassMatrixPacked,
+        Forcing,
+        Bias,
+        GravityForces,
+        InverseDynamics,
+        ForwardDynamics,
+        ForwardDynamicsPivots,
 }
 
 /// The state's arrays in a system's own types.
@@ -167,59 +165,32 @@ pub fn every<R: Real + Into<f64>, S: All<R> + Further<R> + JointRegressor<R>, co
         .unwrap_or_else(|| all::<R, S, NU>(system, function, state))
 }
 
-/// A system with every function but the further ones.
-pub trait All<R: Real>:
-    Dynamics<R>
-    + RelativeRotation<R>
-    + Rotation<R>
-    + RelativeAngularVelocity<R>
-    + AngularVelocity<R>
-    + AngleRates<R>
-    + AngularAcceleration<R>
-    + PartialAngularVelocity<R>
-    + PartialAngularVelocityDot<R>
-    + OriginPosition<R>
-    + MassCenterPosition<R>
-    + OriginVelocity<R>
-    + MassCenterVelocity<R>
-    + PartialVelocityOrigin<R>
-    + PartialVelocityOriginDot<R>
-    + PartialVelocity<R>
-    + PartialVelocityDot<R>
-    + MassCenterAcceleration<R>
-    + Singularity<R>
-    + KineticEnergy<R>
-    + PotentialEnergy<R>
-    + LinearMomentum<R>
-    + AngularMomentum<R>
-{
-}
-
-impl<R: Real, S> All<R> for S where
-    S: Dynamics<R>
-        + RelativeRotation<R>
-        + Rotation<R>
-        + RelativeAngularVelocity<R>
-        + AngularVelocity<R>
-        + AngleRates<R>
-        + AngularAcceleration<R>
-        + PartialAngularVelocity<R>
-        + PartialAngularVelocityDot<R>
-        + OriginPosition<R>
-        + MassCenterPosition<R>
-        + OriginVelocity<R>
-        + MassCenterVelocity<R>
-        + PartialVelocityOrigin<R>
-        + PartialVelocityOriginDot<R>
-        + PartialVelocity<R>
-        + PartialVelocityDot<R>
-        + MassCenterAcceleration<R>
-        + Singularity<R>
-        + KineticEnergy<R>
-        + PotentialEnergy<R>
-        + LinearMomentum<R>
-        + AngularMomentum<R>
-{
+together! {
+    /// A system with every function but the further ones.
+    All:
+        Dynamics,
+        RelativeRotation,
+        Rotation,
+        RelativeAngularVelocity,
+        AngularVelocity,
+        AngleRates,
+        AngularAcceleration,
+        PartialAngularVelocity,
+        PartialAngularVelocityDot,
+        OriginPosition,
+        MassCenterPosition,
+        OriginVelocity,
+        MassCenterVelocity,
+        PartialVelocityOrigin,
+        PartialVelocityOriginDot,
+        PartialVelocity,
+        PartialVelocityDot,
+        MassCenterAcceleration,
+        Singularity,
+        KineticEnergy,
+        PotentialEnergy,
+        LinearMomentum,
+        AngularMomentum,
 }
 
 /// Any function but the further ones.

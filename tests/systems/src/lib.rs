@@ -91,6 +91,8 @@ pub struct Compiled {
     pub name: &'static str,
     /// Its description.
     pub model: &'static str,
+    /// For each speed whether its acceleration is prescribed.
+    pub prescribed: &'static [bool],
     /// In `f64`.
     pub f64: Call,
 }
@@ -159,6 +161,7 @@ macro_rules! compiled {
         Compiled {
             name: stringify!($name),
             model: include_str!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".toml")),
+            prescribed: &crate::$name::PRESCRIBED,
             f64: call!(every, crate::$name, f64),
         },
     )+]};
@@ -169,7 +172,7 @@ pub const RANDOM: [Compiled; 8] = compiled![
     random_100, random_101, random_102, random_103, random_104, random_105, random_106, random_107
 ];
 
-/// The random systems with joints of every kind.
+/// The random systems with joints of every kind, some of which are prescribed.
 pub const FRAMED: [Compiled; 3] = compiled![random_500, random_501, random_502];
 
 /// One system: in body order, in the notes' order, in other numbers.

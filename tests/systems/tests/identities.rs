@@ -103,7 +103,7 @@ fn random_systems_are_of_many_kinds() {
 #[test]
 fn framed_systems_have_joints_of_every_kind() {
     let models: Vec<CompiledModel> = FRAMED.into_iter().map(CompiledModel::new).collect();
-    let mut most = [0; 5];
+    let mut most = [0; 6];
     for model in &models {
         let tree = model.tree();
         let has = |property: &dyn Fn(&Body) -> bool| tree.bodies.iter().any(property);
@@ -122,6 +122,7 @@ fn framed_systems_have_joints_of_every_kind() {
             topology::has_mimics(tree),
             !tree.frames.is_empty(),
             has(&|body| body.pose.rotation != IDENTITY && body.joint.rotation != IDENTITY),
+            (1..tree.n_speeds).contains(&tree.prescribed.len()),
         ];
         println!(
             "{}: {} bodies, {} speeds, {} parameters, {has_of:?}",

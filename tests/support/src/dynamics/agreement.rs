@@ -93,11 +93,17 @@ pub fn disagreement(
             | "loaded_inverse_dynamics"
             | "potential_energies"
             | "joint_wrenches"
-            | "center_of_mass"
-            | "center_of_mass_velocity"
             | "centroidal_momentum_matrix"
             | "centroidal_momentum_matrix_dot_u" => {
                 relative_to(larger(largest(&expected), m.norm()), &found, &expected)
+            }
+            // Means over bodies.
+            "center_of_mass" | "center_of_mass_velocity" => {
+                let of_bodies = match function.name {
+                    "center_of_mass" => "mass_center_position",
+                    _ => "mass_center_velocity",
+                };
+                relative_to(largest(&a.evaluate(of_bodies, state)), &found, &expected)
             }
             _ => relative(&found, &expected),
         };

@@ -1,17 +1,23 @@
-//! Identities of hybrid dynamics, whatever speeds are prescribed.
+//! Identities of hybrid dynamics, whatever speeds of the model's tree are prescribed.
 
 use super::{model::Model, quantities::mass_matrix, state::State};
 use crate::compare::{larger, largest, relative_to, size_of};
 
-/// With `tau = inverse_dynamics(u_dot)` both come out as they are given, whatever of them was read; accelerations as
+/// With `tau = inverse_dynamics(u_dot)` both come out as they are given, and what is found is not read; accelerations as
 /// [`forward_dynamics_undoes_inverse_dynamics`](super::forces::forward_dynamics_undoes_inverse_dynamics) has them.
 pub fn hybrid_dynamics_keeps_a_motion_and_its_forces(model: &dyn Model, state: &State) -> f64 {
-    let given = State {
-        tau: model.evaluate("inverse_dynamics", state),
+    let tau = model.evaluate("inverse_dynamics", state);
+    let mut given = State {
+        u_dot: vec![f64::NAN; tau.len()],
+        tau: tau.clone(),
         ..state.clone()
     };
+    for speed in model.tree().prescribed.iter().map(|speed| speed.index()) {
+        given.u_dot[speed] = state.u_dot[speed];
+        given.tau[speed] = f64::NAN;
+    }
     let found = model.evaluate("hybrid_dynamics", &given);
-    apart(model, state, &found, &[given.u_dot, given.tau].concat())
+    apart(model, state, &found, &[state.u_dot.clone(), tau].concat())
 }
 
 /// The whole forces are those of the whole accelerations, `whole_tau = inverse_dynamics(whole_u_dot)`.

@@ -31,6 +31,7 @@ macro_rules! test_every_identity {
             coriolis_matrix_makes_the_bias: EXACT;
             rate_of_the_mass_matrix_is_twice_the_symmetric_part: EXACT;
             mass_matrix_dot_is_the_rate_of_the_mass_matrix: DIFFERENTIATED;
+            coriolis_matrix_is_that_of_the_christoffel_symbols: DIFFERENTIATED;
         }
         $crate::test_every_identity! {
             energies,

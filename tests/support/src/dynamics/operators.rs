@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use kane_codegen::solve;
 
 use super::{
+    agreement::pivot_error,
     model::Model,
     quantities::{mass_matrix, worst},
     state::State,
@@ -112,5 +113,9 @@ pub fn mass_matrix_factors_make_the_mass_matrix(model: &dyn Model, state: &State
     let made: Vec<f64> = (0..m.n * m.n)
         .map(|place| product(place / m.n, place % m.n))
         .collect();
-    relative_to(m.norm(), &made, &m.entries)
+    let pivots = model.evaluate("forward_dynamics_pivots", state);
+    worst([
+        relative_to(m.norm(), &made, &m.entries),
+        pivot_error(&m, &d, &pivots),
+    ])
 }

@@ -15,55 +15,30 @@ use kane::{
 
 use super::{Arguments, State, numbers, rows};
 
-/// A system with these functions.
-pub trait Further<R: Real>:
-    MassMatrixProduct<R>
-    + MassMatrixSolve<R>
-    + MassMatrixFactors<R>
-    + MassMatrixInverse<R>
-    + MassMatrixInversePacked<R>
-    + CoriolisMatrix<R>
-    + MassMatrixDot<R>
-    + LoadedInverseDynamics<R>
-    + LoadedForwardDynamics<R>
-    + KineticEnergies<R>
-    + PotentialEnergies<R>
-    + JointWrenches<R>
-    + HybridDynamics<R>
-    + CenterOfMass<R>
-    + CenterOfMassVelocity<R>
-    + CenterOfMassJacobian<R>
-    + CenterOfMassJacobianDotU<R>
-    + CentroidalMomentumMatrix<R>
-    + CentroidalMomentumMatrixDotU<R>
-    + Regressor<R>
-    + BaseRegressor<R>
-{
-}
-
-impl<R: Real, S> Further<R> for S where
-    S: MassMatrixProduct<R>
-        + MassMatrixSolve<R>
-        + MassMatrixFactors<R>
-        + MassMatrixInverse<R>
-        + MassMatrixInversePacked<R>
-        + CoriolisMatrix<R>
-        + MassMatrixDot<R>
-        + LoadedInverseDynamics<R>
-        + LoadedForwardDynamics<R>
-        + KineticEnergies<R>
-        + PotentialEnergies<R>
-        + JointWrenches<R>
-        + HybridDynamics<R>
-        + CenterOfMass<R>
-        + CenterOfMassVelocity<R>
-        + CenterOfMassJacobian<R>
-        + CenterOfMassJacobianDotU<R>
-        + CentroidalMomentumMatrix<R>
-        + CentroidalMomentumMatrixDotU<R>
-        + Regressor<R>
-        + BaseRegressor<R>
-{
+together! {
+    /// A system with these functions.
+    Further:
+        MassMatrixProduct,
+        MassMatrixSolve,
+        MassMatrixFactors,
+        MassMatrixInverse,
+        MassMatrixInversePacked,
+        CoriolisMatrix,
+        MassMatrixDot,
+        LoadedInverseDynamics,
+        LoadedForwardDynamics,
+        KineticEnergies,
+        PotentialEnergies,
+        JointWrenches,
+        HybridDynamics,
+        CenterOfMass,
+        CenterOfMassVelocity,
+        CenterOfMassJacobian,
+        CenterOfMassJacobianDotU,
+        CentroidalMomentumMatrix,
+        CentroidalMomentumMatrixDotU,
+        Regressor,
+        BaseRegressor,
 }
 
 /// What such a function writes; `None` for others.

@@ -1,5 +1,6 @@
 //! Compiled systems as models of which the identities can be asked.
 
+use kane_codegen::id::SpeedId;
 use kane_test_support::{
     dynamics::{Model, State, composition::Composition},
     systems::tree,
@@ -15,7 +16,10 @@ pub(crate) struct CompiledModel {
 
 impl CompiledModel {
     pub(crate) fn new(compiled: Compiled) -> Self {
-        let tree = tree(compiled.model).expect("what was generated is accepted");
+        let mut tree = tree(compiled.model).expect("what was generated is accepted");
+        let speeds = compiled.prescribed.iter().enumerate();
+        let prescribed = speeds.filter(|(_, is_prescribed)| **is_prescribed);
+        tree.prescribed = prescribed.map(|(place, _)| SpeedId::new(place)).collect();
         Self {
             name: compiled.name,
             composition: Composition::new(compiled.model, &tree),
