@@ -91,6 +91,12 @@ impl Named {
                 fault,
                 "unknown frame",
             )),
+            RequestError::UnknownVariable { request, .. } => Some(part_fault(
+                self.entry(request)?,
+                &self.what,
+                fault,
+                "unknown variable",
+            )),
             _ => None,
         }
     }

@@ -5,7 +5,6 @@
 //! not: know which frames there are.
 
 use super::{
-    argument::Argument,
     catalogue::{CATALOGUE, OF_FRAMES},
     derivative::Derivative,
     function::{Function, Of},
@@ -175,12 +174,10 @@ impl ParsedPart {
             if let Some(Variable::Given(argument)) = Variable::find(None, &word.text)
                 && !self.function.arguments.contains(&argument)
             {
-                let of_function = variable::ARGUMENTS.into_iter();
-                let of_function = of_function.filter(|one| self.function.arguments.contains(one));
                 return Err(RequestError::VariableNotTaken {
                     name: name.to_owned(),
                     variable: argument.name(),
-                    known: of_function.map(Argument::name).collect(),
+                    known: variables(self.function, None),
                     place: word.place.clone(),
                 });
             }
@@ -233,6 +230,8 @@ impl ParsedPart {
             let variable = Variable::find(tree, &word.text);
             variable.ok_or_else(|| {
                 vec![RequestError::UnknownVariable {
+                    request: text.to_owned(),
+                    function: self.function.name,
                     name: word.text.clone(),
                     known: variables(self.function, tree),
                     place: word.place.clone(),

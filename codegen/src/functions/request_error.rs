@@ -91,23 +91,30 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A variable that the function is not given.
-    #[error("`{name}` is not given `{variable}`; {}", given(known))]
+    #[error(
+        "`{name}` is not given `{variable}`; it can be differentiated by {}",
+        names(known)
+    )]
     VariableNotTaken {
         /// The function.
         name: String,
         /// The variable.
         variable: &'static str,
-        /// What it is given.
-        known: Vec<&'static str>,
+        /// By what it can be differentiated.
+        known: Vec<String>,
         /// Where in the request.
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable; {}", name.escape_debug(), listed(known))]
+    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}", name.escape_debug(), names(known))]
     UnknownVariable {
+        /// What was asked for.
+        request: String,
+        /// The function.
+        function: &'static str,
         /// What was found.
         name: String,
-        /// The variables of the function.
+        /// By what the function can be differentiated.
         known: Vec<String>,
         /// Where in the request.
         place: Range<usize>,
@@ -165,19 +172,23 @@ impl RequestError {
 /// The most frames that are listed.
 const MOST_LISTED: usize = 20;
 
-fn given(known: &[&'static str]) -> String {
-    let known: Vec<String> = known.iter().map(ToString::to_string).collect();
-    format!("of what it is given {}", listed(&known))
+fn listed(known: &[String]) -> String {
+    match known.len() {
+        0 => "there are none".to_owned(),
+        count if count > MOST_LISTED => format!("there are {count}, such as {}", names(known)),
+        _ => format!("there are {}", names(known)),
+    }
 }
 
-fn listed(known: &[String]) -> String {
+/// The first of them.
+fn names(known: &[String]) -> String {
     let names = known.iter().take(MOST_LISTED);
     let names: Vec<String> = names
         .map(|name| format!("`{}`", name.escape_debug()))
         .collect();
-    match known.len() {
-        0 => "there are none".to_owned(),
-        count if count > MOST_LISTED => format!("there are {count}, such as {}", names.join(", ")),
-        _ => format!("there are {}", names.join(", ")),
+    if names.is_empty() {
+        "nothing".to_owned()
+    } else {
+        names.join(", ")
     }
 }

@@ -91,7 +91,8 @@ mod config_file {
         repeated_function
         repeated_joined_function
         repeated_part_of_a_function
-        request_for_a_derivative
+        request_by_what_is_not_given
+        request_for_a_product
         request_that_is_not_closed
         several_faults
         several_faults_of_changes

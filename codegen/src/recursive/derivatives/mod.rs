@@ -9,22 +9,30 @@
 //! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
 //! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
 
+mod column;
+mod reader;
+mod way;
+
+use self::{
+    column::Column,
+    reader::Reader,
+    way::{At, doubled, ways},
+};
 use super::{
     coriolis::{Column as Carrying, Masses, Velocity},
-    link_motion::{LinkMotion, Moving},
     linkage::Linkage,
     loaded,
     moments::{Changing, Moments, Rates},
     passage::{Drive, Passenger, speeds},
     plan::Plan,
     rotation::Turn,
-    shortcut::{Shortcut, Shortcuts},
+    shortcut::Shortcuts,
     speed_matrix,
     wrench::Wrench,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
-    given::{self, Accelerations, Loads},
+    expr::{ExprGraph, Vector},
+    given::{Accelerations, Loads},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -93,215 +101,6 @@ pub fn of_inverse_dynamics(
         }
     }
     found
-}
-
-/// How a link moves where motions enter.
-#[derive(Clone, Copy, Debug)]
-struct At {
-    /// As it arrives there.
-    lower: LinkMotion,
-    /// With these motions.
-    after: LinkMotion,
-    /// Twice the velocity of the origin, of which only what joints beyond the root add is there.
-    v: Vector,
-}
-
-/// The way outward through a joint.
-struct Way<'a> {
-    moving: Moving<'a>,
-    v: Vector,
-    is_root: bool,
-    /// In the order of the way.
-    at_motions: Vec<At>,
-}
-
-/// What is left of it at the link.
-struct Went {
-    motion: LinkMotion,
-    v: Vector,
-    at_motions: Vec<At>,
-}
-
-fn ways(
-    graph: &mut ExprGraph,
-    linkage: &Linkage<'_>,
-    accelerations: Accelerations<'_>,
-) -> BodyMap<Went> {
-    let tree = linkage.tree;
-    let gravity = given::gravity(graph, tree);
-    BodyMap::outward(tree.bodies.len(), |body, ways: &BodyMap<Went>| {
-        graph.enter(body);
-        let lower = tree.lower(body).map(|lower| &ways[lower]);
-        let base = gravity.map(|along| -along);
-        let motion = lower.map(|lower| &lower.motion);
-        let mut way = Way {
-            moving: Moving::new(graph, motion, base, accelerations),
-            v: lower.map_or_else(|| graph.zero_vector(), |lower| lower.v),
-            is_root: lower.is_none(),
-            at_motions: Vec::new(),
-        };
-        linkage.passages[body].outward(graph, &mut way);
-        Went {
-            motion: way.moving.arrived(graph),
-            v: way.v,
-            at_motions: way.at_motions,
-        }
-    })
-}
-
-impl Passenger for Way<'_> {
-    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
-        let w = doubled(graph, self.moving.w);
-        let swept = graph.cross(w, offset);
-        self.v = graph.add_vectors(self.v, swept);
-        self.moving.shift(graph, lower, offset);
-    }
-
-    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let Moving { w, alpha, .. } = self.moving;
-        self.v = rotation.forward(graph, self.v);
-        self.moving.turn(graph, rotation, drive);
-        let after = self.moving.reached(graph);
-        // About the axis of an angle both are the same to what is asked of them.
-        let lower = if let Drive::AngularVelocity(_) = drive {
-            let [w, alpha] = [w, alpha].map(|v| rotation.forward(graph, v));
-            LinkMotion::new(graph, w, alpha, after.a)
-        } else {
-            after
-        };
-        let v = self.v;
-        self.at_motions.push(At { lower, after, v });
-    }
-
-    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let lower = self.moving.reached(graph);
-        if !self.is_root {
-            let own = speeds(graph, motions);
-            let own = doubled(graph, own);
-            self.v = graph.add_vectors(self.v, own);
-        }
-        self.moving.along(graph, motions);
-        let after = lower;
-        let v = self.v;
-        self.at_motions.push(At { lower, after, v });
-    }
-}
-
-fn doubled(graph: &mut ExprGraph, v: Vector) -> Vector {
-    let two = graph.number(2.0);
-    graph.scale(two, v)
-}
-
-/// What the masses that a motion moves need and have, about the origin and along the axes that have been reached.
-#[derive(Clone, Copy, Debug)]
-struct Column {
-    /// For its speed: what is needed of a change of it, momentum and couple.
-    carrying: Carrying,
-    /// Moment and force that are needed of a change of its coordinate.
-    displaced: [Vector; 2],
-    /// The forces that are needed, by the speed and by the coordinate, where the root's translations are read, once they are
-    /// there; linear parts are then zero.
-    arrived: Option<[Vector; 2]>,
-}
-
-impl Column {
-    /// What is needed by the speed and by the coordinate, about (0 to 2) or along (3 to 5) an axis.
-    fn needed(&self, place: usize) -> [Expr; 2] {
-        let moments = [self.carrying.needed[0], self.displaced[0]];
-        let forces = [self.carrying.needed[1], self.displaced[1]];
-        match place {
-            0..3 => moments.map(|moment| moment[place]),
-            _ => self.arrived.unwrap_or(forces).map(|force| force[place - 3]),
-        }
-    }
-
-    /// Sends the forces that are needed on a shortcut. Momentum stays: it is read off for rows on the way.
-    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
-        graph.enter(self.carrying.body);
-        let arrived = [&mut self.carrying.needed, &mut self.displaced].map(|[moment, force]| {
-            let lever = graph.cross(shortcut.offset, *force);
-            *moment = graph.add_vectors(*moment, lever);
-            let arrived = shortcut.arrived(graph, *force);
-            *force = graph.zero_vector();
-            arrived
-        });
-        self.arrived = Some(arrived);
-    }
-
-    fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
-        self.carrying.shift(graph, offset);
-        let lever = graph.cross(offset, self.displaced[1]);
-        self.displaced[0] = graph.add_vectors(self.displaced[0], lever);
-    }
-
-    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
-        self.carrying.turn(graph, rotation);
-        self.displaced = self.displaced.map(|v| rotation.backward(graph, v));
-    }
-}
-
-/// What reads the mirrored entries of a motion off momentum and couple.
-struct Reader {
-    motion: Motion,
-    /// About (0 to 2) or along (3 to 5) an axis.
-    place: usize,
-    /// By the coordinate: for the momentum, angular and linear, and for the couple.
-    by_q: [Vector; 3],
-    /// By the speed: for the momentum.
-    by_u: [Vector; 2],
-}
-
-impl Reader {
-    fn of_turn(graph: &mut ExprGraph, motion: Motion, axis: usize, at: &At, own: Vector) -> Self {
-        let e = graph.unit_vector(axis);
-        let u = graph.cross(at.lower.w, e);
-        let d = at.lower.u.map(|row| row[axis]);
-        let (felt, moved) = (graph.cross(at.after.a, e), graph.cross(at.v, u));
-        let twice = doubled(graph, at.after.w);
-        let (turned, own) = (graph.cross(twice, e), graph.cross(own, e));
-        Self {
-            motion,
-            place: axis,
-            by_q: [d, graph.add_vectors(felt, moved), u],
-            by_u: [graph.sub_vectors(turned, own), graph.cross(at.v, e)],
-        }
-    }
-
-    fn of_shift(graph: &mut ExprGraph, motion: Motion, axis: usize, at: &At) -> Self {
-        let e = graph.unit_vector(axis);
-        let twice = doubled(graph, at.lower.w);
-        let still = graph.zero_vector();
-        Self {
-            motion,
-            place: 3 + axis,
-            by_q: [still, at.lower.u.map(|row| row[axis]), still],
-            by_u: [still, graph.cross(twice, e)],
-        }
-    }
-
-    /// How the force along a motion farther out changes with the coordinate.
-    fn displaced(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
-        let [d, a, u] = self.by_q;
-        let (turned, carried) = (graph.dot(d, of.momentum[0]), graph.dot(a, of.momentum[1]));
-        let couple = graph.dot(u, of.couple);
-        let sum = graph.add(turned, carried);
-        graph.add(sum, couple)
-    }
-
-    /// How it changes with the speed.
-    fn driven(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
-        let [turned, lever] = self.by_u;
-        let (turned, lever) = (
-            graph.dot(turned, of.momentum[0]),
-            graph.dot(lever, of.momentum[1]),
-        );
-        let sum = graph.add(turned, lever);
-        if self.place < 3 {
-            graph.add(sum, of.couple[self.place])
-        } else {
-            sum
-        }
-    }
 }
 
 /// A composite body and the columns of what it carries, on their way inward through a joint.

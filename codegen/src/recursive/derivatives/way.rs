@@ -1,0 +1,113 @@
+//! How links move wherever motions enter, on the way outward.
+
+use super::super::{
+    link_motion::{LinkMotion, Moving},
+    linkage::Linkage,
+    passage::{Drive, Passenger, speeds},
+    rotation::Turn,
+};
+use crate::{
+    expr::{ExprGraph, Vector},
+    given::{self, Accelerations},
+    id::{BodyId, BodyMap},
+    tree::Motion,
+};
+
+/// How a link moves where motions enter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct At {
+    /// As it arrives there.
+    pub(super) lower: LinkMotion,
+    /// With these motions.
+    pub(super) after: LinkMotion,
+    /// Twice the velocity of the origin, of which only what joints beyond the root add is there.
+    pub(super) v: Vector,
+}
+
+/// The way outward through a joint.
+struct Way<'a> {
+    moving: Moving<'a>,
+    v: Vector,
+    is_root: bool,
+    /// In the order of the way.
+    at_motions: Vec<At>,
+}
+
+/// What is left of it at the link.
+pub(super) struct Went {
+    motion: LinkMotion,
+    v: Vector,
+    pub(super) at_motions: Vec<At>,
+}
+
+/// How all links move.
+pub(super) fn ways(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    accelerations: Accelerations<'_>,
+) -> BodyMap<Went> {
+    let tree = linkage.tree;
+    let gravity = given::gravity(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, ways: &BodyMap<Went>| {
+        graph.enter(body);
+        let lower = tree.lower(body).map(|lower| &ways[lower]);
+        let base = gravity.map(|along| -along);
+        let motion = lower.map(|lower| &lower.motion);
+        let mut way = Way {
+            moving: Moving::new(graph, motion, base, accelerations),
+            v: lower.map_or_else(|| graph.zero_vector(), |lower| lower.v),
+            is_root: lower.is_none(),
+            at_motions: Vec::new(),
+        };
+        linkage.passages[body].outward(graph, &mut way);
+        Went {
+            motion: way.moving.arrived(graph),
+            v: way.v,
+            at_motions: way.at_motions,
+        }
+    })
+}
+
+impl Passenger for Way<'_> {
+    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        let w = doubled(graph, self.moving.w);
+        let swept = graph.cross(w, offset);
+        self.v = graph.add_vectors(self.v, swept);
+        self.moving.shift(graph, lower, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let Moving { w, alpha, .. } = self.moving;
+        self.v = rotation.forward(graph, self.v);
+        self.moving.turn(graph, rotation, drive);
+        let after = self.moving.reached(graph);
+        // About the axis of an angle both are the same to what is asked of them.
+        let lower = if let Drive::AngularVelocity(_) = drive {
+            let [w, alpha] = [w, alpha].map(|v| rotation.forward(graph, v));
+            LinkMotion::new(graph, w, alpha, after.a)
+        } else {
+            after
+        };
+        let v = self.v;
+        self.at_motions.push(At { lower, after, v });
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let lower = self.moving.reached(graph);
+        if !self.is_root {
+            let own = speeds(graph, motions);
+            let own = doubled(graph, own);
+            self.v = graph.add_vectors(self.v, own);
+        }
+        self.moving.along(graph, motions);
+        let after = lower;
+        let v = self.v;
+        self.at_motions.push(At { lower, after, v });
+    }
+}
+
+/// What is linear in velocities passes doubled.
+pub(super) fn doubled(graph: &mut ExprGraph, v: Vector) -> Vector {
+    let two = graph.number(2.0);
+    graph.scale(two, v)
+}
