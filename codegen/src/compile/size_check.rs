@@ -62,6 +62,12 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     }
     bound(
         &format!("`{name}` writes"),
+        request.n_differentiated(tree),
+        "numbers of derivatives",
+        limits::DIFFERENTIATED,
+    )?;
+    bound(
+        &format!("`{name}` writes"),
         request.n_solved(tree),
         "numbers of solutions",
         limits::SOLVED,

@@ -248,6 +248,12 @@ impl Request {
         parts.any(|part| part.derivative.is_some() && part.function.derivatives.is_some())
     }
 
+    /// As [`Self::n_numbers`], of the parts that are derivatives.
+    pub fn n_differentiated(&self, tree: &Tree) -> usize {
+        let parts = self.parts.iter().filter(|part| part.derivative.is_some());
+        parts.map(|part| part.n_numbers(tree)).sum()
+    }
+
     /// True where some part is differentiated by all values set at run time.
     pub fn is_by_parameters(&self) -> bool {
         let derivatives = self
