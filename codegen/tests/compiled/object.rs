@@ -235,7 +235,7 @@ fn sines_of_any_number_of_angles_hold() {
 fn random_trees_hold() {
     let folder = std::env::var_os("KANE_TREES_FOLDER").map(PathBuf::from);
     let (mut n_functions, mut text_bytes, mut most_stack) = (0, 0, 0);
-    for (place, system) in trees::first(trees::count(4)).enumerate() {
+    for (place, system) in trees::first(trees::count(1 + trees::share(3))).enumerate() {
         let text = module(
             &Source::new("random", system.toml()),
             None,

@@ -13,13 +13,18 @@ use kane_test_support::{
 };
 
 use crate::frames::{
-    DIFFERENCED, EXACT, INVERTED, evaluate, names, product, rate, relative, request, system,
-    transposed,
+    DIFFERENCED, EXACT, INVERTED, evaluate, names, of_states, product, rate, relative, request,
+    seeds, system, transposed,
 };
 
 /// What a function of a frame writes, by the notes' equations.
 fn value(tree: &Tree, state: &State, text: &str) -> Vec<f64> {
     evaluate(tree, &request(tree, text), Formulation::Notes, state)
+}
+
+/// The same in any state, derived once.
+fn by_notes<'a>(tree: &'a Tree, text: &str) -> impl Fn(&State) -> Vec<f64> + use<'a> {
+    of_states(tree, &request(tree, text), Formulation::Notes)
 }
 
 /// Six rows times speeds.
@@ -33,7 +38,7 @@ fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 fn each_frame(check: impl Fn(&str, &Tree, &State, &str)) {
-    for seed in 1..=30 {
+    for seed in seeds() {
         let (_, tree) = system(seed);
         if tree.n_speeds == 0 {
             continue;
@@ -75,7 +80,8 @@ fn jacobians_times_accelerations_and_their_rates_times_speeds_are_accelerations(
 fn accelerations_are_rates_of_velocities() {
     each_frame(|what, tree, state, name| {
         let text = format!("velocity({name})");
-        let expected = rate(|t| value(tree, &state.moved(tree, t), &text));
+        let velocity = by_notes(tree, &text);
+        let expected = rate(|t| velocity(&state.moved(tree, t)));
         let acceleration = value(tree, state, &format!("acceleration({name})"));
         let error = relative(&acceleration, &expected);
         assert_within(what, error, DIFFERENCED);
@@ -122,7 +128,8 @@ fn jacobians_seen_from_a_frame_times_speeds_are_rates_of_poses_seen_from_it() {
         for other in names.iter().step_by(3) {
             // A rotation that is set at run time is used as given, and here is one.
             let text = format!("pose({name}, {other})");
-            let pose = |t: f64| value(tree, &at_rest.moved(tree, t), &text);
+            let pose = by_notes(tree, &text);
+            let pose = |t: f64| pose(&at_rest.moved(tree, t));
             let (now, rate) = (pose(0.0), rate(pose));
             let entry = |i: usize, j: usize| {
                 (0..3)

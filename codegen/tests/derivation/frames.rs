@@ -1,6 +1,6 @@
 //! Functions of frames: against the functions of bodies, against what other software computed, and by differences.
 
-use std::{collections::BTreeMap, path::Path};
+use std::{collections::BTreeMap, ops::RangeInclusive, path::Path};
 
 use kane_codegen::{
     compile::{self, Options},
@@ -16,7 +16,7 @@ use kane_test_support::{
     compare::{assert_within, distance, larger},
     dynamics::State,
     json::flat,
-    systems::{RandomSystem, Sizes, Style},
+    systems::{RandomSystem, Sizes, Style, trees},
 };
 
 use crate::evaluator::input;
@@ -51,6 +51,11 @@ fn frames(body: &str) -> String {
     )
 }
 
+/// Those that are tried of thirty.
+pub(crate) fn seeds() -> RangeInclusive<u64> {
+    trees::tried(1..=30)
+}
+
 pub(crate) fn system(seed: u64) -> (RandomSystem, Tree) {
     let style = if seed.is_multiple_of(3) {
         Style::Plain
@@ -78,6 +83,19 @@ pub(crate) fn evaluate(
     state: &State,
 ) -> Vec<f64> {
     evaluate_by(tree, request, formulation, &Plan::full(tree), state)
+}
+
+/// What is evaluated in several states, and derived once.
+pub(crate) fn of_states<'a>(
+    tree: &'a Tree,
+    request: &Request,
+    formulation: Formulation,
+) -> impl Fn(&State) -> Vec<f64> + use<'a> {
+    let derived = request.derive(tree, formulation, &Plan::full(tree));
+    move |state| {
+        let graph = &derived.graph;
+        graph.evaluate(&derived.roots, |given| input(tree, state, given))
+    }
 }
 
 fn evaluate_by(
@@ -133,7 +151,7 @@ pub(crate) fn relative(found: &[f64], expected: &[f64]) -> f64 {
 
 #[test]
 fn functions_of_frames_are_the_same_in_both_formulations() {
-    for seed in 1..=30 {
+    for seed in seeds() {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         let names = names(&tree);
@@ -158,7 +176,7 @@ fn functions_of_frames_are_the_same_in_both_formulations() {
 
 #[test]
 fn poses_of_bodies_are_their_rotations_and_positions() {
-    for seed in 1..=30 {
+    for seed in seeds() {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         let of_bodies = |name: &str| {
@@ -197,7 +215,7 @@ pub(crate) fn rate(of: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
 
 #[test]
 fn velocities_are_rates_of_poses() {
-    for seed in 1..=30 {
+    for seed in seeds() {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         let at_rest = State {
@@ -206,14 +224,8 @@ fn velocities_are_rates_of_poses() {
         };
         for name in names(&tree) {
             let pose = request(&tree, &format!("pose({name})"));
-            let pose = |t: f64| {
-                evaluate(
-                    &tree,
-                    &pose,
-                    Formulation::Recursive,
-                    &at_rest.moved(&tree, t),
-                )
-            };
+            let pose = of_states(&tree, &pose, Formulation::Recursive);
+            let pose = |t: f64| pose(&at_rest.moved(&tree, t));
             let rate = rate(pose);
             // Of the matrix from the frame's components to inertial ones, A_dot A^T is the tilde of the angular velocity.
             let now = pose(0.0);
@@ -316,18 +328,19 @@ fn robots_are_where_pinocchio_sees_them() {
             serde_json::from_str(&text("reference.json")).expect("it is JSON");
         let links = reference["links"].as_array().expect("it lists links");
         let mut n_velocities = 0;
+        let mut chosen = BTreeMap::new();
         for sample in reference["samples"].as_array().expect("it lists samples") {
             let mut inputs = BTreeMap::new();
             let (q, v) = (flat(&sample["q"]), flat(&sample["v"]));
             inputs.extend(Argument::Q.inputs(&tree).zip(q));
             inputs.extend(Argument::U.inputs(&tree).zip(v.iter().copied()));
-            let evaluate = |text: String| {
-                let request = request(&tree, &text);
-                let choice = compile::choose(&tree, &request, &Options::default());
-                let derived = choice.derived;
-                derived
-                    .graph
-                    .evaluate(&derived.roots, |given| inputs[&given])
+            let mut evaluate = |text: String| {
+                let derived = chosen.entry(text).or_insert_with_key(|text: &String| {
+                    let request = request(&tree, text);
+                    compile::choose(&tree, &request, &Options::default()).derived
+                });
+                let graph = &derived.graph;
+                graph.evaluate(&derived.roots, |given| inputs[&given])
             };
             // Some samples are of other quantities alone.
             let placements = sample["link_placements"].as_array();

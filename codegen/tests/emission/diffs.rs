@@ -5,6 +5,7 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
+    sync::{Arc, Mutex, OnceLock},
 };
 
 use kane_codegen::{
@@ -74,7 +75,17 @@ fn with_leaf(text: &str, lower: usize, leaf: &str) -> String {
     format!("{head}lower_bodies = [{lower_bodies}, {lower}]{rest}{leaf}")
 }
 
-fn module(text: &str, formulation: Formulation) -> String {
+/// The module of a description, generated once for all tests.
+fn module(text: &str, formulation: Formulation) -> Arc<str> {
+    type Generated = Arc<OnceLock<Arc<str>>>;
+    static KNOWN: Mutex<BTreeMap<String, Generated>> = Mutex::new(BTreeMap::new());
+    let key = format!("{formulation:?}\n{text}");
+    let known = Arc::clone(KNOWN.lock().unwrap().entry(key).or_default());
+    let source = known.get_or_init(|| generated(text, formulation).into());
+    Arc::clone(source)
+}
+
+fn generated(text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All(Vec::new()),
         formulation,
@@ -358,10 +369,7 @@ fn a_changed_mass_changes_numbers_on_the_body_s_path_and_renames_nothing() {
     ] {
         let new = old.replace(mass, "mass = 2.123");
         assert_ne!(old, new, "{mass}");
-        let (notes, changed) = (
-            module(&old, Formulation::Notes),
-            module(&new, Formulation::Notes),
-        );
+        let [notes, changed] = [&old, &new].map(|text| module(text, Formulation::Notes));
         assert_only_numbers_change(&notes, &changed);
         let (cheapest, changed) = (
             module(&old, Formulation::Cheapest),
@@ -400,10 +408,7 @@ fn a_last_leaf_changes_only_lines_of_the_bodies_on_its_path() {
         (1, &["tool", "hub"]),
     ] {
         let new = with_leaf(&old, lower, &leaf);
-        let (old, new) = (
-            module(&old, Formulation::Cheapest),
-            module(&new, Formulation::Cheapest),
-        );
+        let [old, new] = [&old, &new].map(|text| module(text, Formulation::Cheapest));
         assert_only_bodies_change(&old, &new, path);
     }
 }

@@ -9,10 +9,10 @@ use kane_test_support::{
     dynamics::{Model, State, quantities::DIFFERENTIATED},
     numeric::derivative,
     rotation::{quaternion_of, rate_columns},
-    systems::tree,
+    systems::{tree, trees::least},
 };
 
-use super::pair::{Mapped, SEEDS, agree, is_ball, plain, system};
+use super::pair::{Mapped, agree, is_ball, plain, seeds, system};
 use crate::evaluator::Evaluator;
 
 /// The speeds of rates become angular velocities, and the angles whatever the other has.
@@ -65,7 +65,7 @@ fn to_angular_velocities(a: &Evaluator, b: &Evaluator, state: &State) -> Mapped 
 fn bodies_accelerate_alike_in_every_chart() {
     let mut most = 0.0;
     let mut n_compared = 0;
-    for seed in SEEDS {
+    for seed in seeds() {
         let system = system(seed).with_free_balls();
         let rates = system.in_chart("angles", "rates");
         let moves = tree(&rates.toml());
@@ -87,5 +87,5 @@ fn bodies_accelerate_alike_in_every_chart() {
         }
     }
     println!("largest error {most:e} of {n_compared}");
-    assert!(n_compared >= 20, "{n_compared} pairs");
+    assert!(n_compared >= least(20), "{n_compared} pairs");
 }

@@ -8,10 +8,10 @@ use kane_test_support::{
     compare::larger,
     dynamics::{Model, State, quantities::EXACT},
     rotation::{IDENTITY, Rotation, times},
-    systems::tree,
+    systems::{tree, trees::least},
 };
 
-use super::pair::{Mapped, SEEDS, agree, plain, system};
+use super::pair::{Mapped, agree, plain, seeds, system};
 use crate::evaluator::Evaluator;
 
 /// The same coordinates, but for orientations and translations of joints that turn in every direction, where their frames
@@ -65,7 +65,7 @@ fn to_turned(
 fn frames_turned_alike_on_both_sides_change_nothing() {
     let mut most = 0.0;
     let mut n_turned = 0;
-    for seed in SEEDS {
+    for seed in seeds() {
         let system = system(seed)
             .with_free_balls()
             .in_chart("quaternion", "angular_velocity");
@@ -82,5 +82,5 @@ fn frames_turned_alike_on_both_sides_change_nothing() {
         }
     }
     println!("largest error {most:e} with {n_turned} turned joints");
-    assert!(n_turned >= 100, "{n_turned} turned joints");
+    assert!(n_turned as u64 >= least(100), "{n_turned} turned joints");
 }
