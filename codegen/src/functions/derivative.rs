@@ -56,7 +56,7 @@ impl Derivative {
     }
 
     /// Derives them by these, where all its variables are among what is told.
-    pub(super) fn from_jacobians(
+    pub(super) fn by_jacobians(
         &self,
         derived: &mut Derived,
         tree: &Tree,

@@ -198,7 +198,7 @@ impl ParsedPart {
             });
         };
         let name = || name.text.clone();
-        let subject = match (function.of, &of[..]) {
+        let subject = match (function.of, of) {
             (Of::System, []) => None,
             (Of::System, _) => {
                 return Err(RequestError::FrameNotTaken {

@@ -254,7 +254,7 @@ impl Part {
             && plan.uses(Technique::Composite)
             && let Some(derivative) = &self.derivative
             && let Some(jacobians) = self.function.derivatives
-            && derivative.from_jacobians(derived, tree, plan, jacobians)
+            && derivative.by_jacobians(derived, tree, plan, jacobians)
         {
             return;
         }

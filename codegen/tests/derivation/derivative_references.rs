@@ -174,33 +174,11 @@ impl Robot {
         }
     }
 
-    /// The base's matrix from body components to inertial ones.
-    fn base(&self, q: &[f64]) -> Rotation {
-        let [x, y, z, w] = [q[3], q[4], q[5], q[6]];
-        [
-            [
-                1.0 - 2.0 * (y * y + z * z),
-                2.0 * (x * y - z * w),
-                2.0 * (x * z + y * w),
-            ],
-            [
-                2.0 * (x * y + z * w),
-                1.0 - 2.0 * (x * x + z * z),
-                2.0 * (y * z - x * w),
-            ],
-            [
-                2.0 * (x * z - y * w),
-                2.0 * (y * z + x * w),
-                1.0 - 2.0 * (x * x + y * y),
-            ],
-        ]
-    }
-
     fn inputs(&self, sample: &Value) -> Inputs {
         let [q, v, a, tau] = ["q", "v", "a", "tau"].map(|name| flat(&sample[name]));
         let (mut u, mut u_dot, mut forces) = (v.clone(), a.clone(), tau.clone());
         if self.floats {
-            let r = self.base(&q);
+            let r = base(&q);
             let (linear, w) = (vector(&v, 0), vector(&v, 3));
             let accelerated = sum(vector(&a, 0), cross(w, linear));
             u.splice(..3, times(&r, linear));
@@ -244,6 +222,28 @@ impl Robot {
         }
         ordered
     }
+}
+
+/// The base's matrix from body components to inertial ones.
+fn base(q: &[f64]) -> Rotation {
+    let [x, y, z, w] = [q[3], q[4], q[5], q[6]];
+    [
+        [
+            1.0 - 2.0 * (y * y + z * z),
+            2.0 * (x * y - z * w),
+            2.0 * (x * z + y * w),
+        ],
+        [
+            2.0 * (x * y + z * w),
+            1.0 - 2.0 * (x * x + z * z),
+            2.0 * (y * z - x * w),
+        ],
+        [
+            2.0 * (x * z - y * w),
+            2.0 * (y * z + x * w),
+            1.0 - 2.0 * (x * x + y * y),
+        ],
+    ]
 }
 
 fn place(name: &str) -> usize {
@@ -293,7 +293,7 @@ fn of_forces(robot: &Robot, sample: &Value, [by_q, by_u, by_a]: [Vec<f64>; 3]) -
     }
     let n = robot.places.len();
     let [q, v, a] = ["q", "v", "a"].map(|name| flat(&sample[name]));
-    let r = robot.base(&q);
+    let r = base(&q);
     let (linear, w) = (vector(&v, 0), vector(&v, 3));
     let accelerated = sum(vector(&a, 0), cross(w, linear));
     let of_u = by_u.clone();

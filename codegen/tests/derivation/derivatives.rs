@@ -11,6 +11,7 @@ use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
     dynamics::State,
     numeric::derivative,
+    systems::trees,
 };
 
 use crate::{
@@ -68,7 +69,7 @@ fn ways(tree: &Tree) -> [(Formulation, Plan); 4] {
 
 #[test]
 fn all_ways_give_the_same_derivatives() {
-    for seed in 501..=530 {
+    for seed in trees::tried(501..=530) {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         for text in [
@@ -146,8 +147,7 @@ fn inverts(name: &str) -> bool {
 
 #[test]
 fn every_function_changes_as_its_derivatives_say() {
-    let mut worst = 0.0;
-    for seed in [502, 506, 511] {
+    for seed in trees::tried(506..=508) {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         for function in CATALOGUE.iter().filter(|function| !function.is_compact()) {
@@ -169,14 +169,12 @@ fn every_function_changes_as_its_derivatives_say() {
                     let own: Vec<f64> = found.chunks(n).map(|row| row[entry]).collect();
                     let scale = larger(larger(largest(&at), largest(&expected)), 1.0);
                     let error = relative_to(scale, &own, &expected);
-                    worst = larger(worst, error);
                     let allowed = if inverts(name) { INVERTED } else { DIFFERENCED };
                     assert_within(format!("{seed}, {text}, {entry}"), error, allowed);
                 }
             }
         }
     }
-    println!("largest error {worst:e}");
 }
 
 #[test]

@@ -312,6 +312,11 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
             "the system has 5001 speeds; expected at most 5000",
         ),
         (
+            200,
+            named("d(bias)/d(q, u)"),
+            "`d(bias)/d(q, u)` writes 80000 numbers of derivatives; expected at most 20000",
+        ),
+        (
             600,
             named("mass_matrix"),
             "the functions, `mass_matrix` most of all, write 360600 numbers; expected at most 250000",
