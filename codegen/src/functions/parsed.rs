@@ -145,10 +145,13 @@ impl ParsedPart {
         match &part.kind {
             Kind::Named { name, of } => Self::named((name, of), part.place.clone()),
             Kind::Derivative { of, by } => {
-                let Kind::Named { name, of } = &of.kind else {
-                    return Err(not_available(text, of));
+                let Kind::Named { name, of: frames } = &of.kind else {
+                    return Err(no_derivative(text, of, "is a derivative itself"));
                 };
-                let values = Self::named((name, of), part.place.clone())?;
+                let values = Self::named((name, frames), part.place.clone())?;
+                if values.function.is_compact() {
+                    return Err(no_derivative(text, of, "has a compact output"));
+                }
                 values.differentiated(text, by)
             }
             Kind::Product { .. } => Err(not_available(text, part)),
@@ -158,12 +161,6 @@ impl ParsedPart {
     /// The same, differentiated.
     fn differentiated(self, text: &str, by: &[Word]) -> Result<Self, RequestError> {
         let name = self.function.name;
-        if self.function.is_compact() {
-            return Err(RequestError::Compact {
-                request: text.to_owned(),
-                name: name.to_owned(),
-            });
-        }
         for (at, word) in by.iter().enumerate() {
             if by[..at].iter().any(|known| known.text == word.text) {
                 return Err(RequestError::Repeated {
@@ -358,6 +355,16 @@ fn not_available(text: &str, part: &syntax::Part) -> RequestError {
     let place = part.place.clone();
     RequestError::NotAvailable {
         part: text[place.clone()].to_owned(),
+        place,
+    }
+}
+
+/// What cannot be differentiated.
+fn no_derivative(text: &str, part: &syntax::Part, why: &'static str) -> RequestError {
+    let place = part.place.clone();
+    RequestError::NoDerivative {
+        part: text[place.clone()].to_owned(),
+        why,
         place,
     }
 }

@@ -90,6 +90,16 @@ pub enum RequestError {
         /// Where in the request.
         place: Range<usize>,
     },
+    /// What cannot be differentiated.
+    #[error("`{}` {why}, and cannot be differentiated", part.escape_debug())]
+    NoDerivative {
+        /// The part of the request.
+        part: String,
+        /// What it is.
+        why: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
     /// A variable that the function is not given.
     #[error(
         "`{name}` is not given `{variable}`; it can be differentiated by {}",
@@ -157,6 +167,7 @@ impl RequestError {
             | Self::FrameNotTaken { place, .. }
             | Self::View { place, .. }
             | Self::UnknownFrame { place, .. }
+            | Self::NoDerivative { place, .. }
             | Self::VariableNotTaken { place, .. }
             | Self::UnknownVariable { place, .. }
             | Self::NotAvailable { place, .. } => Some(place.clone()),

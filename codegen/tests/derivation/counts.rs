@@ -137,13 +137,39 @@ fn matrices_of_robots() {
 }
 
 /// Of all derivatives of forces, of those that an integrator needs, and of accelerations.
+const DERIVATIVES: [&str; 3] = [
+    "d(inverse_dynamics)/d(q, u, u_dot)",
+    "inverse_dynamics+d(inverse_dynamics)/d(q, u)",
+    "d(forward_dynamics)/d(q, u, tau)",
+];
+
 #[test]
 fn derivatives_of_robots() {
-    insta::assert_snapshot!(of_robots(&[
-        "d(inverse_dynamics)/d(q, u, u_dot)",
-        "inverse_dynamics+d(inverse_dynamics)/d(q, u)",
-        "d(forward_dynamics)/d(q, u, tau)",
-    ]));
+    let text = of_robots(&DERIVATIVES);
+    let page = format!("{}/../docs/performance.md", env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(page).unwrap();
+    let total = |robot: &str, function: &str| {
+        let own = text.split_once(&format!("{robot}\n")).unwrap().1;
+        let count = own.split_once(&format!("{function}: ")).unwrap().1;
+        count.split_once(' ').unwrap().0.to_owned()
+    };
+    for robot in ["ur5", "panda", "solo12", "talos"] {
+        let [forces, accelerations] = [
+            "\nd_inverse_dynamics_d_q_u_u_dot",
+            "d_forward_dynamics_d_q_u_tau",
+        ]
+        .map(|function| total(robot, function));
+        let rows = page.lines().map(|line| line.split('|').map(str::trim));
+        let mut rows = rows.map(Iterator::collect::<Vec<_>>);
+        let shows = rows.any(|cells| {
+            cells.len() == 7 && [cells[1], cells[2], cells[4]] == [robot, &forces, &accelerations]
+        });
+        assert!(
+            shows,
+            "docs/performance.md lacks {robot}: {forces}, {accelerations}"
+        );
+    }
+    insta::assert_snapshot!(text);
 }
 
 #[test]
