@@ -2,10 +2,10 @@
 /// that stands in brackets before it.
 macro_rules! one_coordinate {
     ($system:ident, $($named:tt)+) => {
-        $crate::common::one_coordinate!(impl[R: kane::Real] R, $system<R>, $($named)+);
+        one_coordinate!(impl[R: kane::Real] R, $system<R>, $($named)+);
     };
     ([$scalar:ty] $system:ident, $($named:tt)+) => {
-        $crate::common::one_coordinate!(impl[] $scalar, $system, $($named)+);
+        one_coordinate!(impl[] $scalar, $system, $($named)+);
     };
     (
         impl[$($generic:tt)*] $scalar:ty, $system:ty,
