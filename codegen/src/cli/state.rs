@@ -66,16 +66,18 @@ impl Reader<'_> {
     }
 
     fn file(&mut self, file: &Map<String, Value>, function: &Request) {
-        let keys: Vec<&str> = Argument::ALL
-            .iter()
-            .map(|argument| argument.name())
-            .collect();
+        // Directions and multipliers are those of the function.
+        let own = function.arguments();
+        let all = Argument::ALL.into_iter();
+        let all = all.filter(|argument| own.contains(argument) || !argument.is_of_product());
+        let all: Vec<Argument> = all.collect();
+        let keys: Vec<&str> = all.iter().map(|argument| argument.name()).collect();
         let keys = [&keys[..], &[PARAMETERS]].concat();
         self.unknown_keys("the file", file, &keys);
-        for argument in Argument::ALL {
+        for argument in all {
             match file.get(argument.name()) {
                 Some(value) => self.argument(argument, value),
-                None if function.arguments().contains(&argument) => {
+                None if own.contains(&argument) => {
                     let (name, expected) = (argument.name(), self.expected(argument));
                     self.fault(format!(
                         "`{}` needs `{name}`, which is missing; expected {expected}",

@@ -61,6 +61,8 @@ pub enum Input {
     FrameForce(usize),
     /// A component of a moment on a frame.
     FrameMoment(usize),
+    /// A number of a direction or multiplier, which a product with derivatives is given: of which, and its place there.
+    Product(usize, usize),
     /// A field of `Parameters`.
     Parameter(ParameterId),
     /// A field of `Prepared`, by its place in the module's list.

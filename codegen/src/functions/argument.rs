@@ -31,6 +31,26 @@ pub enum Argument {
     Force,
     /// `moment: &[R; 3]`.
     Moment,
+    /// `q_direction: &[R; NU]`.
+    QDirection,
+    /// `u_direction: &[R; NU]`.
+    UDirection,
+    /// `u_dot_direction: &[R; NU]`.
+    UDotDirection,
+    /// `tau_direction: &[R; NU]`.
+    TauDirection,
+    /// `loads_direction: &[Load<R>; NB]`.
+    LoadsDirection,
+    /// `parameters_direction: &[R; PARAMETERS_LEN]`.
+    ParametersDirection,
+    /// `multiplier: &[R; 3]`.
+    VectorMultiplier,
+    /// `multiplier: &[R; NQ]`.
+    CoordinateMultiplier,
+    /// `multiplier: &[R; NU]`.
+    SpeedMultiplier,
+    /// `multiplier: &[[R; NU]; NU]`.
+    MatrixMultiplier,
 }
 
 /// A row of the table.
@@ -46,6 +66,23 @@ struct Row {
 }
 
 impl Row {
+    /// A direction or multiplier.
+    fn of_product(
+        name: &'static str,
+        shape: Shape,
+        meaning: &'static str,
+        (sampled, input): (&'static str, fn(usize) -> Input),
+    ) -> Self {
+        Self {
+            name,
+            element: Element::Scalar,
+            shape,
+            meaning,
+            sampled: Some(sampled),
+            input,
+        }
+    }
+
     /// Numbers that `kane::self_test::State` holds.
     fn of_state(
         name: &'static str,
@@ -66,7 +103,7 @@ impl Row {
 
 impl Argument {
     /// All of them, in the order in which functions are given them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 19] = [
         Self::Q,
         Self::U,
         Self::UDot,
@@ -76,9 +113,117 @@ impl Argument {
         Self::Point,
         Self::Force,
         Self::Moment,
+        Self::QDirection,
+        Self::UDirection,
+        Self::UDotDirection,
+        Self::TauDirection,
+        Self::LoadsDirection,
+        Self::ParametersDirection,
+        Self::VectorMultiplier,
+        Self::CoordinateMultiplier,
+        Self::SpeedMultiplier,
+        Self::MatrixMultiplier,
     ];
 
+    /// The multipliers of functions with one output of such a shape.
+    const MULTIPLIERS: [Self; 4] = [
+        Self::VectorMultiplier,
+        Self::CoordinateMultiplier,
+        Self::SpeedMultiplier,
+        Self::MatrixMultiplier,
+    ];
+
+    /// What a function with such an output is multiplied by.
+    pub(super) fn multiplier(shape: Shape) -> Option<Self> {
+        let mut all = Self::MULTIPLIERS.into_iter();
+        all.find(|own| own.shape() == shape)
+    }
+
+    /// The direction along which this one changes.
+    pub(super) fn direction(self) -> Option<Self> {
+        Some(match self {
+            Self::Q => Self::QDirection,
+            Self::U => Self::UDirection,
+            Self::UDot => Self::UDotDirection,
+            Self::Tau => Self::TauDirection,
+            Self::Loads => Self::LoadsDirection,
+            _ => return None,
+        })
+    }
+
     fn row(self) -> Row {
+        self.of_product().unwrap_or_else(|| self.of_function())
+    }
+
+    /// The rows of directions and multipliers.
+    fn of_product(self) -> Option<Row> {
+        let direction = Row::of_product;
+        let multiplier = |shape, own| {
+            let meaning = "multiplies the output, entry by entry, before the sum is differentiated";
+            Row::of_product("multiplier", shape, meaning, own)
+        };
+        Some(match self {
+            Self::QDirection => direction(
+                "q_direction",
+                Shape::SPEEDS,
+                "speeds of a motion along which `q` changes",
+                ("Q_DIRECTIONS", |place| Input::Product(0, place)),
+            ),
+            Self::UDirection => direction(
+                "u_direction",
+                Shape::SPEEDS,
+                "the change of `u`",
+                ("U_DIRECTIONS", |place| Input::Product(1, place)),
+            ),
+            Self::UDotDirection => direction(
+                "u_dot_direction",
+                Shape::SPEEDS,
+                "the change of `u_dot`",
+                ("U_DOT_DIRECTIONS", |place| Input::Product(2, place)),
+            ),
+            Self::TauDirection => direction(
+                "tau_direction",
+                Shape::SPEEDS,
+                "the change of `tau`",
+                ("TAU_DIRECTIONS", |place| Input::Product(3, place)),
+            ),
+            Self::LoadsDirection => Row {
+                element: Element::Load,
+                ..direction(
+                    "loads_direction",
+                    Shape::BODY_SCALARS,
+                    "the change of `loads`",
+                    ("LOADS_DIRECTIONS", |place| Input::Product(4, place)),
+                )
+            },
+            Self::ParametersDirection => direction(
+                "parameters_direction",
+                Shape::VALUES,
+                "the change of the values set at run time, in the order of `PARAMETER_NAMES`",
+                ("PARAMETERS_DIRECTIONS", |place| Input::Product(5, place)),
+            ),
+            Self::VectorMultiplier => multiplier(
+                Shape::VECTOR,
+                ("VECTOR_MULTIPLIERS", |place| Input::Product(6, place)),
+            ),
+            Self::CoordinateMultiplier => multiplier(
+                Shape::COORDINATES,
+                ("COORDINATE_MULTIPLIERS", |place| Input::Product(7, place)),
+            ),
+            Self::SpeedMultiplier => multiplier(
+                Shape::SPEEDS,
+                ("SPEED_MULTIPLIERS", |place| Input::Product(8, place)),
+            ),
+            Self::MatrixMultiplier => multiplier(
+                Shape::SPEED_MATRIX,
+                ("MATRIX_MULTIPLIERS", |place| Input::Product(9, place)),
+            ),
+            _ => return None,
+        })
+    }
+
+    /// The rows of all others.
+    fn of_function(self) -> Row {
         match self {
             Self::Q => Row::of_state(
                 "q",
@@ -150,6 +295,7 @@ impl Argument {
                 sampled: Some("FRAME_MOMENTS"),
                 input: Input::FrameMoment,
             },
+            _ => unreachable!("functions: {self:?} is of a product"),
         }
     }
 
@@ -184,9 +330,14 @@ impl Argument {
         self.shape().lengths(tree, of_tree)
     }
 
-    /// True for what belongs to the frame that a function is of: two functions cannot share it.
+    /// True for what belongs to the frame that a function is of.
     pub fn is_of_frame(self) -> bool {
         matches!(self, Self::Point | Self::Force | Self::Moment)
+    }
+
+    /// True for a direction or multiplier.
+    pub fn is_of_product(self) -> bool {
+        self.of_product().is_some()
     }
 
     /// How many numbers it holds.

@@ -36,7 +36,7 @@ mod variable;
 pub use argument::Argument;
 pub use candidate::{Candidate, Formulation};
 pub use catalogue::{CATALOGUE, OF_FRAMES};
-pub use derivative::Derivative;
+pub use derivative::{Derivative, DerivativeKind};
 pub use derived::{Block, Derived, pattern};
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use packed::{ELIMINATION, Packed};

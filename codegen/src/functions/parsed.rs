@@ -5,8 +5,9 @@
 //! not: know which frames there are.
 
 use super::{
+    argument::Argument,
     catalogue::{CATALOGUE, OF_FRAMES},
-    derivative::Derivative,
+    derivative::{Derivative, DerivativeKind},
     function::{Function, Of},
     part::{LOCAL, Part, text_of},
     request::Request,
@@ -30,8 +31,8 @@ pub struct Parsed {
 struct ParsedPart {
     function: &'static Function,
     subject: Option<ParsedSubject>,
-    /// By what it is differentiated; empty where it is not.
-    by: Vec<Word>,
+    /// What of its derivatives is asked for, and by what it is differentiated.
+    derivative: Option<(DerivativeKind, Vec<Word>)>,
 }
 
 /// Frames that are named, before it is known whether the model has them.
@@ -45,7 +46,11 @@ struct ParsedSubject {
 pub type Place = (bool, Vec<PartPlace>, bool);
 
 /// The same of a part: its place in the catalogue, its frames, what it is differentiated by.
-pub(super) type PartPlace = (usize, Option<(Vec<String>, View)>, Vec<String>);
+pub(super) type PartPlace = (
+    usize,
+    Option<(Vec<String>, View)>,
+    Option<(DerivativeKind, Vec<String>)>,
+);
 
 impl Parsed {
     /// Reads a request; the grammar stands in the module `syntax`.
@@ -74,11 +79,8 @@ impl Parsed {
                 name: function.name.to_owned(),
             });
         }
-        let of_frame = |part: &&ParsedPart| {
-            let mut arguments = part.function.arguments.iter();
-            arguments.any(|argument| argument.is_of_frame())
-        };
-        if let [_, second, ..] = &parts.iter().filter(of_frame).collect::<Vec<_>>()[..] {
+        let has_own = |part: &&ParsedPart| part.has_own_arguments();
+        if let [_, second, ..] = &parts.iter().filter(has_own).collect::<Vec<_>>()[..] {
             return Err(RequestError::OwnArguments {
                 request: text.to_owned(),
                 name: second.text(),
@@ -145,21 +147,48 @@ impl ParsedPart {
         match &part.kind {
             Kind::Named { name, of } => Self::named((name, of), part.place.clone()),
             Kind::Derivative { of, by } => {
-                let Kind::Named { name, of: frames } = &of.kind else {
-                    return Err(no_derivative(text, of, "is a derivative itself"));
-                };
-                let values = Self::named((name, frames), part.place.clone())?;
-                if values.function.is_compact() {
-                    return Err(no_derivative(text, of, "has a compact output"));
-                }
-                values.differentiated(text, by)
+                Self::derivative(text, part, of, (DerivativeKind::Whole, by))
             }
-            Kind::Product { .. } => Err(not_available(text, part)),
+            Kind::Product { name, of, along } => {
+                let kind = match name.text.as_str() {
+                    "jvp" => DerivativeKind::Forward,
+                    _ => DerivativeKind::Reverse,
+                };
+                Self::derivative(text, part, of, (kind, along))
+            }
         }
     }
 
+    fn derivative(
+        text: &str,
+        part: &syntax::Part,
+        of: &syntax::Part,
+        (kind, by): (DerivativeKind, &[Word]),
+    ) -> Result<Self, RequestError> {
+        let Kind::Named { name, of: frames } = &of.kind else {
+            return Err(no_derivative(text, of, "is a derivative itself"));
+        };
+        let values = Self::named((name, frames), part.place.clone())?;
+        if values.function.is_compact() {
+            return Err(no_derivative(text, of, "has a compact output"));
+        }
+        let multiplier = match values.function.outputs {
+            [output] => Argument::multiplier(output.shape),
+            _ => None,
+        };
+        if kind == DerivativeKind::Reverse && multiplier.is_none() {
+            let why = "has no vector over coordinates or speeds, nor a matrix, for its only output, as a `vjp` needs it";
+            return Err(no_derivative(text, of, why));
+        }
+        values.differentiated(text, (kind, by))
+    }
+
     /// The same, differentiated.
-    fn differentiated(self, text: &str, by: &[Word]) -> Result<Self, RequestError> {
+    fn differentiated(
+        self,
+        text: &str,
+        (kind, by): (DerivativeKind, &[Word]),
+    ) -> Result<Self, RequestError> {
         let name = self.function.name;
         for (at, word) in by.iter().enumerate() {
             if by[..at].iter().any(|known| known.text == word.text) {
@@ -180,7 +209,7 @@ impl ParsedPart {
             }
         }
         Ok(Self {
-            by: by.to_vec(),
+            derivative: Some((kind, by.to_vec())),
             ..self
         })
     }
@@ -217,14 +246,18 @@ impl ParsedPart {
         Ok(Self {
             function,
             subject,
-            by: Vec::new(),
+            derivative: None,
         })
     }
 
     fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, Vec<RequestError>> {
         let subject = self.subject.as_ref();
+        let is_forward = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Forward;
+        let is_forward = self.derivative.as_ref().is_some_and(is_forward);
         let variable = |word: &Word| {
             let variable = Variable::find(tree, &word.text);
+            // A direction is one of all values set at run time.
+            let variable = variable.filter(|own| !is_forward || own.direction().is_some());
             variable.ok_or_else(|| {
                 vec![RequestError::UnknownVariable {
                     request: text.to_owned(),
@@ -235,7 +268,8 @@ impl ParsedPart {
                 }]
             })
         };
-        let by = all_or_faults(self.by.iter().map(variable));
+        let by = self.derivative.iter().flat_map(|(_, by)| by);
+        let by = all_or_faults(by.map(variable));
         let subject = subject.map(|subject| subject.on(text, tree)).transpose();
         let (by, subject) = match (by, subject) {
             (Ok(by), Ok(subject)) => (by, subject),
@@ -247,13 +281,16 @@ impl ParsedPart {
         Ok(Part {
             function: self.function,
             subject,
-            derivative: (!by.is_empty()).then_some(Derivative { by }),
+            derivative: self
+                .derivative
+                .as_ref()
+                .map(|&(kind, _)| Derivative { kind, by }),
         })
     }
 
     /// The function, where it is of the whole system.
     fn of_system(&self) -> Option<&'static Function> {
-        let is_plain = self.subject.is_none() && self.by.is_empty();
+        let is_plain = self.subject.is_none() && self.derivative.is_none();
         is_plain.then_some(self.function)
     }
 
@@ -262,11 +299,19 @@ impl ParsedPart {
             None => self.function.name.to_owned(),
             Some(subject) => text_of(self.function, subject.names(), subject.view),
         };
-        if self.by.is_empty() {
+        let Some((kind, by)) = &self.derivative else {
             return of;
-        }
-        let by: Vec<String> = self.by.iter().map(|word| written(&word.text)).collect();
-        format!("d({of})/d({})", by.join(", "))
+        };
+        let by: Vec<String> = by.iter().map(|word| written(&word.text)).collect();
+        Derivative::text(*kind, &of, &by.join(", "))
+    }
+
+    /// True where it is given what no other part can be given beside it.
+    fn has_own_arguments(&self) -> bool {
+        let is_reverse = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Reverse;
+        let mut arguments = self.function.arguments.iter();
+        self.derivative.as_ref().is_some_and(is_reverse)
+            || arguments.any(|argument| argument.is_of_frame())
     }
 
     fn place(&self) -> PartPlace {
@@ -276,7 +321,10 @@ impl ParsedPart {
         (
             position.expect("functions: a part is of the catalogue"),
             subject.map(|subject| (subject.names().map(str::to_owned).collect(), subject.view)),
-            self.by.iter().map(|word| word.text.clone()).collect(),
+            self.derivative.as_ref().map(|(kind, by)| {
+                let by = by.iter().map(|word| word.text.clone());
+                (*kind, by.collect())
+            }),
         )
     }
 }
@@ -347,15 +395,6 @@ impl ParsedSubject {
             frames: all_or_faults(self.frames.iter().map(found))?,
             view: self.view,
         })
-    }
-}
-
-/// What can be written but not had.
-fn not_available(text: &str, part: &syntax::Part) -> RequestError {
-    let place = part.place.clone();
-    RequestError::NotAvailable {
-        part: text[place.clone()].to_owned(),
-        place,
     }
 }
 

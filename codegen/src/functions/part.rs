@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 
 use super::{
+    argument::Argument,
     candidate::Formulation,
-    derivative::Derivative,
+    derivative::{Derivative, DerivativeKind},
     derived::Derived,
     function::{Function, Output},
     packed::Packed,
@@ -49,7 +50,7 @@ impl Part {
         let of = self.text_of_values();
         match &self.derivative {
             None => of,
-            Some(derivative) => format!("d({of})/d({})", derivative.joined(", ")),
+            Some(derivative) => Derivative::text(derivative.kind, &of, &derivative.joined(", ")),
         }
     }
 
@@ -66,7 +67,7 @@ impl Part {
         let of = self.name_of(self.function.name);
         match &self.derivative {
             None => of,
-            Some(derivative) => format!("d_{of}_d_{}", derivative.joined("_")),
+            Some(derivative) => derivative.name(&of),
         }
     }
 
@@ -101,6 +102,20 @@ impl Part {
     /// The constant that says how many these are.
     pub fn speeds_len_constant(&self) -> String {
         self.name_of("speeds_len").to_uppercase()
+    }
+
+    /// What it is given besides the parameters.
+    pub(super) fn arguments(&self) -> Vec<Argument> {
+        let derivative = self.derivative.iter();
+        let own = derivative.flat_map(|derivative| derivative.arguments(self.function.outputs));
+        let arguments = self.function.arguments.iter().copied();
+        arguments.chain(own).collect()
+    }
+
+    /// True where all derivatives are asked for, as the function's composite bodies give them.
+    pub(super) fn is_whole_derivative(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| derivative.kind == DerivativeKind::Whole)
     }
 
     /// What it writes, in order.
@@ -192,7 +207,11 @@ impl Part {
     /// How many terms the notes' sums have at least; where they are differentiated, about so many for every variable.
     pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
         let terms = self.function.literal_terms(tree);
-        let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
+        let whole = self
+            .derivative
+            .iter()
+            .filter(|_| self.is_whole_derivative());
+        let by = whole.flat_map(|derivative| &derivative.by);
         let columns: usize = by.map(|variable| variable.n_entries(tree)).sum();
         terms * columns.max(1)
     }
@@ -252,6 +271,7 @@ impl Part {
         let first = derived.roots.len();
         if candidate.formulation == Formulation::Recursive
             && plan.uses(Technique::Composite)
+            && self.is_whole_derivative()
             && let Some(derivative) = &self.derivative
             && let Some(jacobians) = self.function.derivatives
             && derivative.by_jacobians(derived, tree, plan, jacobians)
@@ -264,8 +284,9 @@ impl Part {
             let outputs = self.function.outputs.iter();
             let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
             let sizes: Vec<usize> = sizes.collect();
-            let is_reverse = plan.uses(Technique::Reverse);
-            derivative.apply(derived, tree, (first, &sizes), is_reverse);
+            let multiplier = derivative.arguments(self.function.outputs).pop();
+            let way = (plan.uses(Technique::Reverse), multiplier);
+            derivative.apply(derived, tree, (first, &sizes), way);
         }
     }
 }

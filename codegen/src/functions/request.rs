@@ -96,8 +96,8 @@ impl Request {
     /// What it is given besides the parameters: whatever one of its parts is given, in the order of all functions.
     pub fn arguments(&self) -> Vec<Argument> {
         let is_given = |argument: &Argument| {
-            let mut functions = self.functions();
-            functions.any(|function| function.arguments.contains(argument))
+            let mut parts = self.parts.iter();
+            parts.any(|part| part.arguments().contains(argument))
         };
         Argument::ALL.into_iter().filter(is_given).collect()
     }
@@ -245,7 +245,7 @@ impl Request {
     /// True where some part is a derivative of dynamics, which composite bodies give.
     pub fn differentiates_dynamics(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(|part| part.derivative.is_some() && part.function.derivatives.is_some())
+        parts.any(|part| part.is_whole_derivative() && part.function.derivatives.is_some())
     }
 
     /// As [`Self::n_numbers`], of the parts that are derivatives.

@@ -129,14 +129,6 @@ pub enum RequestError {
         /// Where in the request.
         place: Range<usize>,
     },
-    /// What can be written but not had.
-    #[error("`{}` is not available", part.escape_debug())]
-    NotAvailable {
-        /// The part of the request.
-        part: String,
-        /// Where in the request.
-        place: Range<usize>,
-    },
     /// Two functions of one name.
     #[error("`{first}` and `{second}` would both be called `{name}` in generated code")]
     SameName {
@@ -169,8 +161,7 @@ impl RequestError {
             | Self::UnknownFrame { place, .. }
             | Self::NoDerivative { place, .. }
             | Self::VariableNotTaken { place, .. }
-            | Self::UnknownVariable { place, .. }
-            | Self::NotAvailable { place, .. } => Some(place.clone()),
+            | Self::UnknownVariable { place, .. } => Some(place.clone()),
             Self::Unknown { .. }
             | Self::Repeated { .. }
             | Self::Compact { .. }

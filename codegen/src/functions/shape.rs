@@ -147,7 +147,7 @@ impl Axis {
 }
 
 impl Shape {
-    const fn of(axes: &'static [Axis]) -> Self {
+    pub(super) const fn of(axes: &'static [Axis]) -> Self {
         Self { axes, by: &[] }
     }
 
@@ -175,6 +175,8 @@ impl Shape {
     pub const INVERSE_PACKED: Self = Self::of(&[Axis::Packed(Packed::Inverse)]);
     /// `[R; MASS_MATRIX_FACTORS_LEN]`.
     pub const FACTORS: Self = Self::of(&[Axis::Packed(Packed::Factors)]);
+    /// `[R; PARAMETERS_LEN]`.
+    pub const VALUES: Self = Self::of(&[Axis::Values]);
     /// `[R; NB]`.
     pub const BODY_SCALARS: Self = Self::of(&[Axis::Bodies]);
     /// `[[R; 3]; NB]`.

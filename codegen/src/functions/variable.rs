@@ -84,6 +84,15 @@ impl Variable {
         }
     }
 
+    /// The direction along which it changes; `None` for one value set at run time.
+    pub(super) fn direction(&self) -> Option<Argument> {
+        match self {
+            Self::Given(argument) => argument.direction(),
+            Self::Parameters => Some(Argument::ParametersDirection),
+            Self::Parameter { .. } => None,
+        }
+    }
+
     /// What an entry of it means, in words.
     pub fn meaning(&self) -> String {
         let name = self.name();

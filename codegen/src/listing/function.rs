@@ -2,7 +2,7 @@
 
 use super::{Code, Counted, Entry, Facts};
 use crate::{
-    functions::{Access, Declared, Formulation, Part, Signature},
+    functions::{Access, Argument, Declared, Formulation, Part, Signature},
     program::Operations,
 };
 
@@ -11,6 +11,8 @@ use crate::{
 pub struct Function {
     /// How it is declared, and what it means.
     pub signature: Signature,
+    /// What it is given besides the parameters.
+    pub arguments: Vec<Argument>,
     /// The part of a request, where it is one as the catalogue has it.
     pub alone: Option<Part>,
     /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
@@ -32,6 +34,7 @@ impl Function {
     pub(super) fn plain(signature: Signature, operations: Operations, code: Code) -> Self {
         Self {
             signature,
+            arguments: Vec::new(),
             alone: None,
             pattern: None,
             formulation: Formulation::Notes,

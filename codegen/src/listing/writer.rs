@@ -1,6 +1,6 @@
 //! Functions of a listing, from programs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     Code, Entry, Facts, Function, Member, Step, code,
@@ -34,7 +34,7 @@ impl<'a> Writer<'a> {
             compiled,
             facts,
             fields: places_of(&compiled.fields, &facts.fields),
-            given: given(tree, facts),
+            given: given(tree, facts, compiled),
         }
     }
 
@@ -44,6 +44,7 @@ impl<'a> Writer<'a> {
         let places = places(&signature, self.facts);
         let code = self.code(program, &signature, places, Counted::InFunction);
         Function {
+            arguments: request.arguments(),
             alone: request.alone().cloned(),
             pattern: self.pattern(emittable),
             formulation: emittable.formulation,
@@ -123,9 +124,15 @@ impl<'a> Writer<'a> {
 }
 
 /// Where each input of the equations stands that is no parameter: the argument's name, and the steps in it.
-fn given(tree: &Tree, facts: &Facts) -> BTreeMap<Input, (&'static str, Vec<Step>)> {
-    let all = Argument::ALL.into_iter();
-    let all = all.flat_map(|argument| {
+fn given(
+    tree: &Tree,
+    facts: &Facts,
+    compiled: &Compiled,
+) -> BTreeMap<Input, (&'static str, Vec<Step>)> {
+    let functions = compiled.functions.iter();
+    let all = functions.flat_map(|one| one.function.arguments());
+    let all: BTreeSet<Argument> = all.collect();
+    let all = all.into_iter().flat_map(|argument| {
         let extent = facts.extent(&argument.declared());
         let inputs = argument.inputs(tree).enumerate();
         inputs.map(move |(place, input)| (input, (argument.name(), extent.steps(place))))

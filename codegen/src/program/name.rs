@@ -103,6 +103,7 @@ impl InputNames {
             Input::Point(axis) => of_frame("point", axis),
             Input::FrameForce(axis) => of_frame("force", axis),
             Input::FrameMoment(axis) => of_frame("moment", axis),
+            Input::Product(of, place) => format!("product_{of}_{place}"),
             Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
             Input::Prepared(place) => format!("prepared_{place}"),
         }

@@ -1,7 +1,7 @@
 //! States at which functions are tested: each term of the equations has a part in what comes out, whatever a model's masses and
 //! lengths are.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::sample::Sample;
 use crate::{
@@ -31,19 +31,24 @@ const POWERS: [f64; 25] = [
 /// What draws samples of a tree.
 pub(super) struct Sampler<'a> {
     tree: &'a Tree,
+    drawn: Vec<Argument>,
     /// [`SCALES`], by the notes' equations.
     positions: Derived,
     forces: Derived,
 }
 
 impl<'a> Sampler<'a> {
-    pub(super) fn new(tree: &'a Tree) -> Self {
+    /// Of directions and multipliers those that are asked for have numbers: of a matrix there are many.
+    pub(super) fn new(tree: &'a Tree, asked: &BTreeSet<Argument>) -> Self {
+        let all = Argument::ALL.into_iter();
+        let drawn = all.filter(|one| asked.contains(one) || !one.is_of_product());
         let [positions, forces] = SCALES.map(|name| {
             let function = Function::find(name).expect("a function of the catalogue");
             Request::from(function).derive(tree, Formulation::Notes, &Plan::full(tree))
         });
         Self {
             tree,
+            drawn: drawn.collect(),
             positions,
             forces,
         }
@@ -57,7 +62,10 @@ impl<'a> Sampler<'a> {
             let inputs = argument.inputs(tree);
             inputs.map(|input| (input, random.number())).collect()
         };
-        let (of_frames, others): (Vec<_>, Vec<_>) = Argument::ALL
+        let all = self.drawn.iter().copied();
+        let (of_products, others): (Vec<_>, Vec<_>) =
+            all.partition(|argument| argument.is_of_product());
+        let (of_frames, others): (Vec<_>, Vec<_>) = others
             .into_iter()
             .partition(|argument| argument.is_of_frame());
         let all_but_forces = others
@@ -66,9 +74,12 @@ impl<'a> Sampler<'a> {
         let given: Vec<(Input, f64)> = all_but_forces.flat_map(&mut drawn).collect();
         let factors = drawn(Argument::Tau);
         let of_frames: Vec<(Input, f64)> = of_frames.into_iter().flat_map(&mut drawn).collect();
+        let of_products = of_products.into_iter().flat_map(&mut drawn);
+        let of_products: Vec<(Input, f64)> = of_products.collect();
         let given = of_parameters(&parameters)
             .chain(given)
             .chain(of_frames)
+            .chain(of_products)
             .collect();
         let given = with_unit_quaternions(tree, given);
         let scales = scales(tree, self.length(&given));
@@ -78,13 +89,13 @@ impl<'a> Sampler<'a> {
         let forces = forces.iter().zip(factors);
         let forces = forces.map(|(force, (input, factor))| (input, factor * force));
         let all: Numbers = given.into_iter().chain(forces).collect();
-        let arguments = Argument::ALL.map(|argument| {
+        let arguments = self.drawn.iter().map(|&argument| {
             let numbers = argument.inputs(tree).map(|input| all[&input]);
             (argument, numbers.collect())
         });
         Sample {
             parameters,
-            arguments: arguments.into(),
+            arguments: arguments.collect(),
         }
     }
 
@@ -157,10 +168,10 @@ fn of_parameters(values: &[f64]) -> impl Iterator<Item = (Input, f64)> + '_ {
 
 /// What a sample is to the equations.
 pub(super) fn inputs(tree: &Tree, sample: &Sample) -> Inputs {
-    let arguments = Argument::ALL.into_iter().flat_map(|argument| {
-        let numbers = sample.of(argument).iter().copied();
-        argument.inputs(tree).zip(numbers)
-    });
+    let arguments = sample
+        .arguments
+        .iter()
+        .flat_map(|(argument, numbers)| argument.inputs(tree).zip(numbers.iter().copied()));
     let all = arguments.chain(of_parameters(&sample.parameters));
     all.map(|(input, value)| (input, Rounded::exact(value)))
         .collect()

@@ -45,7 +45,9 @@ pub(crate) fn of(
     compiled: &Compiled,
     module: &Module,
 ) -> Result<(Vec<Sample>, Vec<Sampled>), Error> {
-    let sampler = Sampler::new(tree);
+    let asked = compiled.functions.iter();
+    let asked = asked.flat_map(|one| one.function.arguments()).collect();
+    let sampler = Sampler::new(tree, &asked);
     // The first state has the nominal parameters, each other one its own.
     let samples = (0..STATES).map(|seed| {
         let parameters = match seed {

@@ -10,12 +10,12 @@ use kane_codegen::{
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
     dynamics::State,
-    numeric::derivative,
+    numeric::{derivative, dot},
     systems::trees,
 };
 
 use crate::{
-    evaluator::input,
+    evaluator::{input, product},
     frames::{relative, request, system},
 };
 
@@ -171,6 +171,112 @@ fn every_function_changes_as_its_derivatives_say() {
                     let error = relative_to(scale, &own, &expected);
                     let allowed = if inverts(name) { INVERTED } else { DIFFERENCED };
                     assert_within(format!("{seed}, {text}, {entry}"), error, allowed);
+                }
+            }
+        }
+    }
+}
+
+/// The numbers that a direction or multiplier holds here.
+fn given(tree: &Tree, argument: Argument) -> Vec<f64> {
+    let inputs = argument.inputs(tree);
+    let numbers = inputs.map(|input| match input {
+        Input::Product(of, place) => product(of, place),
+        other => unreachable!("{other:?} is of no product"),
+    });
+    numbers.collect()
+}
+
+/// A function, variables with their directions, and the multiplier of its output.
+type Case = (
+    &'static str,
+    &'static [&'static str],
+    &'static [Argument],
+    Argument,
+);
+
+const PRODUCTS: [Case; 5] = [
+    (
+        "loaded_inverse_dynamics",
+        &["u_dot", "q", "loads"],
+        &[
+            Argument::UDotDirection,
+            Argument::QDirection,
+            Argument::LoadsDirection,
+        ],
+        Argument::SpeedMultiplier,
+    ),
+    (
+        "forward_dynamics",
+        &["tau", "u", "parameters"],
+        &[
+            Argument::TauDirection,
+            Argument::UDirection,
+            Argument::ParametersDirection,
+        ],
+        Argument::SpeedMultiplier,
+    ),
+    (
+        "mass_matrix",
+        &["q"],
+        &[Argument::QDirection],
+        Argument::MatrixMultiplier,
+    ),
+    (
+        "center_of_mass",
+        &["q"],
+        &[Argument::QDirection],
+        Argument::VectorMultiplier,
+    ),
+    (
+        "q_dot",
+        &["u", "q"],
+        &[Argument::UDirection, Argument::QDirection],
+        Argument::CoordinateMultiplier,
+    ),
+];
+
+#[test]
+fn products_are_those_with_all_derivatives() {
+    for seed in trees::tried(541..=552) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        let has_values = !tree.parameters.is_empty();
+        for (function, by, directions, multiplier) in PRODUCTS {
+            let by: Vec<&str> = by
+                .iter()
+                .copied()
+                .filter(|name| has_values || *name != "parameters")
+                .collect();
+            let by_all = by.join(", ");
+            for (formulation, plan) in ways(&tree) {
+                let numbers = |text: String| {
+                    let derived = request(&tree, &text).derive(&tree, formulation, &plan);
+                    let graph = &derived.graph;
+                    graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+                };
+                let values = numbers(function.to_owned());
+                let (mut along, mut back) = (vec![0.0; values.len()], Vec::new());
+                for (&direction, name) in directions.iter().zip(&by) {
+                    let matrix = numbers(format!("d({function})/d({name})"));
+                    let direction = given(&tree, direction);
+                    let rows: Vec<&[f64]> = matrix.chunks(direction.len()).collect();
+                    for (sum, row) in along.iter_mut().zip(&rows) {
+                        *sum += dot(row, &direction);
+                    }
+                    let weights = given(&tree, multiplier);
+                    assert_eq!(weights.len(), rows.len());
+                    back.extend((0..direction.len()).map(|column| {
+                        let column: Vec<f64> = rows.iter().map(|row| row[column]).collect();
+                        dot(&column, &weights)
+                    }));
+                }
+                for (found, expected) in [("jvp", along), ("vjp", back)].map(|(name, expected)| {
+                    (numbers(format!("{name}({function}; {by_all})")), expected)
+                }) {
+                    let allowed = if inverts(function) { INVERTED } else { EXACT };
+                    let what = format!("{seed}, {function}");
+                    assert_within(what, relative(&found, &expected), allowed);
                 }
             }
         }

@@ -135,6 +135,11 @@ pub(crate) fn hoisted(
     (graph, roots, prepared)
 }
 
+/// A number of a direction or multiplier, none like another.
+pub(crate) fn product(of: usize, place: usize) -> f64 {
+    (1.3 * of as f64 + 0.7 * place as f64).sin()
+}
+
 pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
     match given {
         Input::Q(id) => state.q[id.index()],
@@ -147,6 +152,7 @@ pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
         Input::Point(axis) => FRAME_POINT[axis],
         Input::FrameForce(axis) => FRAME_FORCE[axis],
         Input::FrameMoment(axis) => FRAME_MOMENT[axis],
+        Input::Product(of, place) => product(of, place),
         Input::Parameter(id) => tree.parameters[id.index()].nominal,
         Input::Sine(_) | Input::Cosine(_) => unreachable!("no function is given them here"),
         Input::Prepared(_) => unreachable!("prepared values are hoisted"),

@@ -71,8 +71,8 @@ fn input(case: &Value, tree: &Tree, input: Input) -> f64 {
         Input::Parameter(_) | Input::Prepared(_) | Input::Sine(_) | Input::Cosine(_) => {
             unreachable!("the references have no parameters, nor are sines given")
         }
-        Input::Point(_) | Input::FrameForce(_) | Input::FrameMoment(_) => {
-            unreachable!("no function here is of a frame")
+        Input::Point(_) | Input::FrameForce(_) | Input::FrameMoment(_) | Input::Product(..) => {
+            unreachable!("no function here is of a frame, nor a product")
         }
     }
 }

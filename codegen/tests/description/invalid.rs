@@ -92,7 +92,7 @@ mod config_file {
         repeated_joined_function
         repeated_part_of_a_function
         request_by_what_is_not_given
-        request_for_a_product
+        request_for_a_second_derivative
         request_that_is_not_closed
         several_faults
         several_faults_of_changes

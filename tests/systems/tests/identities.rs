@@ -204,7 +204,7 @@ mod bits {
             Input::Force(body, axis) => state.loads[body.index()][axis],
             Input::Moment(body, axis) => state.loads[body.index()][3 + axis],
             Input::RelativeAngularVelocity(body, axis) => state.w_rel[body.index()][axis],
-            Input::Point(_) | Input::FrameForce(_) | Input::FrameMoment(_) => {
+            Input::Point(_) | Input::FrameForce(_) | Input::FrameMoment(_) | Input::Product(..) => {
                 unreachable!("no function here is of a frame")
             }
             Input::Parameter(id) => tree.parameters[id.index()].nominal,

@@ -48,7 +48,7 @@ fn states(module: &Module, samples: &[Sample]) -> Vec<Item> {
     items.extend(systems(&module.facts, samples));
     let is_given = |argument: Argument| {
         let mut functions = module.functions.iter();
-        functions.any(|function| function.inputs().any(|one| one.name == argument.name()))
+        functions.any(|function| function.arguments.contains(&argument))
     };
     items.extend(Argument::ALL.into_iter().filter_map(|argument| {
         let name = ident(argument.sampled().filter(|_| is_given(argument))?);
@@ -184,7 +184,7 @@ fn arguments(function: &Function) -> Vec<TokenStream> {
         Element::Prepared => None,
         Element::SinCos => Some(quote!(&given)),
         Element::Scalar | Element::Load | Element::Parameters => {
-            let mut arguments = Argument::ALL.into_iter();
+            let mut arguments = function.arguments.iter().copied();
             let argument = arguments.find(|argument| argument.name() == declared.name);
             Some(place_of(argument.unwrap_or_else(|| {
                 unreachable!("self tests: nothing is sampled for `{}`", declared.name)
