@@ -66,14 +66,17 @@ impl Reader<'_> {
     }
 
     fn file(&mut self, file: &Map<String, Value>, function: &Request) {
-        // Directions and multipliers are those of the function.
+        // Directions and multipliers are the function's: those of others may have other shapes.
         let own = function.arguments();
-        let all = Argument::ALL.into_iter();
-        let all = all.filter(|argument| own.contains(argument) || !argument.is_of_product());
-        let all: Vec<Argument> = all.collect();
+        let (all, others): (Vec<_>, Vec<_>) = Argument::ALL
+            .into_iter()
+            .partition(|argument| own.contains(argument) || !argument.is_of_product());
+        let is_of_others = |key: &String| others.iter().any(|other| other.name() == key);
         let keys: Vec<&str> = all.iter().map(|argument| argument.name()).collect();
         let keys = [&keys[..], &[PARAMETERS]].concat();
-        self.unknown_keys("the file", file, &keys);
+        let mut asked = file.clone();
+        asked.retain(|key, _| !is_of_others(key));
+        self.unknown_keys("the file", &asked, &keys);
         for argument in all {
             match file.get(argument.name()) {
                 Some(value) => self.argument(argument, value),

@@ -177,8 +177,10 @@ impl ParsedPart {
             _ => None,
         };
         if kind == DerivativeKind::Reverse && multiplier.is_none() {
-            let why = "has no vector over coordinates or speeds, nor a matrix, for its only output, as a `vjp` needs it";
-            return Err(no_derivative(text, of, why));
+            return Err(RequestError::NoMultiplier {
+                name: values.function.name,
+                place: of.place.clone(),
+            });
         }
         values.differentiated(text, (kind, by))
     }
@@ -203,7 +205,7 @@ impl ParsedPart {
                 return Err(RequestError::VariableNotTaken {
                     name: name.to_owned(),
                     variable: argument.name(),
-                    known: variables(self.function, None),
+                    known: variables(self.function, None, false),
                     place: word.place.clone(),
                 });
             }
@@ -263,7 +265,7 @@ impl ParsedPart {
                     request: text.to_owned(),
                     function: self.function.name,
                     name: word.text.clone(),
-                    known: variables(self.function, tree),
+                    known: variables(self.function, tree, is_forward),
                     place: word.place.clone(),
                 }]
             })
@@ -409,7 +411,7 @@ fn no_derivative(text: &str, part: &syntax::Part, why: &'static str) -> RequestE
 }
 
 /// By what a function can be differentiated.
-fn variables(function: &Function, tree: Option<&Tree>) -> Vec<String> {
+fn variables(function: &Function, tree: Option<&Tree>, is_forward: bool) -> Vec<String> {
     let arguments = variable::ARGUMENTS.into_iter();
     let arguments = arguments.filter(|argument| function.arguments.contains(argument));
     let arguments = arguments.map(|argument| argument.name().to_owned());
@@ -418,6 +420,8 @@ fn variables(function: &Function, tree: Option<&Tree>) -> Vec<String> {
         .clone()
         .take(1)
         .map(|_| variable::PARAMETERS.to_owned());
+    // A direction is one of all values set at run time.
+    let parameters = parameters.filter(|_| !is_forward);
     let parameters = parameters.map(|parameter| parameter.name.clone());
     arguments.chain(all).chain(parameters).collect()
 }

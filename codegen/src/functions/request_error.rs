@@ -100,6 +100,16 @@ pub enum RequestError {
         /// Where in the request.
         place: Range<usize>,
     },
+    /// A function whose output has no multiplier.
+    #[error(
+        "a `vjp` is of a function with one output, which is a vector or a matrix over speeds; `{name}` is none, its derivatives are `d({name})/d(..)`"
+    )]
+    NoMultiplier {
+        /// The function.
+        name: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
     /// A variable that the function is not given.
     #[error(
         "`{name}` is not given `{variable}`; it can be differentiated by {}",
@@ -160,6 +170,7 @@ impl RequestError {
             | Self::View { place, .. }
             | Self::UnknownFrame { place, .. }
             | Self::NoDerivative { place, .. }
+            | Self::NoMultiplier { place, .. }
             | Self::VariableNotTaken { place, .. }
             | Self::UnknownVariable { place, .. } => Some(place.clone()),
             Self::Unknown { .. }

@@ -365,3 +365,35 @@ fn faults_of_function_model_and_state_are_reported_together() {
         assert!(ran.err.contains(part), "no {part} in\n{}", ran.err);
     }
 }
+
+#[test]
+fn products_are_given_directions_and_multipliers() {
+    let model = repository("models/cart_pole.toml");
+    let model = model.to_str().unwrap();
+    // Of a multiplier that a function does not take nothing is said.
+    let state = json!({
+        "q": [0.1, 0.3], "u": [0.5, -0.4], "u_dot": [0.1, 0.2], "q_direction": [0.0, 1.0], "multiplier": [0.0, 1.0],
+    });
+    let numbers = |function: &str| flat(&evaluated(model, function, "recursive", &state));
+    let all = numbers("d(inverse_dynamics)/d(q)");
+    assert_eq!(all.len(), 4);
+    let along = numbers("jvp(inverse_dynamics; q)");
+    assert_close("jvp", &along, &[all[1], all[3]], TOLERANCE);
+    let back = numbers("vjp(inverse_dynamics; q)");
+    assert_close("vjp", &back, &[all[2], all[3]], TOLERANCE);
+    let missing = json!({ "q": [0.1, 0.3], "u": [0.5, -0.4], "u_dot": [0.1, 0.2] }).to_string();
+    let arguments = [
+        "eval",
+        model,
+        "--function",
+        "jvp(inverse_dynamics; q)",
+        "--state",
+        "-",
+    ];
+    let ran = Project::empty().kane_given(&arguments, &missing);
+    assert_eq!(ran.code, 2, "{ran:?}");
+    assert!(
+        ran.err.contains("`q_direction`, which is missing"),
+        "{ran:?}"
+    );
+}

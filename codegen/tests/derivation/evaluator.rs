@@ -137,7 +137,7 @@ pub(crate) fn hoisted(
 
 /// A number of a direction or multiplier, none like another.
 pub(crate) fn product(of: usize, place: usize) -> f64 {
-    (1.3 * of as f64 + 0.7 * place as f64).sin()
+    libm::sin(1.3 * of as f64 + 0.7 * place as f64)
 }
 
 pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
