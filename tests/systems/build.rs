@@ -4,7 +4,7 @@ use std::{env, error::Error, fs, path::Path, time::SystemTime};
 
 use kane_codegen::{build_script::Build, config::Formulation, functions::CATALOGUE};
 
-use kane_test_support::systems::{RandomSystem, Sizes, Style, tree};
+use kane_test_support::systems::{RandomSystem, Sizes, Style, tree, trees};
 
 /// The systems with reference values that `kane` does not bundle.
 const REFERENCES: [&str; 5] = ["one_body", "chain3", "star5", "two_roots", "tree12"];
@@ -26,7 +26,8 @@ const FRAMED: [(usize, usize); 3] = [(4, 8), (6, 10), (7, 10)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    for name in REFERENCES {
+    trees::announce_all_seeds();
+    for name in REFERENCES.into_iter().filter(|name| is_compiled(name)) {
         let model = format!("../reference/{name}.toml");
         let functions = CATALOGUE.iter().map(|function| function.name);
         Build::new(&model)
@@ -39,6 +40,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     for (seed, (bodies, speeds)) in (100..).zip(RANDOM) {
         let system = RandomSystem::new(seed, Sizes { bodies, speeds }, Style::Plain);
+        if !is_compiled(&system.name) {
+            continue;
+        }
         all(&written(&system)?, Formulation::Cheapest)?;
     }
     for (seed, (bodies, speeds)) in (500..).zip(FRAMED) {
@@ -92,6 +96,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         Formulation::Recursive,
     )?;
     parameters(&changed.with_runtime(true))
+}
+
+/// The systems that take a third of the compiler's time.
+const LARGE: [&str; 3] = ["tree12", "random_105", "random_107"];
+
+fn is_compiled(name: &str) -> bool {
+    trees::all_seeds() || !LARGE.contains(&name)
 }
 
 /// Every function.

@@ -85,10 +85,13 @@ modules! {
     /// As its file is.
     talos
     /// Matrices over speeds.
+    #[cfg(every_system)]
     talos_matrices
     /// Its base described by angles.
+    #[cfg(every_system)]
     talos_angles
     /// Snapped.
+    #[cfg(every_system)]
     talos_snapped
     /// Functions of its mass centre.
     cartpole_center
@@ -201,7 +204,10 @@ pub const ROBOTS: [Compiled; 7] = [
         Some(make!(solo12_notes)),
         Some(make!(solo12_angles))
     ),
+    #[cfg(every_system)]
     compiled!(talos, talos_snapped, None, Some(make!(talos_angles))),
+    #[cfg(not(every_system))]
+    compiled!(talos, talos, None, None),
 ];
 
 /// Makes a robot with the functions of its mass centre.

@@ -82,7 +82,8 @@ fn with_a_large_stack(test: fn()) {
 }
 
 macro_rules! robots {
-    ($($test:ident: $robot:ident, $lanes:ty;)+) => {$(
+    ($($(#[$condition:meta])? $test:ident: $robot:ident, $lanes:ty;)+) => {$(
+        $(#[$condition])?
         #[test]
         fn $test() {
             use kane_test_robots::$robot::Prepared;
@@ -102,6 +103,7 @@ robots! {
     lanes_of_the_panda: panda, f64x8;
     short_lanes_of_the_panda: panda, f32x4;
     lanes_of_solo12: solo12, f64x8;
+    #[cfg(every_system)]
     lanes_of_talos: talos, f64x8;
     lanes_of_the_fused_panda: panda_fused, f64x8;
     short_lanes_of_the_fused_panda: panda_fused, f32x4;

@@ -147,7 +147,8 @@ where
 }
 
 macro_rules! robots {
-    ($($name:ident: $module:ident;)+) => {$(
+    ($($(#[$condition:meta])? $name:ident: $module:ident;)+) => {$(
+        $(#[$condition])?
         mod $name {
             use kane_test_robots::$module::Prepared;
 
@@ -170,5 +171,6 @@ robots! {
     ur5: ur5_matrices;
     panda: panda_matrices;
     solo12: solo12_matrices;
+    #[cfg(every_system)]
     talos: talos_matrices;
 }

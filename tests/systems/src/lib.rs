@@ -30,6 +30,7 @@ systems! {
     /// Reference.
     two_roots
     /// Reference.
+    #[cfg(every_system)]
     tree12
     /// Reference, in the notes' formulation.
     one_body_notes
@@ -40,6 +41,7 @@ systems! {
     /// Reference, in the notes' formulation.
     two_roots_notes
     /// Reference, in the notes' formulation.
+    #[cfg(every_system)]
     tree12_notes
     /// Reference, in the notes' formulation; the other one is bundled with `kane`.
     eight_body_notes
@@ -54,10 +56,12 @@ systems! {
     /// Random, seed 104.
     random_104
     /// Random, seed 105.
+    #[cfg(every_system)]
     random_105
     /// Random, seed 106.
     random_106
     /// Random, seed 107.
+    #[cfg(every_system)]
     random_107
     /// Random, joints of every kind, seed 500.
     random_500
@@ -147,17 +151,19 @@ macro_rules! reference {
 }
 
 /// The systems with reference values, without the further functions.
-pub const REFERENCES: [Reference; 6] = [
+pub const REFERENCES: &[Reference] = &[
     reference!("one_body", "tests/reference", all crate::one_body, dynamics crate::one_body_notes),
     reference!("chain3", "tests/reference", all crate::chain3, dynamics crate::chain3_notes),
     reference!("star5", "tests/reference", all crate::star5, dynamics crate::star5_notes),
     reference!("eight_body", "models", all kane::eight_body, dynamics crate::eight_body_notes),
     reference!("two_roots", "tests/reference", all crate::two_roots, dynamics crate::two_roots_notes),
+    #[cfg(every_system)]
     reference!("tree12", "tests/reference", all crate::tree12, dynamics crate::tree12_notes),
 ];
 
 macro_rules! compiled {
-    ($($name:ident),+) => {[$(
+    ($($(#[$condition:meta])? $name:ident),+) => {[$(
+        $(#[$condition])?
         Compiled {
             name: stringify!($name),
             model: include_str!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".toml")),
@@ -167,9 +173,18 @@ macro_rules! compiled {
     )+]};
 }
 
-/// The random systems.
-pub const RANDOM: [Compiled; 8] = compiled![
-    random_100, random_101, random_102, random_103, random_104, random_105, random_106, random_107
+/// The random systems; the two largest where all are compiled.
+pub const RANDOM: &[Compiled] = &compiled![
+    random_100,
+    random_101,
+    random_102,
+    random_103,
+    random_104,
+    #[cfg(every_system)]
+    random_105,
+    random_106,
+    #[cfg(every_system)]
+    random_107
 ];
 
 /// The random systems with joints of every kind, some of which are prescribed.

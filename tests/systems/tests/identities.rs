@@ -31,7 +31,8 @@ use crate::common::CompiledModel;
 /// The systems that have every function.
 fn systems() -> impl Iterator<Item = Compiled> {
     RANDOM
-        .into_iter()
+        .iter()
+        .copied()
         .chain(FRAMED)
         .chain(TWINS)
         .chain(BAKED_RUNTIME_CHANGED)
@@ -59,7 +60,7 @@ test_every_identity!();
 
 #[test]
 fn random_systems_are_of_many_kinds() {
-    let models: Vec<CompiledModel> = RANDOM.into_iter().map(CompiledModel::new).collect();
+    let models: Vec<CompiledModel> = RANDOM.iter().copied().map(CompiledModel::new).collect();
     let any = |property: &dyn Fn(&CompiledModel) -> bool| models.iter().any(property);
     for model in &models {
         println!(

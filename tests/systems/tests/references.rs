@@ -89,7 +89,8 @@ fn per_body(case: &Value, key: &str) -> Vec<f64> {
 
 fn check(name: &str) {
     let reference = REFERENCES
-        .into_iter()
+        .iter()
+        .copied()
         .find(|reference| reference.name == name)
         .expect("it is compiled");
     let mut errors = Errors::default();
@@ -174,7 +175,8 @@ fn relative_scale(a: &[f64], y_dot: &[f64]) -> f64 {
 }
 
 macro_rules! agrees {
-    ($($name:ident),+ $(,)?) => {$(
+    ($($(#[$condition:meta])? $name:ident),+ $(,)?) => {$(
+        $(#[$condition])?
         #[test]
         fn $name() {
             check(stringify!($name));
@@ -182,4 +184,12 @@ macro_rules! agrees {
     )+};
 }
 
-agrees!(one_body, chain3, star5, eight_body, two_roots, tree12);
+agrees!(
+    one_body,
+    chain3,
+    star5,
+    eight_body,
+    two_roots,
+    #[cfg(every_system)]
+    tree12,
+);

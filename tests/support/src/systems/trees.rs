@@ -25,6 +25,17 @@ fn all_seeds() -> bool {
     std::env::var_os("KANE_ALL_SEEDS").is_some_and(|value| !value.is_empty())
 }
 
+/// Tells cargo, from a build script, to compile all systems where the variable `KANE_ALL_SEEDS` is set: with the condition
+/// `every_system`, which is false of ordinary runs.
+#[expect(clippy::print_stdout, reason = "cargo reads what build scripts print")]
+pub fn announce_all_seeds() {
+    println!("cargo::rerun-if-env-changed=KANE_ALL_SEEDS");
+    println!("cargo::rustc-check-cfg=cfg(every_system)");
+    if all_seeds() {
+        println!("cargo::rustc-cfg=every_system");
+    }
+}
+
 /// A third of a number, and all of it where the variable `KANE_ALL_SEEDS` is set.
 pub fn share(number: u64) -> u64 {
     if all_seeds() { number } else { number / 3 }
