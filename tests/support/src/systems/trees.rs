@@ -21,7 +21,7 @@ pub fn count(few: u64) -> u64 {
 }
 
 /// True where the variable `KANE_ALL_SEEDS` is set, as in CI.
-fn all_seeds() -> bool {
+pub fn all_seeds() -> bool {
     std::env::var_os("KANE_ALL_SEEDS").is_some_and(|value| !value.is_empty())
 }
 
