@@ -102,7 +102,7 @@ pub enum RequestError {
     },
     /// A function whose output has no multiplier.
     #[error(
-        "a `vjp` is of a function with one output, which is a vector or a matrix over speeds; `{name}` is none, its derivatives are `d({name})/d(..)`"
+        "no multiplier fits what `{name}` writes: a `vjp` needs one vector, or one matrix over speeds; ask for `d({name})/d(..)`"
     )]
     NoMultiplier {
         /// The function.

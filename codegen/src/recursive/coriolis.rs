@@ -15,7 +15,7 @@ use super::{
     passage::{Drive, Passenger, speeds},
     plan::Plan,
     rotation::Turn,
-    shortcut::{Shortcut, Shortcuts},
+    shortcut::{Sent, Shortcut, Shortcuts},
     speed_matrix,
 };
 use crate::{
@@ -219,15 +219,6 @@ impl Column {
         }
     }
 
-    /// Sends the linear parts on a shortcut: the root's translations are along axes that do not turn, so that there is no
-    /// mirrored entry to be read.
-    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
-        self.shift(graph, shortcut.offset);
-        self.arrived = Some(shortcut.arrived(graph, self.needed[1]));
-        self.needed[1] = graph.zero_vector();
-        self.momentum[1] = graph.zero_vector();
-    }
-
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);
         self.needed = self.needed.map(|v| rotation.backward(graph, v));
@@ -241,6 +232,21 @@ impl Column {
             let lever = graph.cross(offset, *linear);
             *angular = graph.add_vectors(*angular, lever);
         }
+    }
+}
+
+impl Sent for Column {
+    fn has_arrived(&self) -> bool {
+        self.arrived.is_some()
+    }
+
+    /// Sends the linear parts on a shortcut: the root's translations are along axes that do not turn, so that there is no
+    /// mirrored entry to be read.
+    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
+        self.shift(graph, shortcut.offset);
+        self.arrived = Some(shortcut.arrived(graph, self.needed[1]));
+        self.needed[1] = graph.zero_vector();
+        self.momentum[1] = graph.zero_vector();
     }
 }
 
@@ -274,17 +280,6 @@ impl Carried<'_, '_> {
             body: self.body,
             moments: &self.moments,
             rates: &self.rates,
-        }
-    }
-
-    /// Sends the linear parts of columns on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
-        let (body, columns) = (self.body, &mut self.columns);
-        let n_columns = columns.iter().filter(|own| own.arrived.is_none()).count();
-        if let Some(shortcut) = self.shortcuts.from(graph, body, 2 * n_columns) {
-            for column in columns.iter_mut().filter(|own| own.arrived.is_none()) {
-                column.arrive(graph, &shortcut);
-            }
         }
     }
 
@@ -362,7 +357,7 @@ impl Passenger for Carried<'_, '_> {
             }
         }
         if let Drive::Angle(..) = drive {
-            self.take_shortcut(graph);
+            self.shortcuts.send(graph, self.body, &mut self.columns);
             self.read_ahead(graph);
         }
         for column in &mut self.columns {

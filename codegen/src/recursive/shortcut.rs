@@ -41,6 +41,15 @@ impl Shortcut {
     }
 }
 
+/// A column of which two linear parts are carried inward, until they take a shortcut.
+pub(super) trait Sent {
+    /// True once they have.
+    fn has_arrived(&self) -> bool;
+
+    /// Sends them.
+    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut);
+}
+
 impl<'a> Shortcuts<'a> {
     pub(super) fn new(graph: &ExprGraph, linkage: &'a Linkage<'a>) -> Self {
         let Linkage {
@@ -138,6 +147,16 @@ impl<'a> Shortcuts<'a> {
             0 => 6 * n_vectors > directions,
             1 => 2 * n_vectors > directions + 2,
             _ => 6 * n_vectors > directions + 6,
+        }
+    }
+
+    /// Sends the linear parts of columns on the shortcut from a link, if there is one.
+    pub(super) fn send(&mut self, graph: &mut ExprGraph, body: BodyId, columns: &mut [impl Sent]) {
+        let n_columns = columns.iter().filter(|own| !own.has_arrived()).count();
+        if let Some(shortcut) = self.from(graph, body, 2 * n_columns) {
+            for column in columns.iter_mut().filter(|own| !own.has_arrived()) {
+                column.arrive(graph, &shortcut);
+            }
         }
     }
 

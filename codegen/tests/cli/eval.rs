@@ -397,3 +397,40 @@ fn products_are_given_directions_and_multipliers() {
         "{ran:?}"
     );
 }
+
+#[test]
+fn what_cannot_be_differentiated_is_told_why() {
+    let model = repository("models/cart_pole.toml");
+    let model = model.to_str().unwrap();
+    for (function, why) in [
+        (
+            "d(mass_matrix)/d(u)",
+            "`mass_matrix` is not given `u`; it can be differentiated by `q`",
+        ),
+        (
+            "d(bias)/d(pole_maas)",
+            "`pole_maas` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`, `pole_mass`",
+        ),
+        (
+            "jvp(bias; pole_mass)",
+            "`pole_mass` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`",
+        ),
+        (
+            "vjp(kinetic_energy; q)",
+            "no multiplier fits what `kinetic_energy` writes: a `vjp` needs one vector, or one matrix over speeds; ask for `d(kinetic_energy)/d(..)`",
+        ),
+        (
+            "d(partial_velocity)/d(q)",
+            "`partial_velocity` has a compact output, and cannot be differentiated",
+        ),
+    ] {
+        let arguments = ["eval", model, "--function", function, "--state", "-"];
+        let ran = Project::empty().kane_given(&arguments, "{}");
+        assert_eq!(ran.code, 2, "{ran:?}");
+        assert_eq!(
+            ran.err.lines().next(),
+            Some(&*format!("error: {why}")),
+            "{ran:?}"
+        );
+    }
+}

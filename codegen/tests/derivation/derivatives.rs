@@ -27,7 +27,7 @@ const EXACT: f64 = 1e-12;
 const DIFFERENCED: f64 = 1e-11;
 
 /// The same where the mass matrix is inverted, twice in a derivative, whose condition numbers here are below 1e4.
-const INVERTED: f64 = 1e-8;
+const INVERTED: f64 = 1e-9;
 
 /// The variables of a function, in the order of its arguments.
 fn variables(tree: &Tree, function: &Function) -> Vec<String> {

@@ -1,6 +1,10 @@
 //! Columns: what a motion makes of the masses that it moves.
 
-use super::super::{coriolis::Column as Carrying, rotation::Turn, shortcut::Shortcut};
+use super::super::{
+    coriolis::Column as Carrying,
+    rotation::Turn,
+    shortcut::{Sent, Shortcut},
+};
 use crate::expr::{Expr, ExprGraph, Vector};
 
 /// What the masses that a motion moves need and have, about the origin and along the axes that have been reached.
@@ -26,19 +30,6 @@ impl Column {
         }
     }
 
-    /// Sends the forces that are needed on a shortcut. Momentum stays: it is read off for rows on the way.
-    pub(super) fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
-        graph.enter(self.carrying.body);
-        let arrived = [&mut self.carrying.needed, &mut self.displaced].map(|[moment, force]| {
-            let lever = graph.cross(shortcut.offset, *force);
-            *moment = graph.add_vectors(*moment, lever);
-            let arrived = shortcut.arrived(graph, *force);
-            *force = graph.zero_vector();
-            arrived
-        });
-        self.arrived = Some(arrived);
-    }
-
     pub(super) fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
         self.carrying.shift(graph, offset);
         let lever = graph.cross(offset, self.displaced[1]);
@@ -48,5 +39,24 @@ impl Column {
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         self.carrying.turn(graph, rotation);
         self.displaced = self.displaced.map(|v| rotation.backward(graph, v));
+    }
+}
+
+impl Sent for Column {
+    fn has_arrived(&self) -> bool {
+        self.arrived.is_some()
+    }
+
+    /// Sends the forces that are needed on a shortcut. Momentum stays: it is read off for rows on the way.
+    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
+        graph.enter(self.carrying.body);
+        let arrived = [&mut self.carrying.needed, &mut self.displaced].map(|[moment, force]| {
+            let lever = graph.cross(shortcut.offset, *force);
+            *moment = graph.add_vectors(*moment, lever);
+            let arrived = shortcut.arrived(graph, *force);
+            *force = graph.zero_vector();
+            arrived
+        });
+        self.arrived = Some(arrived);
     }
 }

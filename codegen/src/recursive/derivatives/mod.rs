@@ -3,7 +3,7 @@
 //! A displacement along a motion moves all that is carried, rigidly and with its relative motions. Seen along with it, the
 //! acceleration of a mass at `r` changes by `A + D × r + 2 u × r_dot`, where for a turn about `e`, in terms of the lower link's
 //! motion, `u = w × e`, `D = alpha × e + w × u` and `A = a × e`; for a translation `D` alone is left, everywhere the same.
-//! A change of the speed changes it by `2 e × r_dot + (w + w') × e × r`, with `w'` after the joint; for a translation by `2 w × e`.
+//! A change of the speed changes it by `2 e × r_dot + ((w + w') × e) × r`, with `w'` after the joint; for a translation by `2 w × e`.
 //!
 //! So a column begins with two wrenches that its masses need more, by its coordinate and by its speed. They pass inward with the
 //! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
@@ -196,17 +196,6 @@ impl Carried<'_, '_> {
         }
     }
 
-    /// Sends the forces of columns on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
-        let (body, columns) = (self.body, &mut self.columns);
-        let n_columns = columns.iter().filter(|own| own.arrived.is_none()).count();
-        if let Some(shortcut) = self.shortcuts.from(graph, body, 2 * n_columns) {
-            for column in columns.iter_mut().filter(|own| own.arrived.is_none()) {
-                column.arrive(graph, &shortcut);
-            }
-        }
-    }
-
     /// Rows and mirrored entries of motions that enter together, of which the columns began last.
     fn read(&mut self, graph: &mut ExprGraph, readers: &[Reader]) {
         let first = self.columns.len() - readers.len();
@@ -272,7 +261,7 @@ impl Passenger for Carried<'_, '_> {
         }
         self.read(graph, &readers);
         if let Drive::Angle(..) = drive {
-            self.take_shortcut(graph);
+            self.shortcuts.send(graph, self.body, &mut self.columns);
         }
         for column in &mut self.columns {
             column.turn(graph, rotation);

@@ -31,6 +31,7 @@ impl Reader {
         let e = graph.unit_vector(axis);
         let u = graph.cross(at.lower.w, e);
         let d = at.lower.u.map(|row| row[axis]);
+        // Couples are of velocities as the inertial frame sees them, not the joint: `2 v × u` is what that adds.
         let (felt, moved) = (graph.cross(at.after.a, e), graph.cross(at.v, u));
         let twice = doubled(graph, at.after.w);
         let (turned, own) = (graph.cross(twice, e), graph.cross(own, e));
