@@ -14,8 +14,8 @@ use super::{Failures, Outcome, json, parse::one_of};
 
 /// Check what is promised of generated functions on their machine code
 ///
-/// Compiles each module with rustc and reads every instruction of its functions. None jumps; none calls anything but the
-/// runtime's sines and cosines, which are read too, so none can panic; none uses memory but what its arguments refer to,
+/// Compiles each module with rustc and reads every instruction of its functions. None jumps, but to touch a large stack page by
+/// page; none calls anything but its own stages and the runtime's sines and cosines, which are read too, so none can panic; none uses memory but what its arguments refer to,
 /// its stack and constants, and no address depends on a value. Standard output gets a table: bytes of machine code, the most
 /// bytes of stack, instructions of a call; and every broken promise, with the instruction. All of it follows from the compiler,
 /// its target and options, and stands in no generated file for that reason; `--format json` is for programs that keep it.

@@ -13,6 +13,8 @@ pub enum Expression {
     Element(ArrayId, usize),
     /// What stands in an argument.
     Entry(Entry),
+    /// What an earlier stage keeps: the stage, and the place among what it keeps.
+    Kept(usize, usize),
     /// `-a`.
     Negative(Box<Expression>),
     /// `|a|`.
@@ -51,6 +53,7 @@ impl Expression {
             | Self::Local(_)
             | Self::Element(..)
             | Self::Entry(_)
+            | Self::Kept(..)
             | Self::Negative(_)
             | Self::Absolute(_)
             | Self::Fused(_) => Binding::Whole,
@@ -60,7 +63,11 @@ impl Expression {
     /// What it is made of, in the order of evaluation.
     pub fn operands(&self) -> &[Expression] {
         match self {
-            Self::Number(_) | Self::Local(_) | Self::Element(..) | Self::Entry(_) => &[],
+            Self::Number(_)
+            | Self::Local(_)
+            | Self::Element(..)
+            | Self::Entry(_)
+            | Self::Kept(..) => &[],
             Self::Negative(a) | Self::Absolute(a) => std::slice::from_ref(a),
             Self::Sum(both)
             | Self::Difference(both)

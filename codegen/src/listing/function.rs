@@ -1,6 +1,6 @@
 //! A function as data: how it is declared, what it costs, what it does.
 
-use super::{Code, Counted, Entry, Facts};
+use super::{Code, Counted, Entry, Facts, Stage};
 use crate::{
     functions::{Access, Argument, Declared, Formulation, Part, Signature},
     program::Operations,
@@ -27,6 +27,8 @@ pub struct Function {
     pub fused: usize,
     /// What it does.
     pub code: Code,
+    /// The same in parts, where it is long.
+    pub stages: Vec<Stage>,
 }
 
 impl Function {
@@ -42,6 +44,7 @@ impl Function {
             operations,
             fused: 0,
             code,
+            stages: Vec::new(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! What every function of a listing must hold; a breach is a bug of ours.
 
-use super::{Code, Entry, Expression, Extent, Facts, Function, Statement};
-use crate::functions::Access;
+use super::{Code, Entry, Expression, Extent, Facts, Function, Stage, Statement};
+use crate::functions::{Access, Signature};
 
 /// A broken promise of a function.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -25,6 +25,9 @@ pub enum Fault {
     /// What is read is not there.
     #[error("{0:?} is read, which is nothing that the function is given")]
     Unreadable(Entry),
+    /// What no earlier stage keeps.
+    #[error("number {1} of what stage {0} keeps is read, which is not there")]
+    NotKept(usize, usize),
     /// An element of an array that it does not have.
     #[error("`{0}` has no element {1}")]
     NoElement(String, usize),
@@ -61,30 +64,19 @@ pub fn verify_facts(facts: &Facts) -> Result<(), Fault> {
 /// # Errors
 /// The first promise that is broken.
 pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
-    let arguments = &function.signature.arguments;
-    let code = &function.code;
-    let locals = code.locals.iter().map(|local| &local.name);
-    let arrays = code.arrays.iter().map(|array| &array.name);
-    let names = arguments.iter().map(|argument| &argument.name);
-    check_names(names.chain(locals).chain(arrays))?;
-    let arguments = arguments.iter().map(|argument| {
-        let extent = facts.extent(argument);
-        let is_stored = match argument.access {
-            Access::Read => None,
-            Access::Written => Some(vec![false; extent.size()]),
-        };
-        Argument { extent, is_stored }
-    });
-    let mut state = State {
-        code,
-        arguments: arguments.collect(),
-        locals: vec![Use::Unassigned; code.locals.len()],
-        arrays: vec![Use::Unassigned; code.arrays.len()],
-    };
-    for statement in &code.statements {
-        state.statement(statement)?;
-    }
-    state.close(function)
+    let whole = State::after(facts, &function.signature, &function.code, &[])?;
+    whole.close()?;
+    let stages = &function.stages;
+    (0..stages.len()).try_for_each(|place| verify_stage(facts, &stages[..place], &stages[place]))
+}
+
+/// What a function's stages store is what it stores itself.
+fn verify_stage(facts: &Facts, before: &[Stage], stage: &Stage) -> Result<(), Fault> {
+    check_names(stage.kept.iter().map(|kept| &kept.name))?;
+    let mut state = State::after(facts, &stage.signature, &stage.code, before)?;
+    let mut kept = stage.kept.iter();
+    kept.try_for_each(|kept| state.read(&kept.value))?;
+    state.close_locals()
 }
 
 fn check_names<'a>(names: impl Iterator<Item = &'a String>) -> Result<(), Fault> {
@@ -118,13 +110,49 @@ struct Argument {
 }
 
 struct State<'a> {
+    signature: &'a Signature,
     code: &'a Code,
+    before: &'a [Stage],
     arguments: Vec<Argument>,
     locals: Vec<Use>,
     arrays: Vec<Use>,
 }
 
-impl State<'_> {
+impl<'a> State<'a> {
+    /// After all statements; `before` are the stages before it, where it is one.
+    fn after(
+        facts: &Facts,
+        signature: &'a Signature,
+        code: &'a Code,
+        before: &'a [Stage],
+    ) -> Result<Self, Fault> {
+        let arguments = &signature.arguments;
+        let locals = code.locals.iter().map(|local| &local.name);
+        let arrays = code.arrays.iter().map(|array| &array.name);
+        let names = arguments.iter().map(|argument| &argument.name);
+        check_names(names.chain(locals).chain(arrays))?;
+        let held = arguments.iter().map(|argument| {
+            let extent = facts.extent(argument);
+            let is_stored = match argument.access {
+                Access::Read => None,
+                Access::Written => Some(vec![false; extent.size()]),
+            };
+            Argument { extent, is_stored }
+        });
+        let mut state = Self {
+            signature,
+            code,
+            before,
+            arguments: held.collect(),
+            locals: vec![Use::Unassigned; code.locals.len()],
+            arrays: vec![Use::Unassigned; code.arrays.len()],
+        };
+        for statement in &code.statements {
+            state.statement(statement)?;
+        }
+        Ok(state)
+    }
+
     fn statement(&mut self, statement: &Statement) -> Result<(), Fault> {
         for value in statement.values() {
             self.read(value)?;
@@ -179,6 +207,13 @@ impl State<'_> {
                 let place = given.and_then(|argument| argument.extent.place(&entry.steps));
                 place.ok_or_else(|| Fault::Unreadable(entry.clone()))?;
             }
+            Expression::Kept(stage, place) => {
+                let kept = self
+                    .before
+                    .get(*stage)
+                    .and_then(|stage| stage.kept.get(*place));
+                kept.ok_or(Fault::NotKept(*stage, *place))?;
+            }
             _ => {}
         }
         let mut operands = value.operands().iter();
@@ -199,15 +234,9 @@ impl State<'_> {
     }
 
     /// Nothing is left to read or to store.
-    fn close(&self, function: &Function) -> Result<(), Fault> {
-        let locals = self.locals.iter().zip(&self.code.locals);
-        let locals = locals.map(|(how, local)| (how, &local.name));
-        let mut unread = locals.filter(|(how, _)| **how != Use::Read);
-        if let Some((_, name)) = unread.next() {
-            return Err(Fault::Unread(name.clone()));
-        }
-        self.close_arrays()?;
-        for (argument, declared) in self.arguments.iter().zip(&function.signature.arguments) {
+    fn close(&self) -> Result<(), Fault> {
+        self.close_locals()?;
+        for (argument, declared) in self.arguments.iter().zip(&self.signature.arguments) {
             let stored = argument.is_stored.as_ref();
             let missing = stored.and_then(|stored| stored.iter().position(|stored| !stored));
             if let Some(place) = missing {
@@ -215,6 +244,17 @@ impl State<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Nothing is left to read.
+    fn close_locals(&self) -> Result<(), Fault> {
+        let locals = self.locals.iter().zip(&self.code.locals);
+        let locals = locals.map(|(how, local)| (how, &local.name));
+        let mut unread = locals.filter(|(how, _)| **how != Use::Read);
+        if let Some((_, name)) = unread.next() {
+            return Err(Fault::Unread(name.clone()));
+        }
+        self.close_arrays()
     }
 
     /// Of sines and cosines that are taken together, one may be of no use, but not both.

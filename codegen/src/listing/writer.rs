@@ -8,6 +8,7 @@ use super::{
     function::places,
     group::Groups,
     name::{self, Counted},
+    stages,
 };
 use crate::{
     compile::{Compiled, Emittable},
@@ -43,6 +44,7 @@ impl<'a> Writer<'a> {
         let signature = request.signature();
         let places = places(&signature, self.facts);
         let code = self.code(program, &signature, places, Counted::InFunction);
+        let stages = stages::of(&signature, &code);
         Function {
             arguments: request.arguments(),
             alone: request.alone().cloned(),
@@ -50,6 +52,7 @@ impl<'a> Writer<'a> {
             formulation: emittable.formulation,
             has_choice: request.formulations().len() > 1,
             fused: program.fused(),
+            stages,
             ..Function::plain(signature, emittable.operations, code)
         }
     }

@@ -2,7 +2,7 @@
 
 use iced_x86::{
     Code, ConstantOffsets, CpuidFeature, Instruction, InstructionInfo, Mnemonic, OpAccess, OpKind,
-    Register, UsedMemory,
+    Register, RflagsBits, UsedMemory,
 };
 
 use super::{
@@ -164,6 +164,9 @@ impl At<'_, '_> {
     /// Does to the registers and the stack what it does to addresses in them.
     pub(super) fn update(&self, info: &InstructionInfo, state: &mut State) {
         let instruction = self.instruction;
+        if instruction.rflags_modified() != RflagsBits::NONE {
+            state.are_equal = self.compared(state);
+        }
         match instruction.mnemonic() {
             // What pushes or pops fewer bytes leaves the stack pointer unknown, below.
             Mnemonic::Push if instruction.stack_pointer_increment() == -8 => {
@@ -227,6 +230,36 @@ impl At<'_, '_> {
                 }
             }
         }
+    }
+
+    /// Whether the addresses of the stack that it compares are one.
+    fn compared(&self, state: &State) -> Option<bool> {
+        if self.instruction.code() != Code::Cmp_r64_rm64
+            && self.instruction.code() != Code::Cmp_rm64_r64
+        {
+            return None;
+        }
+        match [0, 1].map(|number| self.operand(number, state)) {
+            [Content::Stack(one), Content::Stack(other)] => Some(one == other),
+            _ => None,
+        }
+    }
+
+    /// Where it jumps to within its function, if whether it does follows from addresses of the stack alone: a large stack is
+    /// touched page by page.
+    pub(super) fn counted_jump(&self, state: &State) -> Option<u64> {
+        let instruction = self.instruction;
+        let is_taken = match instruction.mnemonic() {
+            Mnemonic::Je => state.are_equal?,
+            Mnemonic::Jne => !state.are_equal?,
+            _ => return None,
+        };
+        let is_near = self.reference(self.offsets.immediate_offset()).is_none();
+        is_near.then_some(if is_taken {
+            instruction.near_branch_target()
+        } else {
+            instruction.next_ip()
+        })
     }
 
     /// Twice the same register, of which the difference is taken.

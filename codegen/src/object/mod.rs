@@ -4,8 +4,9 @@
 //! instructions, and every promise that it breaks, with the instruction.
 //!
 //! What is promised, of every `pub fn` with `#[inline(never)]`, in a scalar that the hardware holds:
-//! - no jump, so each call executes the same instructions, whatever the numbers are;
-//! - no call but of the runtime's sines and cosines, which are held to all of this too; so no way to panic;
+//! - no jump, but to touch a large stack page by page, which depends on no number; so each call executes the same instructions;
+//! - no call but of the runtime's sines and cosines, and of the stages of a long function, which are held to all of this too; so
+//!   no way to panic;
 //! - no memory but what its arguments refer to, its stack and constants, at addresses that no number has a part in.
 //!
 //! Needs: `rustc`, and machine code of x86-64 in ELF. Does not: say how long an instruction takes; compile for other
@@ -120,7 +121,7 @@ pub enum What {
     Jump,
     /// A call that ends in a panic.
     Panic(String),
-    /// A call of anything but the runtime's sines and cosines.
+    /// A call of anything but the runtime's sines and cosines, or a stage of the function.
     Call(String),
     /// Memory that is no constant and belongs to nobody's arguments.
     Static(Option<String>),

@@ -77,6 +77,8 @@ pub(super) struct State {
     aligned: i64,
     /// What was used through arguments, by their numbers.
     pub(super) arguments: BTreeMap<usize, Used>,
+    /// Whether the addresses of the stack that were compared last are one.
+    pub(super) are_equal: Option<bool>,
 }
 
 impl State {
@@ -94,6 +96,7 @@ impl State {
             gap: 0..0,
             aligned: 0,
             arguments: BTreeMap::new(),
+            are_equal: None,
         }
     }
 
@@ -116,10 +119,15 @@ impl State {
         }
     }
 
-    /// What the argument of a number is.
-    pub(super) fn argument(&self, number: usize) -> Content {
-        match ARGUMENTS.get(number) {
-            Some(&register) => self.register(register),
+    /// What the argument of a number is, at a call that pushes so much onto the stack.
+    pub(super) fn argument(&self, number: usize, pushed: i64) -> Content {
+        if let Some(&register) = ARGUMENTS.get(number) {
+            return self.register(register);
+        }
+        let above = i64::try_from(number - ARGUMENTS.len()).unwrap_or(i64::MAX);
+        let above = above.saturating_add(1).saturating_mul(WORD);
+        match self.stack_pointer() {
+            Some(pointer) => self.load(pointer.saturating_add(pushed).saturating_add(above)),
             None => Content::Unknown,
         }
     }

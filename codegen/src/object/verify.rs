@@ -29,6 +29,9 @@ const SINES: [&str; 3] = [
     "kane::sin_cos::",
 ];
 
+/// More pages no stack has.
+const MOST_PAGES: u64 = 1 << 16;
+
 /// Compiles a generated module, and holds its functions to what is promised.
 ///
 /// # Errors
@@ -54,8 +57,8 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
             .location(&symbol)
             .and_then(|location| files.function(location));
         let code = code.ok_or_else(|| Error::Object(format!("`{symbol}` is not in it")))?;
-        generated.insert(code.location);
         let facts = verifier.facts(code);
+        functions.extend(verifier.stages(code.location, &mut generated));
         functions.push(FunctionReport {
             name: root.name,
             ..facts.function
@@ -66,6 +69,19 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
     let mut sines: Vec<FunctionReport> = sines.map(|(_, facts)| facts.function).collect();
     sines.sort_by(|one, other| one.name.cmp(&other.name));
     Ok(Report { functions, sines })
+}
+
+/// The name of a function of the module itself, without its scalar.
+fn name_in_module(name: &str) -> Option<&str> {
+    let name = name.strip_prefix(MODULE)?.strip_prefix("::")?;
+    let (name, scalar) = name.split_once("::").unwrap_or((name, ""));
+    (scalar.is_empty() || scalar.starts_with('<') && scalar.ends_with('>')).then_some(name)
+}
+
+/// True for a stage of a function of the module.
+fn is_stage(name: &str) -> bool {
+    let number = name_in_module(name).and_then(|name| name.rsplit_once("_stage_"));
+    number.is_some_and(|(_, number)| number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 /// What is known of a function.
@@ -98,6 +114,8 @@ impl Verifier<'_, '_> {
             has_returned: false,
             stack: 0,
             arguments: BTreeMap::new(),
+            elsewhere: None,
+            n_back: 0,
         };
         walk.run(code);
         let facts = Facts {
@@ -115,15 +133,35 @@ impl Verifier<'_, '_> {
         facts
     }
 
-    /// The facts of a callee, where it is one of the runtime's sines and cosines.
-    fn of_sines(&mut self, target: &Target) -> Option<Facts> {
+    /// The functions of the module that were read for the one at a location, and not for one before it; with it they are known as
+    /// generated.
+    fn stages(&self, own: Location, generated: &mut BTreeSet<Location>) -> Vec<FunctionReport> {
+        generated.insert(own);
+        let read = self.facts.iter();
+        let read = read.filter(|(_, facts)| is_stage(&facts.function.name));
+        let stages = read.filter(|(location, _)| generated.insert(**location));
+        let mut stages: Vec<FunctionReport> =
+            stages.map(|(_, facts)| facts.function.clone()).collect();
+        for stage in &mut stages {
+            stage.name = name_in_module(&stage.name).unwrap_or_default().to_owned();
+        }
+        // The tenth after the ninth.
+        stages.sort_by(|one, other| {
+            (one.name.len(), &one.name).cmp(&(other.name.len(), &other.name))
+        });
+        stages
+    }
+
+    /// The facts of a callee, where it is one of the runtime's sines and cosines, or a stage of a function.
+    fn of_callee(&mut self, target: &Target) -> Option<Facts> {
         let Target::Function(location) = *target else {
             return None;
         };
         let name = self.files.name(location);
         let is_sine = SINES.iter().any(|start| name.starts_with(start));
+        let is_known = is_sine || is_stage(name);
         let code = self.files.function(location);
-        let code = code.filter(|_| is_sine && !self.open.contains(&location))?;
+        let code = code.filter(|_| is_known && !self.open.contains(&location))?;
         Some(self.facts(code))
     }
 }
@@ -138,6 +176,10 @@ struct Walk<'v, 'a, 'data> {
     has_returned: bool,
     stack: u64,
     arguments: BTreeMap<usize, Used>,
+    /// Where it goes on, if not at the next instruction.
+    elsewhere: Option<u64>,
+    /// How often it went back.
+    n_back: u64,
 }
 
 impl Walk<'_, '_, '_> {
@@ -157,6 +199,12 @@ impl Walk<'_, '_, '_> {
             };
             for what in self.step(&at, &mut factory) {
                 self.broken(&instruction, what);
+            }
+            let elsewhere = self.elsewhere.take();
+            if let Some(offset) = elsewhere.and_then(|ip| usize::try_from(ip).ok())
+                && decoder.set_position(offset).is_ok()
+            {
+                decoder.set_ip(offset as u64);
             }
         }
         self.record();
@@ -190,7 +238,7 @@ impl Walk<'_, '_, '_> {
     fn call(&mut self, at: &At<'_, '_>, pushed: i64) -> Vec<What> {
         let target = at.callee(self.state.as_ref());
         let target = target.unwrap_or_else(|| Target::Other("itself".to_owned()));
-        let Some(callee) = self.verifier.of_sines(&target) else {
+        let Some(callee) = self.verifier.of_callee(&target) else {
             let name = match target {
                 Target::Function(location) => self.verifier.files.name(location).to_owned(),
                 Target::Other(name) => name,
@@ -214,7 +262,7 @@ impl Walk<'_, '_, '_> {
         let mut broken = Vec::new();
         for (&number, used) in &callee.arguments {
             let Range { start, end } = used.bytes;
-            broken.extend(match state.argument(number).plus(start) {
+            broken.extend(match state.argument(number, pushed).plus(start) {
                 // There the callee's own stack is.
                 Content::Stack(offset) if offset < pointer => Some(What::Stack),
                 address => check_address(address, end.saturating_sub(start), used.writes, state),
@@ -229,6 +277,12 @@ impl Walk<'_, '_, '_> {
 
     /// A jump.
     fn jump(&mut self, at: &At<'_, '_>) -> Vec<What> {
+        let counted = self.state.as_ref().and_then(|state| at.counted_jump(state));
+        if let Some(offset) = counted.filter(|_| self.n_back < MOST_PAGES) {
+            self.n_back += u64::from(offset < at.instruction.ip());
+            self.elsewhere = Some(offset);
+            return Vec::new();
+        }
         let is_last = at.instruction.flow_control() != FlowControl::ConditionalBranch;
         match at.callee(self.state.as_ref()) {
             // Out of the function and not back: a call and a return in one.

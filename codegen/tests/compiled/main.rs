@@ -5,3 +5,5 @@
 mod beside;
 #[cfg(all(feature = "object", target_arch = "x86_64", target_os = "linux"))]
 mod object;
+#[cfg(all(feature = "object", target_arch = "x86_64", target_os = "linux"))]
+mod stages;

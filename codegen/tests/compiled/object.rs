@@ -34,7 +34,7 @@ fn runtime(options: &Options) -> Runtime {
 }
 
 /// The report on a module's text, as a release build compiles it.
-fn report(text: &str) -> Report {
+pub(crate) fn report(text: &str) -> Report {
     static RUNTIME: OnceLock<Runtime> = OnceLock::new();
     let runtime = RUNTIME.get_or_init(|| runtime(&RELEASE));
     let folder = tempfile::tempdir().unwrap();
@@ -43,7 +43,7 @@ fn report(text: &str) -> Report {
     verify(runtime, &path).unwrap()
 }
 
-fn assert_holds(report: &Report, what: &str) {
+pub(crate) fn assert_holds(report: &Report, what: &str) {
     for function in report.all() {
         let (name, breaches) = (&function.name, &function.breaches);
         assert!(breaches.is_empty(), "{what}, {name}: {breaches:#?}");

@@ -101,8 +101,11 @@ impl<'ast> Visit<'ast> for Found {
                     | "R::abs"
                     | "core::sync::atomic::compiler_fence",
                 ) => {}
+                Some(stage) if stage.starts_with("self::") && stage.contains("_stage_") => {}
                 other => self.add(format!("a call of {other:?}")),
             },
+            // What a stage keeps, for later ones.
+            syn::Expr::Reference(given) if given.mutability.is_none() => {}
             syn::Expr::Index(index) => {
                 let is_integer = matches!(&*index.index, syn::Expr::Lit(literal) if matches!(literal.lit, syn::Lit::Int(_)));
                 if !is_integer {
@@ -210,7 +213,7 @@ fn generated_functions_are_straight_lines_of_arithmetic() {
                 let mut found = Found::default();
                 found.visit_block(body);
                 assert!(found.0.is_empty(), "{name}, {function}: {:?}", found.0);
-                n_functions += 1;
+                n_functions += usize::from(!function.contains("_stage_"));
             }
         }
         assert_eq!(n_functions, CATALOGUE.len() + 1, "{name}");

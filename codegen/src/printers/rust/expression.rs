@@ -7,17 +7,37 @@ use syn::{
 };
 
 use super::{syntax, text::ident};
-use crate::listing::{Binding, Entry, Expression, Facts, Function, LocalId, Member, Step};
+use crate::{
+    functions::Signature,
+    listing::{Binding, Code, Entry, Expression, Facts, Function, LocalId, Member, Stage, Step},
+};
 
 /// What a function's names are known from.
 pub(super) struct Writer<'a> {
     pub(super) facts: &'a Facts,
-    pub(super) function: &'a Function,
+    signature: &'a Signature,
+    pub(super) code: &'a Code,
+    /// The stages of the function, where this is one.
+    stages: &'a [Stage],
 }
 
 impl<'a> Writer<'a> {
     pub(super) fn new(facts: &'a Facts, function: &'a Function) -> Self {
-        Self { facts, function }
+        Self {
+            facts,
+            signature: &function.signature,
+            code: &function.code,
+            stages: &[],
+        }
+    }
+
+    pub(super) fn of_stage(facts: &'a Facts, stages: &'a [Stage], stage: &'a Stage) -> Self {
+        Self {
+            facts,
+            signature: &stage.signature,
+            code: &stage.code,
+            stages,
+        }
     }
 
     pub(super) fn expression(&self, expression: &Expression) -> Expr {
@@ -33,10 +53,15 @@ impl<'a> Writer<'a> {
             Expression::Number(value) => number(*value),
             Expression::Local(id) => syntax::name(&self.local(*id)),
             Expression::Element(id, place) => {
-                let array = ident(&self.function.code.array(*id).name);
+                let array = ident(&self.code.array(*id).name);
                 syntax::index(syntax::name(&array), *place)
             }
             Expression::Entry(entry) => self.entry(entry),
+            Expression::Kept(stage, place) => {
+                let stage = &self.stages[*stage];
+                let kept = syntax::name(&ident(&stage.keeps));
+                syntax::field(kept, &ident(&stage.kept[*place].name))
+            }
             Expression::Negative(a) => syntax::negative(self.bound(a, Binding::Whole)),
             Expression::Absolute(a) => self.call("abs", std::slice::from_ref(a)),
             Expression::Sum(both) => infix(both, BinOp::Add(Plus::default()), in_sum),
@@ -64,12 +89,12 @@ impl<'a> Writer<'a> {
     }
 
     pub(super) fn local(&self, id: LocalId) -> Ident {
-        ident(&self.function.code.local(id).name)
+        ident(&self.code.local(id).name)
     }
 
     /// Where a number of an argument stands.
     pub(super) fn entry(&self, entry: &Entry) -> Expr {
-        let argument = &self.function.signature.arguments[entry.argument];
+        let argument = &self.signature.arguments[entry.argument];
         let argument = syntax::name(&ident(&argument.name));
         if entry.steps.is_empty() {
             return syntax::dereferenced(argument);

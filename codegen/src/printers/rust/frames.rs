@@ -48,7 +48,7 @@ pub(super) fn types(module: &Module) -> Option<Item> {
 }
 
 /// `Tool0` for `tool0`; digits that begin a word keep their distance, so that no two names become one.
-fn type_name(identifier: &str) -> String {
+pub(super) fn type_name(identifier: &str) -> String {
     let mut name = String::new();
     for word in identifier.split('_') {
         let mut characters = word.chars();

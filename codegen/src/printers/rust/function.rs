@@ -7,7 +7,7 @@ use syn::{Item, ItemFn, parse_quote};
 use super::{
     constants,
     expression::Writer,
-    frames, signature, statements,
+    frames, signature, stages, statements,
     text::{allow_generated, doc, ident},
 };
 use crate::{
@@ -28,6 +28,7 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
     let mut items = pattern.map_or_else(Vec::new, |pattern| {
         constants::items(&facts.pattern_constants(pattern))
     });
+    items.extend(stages::items(facts, &function.stages));
     items.push(item(facts, function));
     items.extend(
         function
@@ -54,7 +55,10 @@ pub(super) fn item(facts: &Facts, function: &Function) -> Item {
         #[inline(never)]
         pub fn #name<R: kane::Real>(#(#arguments),*) {}
     };
-    item.block.stmts = statements::of(&Writer::new(facts, function));
+    item.block.stmts = match &function.stages[..] {
+        [] => statements::of(&Writer::new(facts, function)),
+        stages => stages::calls(stages),
+    };
     Item::Fn(item)
 }
 

@@ -13,6 +13,7 @@ mod interface;
 mod module;
 mod self_test;
 mod signature;
+mod stages;
 mod statements;
 mod structures;
 mod syntax;

@@ -18,7 +18,7 @@ pub(super) fn without_stores(writer: &Writer<'_>) -> Vec<Stmt> {
 }
 
 fn those(writer: &Writer<'_>, is_wanted: impl Fn(&Statement) -> bool) -> Vec<Stmt> {
-    let code = &writer.function.code;
+    let code = writer.code;
     let declarations = Declarations::of(code);
     let mut printed = Vec::with_capacity(code.statements.len());
     for statement in code.statements.iter().filter(|one| is_wanted(one)) {
@@ -65,7 +65,7 @@ fn print(
             sines,
             cosines,
         } => {
-            let code = &writer.function.code;
+            let code = writer.code;
             let names = [sines, cosines].map(|&id| code.array(id).name.as_str());
             printed.push(sin_cos_array(writer, names, angles));
         }

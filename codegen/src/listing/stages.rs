@@ -1,0 +1,372 @@
+//! Long functions as several, called one after the other: a compiler's time and memory grow faster than what it compiles.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ops::Range,
+};
+
+use super::{Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement};
+use crate::functions::Signature;
+
+/// Longer functions have stages. They are beyond what a person reads line by line: a new body moves where stages end.
+const LONGEST: usize = 12_000;
+
+/// So many statements a stage has, or up to twice as many: it ends where those of another body begin.
+const STAGE: usize = 2_000;
+
+/// A part of a long function.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// How it is declared: it is given those of the function's arguments that it needs.
+    pub signature: Signature,
+    /// The earlier stages, by their places, of which it needs what they keep.
+    pub earlier: Vec<usize>,
+    /// What it does.
+    pub code: Code,
+    /// What the function calls what it returns.
+    pub keeps: String,
+    /// What it returns for later stages.
+    pub kept: Vec<Kept>,
+}
+
+/// A number that passes from stage to stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kept {
+    /// Its name.
+    pub name: String,
+    /// A local, or an element of a local array.
+    pub value: Expression,
+}
+
+/// The stages of a function, in order; none where it is short.
+pub(super) fn of(signature: &Signature, code: &Code) -> Vec<Stage> {
+    let ranges = ranges(code);
+    if ranges.len() < 2 {
+        return Vec::new();
+    }
+    let flow = Flow::of(code, &ranges);
+    let stages = ranges.into_iter().enumerate().map(|(number, range)| {
+        let cut = Cut::new(signature, code, &flow, number, range);
+        cut.stage()
+    });
+    stages.collect()
+}
+
+/// Where the stages' statements are.
+fn ranges(code: &Code) -> Vec<Range<usize>> {
+    let n_statements = code.statements.len();
+    if n_statements <= LONGEST {
+        return Vec::new();
+    }
+    let mut ranges = Vec::new();
+    let (mut first, mut body) = (0, None);
+    for (place, statement) in code.statements.iter().enumerate() {
+        let Some(local) = statement.assigned().next() else {
+            continue;
+        };
+        let own = code.local(local).body;
+        let length = place - first;
+        if length >= 2 * STAGE || length >= STAGE && own != body {
+            ranges.push(first..place);
+            first = place;
+        }
+        body = own;
+    }
+    ranges.push(first..n_statements);
+    ranges
+}
+
+/// What a stage may hand on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Value {
+    Element(ArrayId, usize),
+    Local(LocalId),
+}
+
+impl Value {
+    fn of(expression: &Expression) -> Option<Self> {
+        match *expression {
+            Expression::Local(id) => Some(Self::Local(id)),
+            Expression::Element(id, place) => Some(Self::Element(id, place)),
+            _ => None,
+        }
+    }
+}
+
+/// What passes from stage to stage.
+struct Flow {
+    /// The stage that assigns each local.
+    locals: Vec<usize>,
+    /// The stage that assigns each array.
+    arrays: Vec<usize>,
+    /// What each stage keeps for later ones.
+    kept: Vec<Vec<Value>>,
+}
+
+impl Flow {
+    fn of(code: &Code, ranges: &[Range<usize>]) -> Self {
+        let mut flow = Self {
+            locals: vec![0; code.locals.len()],
+            arrays: vec![0; code.arrays.len()],
+            kept: Vec::new(),
+        };
+        let mut kept = vec![BTreeSet::new(); ranges.len()];
+        for (stage, range) in ranges.iter().enumerate() {
+            for statement in &code.statements[range.clone()] {
+                for local in statement.assigned() {
+                    flow.locals[local.index()] = stage;
+                }
+                if let Statement::SinCosArray { sines, cosines, .. } = statement {
+                    flow.arrays[sines.index()] = stage;
+                    flow.arrays[cosines.index()] = stage;
+                }
+                for_each(statement, &mut |expression| {
+                    if let Some(value) = Value::of(expression)
+                        && flow.stage(value) < stage
+                    {
+                        kept[flow.stage(value)].insert(value);
+                    }
+                });
+            }
+        }
+        flow.kept = kept
+            .into_iter()
+            .map(|values| values.into_iter().collect())
+            .collect();
+        flow
+    }
+
+    /// The stage that assigns a value.
+    fn stage(&self, value: Value) -> usize {
+        match value {
+            Value::Local(id) => self.locals[id.index()],
+            Value::Element(id, _) => self.arrays[id.index()],
+        }
+    }
+}
+
+/// The name, or one like it that no local and no array has.
+fn free(code: &Code, mut name: String) -> String {
+    let is_taken = |name: &String| {
+        let mut locals = code.locals.iter().map(|local| &local.name);
+        let mut arrays = code.arrays.iter().map(|array| &array.name);
+        locals.any(|other| other == name) || arrays.any(|other| other == name)
+    };
+    while is_taken(&name) {
+        name.push('_');
+    }
+    name
+}
+
+/// Visits all expressions of a statement, and what they are made of.
+fn for_each<'a>(statement: &'a Statement, visit: &mut impl FnMut(&'a Expression)) {
+    let mut open: Vec<&Expression> = statement.values().iter().collect();
+    while let Some(expression) = open.pop() {
+        visit(expression);
+        open.extend(expression.operands());
+    }
+}
+
+/// One stage while it is cut out of its function.
+struct Cut<'a> {
+    signature: &'a Signature,
+    whole: &'a Code,
+    flow: &'a Flow,
+    number: usize,
+    range: Range<usize>,
+    /// The function's arguments that it has, by their places.
+    given: Vec<usize>,
+    /// The stages whose kept values it has.
+    earlier: Vec<usize>,
+    locals: BTreeMap<LocalId, LocalId>,
+    arrays: BTreeMap<ArrayId, ArrayId>,
+    code: Code,
+}
+
+impl<'a> Cut<'a> {
+    fn new(
+        signature: &'a Signature,
+        whole: &'a Code,
+        flow: &'a Flow,
+        number: usize,
+        range: Range<usize>,
+    ) -> Self {
+        let (mut given, mut earlier) = (BTreeSet::new(), BTreeSet::new());
+        for statement in &whole.statements[range.clone()] {
+            given.extend(statement.stored().map(|entry| entry.argument));
+            for_each(statement, &mut |expression| {
+                if let Expression::Entry(entry) = expression {
+                    given.insert(entry.argument);
+                }
+                let stage = Value::of(expression).map(|value| flow.stage(value));
+                earlier.extend(stage.filter(|stage| *stage < number));
+            });
+        }
+        Self {
+            signature,
+            whole,
+            flow,
+            number,
+            range,
+            given: given.into_iter().collect(),
+            earlier: earlier.into_iter().collect(),
+            locals: BTreeMap::new(),
+            arrays: BTreeMap::new(),
+            code: Code::default(),
+        }
+    }
+
+    fn stage(mut self) -> Stage {
+        for statement in &self.whole.statements[self.range.clone()] {
+            let statement = self.statement(statement);
+            self.code.statements.push(statement);
+        }
+        let kept = self.flow.kept[self.number].iter();
+        let kept = kept.map(|value| match *value {
+            Value::Local(id) => Kept {
+                name: self.whole.local(id).name.clone(),
+                value: Expression::Local(self.locals[&id]),
+            },
+            Value::Element(id, place) => Kept {
+                name: free(self.whole, format!("{}_{place}", self.whole.array(id).name)),
+                value: Expression::Element(self.arrays[&id], place),
+            },
+        });
+        let number = self.number + 1;
+        Stage {
+            kept: kept.collect(),
+            keeps: free(self.whole, format!("kept_{number}")),
+            signature: self.declared(number),
+            earlier: self.earlier,
+            code: self.code,
+        }
+    }
+
+    fn declared(&self, number: usize) -> Signature {
+        let name = &self.signature.name;
+        let given = self.given.iter();
+        let given = given.map(|&place| self.signature.arguments[place].clone());
+        Signature {
+            name: format!("{name}_stage_{number}"),
+            doc: vec![format!("Stage {number} of `{name}`.")],
+            tables: Vec::new(),
+            arguments: given.collect(),
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement) -> Statement {
+        match statement {
+            Statement::Assign { local, value } => {
+                let value = self.expression(value);
+                let local = self.local(*local);
+                Statement::Assign { local, value }
+            }
+            Statement::SinCos {
+                angle,
+                sine,
+                cosine,
+            } => {
+                let angle = self.expression(angle);
+                let [sine, cosine] = [sine, cosine].map(|id| id.map(|id| self.local(id)));
+                Statement::SinCos {
+                    angle,
+                    sine,
+                    cosine,
+                }
+            }
+            Statement::SinCosArray {
+                angles,
+                sines,
+                cosines,
+            } => {
+                let angles = angles.iter().map(|angle| self.expression(angle)).collect();
+                let [sines, cosines] = [sines, cosines].map(|&id| self.array(id));
+                Statement::SinCosArray {
+                    angles,
+                    sines,
+                    cosines,
+                }
+            }
+            Statement::StoreSinCos {
+                angles,
+                sines,
+                cosines,
+            } => Statement::StoreSinCos {
+                angles: angles.iter().map(|angle| self.expression(angle)).collect(),
+                sines: sines.iter().map(|entry| self.entry(entry)).collect(),
+                cosines: cosines.iter().map(|entry| self.entry(entry)).collect(),
+            },
+            Statement::Store { place, value } => {
+                let value = self.expression(value);
+                let place = self.entry(place);
+                Statement::Store { place, value }
+            }
+            Statement::Fence => Statement::Fence,
+        }
+    }
+
+    /// A local of the stage for one of the function.
+    fn local(&mut self, id: LocalId) -> LocalId {
+        let own = LocalId::new(self.code.locals.len());
+        self.code.locals.push(Local::clone(self.whole.local(id)));
+        self.locals.insert(id, own);
+        own
+    }
+
+    fn array(&mut self, id: ArrayId) -> ArrayId {
+        let own = ArrayId::new(self.code.arrays.len());
+        self.code.arrays.push(Array::clone(self.whole.array(id)));
+        self.arrays.insert(id, own);
+        own
+    }
+
+    fn entry(&self, entry: &Entry) -> Entry {
+        let argument = self.given.binary_search(&entry.argument);
+        Entry {
+            argument: argument.unwrap_or_else(|_| unreachable!("listing: an argument not given")),
+            steps: entry.steps.clone(),
+        }
+    }
+
+    /// What an earlier stage keeps.
+    fn kept(&self, value: Value) -> Expression {
+        let stage = self.flow.stage(value);
+        let place = self.flow.kept[stage].binary_search(&value);
+        let place = place.unwrap_or_else(|_| unreachable!("listing: {value:?} is not kept"));
+        Expression::Kept(stage, place)
+    }
+
+    /// The same on the stage's own locals; what earlier stages keep is read where it is first needed.
+    fn expression(&mut self, expression: &Expression) -> Expression {
+        match expression {
+            Expression::Number(_) | Expression::Kept(..) => expression.clone(),
+            Expression::Local(id) => {
+                if let Some(&own) = self.locals.get(id) {
+                    return Expression::Local(own);
+                }
+                let value = self.kept(Value::Local(*id));
+                let local = self.local(*id);
+                self.code
+                    .statements
+                    .push(Statement::Assign { local, value });
+                Expression::Local(local)
+            }
+            Expression::Element(id, place) => match self.arrays.get(id) {
+                Some(&own) => Expression::Element(own, *place),
+                None => self.kept(Value::Element(*id, *place)),
+            },
+            Expression::Entry(entry) => Expression::Entry(self.entry(entry)),
+            Expression::Negative(a) => Expression::Negative(Box::new(self.expression(a))),
+            Expression::Absolute(a) => Expression::Absolute(Box::new(self.expression(a))),
+            Expression::Sum(both) => Expression::Sum(self.all(both)),
+            Expression::Difference(both) => Expression::Difference(self.all(both)),
+            Expression::Product(both) => Expression::Product(self.all(both)),
+            Expression::Quotient(both) => Expression::Quotient(self.all(both)),
+            Expression::Fused(all) => Expression::Fused(self.all(all)),
+        }
+    }
+
+    fn all<const N: usize>(&mut self, operands: &[Expression; N]) -> Box<[Expression; N]> {
+        Box::new(operands.each_ref().map(|operand| self.expression(operand)))
+    }
+}
