@@ -43,7 +43,6 @@ pub use module::Module;
 pub use name::RESERVED;
 pub(crate) use size::N_ANGLES;
 pub use size::{Size, Sizes};
-pub use stated::Counted;
-pub(crate) use stated::{nominal, read_nominal};
+pub use stated::{Counted, nominal, read_nominal};
 pub use statement::{Code, Statement};
 pub use verify::{Fault, verify, verify_facts};
