@@ -22,7 +22,7 @@ pub mod id;
 pub mod limits;
 pub mod number;
 mod random;
-mod threads;
+pub mod threads;
 // What languages reserve.
 mod words;
 // What can be wrong, and how it is shown.
@@ -36,7 +36,7 @@ pub mod expr;
 // How they change with what they are made of.
 pub mod differentiate;
 // Numbers for what is found or tested by numbers.
-mod drawn;
+pub mod drawn;
 pub mod partition;
 // The solution of the linear system.
 pub mod solve;
@@ -82,7 +82,7 @@ pub mod output;
 // Cargo.
 pub mod build_script;
 // Rust of any depth, read or refused.
-mod rust;
+pub mod rust;
 // What is known of a system, and what changed in a module, for people to read.
 pub mod report;
 // What is promised of a module's machine code.

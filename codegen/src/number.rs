@@ -143,38 +143,15 @@ impl Neg for Rounded {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Number, Rounded, UNIT};
-
-    fn exact(value: f64) -> Rounded {
-        Rounded::exact(value)
-    }
-
-    #[test]
-    fn what_cancels_keeps_the_errors_of_its_terms() {
-        let product = exact(1.0 + f64::EPSILON) * exact(1.0 - f64::EPSILON / 2.0);
-        let rest = product + exact(-1.0);
-        let exact = f64::EPSILON / 2.0 - f64::EPSILON * f64::EPSILON / 2.0;
-        assert!((rest.value - exact).abs() <= rest.error);
-        assert!(rest.error < 3.0 * UNIT);
-    }
-
-    #[test]
-    fn a_division_by_what_is_nearly_nothing_multiplies_its_error() {
-        let divisor = (exact(1.0) * exact(3.0) + exact(-3.0 + 1e-9)).error / 1e-9;
-        let quotient = exact(1.0) / (exact(1.0) * exact(3.0) + exact(-3.0 + 1e-9));
-        assert!(quotient.error > divisor * quotient.value.abs() / 2.0);
-    }
-
-    #[test]
-    fn sines_have_the_error_of_their_angle_where_they_rise() {
-        let angle = Rounded {
-            value: 0.5,
-            error: 1e-3,
-        };
-        let (sin, cos) = angle.sin_cos();
-        assert!((sin.error - 1e-3 * libm::cos(0.5)).abs() < 1e-9);
-        assert!((cos.error - 1e-3 * libm::sin(0.5)).abs() < 1e-9);
+/// The least number of one digit that is not below a tolerance.
+pub fn one_digit(tolerance: f64) -> f64 {
+    let nearest = format!("{tolerance:.0e}");
+    let next = |(digit, exponent): (&str, &str)| {
+        let digit = digit.parse::<u32>().ok()? + 1;
+        format!("{digit}e{exponent}").parse().ok()
+    };
+    match nearest.parse() {
+        Ok(number) if number >= tolerance => number,
+        _ => nearest.split_once('e').and_then(next).unwrap_or(tolerance),
     }
 }

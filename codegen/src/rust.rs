@@ -7,12 +7,15 @@ use syn::{Error, File, Result};
 
 /// The most tokens that stand open: in each group around a place those since what ended last, an item, a statement or an
 /// entry of a list. Our own modules have two thousand.
-const MOST_OPEN: usize = 10_000;
+pub const MOST_OPEN: usize = 10_000;
 /// What these need of a stack.
 const STACK: usize = 256 << 20;
 
 /// What `work` makes of a text, or why it is no Rust that can be read. It has no `#!` line: a module begins with its banner.
-pub(crate) fn read<T: Send>(text: &str, work: impl FnOnce(File) -> T + Send) -> Result<T> {
+///
+/// # Errors
+/// Syntax that is none, or nested deeper than [`MOST_OPEN`] tokens.
+pub fn read<T: Send>(text: &str, work: impl FnOnce(File) -> T + Send) -> Result<T> {
     let read = || {
         let tokens: TokenStream = text.parse()?;
         check_depth(tokens.clone())?;
@@ -106,51 +109,4 @@ fn check_depth(tokens: TokenStream) -> Result<()> {
         }
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{MOST_OPEN, read};
-
-    #[test]
-    fn syntax_nested_too_deep_is_an_error() {
-        let many = |text: &str| text.repeat(200_000);
-        for deep in [
-            format!("const A: f64 = {}1{};", many("("), many(")")),
-            format!("const A: f64 = {}1;", many("-")),
-            format!("const A: f64 = 1{};", many("+1")),
-            format!("const A: f64 = {{1}}{};", many("+{1}")),
-            format!("const A: {}u8 = 1;", many("&")),
-            format!("const A: {}", many("B<u8, ")),
-            format!("const A: {}", many("B<fn() -> u8, ")),
-            format!("fn a() -> {}", many("B<{1}, ")),
-            format!("const A: f64 = {}1;", many("|a, b| ")),
-            format!("fn a() {{ {} }}", many("if a {} else ")),
-        ] {
-            let error = read(&deep, drop).unwrap_err().to_string();
-            assert_eq!(error, "nested too deep", "{}", &deep[..40]);
-        }
-        // A first line that is no Rust hides nothing.
-        let hidden = format!("#!'\nconst A: f64 = {}1;", many("-"));
-        assert!(read(&hidden, drop).is_err());
-    }
-
-    #[test]
-    fn syntax_that_is_only_long_is_read() {
-        let many = |text: &str| text.repeat(MOST_OPEN);
-        for wide in [
-            format!("const A: [f64; 10000] = [{}];", many("1.0, ")),
-            many("#[doc = \"a\"] fn a<A: B<C>>(a: &A) -> A { a }\n"),
-            many("struct A; impl A { fn a() {} }\n"),
-            format!("fn a() {{ {} }}", many("let a = b < c;")),
-        ] {
-            let read = read(&wide, drop);
-            assert!(read.is_ok(), "{}: {:?}", &wide[..40], read);
-        }
-    }
-
-    #[test]
-    fn byte_order_mark_is_no_syntax() {
-        assert!(read("\u{feff}fn a() {}", drop).is_ok());
-    }
 }

@@ -9,7 +9,7 @@ const STACK: usize = 8 << 20;
 ///
 /// # Panics
 /// Where `work` does.
-pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+pub fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let work = &work;
     thread::scope(|scope| {
         let started: Vec<_> = items
@@ -29,18 +29,4 @@ pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) 
         });
         results.collect()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn results_are_in_the_order_of_the_items() {
-        let items: Vec<u64> = (0..20).collect();
-        // The first take longest.
-        let squares = super::map(&items, |item| {
-            std::thread::sleep(std::time::Duration::from_millis(20 - item));
-            item * item
-        });
-        assert!(squares.into_iter().eq((0..20).map(|item| item * item)));
-    }
 }

@@ -1,6 +1,6 @@
 //! Values of parameters and coordinates that are drawn, for what is found or tested by numbers.
 
-pub(crate) mod parameters;
+pub mod parameters;
 mod quaternions;
 
 pub(crate) use quaternions::with_unit_quaternions;

@@ -14,13 +14,13 @@ const ROUNDING: f64 = 1e-9;
 const HALVINGS: i32 = 8;
 
 /// The values of the model.
-pub(crate) fn nominal(tree: &Tree) -> Vec<f64> {
+pub fn nominal(tree: &Tree) -> Vec<f64> {
     let parameters = tree.parameters.iter();
     parameters.map(|parameter| parameter.nominal).collect()
 }
 
 /// Each value changed by a part of its own: of itself, or where it is zero of what the model has of its kind.
-pub(crate) fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
+pub fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
     let (units, mut random) = (Units::of(tree), Random::new(seed));
     let changed = |parameter: &Parameter| match parameter.nominal {
         0.0 => random.part() * scale(tree, &units, parameter.unit),
@@ -114,89 +114,9 @@ fn second_moments([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 6] {
     [half - xx, half - yy, half - zz, -xy, -xz, -yz]
 }
 
-/// True for the inertia of a real body: principal moments obey the triangle inequality, so none is negative.
-fn is_real(tensor: [f64; 6]) -> bool {
+/// True for the inertia of a real body, xx, yy, zz, xy, xz, yz, kg m²: principal moments obey the triangle inequality, so none is negative.
+pub fn is_real(tensor: [f64; 6]) -> bool {
     let (moments, _) = principal(second_moments(tensor));
     let largest = moments.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     moments.iter().all(|&moment| moment >= -ROUNDING * largest)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{changed, is_real, nominal};
-    use crate::{
-        description::toml,
-        diagnostic::Source,
-        tree::{Tree, build},
-    };
-
-    /// A body of which much is a parameter, and much zero.
-    fn tree(inertia: &str) -> Tree {
-        let text = format!(
-            "name = \"one\"\n\
-             gravity = [{{ runtime = 0.0 }}, 0.0, {{ runtime = -9.81 }}]\n\
-             lower_bodies = [0]\n\
-             [[body]]\n\
-             name = \"one\"\n\
-             mass = {{ runtime = 2.0 }}\n\
-             mass_center = [{{ runtime = 0.0 }}, 0.0, {{ runtime = -0.5 }}]\n\
-             inertia = {{ {inertia} }}\n\
-             attachment = [0.0, 0.0, 0.0]\n\
-             joint = [\"theta1\", \"s2\"]\n"
-        );
-        let checked = build(&toml::parse(&Source::new("one.toml", text)));
-        checked.expect("a sound description").tree
-    }
-
-    const ALL: &str = "xx = { runtime = 0.0 }, yy = { runtime = 0.3 }, zz = { runtime = 0.3 }, \
-                       xy = { runtime = 0.0 }, xz = { runtime = 0.0 }, yz = { runtime = 0.0 }";
-
-    /// The components of the only part, xx first, with these values of the parameters.
-    fn inertia(tree: &Tree, values: &[f64]) -> [f64; 6] {
-        let mut given = tree.clone();
-        for (parameter, &value) in given.parameters.iter_mut().zip(values) {
-            parameter.nominal = value;
-        }
-        let of = &given.bodies[0].parts[0].inertia;
-        [of.xx, of.yy, of.zz, of.xy, of.xz, of.yz].map(|component| given.nominal(component))
-    }
-
-    #[test]
-    fn no_changed_value_is_zero_or_its_nominal_one() {
-        let tree = tree(ALL);
-        for seed in 1..100 {
-            for (changed, nominal) in changed(&tree, seed).into_iter().zip(nominal(&tree)) {
-                assert!(changed != 0.0, "zero for {nominal}");
-                assert!((changed - nominal).abs() > 1e-4, "{changed} for {nominal}");
-            }
-        }
-    }
-
-    #[test]
-    fn value_that_f64_cannot_hold_changed_stays_the_nominal_one() {
-        let mut tree = tree(ALL);
-        let largest = tree.parameters.iter().position(|one| one.unit == "kg");
-        let largest = largest.expect("a mass");
-        tree.parameters[largest].nominal = 1.75e308;
-        assert_eq!(changed(&tree, 1)[largest], 1.75e308);
-    }
-
-    #[test]
-    fn changed_inertias_are_those_of_real_bodies() {
-        let rod = "xx = 0.0, yy = { runtime = 0.3 }, zz = { runtime = 0.3 }, xy = 0.0, xz = 0.0, yz = 0.0";
-        let plate = "xx = 0.2, yy = 0.104, zz = 0.1, xy = { runtime = 0.0 }, xz = 0.0, yz = { runtime = 0.02 }";
-        for tree in [ALL, rod, plate].map(tree) {
-            for seed in 1..100 {
-                let tensor = inertia(&tree, &changed(&tree, seed));
-                assert!(is_real(tensor), "seed {seed}: {tensor:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn what_no_real_body_has_is_told() {
-        assert!(is_real([0.0, 0.3, 0.3, 0.0, 0.0, 0.0]));
-        assert!(!is_real([0.0, 0.3, 0.4, 0.0, 0.0, 0.0]));
-        assert!(!is_real([0.1, 0.3, 0.3, 0.2, 0.0, 0.0]));
-    }
 }

@@ -28,7 +28,7 @@ mod request_error;
 mod shape;
 mod signature;
 mod subject;
-mod syntax;
+pub mod syntax;
 mod terms;
 mod user_axes;
 mod variable;

@@ -14,24 +14,30 @@
 use std::ops::Range;
 
 /// What stands after a request whose function is given sines and cosines.
-pub(super) const AT_SIN_COS: &str = "(sin_cos)";
+pub const AT_SIN_COS: &str = "(sin_cos)";
 
 /// A request.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Sum {
-    pub(super) parts: Vec<Part>,
-    pub(super) at_sin_cos: bool,
+pub struct Sum {
+    /// What is asked for together, in order.
+    pub parts: Vec<Part>,
+    /// True where the function is given sines and cosines.
+    pub at_sin_cos: bool,
 }
 
 /// A part of a request, and the place where it is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Part {
-    pub(super) kind: Kind,
-    pub(super) place: Range<usize>,
+pub struct Part {
+    /// What it asks for.
+    pub kind: Kind,
+    /// Its bytes in the request.
+    pub place: Range<usize>,
 }
 
+/// What a part asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+#[expect(missing_docs, reason = "the examples say what each field is")]
+pub enum Kind {
     /// `rotation`, or `pose(tool0)`.
     Named { name: Word, of: Vec<Word> },
     /// `d(bias)/d(q, u)`.
@@ -46,28 +52,35 @@ pub(super) enum Kind {
 
 /// A name, without its quotes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Word {
-    pub(super) text: String,
-    pub(super) place: Range<usize>,
+pub struct Word {
+    /// Its characters.
+    pub text: String,
+    /// Its bytes in the request, quotes included.
+    pub place: Range<usize>,
     is_quoted: bool,
 }
 
 impl Word {
     /// True for this word without quotes, which is then no name.
-    pub(super) fn is(&self, word: &str) -> bool {
+    pub fn is(&self, word: &str) -> bool {
         !self.is_quoted && self.text == word
     }
 }
 
 /// What the grammar does not allow, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Unexpected {
-    pub(super) expected: &'static str,
-    pub(super) place: Range<usize>,
+pub struct Unexpected {
+    /// What is allowed there, in words.
+    pub expected: &'static str,
+    /// The bytes of the request that stand there instead; none at its end.
+    pub place: Range<usize>,
 }
 
 /// Reads a request.
-pub(super) fn read(text: &str) -> Result<Sum, Unexpected> {
+///
+/// # Errors
+/// The first place that the grammar does not allow.
+pub fn read(text: &str) -> Result<Sum, Unexpected> {
     let mut reader = Reader {
         text,
         at: 0,
@@ -106,7 +119,7 @@ pub fn split(list: &str) -> impl Iterator<Item = &str> {
 }
 
 /// A word as a request has to write it: in quotes where it would be read otherwise.
-pub(super) fn written(word: &str) -> String {
+pub fn written(word: &str) -> String {
     let is_plain = !word.is_empty()
         && word.trim() == word
         && !word.contains(is_special)
@@ -275,82 +288,5 @@ impl<'a> Reader<'a> {
             place: start..self.at,
             is_quoted: true,
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn expected(text: &str) -> (&'static str, Range<usize>) {
-        let Unexpected { expected, place } = read(text).unwrap_err();
-        (expected, place)
-    }
-
-    #[test]
-    fn parts_stand_where_they_are_written() {
-        let Sum { parts, at_sin_cos } =
-            read("bias + velocity(\"left foot\", local) (sin_cos)").unwrap();
-        assert!(at_sin_cos);
-        let places: Vec<_> = parts.iter().map(|part| part.place.clone()).collect();
-        assert_eq!(places, [0..4, 7..35]);
-        let Kind::Named { name, of } = &parts[1].kind else {
-            panic!("{parts:?}");
-        };
-        assert_eq!(name.text, "velocity");
-        let of: Vec<_> = of
-            .iter()
-            .map(|word| (word.text.as_str(), word.place.clone()))
-            .collect();
-        assert_eq!(of, [("left foot", 16..27), ("local", 29..34)]);
-    }
-
-    #[test]
-    fn derivatives_and_products_hold_parts() {
-        let sum = read("d(pose(tool0))/d(q, u)+vjp(bias; q)").unwrap();
-        let Kind::Derivative { of, by } = &sum.parts[0].kind else {
-            panic!("{sum:?}");
-        };
-        assert!(matches!(&of.kind, Kind::Named { name, .. } if name.text == "pose"));
-        assert_eq!(by.len(), 2);
-        assert!(matches!(&sum.parts[1].kind, Kind::Product { along, .. } if along.len() == 1));
-    }
-
-    #[test]
-    fn a_frame_called_as_the_suffix_is_quoted() {
-        let sum = read("pose(\"sin_cos\")").unwrap();
-        assert!(!sum.at_sin_cos);
-        assert_eq!(written("sin_cos"), "\"sin_cos\"");
-        assert_eq!(written("a/b c"), "a/b c");
-    }
-
-    #[test]
-    fn any_name_can_be_asked_for() {
-        let names = [
-            "a\"b", "\"", "\"\"", "a\"", "\"a", "a, b", "a)", "\\", "a\\\"", " a ", "é\"+;",
-        ];
-        for name in names {
-            let request = format!("pose({}, local)", written(name));
-            let sum = read(&request).unwrap();
-            let Kind::Named { of, .. } = &sum.parts[0].kind else {
-                panic!("{sum:?}");
-            };
-            assert_eq!([&of[0].text, &of[1].text], [name, "local"]);
-            let list = format!("bias,{request},q_dot");
-            assert_eq!(
-                split(&list).collect::<Vec<_>>(),
-                ["bias", &request, "q_dot"]
-            );
-        }
-    }
-
-    #[test]
-    fn what_is_not_in_the_grammar_is_pointed_at() {
-        assert_eq!(expected("pose(tool0"), ("expected `,` or `)`", 10..10));
-        assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
-        assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));
-        assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));
-        assert_eq!(expected("d(bias)/q"), ("expected `/d(VARIABLES)`", 8..9));
-        assert_eq!(expected("jvp(bias)"), ("expected `; VARIABLES`", 8..9));
     }
 }

@@ -30,7 +30,10 @@ pub struct ArrayId(u32);
 
 impl LocalId {
     /// The local at this place.
-    pub(super) fn new(place: usize) -> Self {
+    ///
+    /// # Panics
+    /// If `place` exceeds `u32::MAX`; no function comes near.
+    pub fn new(place: usize) -> Self {
         Self(u32::try_from(place).expect("listing: fewer than 2^32 locals"))
     }
 
@@ -42,7 +45,10 @@ impl LocalId {
 
 impl ArrayId {
     /// The array at this place.
-    pub(super) fn new(place: usize) -> Self {
+    ///
+    /// # Panics
+    /// If `place` exceeds `u32::MAX`; no function comes near.
+    pub fn new(place: usize) -> Self {
         Self(u32::try_from(place).expect("listing: fewer than 2^32 arrays"))
     }
 

@@ -45,7 +45,6 @@ pub use name::RESERVED;
 pub(crate) use size::N_ANGLES;
 pub use size::{Size, Sizes};
 pub use stages::{Kept, Stage};
-pub use stated::Counted;
-pub(crate) use stated::{nominal, read_nominal};
+pub use stated::{Counted, nominal, read_nominal};
 pub use statement::{Code, Statement};
 pub use verify::{Fault, verify, verify_facts};

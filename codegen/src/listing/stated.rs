@@ -26,8 +26,8 @@ impl Counted {
         format!("{OPERATIONS}{}{formulation}.", self.operations)
     }
 
-    /// What such a line says.
-    pub(crate) fn read(line: &str) -> Option<Self> {
+    /// What such a line says; `None` where it is another.
+    pub fn read(line: &str) -> Option<Self> {
         let line = line.trim().strip_prefix(OPERATIONS)?;
         let line = line.strip_suffix('.').unwrap_or(line);
         let (counts, formulation) = match line.split_once(FORMULATION) {
@@ -55,41 +55,12 @@ impl Counted {
 }
 
 /// `Nominal value 12.0 kg.`
-pub(crate) fn nominal(parameter: &Parameter) -> String {
+pub fn nominal(parameter: &Parameter) -> String {
     format!("{NOMINAL}{:?} {}.", parameter.nominal, parameter.unit)
 }
 
-/// The value and unit of such a line.
-pub(crate) fn read_nominal(line: &str) -> Option<&str> {
+/// The value and unit of such a line; `None` where it is another.
+pub fn read_nominal(line: &str) -> Option<&str> {
     let value = line.trim().strip_prefix(NOMINAL)?;
     Some(value.trim_end_matches('.'))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Counted, nominal, read_nominal};
-    use crate::{program::Operations, tree::Parameter};
-
-    #[test]
-    fn lines_are_read_as_they_were_written() {
-        for formulation in [None, Some("notes".to_owned())] {
-            let counted = Counted {
-                operations: Operations {
-                    mul: 4,
-                    add: 3,
-                    div: 2,
-                    trig: 1,
-                },
-                formulation,
-            };
-            assert_eq!(Counted::read(&counted.line()), Some(counted));
-        }
-        let parameter = Parameter {
-            name: "hub_mass".to_owned(),
-            body: None,
-            nominal: 12.0,
-            unit: "kg",
-        };
-        assert_eq!(read_nominal(&nominal(&parameter)), Some("12.0 kg"));
-    }
 }

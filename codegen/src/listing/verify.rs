@@ -294,6 +294,3 @@ fn check_lengths(angles: usize, kept: usize) -> Result<(), Fault> {
         Err(Fault::Lengths(angles, kept))
     }
 }
-
-#[cfg(test)]
-mod tests;

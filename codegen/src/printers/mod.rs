@@ -8,6 +8,6 @@
 //! cosines; the declaration of each of [`Module::all`](crate::listing::Module::all), from its signature; its statements. Of its language
 //! it has to know the words that it reserves: the listing's names are lower snake case, so a name with a capital is free.
 
-pub(crate) mod c;
+pub mod c;
 pub(crate) mod json;
 pub(crate) mod rust;

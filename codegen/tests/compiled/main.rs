@@ -5,5 +5,3 @@
 mod beside;
 #[cfg(all(feature = "object", target_arch = "x86_64", target_os = "linux"))]
 mod object;
-#[cfg(all(feature = "object", target_arch = "x86_64", target_os = "linux"))]
-mod stages;

@@ -1,6 +1,10 @@
 //! Writing: from a model to the text of a module and of what stands beside it.
 
+mod build_script;
 mod diffs;
+mod header;
 mod interface;
+mod listing;
 mod module;
+mod nesting;
 mod writing;

@@ -17,6 +17,7 @@ use kane_codegen::{
     report,
     tree::Changes,
 };
+use kane_test_support::models::system;
 
 /// The module of a model that stands alone.
 fn generate(source: &Source, shown: &str, options: &Options) -> Result<Generated, Error> {
@@ -441,4 +442,33 @@ fn zeros_side_by_side_are_parted_by_fences() {
         .collect();
     assert_eq!(zeros, [4, 4, 2]);
     assert!(!rest.contains("fence"), "a full matrix has no zeros");
+}
+
+#[test]
+fn no_two_frames_become_one_type() {
+    let names = ["tool0", "tool_0", "left_foot", "leftfoot", "a_b_1"];
+    let types = ["Tool0", "Tool_0", "LeftFoot", "Leftfoot", "AB_1"];
+    let frames = names.map(|name| {
+        format!("[[frame]]\nname = \"{name}\"\nbody = \"arm\"\nposition = [0.0, 0.0, 1.0]\n")
+    });
+    let text = system("[0]", &[("arm", "[\"theta1\"]")]) + &frames.concat();
+    let options = Options {
+        functions: named(
+            &names
+                .map(|name| format!("pose({name})"))
+                .each_ref()
+                .map(String::as_str),
+        ),
+        ..Options::default()
+    };
+    let module = generate(&Source::new("arm.toml", text), "arm.toml", &options).unwrap();
+    for (name, of) in names.into_iter().zip(types) {
+        let declared = format!("pub struct {of};");
+        let doc = format!("/// The frame `{name}`.");
+        let place = module.source.find(&doc).unwrap();
+        let line = module.source[place..]
+            .lines()
+            .find(|line| line.contains("struct"));
+        assert_eq!(line.map(str::trim), Some(declared.as_str()));
+    }
 }

@@ -121,20 +121,3 @@ fn string(text: &str) -> String {
     };
     format!("\"{}\"", text.bytes().map(byte).collect::<String>())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{number, string};
-
-    #[test]
-    fn names_are_literals_whatever_they_hold() {
-        assert_eq!(string("left \"foot\"\n"), "\"left \\\"foot\\\"\\012\"");
-        assert_eq!(string("größe"), "\"gr\\303\\266\\303\\237e\"");
-    }
-
-    #[test]
-    fn numbers_without_bound_are_huge() {
-        assert_eq!(number(f64::NEG_INFINITY), "-HUGE_VAL");
-        assert_eq!(number(0.1), "0.1");
-    }
-}

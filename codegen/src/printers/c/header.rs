@@ -12,8 +12,8 @@ use crate::{
     listing::{Facts, Module, Size, nominal},
 };
 
-/// The text of the header of the module `name`.
-pub(crate) fn text(module: &Module, name: &str) -> String {
+/// The text of the header of the module `name`, for C99 and C++.
+pub fn text(module: &Module, name: &str) -> String {
     let facts = &module.facts;
     let empty = facts.sizes.0.iter().filter(|size| {
         let patterns = facts.patterns.iter().map(|pattern| &pattern.columns);

@@ -7,4 +7,4 @@ mod header;
 pub(super) mod rules;
 mod text;
 
-pub(crate) use header::text as header;
+pub use header::text as header;

@@ -77,17 +77,3 @@ pub(super) fn frame_type(subject: &Subject) -> TokenStream {
         (View::Other, _) => quote!(kane::functions::Seen<#(#names),*>),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::type_name;
-
-    #[test]
-    fn no_two_frames_become_one_type() {
-        let names = ["tool0", "tool_0", "left_foot", "leftfoot", "a_b_1"];
-        assert_eq!(
-            names.map(type_name),
-            ["Tool0", "Tool_0", "LeftFoot", "Leftfoot", "AB_1"]
-        );
-    }
-}

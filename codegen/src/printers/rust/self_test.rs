@@ -11,6 +11,7 @@ use super::{
 use crate::{
     functions::{Argument, Declared, Element},
     listing::{Facts, Function, Module},
+    number::one_digit,
     samples::{Sample, Sampled},
     tree::Parameter,
 };
@@ -285,36 +286,4 @@ fn pairs(numbers: &[(f64, f64)]) -> Expr {
         let (number, tolerance) = (syntax::number(number), syntax::number(one_digit(tolerance)));
         parse_quote!((#number, #tolerance))
     }))
-}
-
-fn one_digit(tolerance: f64) -> f64 {
-    let nearest = format!("{tolerance:.0e}");
-    let next = |(digit, exponent): (&str, &str)| {
-        let digit = digit.parse::<u32>().ok()? + 1;
-        format!("{digit}e{exponent}").parse().ok()
-    };
-    match nearest.parse() {
-        Ok(number) if number >= tolerance => number,
-        _ => nearest.split_once('e').and_then(next).unwrap_or(tolerance),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::one_digit;
-
-    #[test]
-    fn tolerances_grow_by_less_than_one_of_their_digit() {
-        for (tolerance, digit) in [
-            (0.0, 0.0),
-            (3e-14, 3e-14),
-            (2.4e-14, 3e-14),
-            (2.6e-14, 3e-14),
-            (9.4e-14, 1e-13),
-            (9.6e-14, 1e-13),
-            (f64::from_bits(1), f64::from_bits(1)),
-        ] {
-            assert_eq!(one_digit(tolerance), digit, "{tolerance}");
-        }
-    }
 }

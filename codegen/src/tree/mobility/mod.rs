@@ -11,15 +11,15 @@
 //! this happens at a few seeded states, and the state with the fewest such columns counts.
 
 mod following;
+mod idle;
 mod kinematics;
 mod masses;
 mod report;
 mod response;
 mod rows;
 mod sweep;
-#[cfg(test)]
-mod tests;
 mod units;
 
+pub use idle::idle_motions;
 pub(crate) use report::check;
 pub(crate) use units::Units;

@@ -3,28 +3,19 @@
 use crate::description::{CoordinateName, Description, JointKind, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::id::BodyId;
-use crate::random::Random;
 use crate::tree::Tree;
-use crate::tree::mobility::following;
-use crate::tree::mobility::response::moved_along;
-use crate::tree::mobility::sweep::{SweptJoint, inward};
-use crate::tree::mobility::units::Units;
+use crate::tree::mobility::idle::{Combination, idle_motions};
 use crate::tree::names::shown;
 
-/// The states that are tried.
-const STATES: u64 = 3;
 /// The most motions that are reported: a tree without any mass has one for every coordinate.
 const MOST_REPORTED: usize = 100;
 /// The most coordinates of one motion that are named.
 const MOST_NAMED: usize = 8;
 
-/// Coordinates that move together.
-type Combination = Vec<(BodyId, CoordinateName)>;
-
 /// Reports every free coordinate, or combination of free coordinates, that moves no mass.
 pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<Diagnostic>) {
     let mut alone: Vec<Combination> = Vec::new();
-    for motion in idle(tree).into_iter().take(MOST_REPORTED) {
+    for motion in idle_motions(tree, MOST_REPORTED) {
         match alone.last_mut() {
             // Coordinates of one body that are each idle are one finding.
             Some(last) if motion.len() == 1 && last[0].0 == motion[0].0 => last.extend(motion),
@@ -37,27 +28,6 @@ pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<D
             .iter()
             .map(|motion| separately(tree, description, motion)),
     );
-}
-
-/// The motions that move no mass in any of the states that are tried.
-fn idle(tree: &Tree) -> Vec<Combination> {
-    let units = Units::of(tree);
-    if tree.has_followers() {
-        let tried = (1..=STATES).map(|seed| following::idle(tree, &units, &mut Random::new(seed)));
-        return tried.min_by_key(Vec::len).unwrap_or_default();
-    }
-    let sweeps = (1..=STATES).map(|seed| inward(tree, &units, &mut Random::new(seed)));
-    let n_idle =
-        |joints: &Vec<SweptJoint>| joints.iter().map(|joint| joint.idle.len()).sum::<usize>();
-    let joints = sweeps.min_by_key(n_idle).unwrap_or_default();
-    let of_body = |body: BodyId| {
-        let n_idle = joints.get(body.index()).map_or(0, |joint| joint.idle.len());
-        (0..n_idle).map(move |idle| (body, idle))
-    };
-    let motions = tree.body_ids().flat_map(of_body).take(MOST_REPORTED);
-    motions
-        .map(|(body, idle)| moved_along(tree, &joints, body, idle))
-        .collect()
 }
 
 /// Coordinates of one body, of which each by itself moves no mass.

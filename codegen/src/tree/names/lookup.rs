@@ -34,17 +34,3 @@ pub(crate) fn listed(names: &[&str]) -> String {
         more => format!("{first} and {more} more"),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::listed;
-
-    #[test]
-    fn of_many_names_the_first_are_listed_and_the_others_counted() {
-        let names: Vec<String> = (1..=42).map(|n| format!("j{n}")).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        assert_eq!(listed(&names[..3]), "j1, j2, j3");
-        assert!(listed(&names[..40]).ends_with(", j39, j40"));
-        assert!(listed(&names).ends_with(", j39, j40 and 2 more"));
-    }
-}

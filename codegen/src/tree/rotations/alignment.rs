@@ -4,17 +4,17 @@ use crate::geometry::{IDENTITY, Rotation, Vector, cross, length};
 
 /// Axes of which one is that of a joint.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Alignment {
+pub struct Alignment {
     /// From the joint's axes, as written, to these.
-    pub(crate) rotation: Rotation,
+    pub rotation: Rotation,
     /// Which of these the joint's axis is.
-    pub(crate) place: usize,
+    pub place: usize,
 }
 
 impl Alignment {
     /// Axes with `axis` (of any length) among them, as few of them turned as possible, and by how much snapping changed an
     /// entry of the axis. About a coordinate axis, or its opposite, its place is its own.
-    pub(super) fn of(axis: Vector, tolerance: f64) -> (Self, f64) {
+    pub fn of(axis: Vector, tolerance: f64) -> (Self, f64) {
         let largest = axis
             .iter()
             .fold(0.0, |most: f64, part| most.max(part.abs()));
@@ -65,44 +65,4 @@ fn snapped_unit(unit: Vector, tolerance: f64) -> Vector {
     }
     let size = length(pinned);
     pinned.map(|part| part / size)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_axis_that_leans_keeps_its_lean() {
-        // Its first entry is within 1e-9 of one, its second is not of zero.
-        let (along, change) = Alignment::of([1.0, 4e-5, 0.0], 1e-9);
-        assert!((along.rotation[along.place][1] - 4e-5).abs() < 1e-12 && change == 0.0);
-        let (along, change) = Alignment::of([1.0, 4e-10, 0.0], 1e-9);
-        assert!(along.rotation[along.place] == [1.0, 0.0, 0.0] && change == 4e-10);
-    }
-
-    #[test]
-    fn the_frame_of_an_axis_is_right_handed_and_has_it() {
-        for axis in [
-            [0.0, 0.0, -2.0],
-            [0.0, -1.0, 0.0],
-            [-1.0, 0.0, 0.0],
-            [0.3, -0.4, 0.5],
-            [1e200, 1e200, 0.0],
-        ] {
-            let (along, _) = Alignment::of(axis, 1e-9);
-            let frame = along.rotation;
-            let largest = axis
-                .iter()
-                .fold(0.0, |most: f64, part: &f64| most.max(part.abs()));
-            let scaled = axis.map(|part| part / largest);
-            let size = length(scaled);
-            for (entry, part) in frame[along.place].iter().zip(scaled) {
-                assert!((entry - part / size).abs() < 1e-15);
-            }
-            let third = cross(frame[0], frame[1]);
-            for (entry, part) in frame[2].iter().zip(third) {
-                assert!((entry - part).abs() < 1e-15);
-            }
-        }
-    }
 }

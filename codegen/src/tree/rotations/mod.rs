@@ -5,7 +5,7 @@ mod exact;
 mod orthonormal;
 mod snap;
 
+pub use alignment::Alignment;
 pub(crate) use exact::{ConstantRotations, exact};
-pub(crate) use orthonormal::orthonormal;
-pub(crate) use snap::snapped;
-pub use snap::snapped_sin_cos;
+pub use orthonormal::orthonormal;
+pub use snap::{snapped, snapped_sin_cos};

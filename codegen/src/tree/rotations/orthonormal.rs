@@ -3,7 +3,7 @@
 use crate::geometry::{IDENTITY, Rotation, dot, transposed};
 
 /// The nearest orthonormal matrix of one that is not, by more than rounding: rotations may be written with few digits.
-pub(crate) fn orthonormal(rotation: &Rotation) -> Rotation {
+pub fn orthonormal(rotation: &Rotation) -> Rotation {
     let columns = transposed(rotation);
     let gram = columns.map(|a| columns.map(|b| dot(a, b)));
     let entries = gram.iter().flatten().zip(IDENTITY.iter().flatten());

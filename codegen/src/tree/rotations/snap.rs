@@ -7,7 +7,7 @@ use crate::tree::rotations::orthonormal::nearer_to_orthonormal;
 ///
 /// The others are then moved, by no more, until the rows are orthonormal again, or as nearly so as the exact entries
 /// permit: an entry 1 beside one that the tolerance does not reach leaves rows that are longer than 1 by half its square.
-pub(crate) fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
+pub fn snapped(rotation: &Rotation, tolerance: f64) -> (Rotation, f64) {
     let zero = rotation.map(|row| row.map(|entry| entry.abs() < tolerance || entry == 0.0));
     // An entry is one where the others of its row or column are zero: near one alone, the angle may be far from zero.
     let is_alone = |i: usize, j: usize| {
@@ -54,67 +54,5 @@ pub fn snapped_sin_cos(angle: f64, tolerance: f64) -> (f64, f64) {
         (1.0_f64.copysign(sine), 0.0)
     } else {
         (sine, cosine)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::FRAC_PI_2;
-
-    use super::*;
-    use crate::geometry::{IDENTITY, body_fixed_123, then, transposed};
-    use crate::tree::rotations::orthonormal::orthonormal;
-
-    /// Right angles as files have them: with ten digits, and with four.
-    const ROUNDED: [f64; 2] = [FRAC_PI_2 - 4.9e-12, FRAC_PI_2 + 3.7e-6];
-
-    #[test]
-    fn a_rounded_right_angle_becomes_exact() {
-        let rounded = body_fixed_123([ROUNDED[0], 0.0, 0.3]);
-        let (snapped, change) = snapped(&rounded, 1e-9);
-        assert!(snapped[2] == [0.0, -1.0, 0.0] && snapped[0][1] == 0.0);
-        assert!(change > 1e-12 && change < 1e-11);
-    }
-
-    #[test]
-    fn what_is_snapped_is_orthonormal_again() {
-        let (snapped, _) = snapped(&body_fixed_123([ROUNDED[1], 0.2, -0.7]), 1e-5);
-        let back = transposed(&snapped);
-        for (i, row) in then(&back, &snapped).iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                // A few roundings of numbers below one.
-                assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
-            }
-        }
-    }
-
-    #[test]
-    fn a_coarse_tolerance_snaps_no_angle_that_is_farther() {
-        // Its cosine is within the tolerance of one, its sine is not of zero.
-        let rotation = body_fixed_123([0.0141, 0.0, 0.0]);
-        assert_eq!(snapped(&rotation, 1e-4), (rotation, 0.0));
-        assert_eq!(
-            snapped_sin_cos(0.0141, 1e-4),
-            (libm::sin(0.0141), libm::cos(0.0141))
-        );
-    }
-
-    #[test]
-    fn a_rotation_of_few_digits_is_made_orthonormal() {
-        let exact = body_fixed_123([0.3, -0.8, 1.2]);
-        let rounded = exact.map(|row| row.map(|entry| (entry * 1e6).round() / 1e6));
-        let found = orthonormal(&rounded);
-        for (i, row) in then(&transposed(&found), &found).iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
-            }
-        }
-        assert_eq!(orthonormal(&exact), exact);
-    }
-
-    #[test]
-    fn nothing_is_snapped_at_zero_tolerance() {
-        let rounded = body_fixed_123([ROUNDED[0], 0.1, 0.3]);
-        assert_eq!(snapped(&rounded, 0.0), (rounded, 0.0));
     }
 }

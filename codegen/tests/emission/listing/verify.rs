@@ -1,13 +1,15 @@
-use super::{Fault, check_names, verify};
-use crate::{
-    compile::{self, Options},
-    config::Functions,
-    description::toml,
-    diagnostic::Source,
-    listing::{ArrayId, Entry, Expression, Function, LocalId, Member, Module, Statement, Step},
-    origin::Origin,
-    tree::build,
+//! Faults that are planted in a module's functions.
+
+use std::sync::OnceLock;
+
+use kane_codegen::compile::{self, Options};
+use kane_codegen::config::Functions;
+use kane_codegen::listing::{
+    ArrayId, Entry, Expression, Fault, Function, LocalId, Member, Module, Statement, Step, verify,
+    verify_facts,
 };
+use kane_codegen::origin::Origin;
+use kane_test_support::models;
 
 /// Two bodies with five angles, of which one has a mass that is set at run time.
 const MODEL: &str = "name = \"two\"\n\
@@ -28,16 +30,16 @@ const MODEL: &str = "name = \"two\"\n\
     attachment = [0.0, 0.4, 0.0]\n\
     joint = [\"theta1\", \"s2\"]\n";
 
+/// The module, compiled once.
 fn module() -> Module {
-    module_of(
-        MODEL.to_owned(),
-        &["mass_matrix", "generalized_forces", "bias(sin_cos)"],
-    )
+    static MODULE: OnceLock<Module> = OnceLock::new();
+    let functions = ["mass_matrix", "generalized_forces", "bias(sin_cos)"];
+    let module = MODULE.get_or_init(|| module_of(MODEL, &functions));
+    module.clone()
 }
 
-fn module_of(model: String, names: &[&str]) -> Module {
-    let description = toml::parse(&Source::new("two.toml", model));
-    let tree = build(&description).expect("a sound description").tree;
+fn module_of(model: &str, names: &[&str]) -> Module {
+    let tree = models::build(model).expect("a sound description").tree;
     let options = Options {
         functions: Functions::Named(names.iter().map(ToString::to_string).collect()),
         ..Options::default()
@@ -108,11 +110,10 @@ fn name_of_two_things_is_refused() {
         });
         assert_eq!(fault, Fault::SameName(name.to_owned()));
     }
-    let names = ["one", "two", "one"].map(str::to_owned);
-    assert_eq!(
-        check_names(names.iter()),
-        Err(Fault::SameName("one".to_owned()))
-    );
+    let mut facts = module().facts;
+    assert_eq!(verify_facts(&facts), Ok(()));
+    "one".clone_into(&mut facts.bodies[1].identifier);
+    assert_eq!(verify_facts(&facts), Err(Fault::SameName("one".to_owned())));
 }
 
 #[test]
@@ -284,7 +285,7 @@ fn array_gives_way_to_a_coordinate_of_its_name() {
         );
         model += &body;
     }
-    let module = module_of(model, &["relative_rotation"]);
+    let module = module_of(&model, &["relative_rotation"]);
     let function = module.function("relative_rotation").expect("a function");
     let arrays = function.code.arrays.iter();
     let names: Vec<&str> = arrays.map(|array| array.name.as_str()).collect();

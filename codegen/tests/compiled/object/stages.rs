@@ -1,6 +1,6 @@
 //! Long functions in stages: what is promised of machine code holds for them.
 
-use crate::object::{assert_holds, report};
+use super::{assert_holds, report};
 
 /// A function whose first stage keeps more than the stack has pages that a compiler touches one by one without a loop.
 #[test]

@@ -2,14 +2,12 @@
 
 use std::fmt::Write as _;
 
-use crate::description::{CoordinateName, toml};
-use crate::diagnostic::Source;
-use crate::random::Random;
-use crate::tree::Tree;
-use crate::tree::assembly::{Settled, assemble};
-use crate::tree::joints;
-use crate::tree::numbering::outward;
-use crate::tree::rotations::exact;
+use kane_codegen::description::CoordinateName;
+use kane_codegen::tree::{Tree, Value};
+use kane_test_support::{
+    models::{body, build},
+    random::Random,
+};
 
 /// What joints a tree has.
 #[derive(Clone, Copy, PartialEq)]
@@ -22,12 +20,26 @@ pub(super) enum Style {
     Following,
 }
 
+/// The text of a tree of solid bodies, and what becomes of these.
+pub(super) struct Drawn {
+    lower: Vec<f64>,
+    bodies: String,
+    /// Names of parameters, and their values.
+    changed: Vec<(String, f64)>,
+}
+
 /// A tree in which much is zero or aligned, so that about half of all trees have idle coordinates.
 pub(super) fn tree(random: &mut Random, style: Style) -> Tree {
-    let mut pick = |n: f64| ((random.signed() + 1.0) * 0.5 * n).floor();
+    drawn(random, style).tree()
+}
+
+/// As [`tree`], before it is built.
+pub(super) fn drawn(random: &mut Random, style: Style) -> Drawn {
+    let mut pick = |n: f64| ((random.symmetric() + 1.0) * 0.5 * n).floor();
     let n_bodies = 1.0 + pick(5.0);
     let mut lower = Vec::new();
     let mut text = String::new();
+    let mut changed = Vec::new();
     let mut singles: Vec<u8> = Vec::new();
     for body in 0..6_u8 {
         if f64::from(body) >= n_bodies {
@@ -52,11 +64,20 @@ pub(super) fn tree(random: &mut Random, style: Style) -> Tree {
         }
         write!(
             text,
-            "[[body]]\nname = \"b{body}\"\nmass = {mass:?}\nmass_center = [{x:?}, 0.0, {z:?}]\nattachment = [0.0, {:?}, {:?}]\n\
-             inertia = {{ xx = {xx:?}, yy = {xx:?}, zz = {zz:?}, xy = 0.0, xz = 0.0, yz = 0.0 }}\n",
+            "[[body]]\nname = \"b{body}\"\nmass = {{ runtime = 2.0 }}\nmass_center = [{x:?}, 0.0, {z:?}]\nattachment = [0.0, {:?}, {:?}]\n\
+             inertia = {{ xx = {{ runtime = 0.3 }}, yy = {{ runtime = 0.3 }}, zz = {{ runtime = 0.2 }}, xy = 0.0, xz = 0.0, yz = 0.0 }}\n",
             q[0], q[1]
         )
         .unwrap();
+        changed.extend(
+            [
+                ("mass", mass),
+                ("inertia_xx", xx),
+                ("inertia_yy", xx),
+                ("inertia_zz", zz),
+            ]
+            .map(|(quantity, value)| (format!("b{body}_{quantity}"), value)),
+        );
         if style == Style::Plain {
             writeln!(text, "joint = {joint:?}").unwrap();
             continue;
@@ -76,12 +97,47 @@ pub(super) fn tree(random: &mut Random, style: Style) -> Tree {
             singles.push(body);
         }
     }
-    let lower: Vec<String> = lower.iter().map(|lower| format!("{lower:.0}")).collect();
-    let text = format!(
-        "name = \"s\"\nlower_bodies = [{}]\n{text}",
-        lower.join(", ")
-    );
-    built(&text)
+    Drawn {
+        lower,
+        bodies: text,
+        changed,
+    }
+}
+
+impl Drawn {
+    /// With two solid bodies on the inertial frame, of which one follows the other.
+    pub(super) fn with_followers(mut self) -> Self {
+        self.lower.extend([0.0; 2]);
+        self.bodies += &body("leader", "[\"s1\"]");
+        self.bodies += &body("follower", "[\"s1\"]\nmimic = { joint = \"leader\" }");
+        self
+    }
+
+    /// The tree, whatever moves no mass.
+    pub(super) fn tree(&self) -> Tree {
+        let lower = self.lower.iter().map(|lower| format!("{lower:.0}"));
+        let text = format!(
+            "name = \"s\"\nlower_bodies = [{}]\n{}",
+            lower.collect::<Vec<_>>().join(", "),
+            self.bodies
+        );
+        let checked = build(&text).unwrap_or_else(|faults| panic!("{faults}\n{text}"));
+        let mut tree = checked.tree;
+        for (name, value) in &self.changed {
+            let mut parameters = tree.parameters.iter_mut();
+            let parameter = parameters.find(|parameter| parameter.name == *name);
+            parameter.unwrap().nominal = *value;
+        }
+        let parameters = std::mem::take(&mut tree.parameters);
+        let bake = |value: &mut Value| *value = Value::Baked(value.nominal(&parameters));
+        for part in tree.bodies.iter_mut().flat_map(|body| &mut body.parts) {
+            let of = &mut part.inertia;
+            [&mut part.mass, &mut of.xx, &mut of.yy, &mut of.zz]
+                .into_iter()
+                .for_each(bake);
+        }
+        tree
+    }
 }
 
 fn index(whole: f64) -> usize {
@@ -95,7 +151,7 @@ fn framed(pick: &mut dyn FnMut(f64) -> f64, is_first: bool, list: &[&str]) -> (S
         "[[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]",
         "[[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]",
         "[[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]",
-        "[[0.48, 0.6, -0.64], [-0.8, 0.6, 0.0], [0.384, 0.512, 0.768]]",
+        "[[0.48, 0.64, -0.6], [-0.8, 0.6, 0.0], [0.36, 0.48, 0.8]]",
     ];
     let kinds = [
         "\"fixed\"",
@@ -129,28 +185,10 @@ fn framed(pick: &mut dyn FnMut(f64) -> f64, is_first: bool, list: &[&str]) -> (S
     if pick(3.0) == 0.0 {
         text += "body_attachment = [0.0, 0.5, 0.0]\n";
     }
-    if pick(5.0) == 0.0 {
+    // What is fixed has no rotor.
+    if pick(5.0) == 0.0 && place > 0 {
         text += "armature = 0.1\n";
     }
     let is_single = (1..4).contains(&place) || (place == 8 && list.len() == 1);
     (text, is_single)
-}
-
-/// The tree of a description, whatever moves no mass.
-pub(super) fn built(text: &str) -> Tree {
-    let description = toml::parse(&Source::new("s", text));
-    let mut findings = Vec::new();
-    let outward = outward(&description, &mut findings).unwrap();
-    let (rotations, _) = exact(&description, 0.0);
-    let joints = joints::joints(&description, &rotations);
-    let joints = joints.into_iter().flatten().collect();
-    let joints = joints::follow(&description, joints, &mut findings);
-    let settled = Settled {
-        description: &description,
-        outward: &outward,
-        joints: &joints,
-        rotations: &rotations,
-        snap: 1e-9,
-    };
-    assemble(settled, &mut findings).unwrap()
 }

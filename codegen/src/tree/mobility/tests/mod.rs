@@ -1,4 +1,0 @@
-mod dense;
-mod followers;
-mod sweeps;
-mod trees;

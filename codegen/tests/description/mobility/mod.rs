@@ -1,0 +1,12 @@
+//! Whether every free coordinate moves mass.
+
+#![expect(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests fail as tests do"
+)]
+
+mod followers;
+mod mass_matrix;
+mod rank;
+mod trees;

@@ -1,0 +1,80 @@
+//! The grammar of requests.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::ops::Range;
+
+use kane_codegen::functions::split;
+use kane_codegen::functions::syntax::{Kind, Sum, Unexpected, read, written};
+
+fn expected(text: &str) -> (&'static str, Range<usize>) {
+    let Unexpected { expected, place } = read(text).unwrap_err();
+    (expected, place)
+}
+
+#[test]
+fn parts_stand_where_they_are_written() {
+    let Sum { parts, at_sin_cos } =
+        read("bias + velocity(\"left foot\", local) (sin_cos)").unwrap();
+    assert!(at_sin_cos);
+    let places: Vec<_> = parts.iter().map(|part| part.place.clone()).collect();
+    assert_eq!(places, [0..4, 7..35]);
+    let Kind::Named { name, of } = &parts[1].kind else {
+        panic!("{parts:?}");
+    };
+    assert_eq!(name.text, "velocity");
+    let of: Vec<_> = of
+        .iter()
+        .map(|word| (word.text.as_str(), word.place.clone()))
+        .collect();
+    assert_eq!(of, [("left foot", 16..27), ("local", 29..34)]);
+}
+
+#[test]
+fn derivatives_and_products_hold_parts() {
+    let sum = read("d(pose(tool0))/d(q, u)+vjp(bias; q)").unwrap();
+    let Kind::Derivative { of, by } = &sum.parts[0].kind else {
+        panic!("{sum:?}");
+    };
+    assert!(matches!(&of.kind, Kind::Named { name, .. } if name.text == "pose"));
+    assert_eq!(by.len(), 2);
+    assert!(matches!(&sum.parts[1].kind, Kind::Product { along, .. } if along.len() == 1));
+}
+
+#[test]
+fn a_frame_called_as_the_suffix_is_quoted() {
+    let sum = read("pose(\"sin_cos\")").unwrap();
+    assert!(!sum.at_sin_cos);
+    assert_eq!(written("sin_cos"), "\"sin_cos\"");
+    assert_eq!(written("a/b c"), "a/b c");
+}
+
+#[test]
+fn any_name_can_be_asked_for() {
+    let names = [
+        "a\"b", "\"", "\"\"", "a\"", "\"a", "a, b", "a)", "\\", "a\\\"", " a ", "é\"+;",
+    ];
+    for name in names {
+        let request = format!("pose({}, local)", written(name));
+        let sum = read(&request).unwrap();
+        let Kind::Named { of, .. } = &sum.parts[0].kind else {
+            panic!("{sum:?}");
+        };
+        assert_eq!([&of[0].text, &of[1].text], [name, "local"]);
+        let list = format!("bias,{request},q_dot");
+        assert_eq!(
+            split(&list).collect::<Vec<_>>(),
+            ["bias", &request, "q_dot"]
+        );
+    }
+}
+
+#[test]
+fn what_is_not_in_the_grammar_is_pointed_at() {
+    assert_eq!(expected("pose(tool0"), ("expected `,` or `)`", 10..10));
+    assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
+    assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));
+    assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));
+    assert_eq!(expected("d(bias)/q"), ("expected `/d(VARIABLES)`", 8..9));
+    assert_eq!(expected("jvp(bias)"), ("expected `; VARIABLES`", 8..9));
+}

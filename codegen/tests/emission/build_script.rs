@@ -1,0 +1,49 @@
+//! What a build script writes, from its folder of models.
+
+use kane_codegen::build_script::Build;
+use kane_codegen::companions::Abi;
+
+#[test]
+fn manifest_is_written_beside_the_module() {
+    let folder = tempfile::tempdir().unwrap();
+    let build = Build::new("tests/models/pendulum.toml").name("swing");
+    let files = |build: &Build| {
+        let module = build.run_in(folder.path()).unwrap();
+        assert_eq!(module, folder.path().join("swing.rs"));
+        folder.path().read_dir().unwrap().count()
+    };
+    assert_eq!(files(&build), 1);
+    assert_eq!(files(&build.manifest()), 2);
+    assert!(folder.path().join("swing.json").is_file());
+}
+
+#[test]
+fn prescribed_joints_are_marked_by_speed() {
+    let folder = tempfile::tempdir().unwrap();
+    let build = Build::new("tests/models/cart_pole.toml").functions(["hybrid_dynamics"]);
+    let module = build.clone().prescribed("pole").run_in(folder.path());
+    let text = std::fs::read_to_string(module.unwrap()).unwrap();
+    assert!(text.contains("pub const PRESCRIBED: [bool; NU] = [false, true];"));
+    let faults = build
+        .prescribed("poles")
+        .prescribed("cart")
+        .prescribed("cart");
+    let faults = faults.run_in(folder.path()).unwrap_err().to_string();
+    assert_eq!(
+        faults,
+        "`poles` is no joint of the model; did you mean `pole`?; `cart` is named twice; leave one of the two out"
+    );
+}
+
+#[test]
+fn functions_for_c_have_the_name_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let build = Build::new("tests/models/pendulum.toml").abi(Abi::C);
+    for name in ["pendulum", "swing"] {
+        let build = build.clone().name(name);
+        build.run_in(folder.path()).unwrap();
+        let header = folder.path().join(format!("{name}.h"));
+        let header = std::fs::read_to_string(header).unwrap();
+        assert!(header.contains(&format!("void {name}_q_dot_f64(")));
+    }
+}

@@ -1,0 +1,39 @@
+//! What the header for C says of a module's names and limits.
+
+use kane_codegen::compile::{self, Options};
+use kane_codegen::listing::{Facts, Module};
+use kane_codegen::origin::Origin;
+use kane_codegen::printers::c;
+use kane_test_support::models::{build, system};
+
+/// The header of a module of which these facts are others.
+fn header(change: impl FnOnce(&mut Facts)) -> String {
+    let text = system("[0, 1]", &[("one", "[\"theta1\"]"), ("two", "[\"s1\"]")]);
+    let tree = build(&text).expect("a sound description").tree;
+    let options = Options::default();
+    let compiled = compile::compile(&tree, &options).expect("the default functions");
+    let origin = Origin::new(&tree, "two.toml", &options);
+    let mut module = Module::new(&tree, origin, &compiled);
+    change(&mut module.facts);
+    c::header(&module, "two")
+}
+
+#[test]
+fn names_are_literals_whatever_they_hold() {
+    let header = header(|facts| {
+        "left \"foot\"\n".clone_into(&mut facts.bodies[0].name);
+        "größe".clone_into(&mut facts.bodies[1].name);
+    });
+    assert!(header.contains("\"left \\\"foot\\\"\\012\""), "{header}");
+    assert!(header.contains("\"gr\\303\\266\\303\\237e\""), "{header}");
+}
+
+#[test]
+fn numbers_without_bound_are_huge() {
+    let header = header(|facts| facts.limits.lower = vec![f64::NEG_INFINITY, 0.1]);
+    let start = header.find("LOWER_LIMITS[").expect("the table of limits");
+    let table: String = header[start..].chars().take_while(|&c| c != ';').collect();
+    let numbers = table.split_once('{').expect("its numbers").1;
+    let numbers: Vec<&str> = numbers.split([',', '}']).map(str::trim).collect();
+    assert_eq!(numbers[..2], ["-HUGE_VAL", "0.1"]);
+}
