@@ -348,7 +348,7 @@ fn frames_at_numbers_that_f64_does_not_hold_are_refused() {
 }
 
 /// A chain of hinges about z, each at its own place.
-fn hinges(n_bodies: usize) -> String {
+pub(crate) fn hinges(n_bodies: usize) -> String {
     let lower: Vec<String> = (0..n_bodies).map(|body| body.to_string()).collect();
     let head = format!("name = \"chain\"\nlower_bodies = [{}]\n", lower.join(", "));
     let bodies = (1..=n_bodies).map(|body| {

@@ -38,7 +38,7 @@ fn module() -> Module {
     module.clone()
 }
 
-fn module_of(model: &str, names: &[&str]) -> Module {
+pub(super) fn module_of(model: &str, names: &[&str]) -> Module {
     let tree = models::build(model).expect("a sound description").tree;
     let options = Options {
         functions: Functions::Named(names.iter().map(ToString::to_string).collect()),

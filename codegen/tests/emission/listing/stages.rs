@@ -1,0 +1,199 @@
+//! A long function's stages do what the function does.
+
+use std::collections::BTreeMap;
+
+use kane_codegen::functions::Signature;
+use kane_codegen::listing::{
+    Code, Entry, Expression, Facts, Fault, Function, LocalId, Module, Stage, Statement, verify,
+};
+
+use super::verify::module_of;
+use crate::module::hinges;
+
+/// Numbers of arguments, by the argument's name and the place.
+type Numbers = BTreeMap<(String, usize), f64>;
+
+/// What statements have computed.
+struct Run<'a> {
+    facts: &'a Facts,
+    signature: &'a Signature,
+    locals: Vec<f64>,
+    arrays: Vec<Vec<f64>>,
+    /// What earlier stages have returned.
+    kept: &'a [Vec<f64>],
+    stored: Numbers,
+}
+
+impl<'a> Run<'a> {
+    fn of(facts: &'a Facts, signature: &'a Signature, code: &Code, kept: &'a [Vec<f64>]) -> Self {
+        let mut run = Self {
+            facts,
+            signature,
+            locals: vec![f64::NAN; code.locals.len()],
+            arrays: code
+                .arrays
+                .iter()
+                .map(|array| vec![f64::NAN; array.length])
+                .collect(),
+            kept,
+            stored: Numbers::new(),
+        };
+        for statement in &code.statements {
+            run.statement(statement);
+        }
+        run
+    }
+
+    fn place(&self, entry: &Entry) -> (String, usize) {
+        let argument = &self.signature.arguments[entry.argument];
+        let place = self.facts.extent(argument).place(&entry.steps);
+        (
+            argument.name.clone(),
+            place.expect("a place of the argument"),
+        )
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Assign { local, value } => self.locals[local.index()] = self.value(value),
+            Statement::SinCos {
+                angle,
+                sine,
+                cosine,
+            } => {
+                let (sin, cos) = self.value(angle).sin_cos();
+                let mut assign = |local: &Option<LocalId>, value| {
+                    local
+                        .iter()
+                        .for_each(|local| self.locals[local.index()] = value);
+                };
+                assign(sine, sin);
+                assign(cosine, cos);
+            }
+            Statement::SinCosArray {
+                angles,
+                sines,
+                cosines,
+            } => {
+                let both = angles.iter().map(|angle| self.value(angle).sin_cos());
+                let (sin, cos) = both.unzip();
+                self.arrays[sines.index()] = sin;
+                self.arrays[cosines.index()] = cos;
+            }
+            Statement::Store { place, value } => {
+                let (place, value) = (self.place(place), self.value(value));
+                assert!(self.stored.insert(place, value).is_none());
+            }
+            Statement::Fence => {}
+            Statement::StoreSinCos { .. } => unreachable!("of the function of sines alone"),
+        }
+    }
+
+    fn value(&self, expression: &Expression) -> f64 {
+        let two = |both: &[Expression; 2]| both.each_ref().map(|one| self.value(one));
+        match expression {
+            Expression::Number(number) => *number,
+            Expression::Local(id) => self.locals[id.index()],
+            Expression::Element(id, place) => self.arrays[id.index()][*place],
+            Expression::Kept(stage, place) => self.kept[*stage][*place],
+            Expression::Entry(entry) => given(&self.place(entry)),
+            Expression::Negative(a) => -self.value(a),
+            Expression::Absolute(a) => self.value(a).abs(),
+            Expression::Sum(both) => two(both).iter().sum(),
+            Expression::Difference(both) => two(both)[0] - two(both)[1],
+            Expression::Product(both) => two(both).iter().product(),
+            Expression::Quotient(both) => two(both)[0] / two(both)[1],
+            Expression::Fused(all) => {
+                let [a, b, c] = all.each_ref().map(|one| self.value(one));
+                a.mul_add(b, c)
+            }
+        }
+    }
+}
+
+/// What stands at a place of an argument: some number, another at each.
+fn given((name, place): &(String, usize)) -> f64 {
+    let name: u32 = name.bytes().map(u32::from).sum();
+    (f64::from(name) + 0.7 * f64::from(u32::try_from(*place).expect("few numbers"))).sin()
+}
+
+/// What the stages store, one after the other, each given what those before it keep.
+fn staged(facts: &Facts, stages: &[Stage]) -> Numbers {
+    let (mut stored, mut kept) = (Numbers::new(), Vec::new());
+    for stage in stages {
+        let run = Run::of(facts, &stage.signature, &stage.code, &kept);
+        let returned = stage
+            .kept
+            .iter()
+            .map(|kept| run.value(&kept.value))
+            .collect();
+        stored.extend(run.stored);
+        kept.push(returned);
+    }
+    stored
+}
+
+fn assert_same(module: &Module, function: &Function) {
+    let Function {
+        signature,
+        code,
+        stages,
+        ..
+    } = function;
+    assert!(stages.len() > 2, "{} is not long", signature.name);
+    let whole = Run::of(&module.facts, signature, code, &[]).stored;
+    let staged = staged(&module.facts, stages);
+    assert_eq!(whole.len(), staged.len());
+    // The operations are the same, so are the bits.
+    for (place, value) in &whole {
+        assert!(value.is_finite(), "{place:?}");
+        assert_eq!(value.to_bits(), staged[place].to_bits(), "{place:?}");
+    }
+}
+
+#[test]
+fn stages_store_what_their_function_does() {
+    let module = module_of(&hinges(1_300), &["relative_rotation"]);
+    assert_same(
+        &module,
+        module
+            .function("relative_rotation")
+            .expect("it is asked for"),
+    );
+    let model = include_str!("../../../../models/eight_body.toml");
+    let module = module_of(model, &["d(inverse_dynamics)/d(q, u, u_dot)"]);
+    let name = "d_inverse_dynamics_d_q_u_u_dot";
+    assert_same(&module, module.function(name).expect("it is asked for"));
+}
+
+#[test]
+fn short_functions_have_no_stages() {
+    let model = include_str!("../../../../models/eight_body.toml");
+    let module = module_of(model, &["mass_matrix_factors", "forward_dynamics"]);
+    assert!(
+        module
+            .functions
+            .iter()
+            .all(|function| function.stages.is_empty())
+    );
+}
+
+#[test]
+fn what_no_earlier_stage_keeps_cannot_be_read() {
+    let module = module_of(&hinges(1_300), &["relative_rotation"]);
+    let function = module
+        .function("relative_rotation")
+        .expect("it is asked for");
+    let mut function = function.clone();
+    let assigned = function.stages[1].code.statements.iter_mut();
+    let value = assigned.filter_map(|statement| match statement {
+        Statement::Assign { value, .. } => Some(value),
+        _ => None,
+    });
+    for value in value.filter(|value| matches!(value, Expression::Kept(..))) {
+        // The second stage's own.
+        *value = Expression::Kept(1, 0);
+    }
+    let fault = verify(&module.facts, &function).expect_err("a planted fault");
+    assert!(matches!(fault, Fault::NotKept(1, 0)), "{fault}");
+}
