@@ -45,6 +45,7 @@ pub mod chart;
 pub mod checked;
 pub mod integrate;
 pub mod inverse_kinematics;
+pub mod manifold;
 pub mod self_test;
 #[cfg(feature = "simulate")]
 pub mod simulate;
