@@ -38,14 +38,17 @@ mod system;
 // Its functions, a trait each.
 pub mod functions;
 
+// Coordinates as points of a manifold, which steps move.
+pub mod manifold;
+
 // What can be done with any system.
 pub mod batch;
 #[cfg(feature = "std")]
 pub mod chart;
 pub mod checked;
+pub mod discrete;
 pub mod integrate;
 pub mod inverse_kinematics;
-pub mod manifold;
 pub mod self_test;
 #[cfg(feature = "simulate")]
 pub mod simulate;

@@ -22,6 +22,7 @@
 //! # }
 //! ```
 
+pub(crate) mod rate;
 mod root;
 mod tangent;
 mod turn;
@@ -71,8 +72,16 @@ impl Turning {
         }
     }
 
+    /// The entries of its three speeds.
     fn turn<R: Real, A: Array<R>>(self, d: &A) -> Vector<R> {
         self.u.map(|place| d[place])
+    }
+
+    /// Overwrites these.
+    fn set<R: Real, A: Array<R>>(self, d: &mut A, turn: Vector<R>) {
+        for (place, entry) in self.u.into_iter().zip(turn) {
+            d[place] = entry;
+        }
     }
 }
 
@@ -146,9 +155,7 @@ pub fn q_minus<R: Real, S: System<R>>(system: &S, q: &S::Q, q_other: &S::Q) -> S
     for joint in turnings::<R, S>() {
         let back = turn::inverse(joint.quaternion(q));
         let turn = turn::log(turn::product(back, joint.quaternion(q_other)));
-        for (speed, entry) in joint.u.into_iter().zip(turn) {
-            direction[speed] = entry;
-        }
+        joint.set(&mut direction, turn);
     }
     direction
 }

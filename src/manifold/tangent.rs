@@ -9,13 +9,22 @@ use crate::{Array, Real, System};
 /// [`q_minus`](super::q_minus), both sides of which are directions.
 ///
 /// Where speeds are rates of coordinates it is the identity, or its negative. Of orientations it has the block of their three speeds.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct TangentMap<R: Real, S: System<R>> {
     /// What stands on the diagonal elsewhere.
     diagonal: R,
     /// A block a body.
     blocks: S::Rotations,
 }
+
+// Derived, these would ask the system for the same.
+impl<R: Real, S: System<R>> Clone for TangentMap<R, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Real, S: System<R>> Copy for TangentMap<R, S> {}
 
 impl<R: Real, S: System<R>> TangentMap<R, S> {
     fn new(direction: &S::U, diagonal: f64, block: fn(Vector<R>) -> Matrix<R>) -> Self {
@@ -70,9 +79,7 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         let mut mapped = S::U::from_fn(|place| self.diagonal * given[place]);
         for joint in turnings::<R, S>() {
             let turn = times(&self.blocks[joint.body], joint.turn(given));
-            for (place, entry) in joint.u.into_iter().zip(turn) {
-                mapped[place] = entry;
-            }
+            joint.set(&mut mapped, turn);
         }
         mapped
     }

@@ -1,0 +1,78 @@
+//! Generates the systems with the derivatives that steps, regulators and estimators call.
+
+use std::{env, error::Error, fs, path::Path};
+
+use kane_codegen::{
+    build_script::Build,
+    compile::Options,
+    config::Functions,
+    description::{self, Reading, Scalar, no_includes, toml},
+    diagnostic::Source,
+    generate::generate,
+    output::{self, Overwrite},
+};
+
+/// What steps, their derivatives and products with these are made of.
+const STEPS: [&str; 4] = [
+    "forward_dynamics",
+    "forward_dynamics+d(forward_dynamics)/d(q, u, tau)",
+    "jvp(forward_dynamics; q, u, tau)",
+    "vjp(forward_dynamics; q, u, tau)",
+];
+
+/// The same by values set at run time.
+const BY_PARAMETERS: &str = "d(forward_dynamics)/d(parameters)";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("cargo::rerun-if-changed=build.rs");
+    for model in ["../../models/cart_pole.toml", "models/tumbler.toml"] {
+        Build::new(model)
+            .functions(STEPS.into_iter().chain([BY_PARAMETERS]))
+            .run()?;
+    }
+    // Its derivatives as a whole are ten times as long as their products with a direction.
+    Build::new("../../models/eight_body.toml")
+        .functions([STEPS[0], STEPS[2], STEPS[3]])
+        .run()?;
+    panda()
+}
+
+/// The arm with a payload in its hand whose mass, mass centre and inertia are set at run time: the massless link at
+/// the tip becomes that.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "cargo names the output folder of a build script in its environment"
+)]
+fn panda() -> Result<(), Box<dyn Error>> {
+    let urdf = "../../tests/robots/panda/panda.urdf";
+    println!("cargo::rerun-if-changed={urdf}");
+    let source = Source::new(urdf, fs::read_to_string(urdf)?);
+    let mut model = description::read(&source, &Reading::default(), &no_includes);
+    for body in &mut model.bodies {
+        if let Some(name) = &mut body.name
+            && name.value == "panda_hand_tcp"
+        {
+            "payload".clone_into(&mut name.value);
+            let set = [&mut body.mass].into_iter().chain(&mut body.mass_center);
+            for number in set.flatten() {
+                number.value = Scalar::Runtime(0.0);
+            }
+        }
+    }
+    let of_arm = [
+        "inverse_dynamics",
+        "d(inverse_dynamics)/d(parameters)",
+        "pose(payload)",
+        "jacobian(payload)",
+    ];
+    let functions = STEPS.into_iter().chain(of_arm);
+    let options = Options {
+        functions: Functions::Named(functions.map(ToOwned::to_owned).collect()),
+        ..Options::default()
+    };
+    let model = Source::new("panda.toml", toml::write(&model)?);
+    let generated = generate(&model, "panda.toml", &options, &no_includes)?;
+    let path = Path::new(&env::var("OUT_DIR")?).join("panda.rs");
+    output::write(&generated.files(&path), Overwrite::Generated)?;
+    Ok(())
+}
