@@ -1,5 +1,11 @@
 //! Optimal control and estimation by generated derivatives.
 
+pub mod arm;
+pub mod ilqr;
+pub mod limits;
+pub mod reach;
+pub mod swing_up;
+
 macro_rules! systems {
     ($($(#[$meaning:meta])* $name:ident)+) => {$(
         $(#[$meaning])*

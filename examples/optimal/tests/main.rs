@@ -1,0 +1,4 @@
+//! Steps and their derivatives against differences, and what the examples achieve.
+
+mod achievements;
+mod steps;
