@@ -1,10 +1,18 @@
 //! Optimal control and estimation by generated derivatives.
 
 pub mod arm;
+pub mod formation;
 pub mod ilqr;
 pub mod limits;
+pub mod payload;
+pub mod predictive;
 pub mod reach;
+pub mod riccati;
 pub mod swing_up;
+
+mod noise;
+
+pub use noise::Noise;
 
 macro_rules! systems {
     ($($(#[$meaning:meta])* $name:ident)+) => {$(
