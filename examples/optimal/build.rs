@@ -65,7 +65,8 @@ fn panda() -> Result<(), Box<dyn Error>> {
         "pose(payload)",
         "jacobian(payload)",
     ];
-    let functions = STEPS.into_iter().chain(of_arm);
+    // Tests try products with directions on the others.
+    let functions = STEPS[..2].iter().copied().chain(of_arm);
     let options = Options {
         functions: Functions::Named(functions.map(ToOwned::to_owned).collect()),
         ..Options::default()

@@ -116,15 +116,12 @@ fn columns<U: Array<f64>, M: Array<U>>(of: &StepDerivatives<M>) -> Vec<Vec<f64>>
     blocks.into_iter().flat_map(of_block).collect()
 }
 
-fn whole_derivatives_are_differences<S>(system: &S, seed: u64, force: f64, dt: f64)
+/// Tries both steps of a system from a state, and returns `A` and `B` of each.
+fn whole_derivatives_are_differences<S>(system: &S, at: &Driven<S::Q, S::U>) -> [Vec<Vec<f64>>; 2]
 where
-    S: ForwardDynamics<f64>
-        + ForwardDynamicsAndDerivatives<f64>
-        + ForwardDynamicsJvp<f64>
-        + ForwardDynamicsVjp<f64>,
+    S: ForwardDynamics<f64> + ForwardDynamicsAndDerivatives<f64>,
 {
-    for scheme in Scheme::ALL {
-        let at = drawn(system, seed, force, dt);
+    Scheme::ALL.map(|scheme| {
         let zero = S::Matrix::filled(S::U::filled(f64::NAN));
         let mut found = StepDerivatives {
             q_by_q: zero,
@@ -135,18 +132,18 @@ where
             u_by_tau: zero,
         };
         let what = format!("{}, {scheme:?}", S::NAME);
-        let after = scheme.linearized(system, &at, &mut found);
+        let after = scheme.linearized(system, at, &mut found);
         // It is the same step; of what is joined, the operations come in another order.
-        let there = seen(system, &scheme.step(system, &at), &after);
+        let there = seen(system, &scheme.step(system, at), &after);
         assert_close(&what, &there, &vec![0.0; there.len()], ROUNDED);
         let columns = columns(&found);
         assert_eq!(columns.len(), 3 * S::U::LEN);
         for (place, column) in columns.iter().enumerate() {
-            let expected = differenced(scheme, system, &at, &unit(place));
+            let expected = differenced(scheme, system, at, &unit(place));
             assert_close(format!("{what}, {place}"), column, &expected, DIFFERENCED);
         }
-        products_are_those_with(scheme, system, &at, &columns);
-    }
+        columns
+    })
 }
 
 /// Forward and back, without the matrices.
@@ -183,14 +180,47 @@ fn products_are_those_with<S>(
     assert_close(&what, &found, &expected, ROUNDED);
 }
 
+/// The same, and products with directions and multipliers.
+fn all_derivatives_are_differences<S>(system: &S, at: &Driven<S::Q, S::U>)
+where
+    S: ForwardDynamics<f64>
+        + ForwardDynamicsAndDerivatives<f64>
+        + ForwardDynamicsJvp<f64>
+        + ForwardDynamicsVjp<f64>,
+{
+    let of_both = whole_derivatives_are_differences(system, at);
+    for (scheme, columns) in Scheme::ALL.into_iter().zip(of_both) {
+        products_are_those_with(scheme, system, at, &columns);
+    }
+}
+
 #[test]
 fn a_and_b_are_differences_of_the_step() {
-    whole_derivatives_are_differences(&cart_pole::Prepared::nominal(), 1, 3.0, 0.02);
-    whole_derivatives_are_differences(&panda::Prepared::nominal(), 2, 20.0, 0.01);
+    let cart = cart_pole::Prepared::nominal();
+    all_derivatives_are_differences(&cart, &drawn(&cart, 1, 3.0, 0.02));
+    let arm = panda::Prepared::nominal();
+    let _ = whole_derivatives_are_differences(&arm, &drawn(&arm, 2, 20.0, 0.01));
+    let tumbler = tumbler::Prepared::nominal();
     // A long step, so that turns count.
     for dt in [1e-4, 0.02, 0.2] {
-        whole_derivatives_are_differences(&tumbler::Prepared::nominal(), 3, 0.3, dt);
+        all_derivatives_are_differences(&tumbler, &drawn(&tumbler, 3, 0.3, dt));
     }
+}
+
+#[test]
+fn a_step_has_the_same_bits_on_every_machine() {
+    let system = tumbler::Prepared::<f64>::nominal();
+    let mut at = drawn(&system, 6, 0.3, 0.01);
+    for scheme in Scheme::ALL {
+        for _ in 0..20 {
+            (at.q, at.u) = scheme.step(&system, &at);
+        }
+    }
+    let bits = at.q.iter().chain(&at.u).map(|number| number.to_bits());
+    let mixed = bits.fold(0_u64, |sum, bits| {
+        (sum ^ bits).wrapping_mul(0x0100_0000_01b3)
+    });
+    assert_eq!(mixed, 0xd5c5_bb9d_fee3_c6cb, "{mixed:#018x}");
 }
 
 #[test]
