@@ -23,13 +23,29 @@ const STEPS: [&str; 4] = [
 /// The same by values set at run time.
 const BY_PARAMETERS: &str = "d(forward_dynamics)/d(parameters)";
 
+/// The other derivatives for which the runtime has traits: for tests.
+const OTHERS: [&str; 10] = [
+    "d(forward_dynamics)/d(q, u, tau)",
+    "jvp(forward_dynamics; q, u, tau, parameters)",
+    "vjp(forward_dynamics; q, u, tau, parameters)",
+    "d(inverse_dynamics)/d(q, u, u_dot)",
+    "inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)",
+    "d(inverse_dynamics)/d(parameters)",
+    "jvp(inverse_dynamics; q, u, u_dot)",
+    "jvp(inverse_dynamics; q, u, u_dot, parameters)",
+    "vjp(inverse_dynamics; q, u, u_dot)",
+    "vjp(inverse_dynamics; q, u, u_dot, parameters)",
+];
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    for model in ["../../models/cart_pole.toml", "models/tumbler.toml"] {
-        Build::new(model)
-            .functions(STEPS.into_iter().chain([BY_PARAMETERS]))
-            .run()?;
-    }
+    let of_steps = STEPS.into_iter().chain([BY_PARAMETERS]);
+    Build::new("../../models/cart_pole.toml")
+        .functions(of_steps.clone().chain(OTHERS))
+        .run()?;
+    Build::new("models/tumbler.toml")
+        .functions(of_steps)
+        .run()?;
     // Its derivatives as a whole are ten times as long as their products with a direction.
     Build::new("../../models/eight_body.toml")
         .functions([STEPS[0], STEPS[2], STEPS[3]])

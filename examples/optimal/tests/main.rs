@@ -1,4 +1,5 @@
-//! Steps and their derivatives against differences, and what the examples achieve.
+//! Derivatives held by traits, steps and their derivatives against differences, and what the examples achieve.
 
 mod achievements;
 mod steps;
+mod traits;

@@ -19,8 +19,8 @@ pub(super) fn trait_impl(function: &Function) -> Option<Item> {
     // The first one is `self`.
     let arguments = function.signature.arguments.iter().skip(1);
     let names = arguments.clone().map(|argument| ident(&argument.name));
-    let declared = arguments.clone().map(signature::declared);
-    let associated = associated(arguments);
+    let declared = arguments.map(signature::declared);
+    let associated = associated(&function.signature.arguments);
     Some(parse_quote! {
         impl<R: kane::Real> kane::functions::#name<R> for Prepared<R> {
             #associated
@@ -33,13 +33,13 @@ pub(super) fn trait_impl(function: &Function) -> Option<Item> {
 }
 
 /// The types that the trait leaves to the system: those of what its arguments are by.
-fn associated<'a>(arguments: impl Iterator<Item = &'a Declared> + Clone) -> TokenStream {
+fn associated(arguments: &[Declared]) -> TokenStream {
     let is_of = |axes: &[&str]| {
         let lengths: Vec<_> = axes
             .iter()
             .map(|name| Length::Constant((*name).to_owned()))
             .collect();
-        let mut arguments = arguments.clone();
+        let mut arguments = arguments.iter();
         arguments.any(|argument| argument.lengths == lengths)
     };
     let matrix = is_of(&[N_SPEEDS, N_SPEEDS]).then(|| {
