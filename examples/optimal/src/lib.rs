@@ -1,4 +1,17 @@
 //! Optimal control and estimation by generated derivatives.
+//!
+//! | module | |
+//! | --- | --- |
+//! | [`swing_up`] | a cart swings its pole up with a weak motor |
+//! | [`reach`] | a Panda carries a payload to a point, as fast as its drives allow |
+//! | [`formation`] | eight free bodies are held by one linear-quadratic regulator |
+//! | [`payload`] | a Panda weighs what it holds |
+//! | [`predictive`] | a Panda plans anew each millisecond |
+//!
+//! They stand on [`ilqr`], trajectories with limits, which asks [`limits`] for each step; on [`riccati`], regulators; and
+//! on [`arm`], what reaching is.
+//!
+//! `cargo run --release --package kane-optimal`
 
 pub mod arm;
 pub mod formation;
