@@ -1,20 +1,32 @@
-//! Sums of arrays.
+//! Sums of arrays. Nothing is indexed, so that no panic stays in a linked program.
 
 use crate::{Array, Real};
 
 /// `a + factor b`.
 pub(super) fn plus_scaled<R: Real, A: Array<R>>(a: &A, factor: R, b: &A) -> A {
-    A::from_fn(|place| a[place] + factor * b[place])
+    let mut sum = *a;
+    for (sum, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
+        *sum = *sum + factor * *b;
+    }
+    sum
 }
 
 /// `a + b`.
 pub(super) fn plus<R: Real, A: Array<R>>(a: &A, b: &A) -> A {
-    A::from_fn(|place| a[place] + b[place])
+    let mut sum = *a;
+    for (sum, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
+        *sum = *sum + *b;
+    }
+    sum
 }
 
 /// `factor a`.
 pub(super) fn scaled<R: Real, A: Array<R>>(factor: R, a: &A) -> A {
-    A::from_fn(|place| factor * a[place])
+    let mut scaled = *a;
+    for entry in scaled.as_mut() {
+        *entry = factor * *entry;
+    }
+    scaled
 }
 
 /// No change.
@@ -29,12 +41,13 @@ pub(super) fn unit<R: Real, A: Array<R>>(entry: usize) -> A {
 
 /// A matrix by rows times a vector.
 pub(super) fn times<R: Real, U: Array<R>, M: Array<U>>(matrix: &M, v: &U) -> U {
-    U::from_fn(|row| {
-        let row = matrix[row].as_ref().iter();
-        let zero = R::from_f64(0.0);
-        row.zip(v.as_ref())
-            .fold(zero, |sum, (entry, v)| sum + *entry * *v)
-    })
+    let mut product = zero::<R, U>();
+    for (sum, row) in product.as_mut().iter_mut().zip(matrix.as_ref()) {
+        for (entry, v) in row.as_ref().iter().zip(v.as_ref()) {
+            *sum = *sum + *entry * *v;
+        }
+    }
+    product
 }
 
 /// A column of a matrix by rows, one entry a speed.
@@ -42,7 +55,13 @@ pub(super) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     matrix: &M,
     place: usize,
 ) -> U {
-    U::from_fn(|row| matrix[row][place])
+    let mut column = zero::<R, U>();
+    for (entry, row) in column.as_mut().iter_mut().zip(matrix.as_ref()) {
+        if let Some(own) = row.as_ref().get(place) {
+            *entry = *own;
+        }
+    }
+    column
 }
 
 /// Writes such a column.
@@ -52,6 +71,8 @@ pub(super) fn set_column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     column: &U,
 ) {
     for (row, entry) in matrix.as_mut().iter_mut().zip(column.as_ref()) {
-        row[place] = *entry;
+        if let Some(own) = row.as_mut().get_mut(place) {
+            *own = *entry;
+        }
     }
 }

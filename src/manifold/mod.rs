@@ -33,6 +33,19 @@ use crate::joint::Chart;
 use crate::{Array, Joint, Real, System};
 use turn::{Quaternion, Vector};
 
+/// An entry; zero beyond the end, which no table leads to: so that no panic stays in a linked program.
+fn entry<R: Real, A: Array<R>>(array: &A, place: usize) -> R {
+    let found = array.as_ref().get(place).copied();
+    found.unwrap_or(R::from_f64(0.0))
+}
+
+/// Overwrites an entry.
+fn put<R: Real, A: Array<R>>(array: &mut A, place: usize, value: R) {
+    if let Some(entry) = array.as_mut().get_mut(place) {
+        *entry = value;
+    }
+}
+
 /// A joint whose speeds are no rates of its coordinates: where its orientation and angular velocity stand.
 #[derive(Clone, Copy, Debug)]
 struct Turning {
@@ -61,12 +74,12 @@ impl Turning {
     }
 
     fn angles<R: Real, A: Array<R>>(self, q: &A) -> Vector<R> {
-        [q[self.q[0]], q[self.q[1]], q[self.q[2]]]
+        [self.q[0], self.q[1], self.q[2]].map(|place| entry(q, place))
     }
 
     fn quaternion<R: Real, A: Array<R>>(self, q: &A) -> Quaternion<R> {
         if self.is_quaternion {
-            self.q.map(|place| q[place])
+            self.q.map(|place| entry(q, place))
         } else {
             turn::of_angles(self.angles(q))
         }
@@ -74,13 +87,13 @@ impl Turning {
 
     /// The entries of its three speeds.
     fn turn<R: Real, A: Array<R>>(self, d: &A) -> Vector<R> {
-        self.u.map(|place| d[place])
+        self.u.map(|place| entry(d, place))
     }
 
     /// Overwrites these.
     fn set<R: Real, A: Array<R>>(self, d: &mut A, turn: Vector<R>) {
-        for (place, entry) in self.u.into_iter().zip(turn) {
-            d[place] = entry;
+        for (place, own) in self.u.into_iter().zip(turn) {
+            put(d, place, own);
         }
     }
 }
@@ -122,19 +135,19 @@ pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> 
     let _ = system;
     let mut moved = *q;
     for (place, speed) in rates::<R, S>() {
-        moved[place] = q[place] + direction[speed];
+        put(&mut moved, place, entry(q, place) + entry(direction, speed));
     }
     for joint in turnings::<R, S>() {
         let by = turn::exp(joint.turn(direction));
         let turned = turn::product(joint.quaternion(q), by);
         if joint.is_quaternion {
-            for (place, entry) in joint.q.into_iter().zip(turned) {
-                moved[place] = entry;
+            for (place, own) in joint.q.into_iter().zip(turned) {
+                put(&mut moved, place, own);
             }
         } else {
             let angles = turn::angles_near(turned, joint.angles(q));
-            for (place, entry) in joint.q.into_iter().zip(angles) {
-                moved[place] = entry;
+            for (place, own) in joint.q.into_iter().zip(angles) {
+                put(&mut moved, place, own);
             }
         }
     }
@@ -150,7 +163,11 @@ pub fn q_minus<R: Real, S: System<R>>(system: &S, q: &S::Q, q_other: &S::Q) -> S
     let _ = system;
     let mut direction = S::U::filled(R::from_f64(0.0));
     for (place, speed) in rates::<R, S>() {
-        direction[speed] = q_other[place] - q[place];
+        put(
+            &mut direction,
+            speed,
+            entry(q_other, place) - entry(q, place),
+        );
     }
     for joint in turnings::<R, S>() {
         let back = turn::inverse(joint.quaternion(q));

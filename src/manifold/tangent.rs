@@ -31,7 +31,9 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         let diagonal = R::from_f64(diagonal);
         let mut blocks = S::Rotations::filled([[diagonal; 3]; 3]);
         for joint in turnings::<R, S>() {
-            blocks[joint.body] = block(joint.turn(direction));
+            if let Some(own) = blocks.as_mut().get_mut(joint.body) {
+                *own = block(joint.turn(direction));
+            }
         }
         Self { diagonal, blocks }
     }
@@ -76,10 +78,14 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
     }
 
     fn mapped(&self, given: &S::U, times: fn(&Matrix<R>, Vector<R>) -> Vector<R>) -> S::U {
-        let mut mapped = S::U::from_fn(|place| self.diagonal * given[place]);
+        let mut mapped = *given;
+        for entry in mapped.as_mut() {
+            *entry = self.diagonal * *entry;
+        }
         for joint in turnings::<R, S>() {
-            let turn = times(&self.blocks[joint.body], joint.turn(given));
-            joint.set(&mut mapped, turn);
+            if let Some(block) = self.blocks.as_ref().get(joint.body) {
+                joint.set(&mut mapped, times(block, joint.turn(given)));
+            }
         }
         mapped
     }
