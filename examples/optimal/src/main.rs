@@ -8,10 +8,10 @@ use kane_optimal::{arm, formation, payload, reach, swing_up};
 #[expect(clippy::print_stdout, reason = "a program that reports")]
 fn main() {
     let motion = swing_up::run();
-    if let Some((q, u)) = motion.states.last() {
+    if let Some(([_, pole], [_, turning])) = motion.states.last() {
         println!(
             "swing-up: the pole is {:.4} rad from upright, turning at {:.4} rad/s",
-            q[1], u[1]
+            pole, turning
         );
     }
     let motion = reach::run();
