@@ -9,10 +9,7 @@ use kane_optimal::{arm, formation, payload, reach, swing_up};
 fn main() {
     let motion = swing_up::run();
     if let Some(([_, pole], [_, turning])) = motion.states.last() {
-        println!(
-            "swing-up: the pole is {:.4} rad from upright, turning at {:.4} rad/s",
-            pole, turning
-        );
+        println!("swing-up: the pole is {pole:.4} rad from upright, turning at {turning:.4} rad/s");
     }
     let motion = reach::run();
     if let Some((q, _)) = motion.states.last() {

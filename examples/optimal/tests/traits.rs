@@ -132,8 +132,11 @@ where
     found
 }
 
+/// Of the cart and the pole.
+type OfCart = Found<[f64; 2], [[f64; 2]; 2], [[f64; 1]; 2], [f64; 1]>;
+
 /// Holds the products against those with the matrices.
-fn belongs_together(what: &str, found: &Found<[f64; 2], [[f64; 2]; 2], [[f64; 1]; 2], [f64; 1]>) {
+fn belongs_together(what: &str, found: &OfCart) {
     let flat = |matrices: &[[[f64; 2]; 2]; 3]| matrices.as_flattened().as_flattened().to_vec();
     assert_close(what, &flat(&found.joined), &flat(&found.whole), ROUNDED);
     let directions: [[f64; 2]; 3] = [given(4), given(5), given(6)];
