@@ -71,8 +71,13 @@ fn times_rows<R: Real>(v: &Row<R>, matrix: &[Row<R>; 4]) -> Row<R> {
 }
 
 fn transposed<R: Real>(matrix: &[Row<R>; 4]) -> [Row<R>; 4] {
-    let [[a, b, c, d], [e, f, g, h], [i, j, k, l], [m, n, o, p]] = *matrix;
-    [[a, e, i, m], [b, f, j, n], [c, g, k, o], [d, h, l, p]]
+    let [a, b, c, d] = matrix;
+    [
+        [a[0], b[0], c[0], d[0]],
+        [a[1], b[1], c[1], d[1]],
+        [a[2], b[2], c[2], d[2]],
+        [a[3], b[3], c[3], d[3]],
+    ]
 }
 
 /// With the costs one of a state's numbers and a tenth of the force.
