@@ -1,4 +1,4 @@
-//! Generates the Panda, as a user's build script would, or random trees, and says how a program for a microcontroller is linked.
+//! Generates the Panda and the cart with its derivatives, as a user's build script would, or random trees, and says how a program for a microcontroller is linked.
 
 use std::{env, error::Error, fmt::Write as _, fs, path::Path};
 
@@ -20,6 +20,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             "inverse_dynamics",
             "jacobian(panda_hand_tcp)",
             "coriolis_matrix",
+        ])
+        .run()?;
+    Build::new("../models/cart_pole.toml")
+        .name("cart_pole_steps")
+        .functions([
+            "forward_dynamics",
+            "forward_dynamics+d(forward_dynamics)/d(q, u, tau)",
         ])
         .run()?;
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {

@@ -73,6 +73,10 @@
 //! | [`OperationalInverseInertia`] of frames | `operational_inverse_inertia(q, inverse_inertia)` | `Matrix` | `J M⁻¹ Jᵀ` |
 //! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
+//! Of derivatives forward and inverse dynamics have traits: [`ForwardDynamicsDerivatives`],
+//! [`ForwardDynamicsAndDerivatives`], [`ForwardDynamicsByParameters`], [`ForwardDynamicsJvp`], [`ForwardDynamicsVjp`], and the same
+//! of inverse dynamics; each names the request that has it.
+//!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};
 //! use kane::{Array, Real};
@@ -461,8 +465,16 @@ pub trait JointRegressor<R: Real>: System<R> {
     fn joint_regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Terms);
 }
 
+mod derivatives;
 mod frames;
 
+pub use derivatives::{
+    ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters, ForwardDynamicsDerivatives,
+    ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
+    ForwardDynamicsVjp, InverseDynamicsAndDerivatives, InverseDynamicsByParameters,
+    InverseDynamicsDerivatives, InverseDynamicsJvp, InverseDynamicsParametersJvp,
+    InverseDynamicsParametersVjp, InverseDynamicsVjp,
+};
 pub use frames::{
     Acceleration, GeneralizedForce, Imu, Jacobian, JacobianDotU, JacobianPacked, Local,
     OperationalInverseInertia, PointJacobian, Pose, Seen, Velocity,

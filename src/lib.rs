@@ -38,11 +38,15 @@ mod system;
 // Its functions, a trait each.
 pub mod functions;
 
+// Coordinates as points of a manifold, which steps move.
+pub mod manifold;
+
 // What can be done with any system.
 pub mod batch;
 #[cfg(feature = "std")]
 pub mod chart;
 pub mod checked;
+pub mod discrete;
 pub mod integrate;
 pub mod inverse_kinematics;
 pub mod self_test;

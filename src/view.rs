@@ -15,11 +15,15 @@
 //! assert_eq!(tau, [1.0, -2.0]);
 //! ```
 //!
+//! Of a discrete step [`step_by_state`] makes `A`, [`step_by_tau`] `B`.
+//!
 //! Without `std`, decompositions and norms need nalgebra's feature `libm`.
 
 use nalgebra::{
     Const, MatrixView, MatrixViewMut, Rotation3, SMatrix, Scalar, VectorView, VectorViewMut,
 };
+
+use crate::discrete::StepDerivatives;
 
 /// `q`, `u`, `tau`, or one body's vector, as a column vector.
 pub fn vector<R: Scalar, const N: usize>(array: &[R; N]) -> VectorView<'_, R, Const<N>> {
@@ -68,4 +72,66 @@ pub fn to_rows<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
 /// The nine numbers are taken as they are, orthonormal to rounding.
 pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
     Rotation3::from_matrix_unchecked(matrix(rows))
+}
+
+/// Copies the derivatives of a discrete step by the state into `A`, of `N` speeds and twice as many rows and columns: changes of `q` stand
+/// before those of `u`.
+///
+/// ```
+/// # #[cfg(feature = "cart_pole")] {
+/// use kane::discrete::StepDerivatives;
+/// use kane::view::step_by_state;
+/// use nalgebra::SMatrix;
+///
+/// let block = |number| [[number]];
+/// let derivatives = StepDerivatives {
+///     q_by_q: block(1.0), q_by_u: block(2.0), q_by_tau: block(3.0),
+///     u_by_q: block(4.0), u_by_u: block(5.0), u_by_tau: block(6.0),
+/// };
+/// let a: SMatrix<f64, 2, 2> = step_by_state(&derivatives);
+/// assert_eq!(a, SMatrix::<f64, 2, 2>::new(1.0, 2.0, 4.0, 5.0));
+/// # }
+/// ```
+pub fn step_by_state<R: Scalar, const N: usize, const N2: usize>(
+    derivatives: &StepDerivatives<[[R; N]; N]>,
+) -> SMatrix<R, N2, N2> {
+    const { assert!(N2 == 2 * N, "`A` has two rows a speed") };
+    let StepDerivatives {
+        q_by_q,
+        q_by_u,
+        u_by_q,
+        u_by_u,
+        ..
+    } = derivatives;
+    SMatrix::from_fn(|row, column| {
+        let [by_q, by_u] = if row < N {
+            [q_by_q, q_by_u].map(|block| &block[row])
+        } else {
+            [u_by_q, u_by_u].map(|block| &block[row - N])
+        };
+        let entry = if column < N {
+            &by_q[column]
+        } else {
+            &by_u[column - N]
+        };
+        entry.clone()
+    })
+}
+
+/// Copies the derivatives of a discrete step by the forces into `B`, of `N` speeds: two rows and a column a speed.
+pub fn step_by_tau<R: Scalar, const N: usize, const N2: usize>(
+    derivatives: &StepDerivatives<[[R; N]; N]>,
+) -> SMatrix<R, N2, N> {
+    const { assert!(N2 == 2 * N, "`B` has two rows a speed") };
+    let StepDerivatives {
+        q_by_tau, u_by_tau, ..
+    } = derivatives;
+    SMatrix::from_fn(|row, column| {
+        let rows = if row < N {
+            &q_by_tau[row]
+        } else {
+            &u_by_tau[row - N]
+        };
+        rows[column].clone()
+    })
 }

@@ -18,6 +18,18 @@ mod panda {
     include!(concat!(env!("OUT_DIR"), "/panda.rs"));
 }
 
+/// The cart and the pole, with what a step's derivatives are made of.
+#[allow(
+    clippy::pedantic,
+    reason = "generated: nobody wrote these lines, and nobody will polish them"
+)]
+mod cart_pole_steps {
+    include!(concat!(env!("OUT_DIR"), "/cart_pole_steps.rs"));
+}
+
+#[path = "regulator.rs"]
+mod regulator;
+
 // Random trees, where the build script was asked for some.
 include!(concat!(env!("OUT_DIR"), "/trees.rs"));
 
@@ -123,6 +135,23 @@ fn bundled<R: Scalar>(machine: &mut impl Machine) {
     };
     function.at_states(machine, |state: &State<R, _, _>, [u_dot]| {
         cart_pole::forward_dynamics(&system, &state.q, &state.u, &state.tau, u_dot);
+    });
+
+    let system = cart_pole_steps::Prepared::<R>::nominal();
+    let function = Function {
+        name: "regulator::gains",
+        address: regulator::gains::<R> as *const (),
+    };
+    // The states do not matter: the gains are those near upright, of any pole.
+    function.at_states(machine, |_: &State<R, 2, 2>, gains| {
+        *gains = regulator::gains(&system);
+    });
+    let function = Function {
+        name: "regulator::held",
+        address: regulator::held::<R> as *const (),
+    };
+    function.at_states(machine, |_: &State<R, 2, 2>, state| {
+        *state = regulator::held(&system, &regulator::gains(&system));
     });
 
     let system = eight_body::Prepared::<R>::nominal();

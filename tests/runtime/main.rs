@@ -1,4 +1,4 @@
-//! The runtime: the scalar and its lanes, batches, integration, inverse kinematics, checks, charts, and the traits of systems.
+//! The runtime: the scalar and its lanes, batches, integration, motions on manifolds, inverse kinematics, checks, charts, and the traits of systems.
 
 #[cfg(feature = "eight_body")]
 mod batch;
@@ -10,6 +10,7 @@ mod integrate;
 mod inverse_kinematics;
 #[cfg(feature = "wide")]
 mod lanes;
+mod manifold;
 #[cfg(feature = "eight_body")]
 mod operators;
 mod real;

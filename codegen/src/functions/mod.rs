@@ -8,6 +8,7 @@ mod argument;
 mod candidate;
 mod catalogue;
 mod derivative;
+mod derivative_trait;
 mod derive;
 mod derive_center;
 mod derive_coriolis;

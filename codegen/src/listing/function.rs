@@ -15,6 +15,8 @@ pub struct Function {
     pub arguments: Vec<Argument>,
     /// The part of a request, where it is one as the catalogue has it.
     pub alone: Option<Part>,
+    /// The runtime's trait for the derivatives that it is, where there is one.
+    pub derivative_trait: Option<&'static str>,
     /// The pattern of its output that stands before it, by its place among [`Facts::patterns`].
     pub pattern: Option<usize>,
     /// How its sums over bodies are associated.
@@ -38,6 +40,7 @@ impl Function {
             signature,
             arguments: Vec::new(),
             alone: None,
+            derivative_trait: None,
             pattern: None,
             formulation: Formulation::Notes,
             has_choice: false,

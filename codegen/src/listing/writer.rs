@@ -48,6 +48,7 @@ impl<'a> Writer<'a> {
         Function {
             arguments: request.arguments(),
             alone: request.alone().cloned(),
+            derivative_trait: request.derivative_trait(),
             pattern: self.pattern(emittable),
             formulation: emittable.formulation,
             has_choice: request.formulations().len() > 1,

@@ -85,6 +85,29 @@ fn a_function_s_text_does_not_depend_on_what_else_is_asked_for() {
 }
 
 #[test]
+fn derivatives_that_generic_code_can_hold_have_their_trait() {
+    let traits = |request: &str| -> Vec<String> {
+        let text = module("cart_pole", named(&[request]));
+        let lines = text.lines();
+        let begins = "impl<R: kane::Real> kane::functions::";
+        let traits = lines.filter_map(|line| line.trim_start().strip_prefix(begins));
+        let names = traits.map(|line| line.split('<').next().unwrap().to_owned());
+        names.collect()
+    };
+    assert_eq!(
+        traits("d( forward_dynamics )/d(q, u, tau)"),
+        ["ForwardDynamicsDerivatives"]
+    );
+    // Joined, it is not the derivatives alone; in another order or by other variables it is a function of the module.
+    assert_eq!(
+        traits("forward_dynamics+d(forward_dynamics)/d(q, u, tau)"),
+        ["ForwardDynamicsAndDerivatives"]
+    );
+    assert!(traits("d(forward_dynamics)/d(u, q, tau)").is_empty());
+    assert!(traits("vjp(inverse_dynamics; q)").is_empty());
+}
+
+#[test]
 fn every_number_reads_back_bit_for_bit() {
     for number in [
         0.1,

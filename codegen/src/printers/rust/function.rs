@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use syn::{Item, ItemFn, parse_quote};
 
 use super::{
-    constants,
+    constants, derivatives,
     expression::Writer,
     frames, signature, stages, statements,
     text::{allow_generated, doc, ident},
@@ -36,6 +36,7 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
             .as_ref()
             .and_then(|part| trait_impl(function, part)),
     );
+    items.extend(derivatives::trait_impl(function));
     items
 }
 

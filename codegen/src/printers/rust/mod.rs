@@ -6,6 +6,7 @@
 
 mod constants;
 mod declarations;
+mod derivatives;
 mod expression;
 mod frames;
 mod function;

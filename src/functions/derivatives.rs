@@ -1,0 +1,279 @@
+//! Derivatives of forward and inverse dynamics that controllers call, a trait each.
+//!
+//! A module implements one where it was generated with the request that stands at the trait, with these variables in this
+//! order; the method is the generated function. Other derivatives are functions of the module alone.
+//!
+//! Rows are entries of the output, columns those of the variable: `du_dot_dq[i][j]`. A column of `q` belongs to a speed: the derivative while
+//! that speed alone moves the system, per unit of its integral over time; in every chart the direction `d` of
+//! [`q_plus`](crate::manifold::q_plus). Units are those of the output over those of the variable. Directions and gradients of `q` are over
+//! speeds likewise. Parameters are in the order of `PARAMETER_NAMES`, each in the model's unit.
+
+use crate::{Array, Real, System};
+
+/// Derivatives of [`ForwardDynamics`](super::ForwardDynamics), `u_dot` by `q`, `u` and `tau`: `"d(forward_dynamics)/d(q, u, tau)"`.
+///
+/// The last is the inverse of the mass matrix. Eq. (41), differentiated.
+pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsDerivatives`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn d_forward_dynamics_d_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        du_dot_dq: &mut Self::Matrix,
+        du_dot_du: &mut Self::Matrix,
+        du_dot_dtau: &mut Self::Matrix,
+    );
+}
+
+/// [`ForwardDynamics`](super::ForwardDynamics) and its [derivatives](ForwardDynamicsDerivatives), which share their work:
+/// `"forward_dynamics + d(forward_dynamics)/d(q, u, tau)"`.
+pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsAndDerivatives`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        u_dot: &mut Self::U,
+        du_dot_dq: &mut Self::Matrix,
+        du_dot_du: &mut Self::Matrix,
+        du_dot_dtau: &mut Self::Matrix,
+    );
+}
+
+/// Derivatives of [`ForwardDynamics`](super::ForwardDynamics) by all values set at run time: `"d(forward_dynamics)/d(parameters)"`.
+pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
+    /// `[R; n]`: one number a value.
+    type Values: Array<R>;
+    /// `[[R; n]; NU]`, row by row.
+    type ByParameters: Array<Self::Values>;
+    /// The names of the columns.
+    const PARAMETER_NAMES: &'static [&'static str];
+    /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsByParameters`].
+    fn d_forward_dynamics_d_parameters(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        du_dot_dparameters: &mut Self::ByParameters,
+    );
+}
+
+/// How [`ForwardDynamics`](super::ForwardDynamics) changes along a direction: `"jvp(forward_dynamics; q, u, tau)"`.
+///
+/// The [derivatives](ForwardDynamicsDerivatives) times the direction, without forming them.
+pub trait ForwardDynamicsJvp<R: Real>: System<R> {
+    /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsJvp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn jvp_forward_dynamics_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        q_direction: &Self::U,
+        u_direction: &Self::U,
+        tau_direction: &Self::U,
+        du_dot: &mut Self::U,
+    );
+}
+
+/// As [`ForwardDynamicsJvp`], along parameters too: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
+pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
+    /// `[R; n]`: one number a value set at run time.
+    type Values: Array<R>;
+    /// Their names.
+    const PARAMETER_NAMES: &'static [&'static str];
+    /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsParametersJvp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn jvp_forward_dynamics_q_u_tau_parameters(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        q_direction: &Self::U,
+        u_direction: &Self::U,
+        tau_direction: &Self::U,
+        parameters_direction: &Self::Values,
+        du_dot: &mut Self::U,
+    );
+}
+
+/// The gradient of `multiplier · u_dot` of [`ForwardDynamics`](super::ForwardDynamics): `"vjp(forward_dynamics; q, u, tau)"`.
+///
+/// The multiplier times the [derivatives](ForwardDynamicsDerivatives), without forming them.
+pub trait ForwardDynamicsVjp<R: Real>: System<R> {
+    /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsVjp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn vjp_forward_dynamics_q_u_tau(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        multiplier: &Self::U,
+        q_gradient: &mut Self::U,
+        u_gradient: &mut Self::U,
+        tau_gradient: &mut Self::U,
+    );
+}
+
+/// As [`ForwardDynamicsVjp`], by parameters too: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
+pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
+    /// `[R; n]`: one number a value set at run time.
+    type Values: Array<R>;
+    /// Their names.
+    const PARAMETER_NAMES: &'static [&'static str];
+    /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsParametersVjp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn vjp_forward_dynamics_q_u_tau_parameters(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        tau: &Self::U,
+        multiplier: &Self::U,
+        q_gradient: &mut Self::U,
+        u_gradient: &mut Self::U,
+        tau_gradient: &mut Self::U,
+        parameters_gradient: &mut Self::Values,
+    );
+}
+
+/// Derivatives of [`InverseDynamics`](super::InverseDynamics), `tau` by `q`, `u` and `u_dot`: `"d(inverse_dynamics)/d(q, u, u_dot)"`.
+///
+/// The last is the mass matrix. `M u_dot + bias = tau`, differentiated.
+pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsDerivatives`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn d_inverse_dynamics_d_q_u_u_dot(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        dtau_dq: &mut Self::Matrix,
+        dtau_du: &mut Self::Matrix,
+        dtau_du_dot: &mut Self::Matrix,
+    );
+}
+
+/// [`InverseDynamics`](super::InverseDynamics) and its [derivatives](InverseDynamicsDerivatives), which share their work:
+/// `"inverse_dynamics + d(inverse_dynamics)/d(q, u, u_dot)"`.
+pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
+    /// `[[R; NU]; NU]`, row by row.
+    type Matrix: Array<Self::U>;
+    /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsAndDerivatives`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn inverse_dynamics_and_d_inverse_dynamics_d_q_u_u_dot(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        tau: &mut Self::U,
+        dtau_dq: &mut Self::Matrix,
+        dtau_du: &mut Self::Matrix,
+        dtau_du_dot: &mut Self::Matrix,
+    );
+}
+
+/// Derivatives of [`InverseDynamics`](super::InverseDynamics) by all values set at run time: `"d(inverse_dynamics)/d(parameters)"`.
+pub trait InverseDynamicsByParameters<R: Real>: System<R> {
+    /// `[R; n]`: one number a value.
+    type Values: Array<R>;
+    /// `[[R; n]; NU]`, row by row.
+    type ByParameters: Array<Self::Values>;
+    /// The names of the columns.
+    const PARAMETER_NAMES: &'static [&'static str];
+    /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsByParameters`].
+    fn d_inverse_dynamics_d_parameters(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        dtau_dparameters: &mut Self::ByParameters,
+    );
+}
+
+/// How [`InverseDynamics`](super::InverseDynamics) changes along a direction: `"jvp(inverse_dynamics; q, u, u_dot)"`.
+///
+/// The [derivatives](InverseDynamicsDerivatives) times the direction, without forming them.
+pub trait InverseDynamicsJvp<R: Real>: System<R> {
+    /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsJvp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn jvp_inverse_dynamics_q_u_u_dot(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        q_direction: &Self::U,
+        u_direction: &Self::U,
+        u_dot_direction: &Self::U,
+        dtau: &mut Self::U,
+    );
+}
+
+/// As [`InverseDynamicsJvp`], along parameters too: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
+pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
+    /// `[R; n]`: one number a value set at run time.
+    type Values: Array<R>;
+    /// Their names.
+    const PARAMETER_NAMES: &'static [&'static str];
+    /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsParametersJvp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn jvp_inverse_dynamics_q_u_u_dot_parameters(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        q_direction: &Self::U,
+        u_direction: &Self::U,
+        u_dot_direction: &Self::U,
+        parameters_direction: &Self::Values,
+        dtau: &mut Self::U,
+    );
+}
+
+/// The gradient of `multiplier · tau` of [`InverseDynamics`](super::InverseDynamics): `"vjp(inverse_dynamics; q, u, u_dot)"`.
+///
+/// The multiplier times the [derivatives](InverseDynamicsDerivatives), without forming them.
+pub trait InverseDynamicsVjp<R: Real>: System<R> {
+    /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsVjp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn vjp_inverse_dynamics_q_u_u_dot(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        multiplier: &Self::U,
+        q_gradient: &mut Self::U,
+        u_gradient: &mut Self::U,
+        u_dot_gradient: &mut Self::U,
+    );
+}
+
+/// As [`InverseDynamicsVjp`], by parameters too: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
+pub trait InverseDynamicsParametersVjp<R: Real>: System<R> {
+    /// `[R; n]`: one number a value set at run time.
+    type Values: Array<R>;
+    /// Their names.
+    const PARAMETER_NAMES: &'static [&'static str];
+    /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsParametersVjp`].
+    #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
+    fn vjp_inverse_dynamics_q_u_u_dot_parameters(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        multiplier: &Self::U,
+        q_gradient: &mut Self::U,
+        u_gradient: &mut Self::U,
+        u_dot_gradient: &mut Self::U,
+        parameters_gradient: &mut Self::Values,
+    );
+}

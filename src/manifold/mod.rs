@@ -1,0 +1,178 @@
+//! Coordinates as points of a manifold: where a constant motion leads, which one leads somewhere, and how both change.
+//!
+//! In: coordinates, and speeds that are held for a unit of time. Where speeds are the rates of coordinates, [`q_plus`] is a
+//! sum and [`q_minus`] a difference. The orientation of a spherical or free joint with a quaternion, or with speeds that are
+//! angular velocities, turns by the rotation vector that these are, along the axes of `u`, those on the body's side
+//! of the joint. So the `NU` numbers of a direction are free of each other, whatever the chart, and differences,
+//! derivatives and gains are over them.
+//!
+//! All of it is arithmetic of [`Real`], without branches on numbers, allocation or an arc tangent of the machine: the same bits everywhere, each
+//! lane as alone, `no_std`. It is no generated text, for nothing in it depends on a model beyond [`System::JOINTS`]. A system
+//! without that table has rates of coordinates for speeds.
+//!
+//! ```
+//! # #[cfg(feature = "cart_pole")] {
+//! use kane::cart_pole::Prepared;
+//! use kane::manifold::{q_minus, q_plus};
+//!
+//! let system = Prepared::<f64>::nominal();
+//! let q = q_plus(&system, &[0.5, 0.25], &[1.0, -1.0]);
+//! assert_eq!(q, [1.5, -0.75]);
+//! assert_eq!(q_minus(&system, &[0.5, 0.25], &q), [1.0, -1.0]);
+//! # }
+//! ```
+
+pub(crate) mod rate;
+mod root;
+mod tangent;
+mod turn;
+
+pub use tangent::TangentMap;
+
+use crate::joint::Chart;
+use crate::{Array, Joint, Real, System};
+use turn::{Quaternion, Vector};
+
+/// An entry; zero beyond the end, which no table leads to: so that no panic stays in a linked program.
+fn entry<R: Real, A: Array<R>>(array: &A, place: usize) -> R {
+    let found = array.as_ref().get(place).copied();
+    found.unwrap_or(R::from_f64(0.0))
+}
+
+/// Overwrites an entry.
+fn put<R: Real, A: Array<R>>(array: &mut A, place: usize, value: R) {
+    if let Some(entry) = array.as_mut().get_mut(place) {
+        *entry = value;
+    }
+}
+
+/// A joint whose speeds are no rates of its coordinates: where its orientation and angular velocity stand.
+#[derive(Clone, Copy, Debug)]
+struct Turning {
+    /// The index of its body.
+    body: usize,
+    is_quaternion: bool,
+    q: [usize; 4],
+    u: [usize; 3],
+}
+
+impl Turning {
+    fn of(body: usize, joint: &Joint) -> Option<Self> {
+        let is_quaternion = match joint.chart {
+            Chart::AngleRates => return None,
+            Chart::Angles => false,
+            Chart::EulerParameters => true,
+        };
+        let q = [joint.q[0]?, joint.q[1]?, joint.q[2]?];
+        let last = if is_quaternion { joint.q[3]? } else { q[2] };
+        Some(Self {
+            body,
+            is_quaternion,
+            q: [q[0], q[1], q[2], last],
+            u: [joint.u[0]?, joint.u[1]?, joint.u[2]?],
+        })
+    }
+
+    fn angles<R: Real, A: Array<R>>(self, q: &A) -> Vector<R> {
+        [self.q[0], self.q[1], self.q[2]].map(|place| entry(q, place))
+    }
+
+    fn quaternion<R: Real, A: Array<R>>(self, q: &A) -> Quaternion<R> {
+        if self.is_quaternion {
+            self.q.map(|place| entry(q, place))
+        } else {
+            turn::of_angles(self.angles(q))
+        }
+    }
+
+    /// The entries of its three speeds.
+    fn turn<R: Real, A: Array<R>>(self, d: &A) -> Vector<R> {
+        self.u.map(|place| entry(d, place))
+    }
+
+    /// Overwrites these.
+    fn set<R: Real, A: Array<R>>(self, d: &mut A, turn: Vector<R>) {
+        for (place, own) in self.u.into_iter().zip(turn) {
+            put(d, place, own);
+        }
+    }
+}
+
+/// The joints whose speeds are no rates of their coordinates.
+fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = Turning> {
+    let joints = S::JOINTS.iter().enumerate();
+    joints.filter_map(|(body, joint)| Turning::of(body, joint))
+}
+
+/// The places, in `q` and in `u`, of coordinates whose rates are speeds.
+fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
+    let is_told = !S::JOINTS.is_empty();
+    let all = if is_told { 0 } else { S::U::LEN };
+    let of_joint = |joint: &'static Joint| {
+        let first = if joint.chart == Chart::AngleRates {
+            0
+        } else {
+            3
+        };
+        let pairs = (first..6).map(|motion| {
+            // Of the seven places the fourth is a quaternion's.
+            let place = if motion < 3 { motion } else { motion + 1 };
+            Some((joint.q[place]?, joint.u[motion]?))
+        });
+        pairs.flatten()
+    };
+    let told = S::JOINTS.iter().flat_map(of_joint);
+    (0..all).map(|place| (place, place)).chain(told)
+}
+
+/// Coordinates after unit time at the constant speeds `direction`, from `q`; with speeds times a time, after that time.
+///
+/// Directions are rad and m along the axes of `u`. Quaternions keep their length to rounding, angles go on from
+/// where they are, beyond π too. Angles with angular velocities for speeds are singular at `cos(theta_2) = 0`, and none of them
+/// changes by more than π at once.
+#[must_use]
+pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> S::Q {
+    let _ = system;
+    let mut moved = *q;
+    for (place, speed) in rates::<R, S>() {
+        put(&mut moved, place, entry(q, place) + entry(direction, speed));
+    }
+    for joint in turnings::<R, S>() {
+        let by = turn::exp(joint.turn(direction));
+        let turned = turn::product(joint.quaternion(q), by);
+        if joint.is_quaternion {
+            for (place, own) in joint.q.into_iter().zip(turned) {
+                put(&mut moved, place, own);
+            }
+        } else {
+            let angles = turn::angles_near(turned, joint.angles(q));
+            for (place, own) in joint.q.into_iter().zip(angles) {
+                put(&mut moved, place, own);
+            }
+        }
+    }
+    moved
+}
+
+/// The direction, rad and m along the axes of `u`, in which [`q_plus`] leads from `q` to `q_other`.
+///
+/// Orientations are joined by the shorter turn, of at most half a revolution, also where quaternions differ in their sign. Lengths of
+/// quaternions do not matter.
+#[must_use]
+pub fn q_minus<R: Real, S: System<R>>(system: &S, q: &S::Q, q_other: &S::Q) -> S::U {
+    let _ = system;
+    let mut direction = S::U::filled(R::from_f64(0.0));
+    for (place, speed) in rates::<R, S>() {
+        put(
+            &mut direction,
+            speed,
+            entry(q_other, place) - entry(q, place),
+        );
+    }
+    for joint in turnings::<R, S>() {
+        let back = turn::inverse(joint.quaternion(q));
+        let turn = turn::log(turn::product(back, joint.quaternion(q_other)));
+        joint.set(&mut direction, turn);
+    }
+    direction
+}

@@ -1,0 +1,145 @@
+//! Rotations by rotation vectors: as quaternions, back, and how they change.
+//!
+//! A rotation vector has the turn's axis and, as its length, its angle, rad; a quaternion is scalar first, Hamilton's
+//! product. Everything holds near no turn as it does elsewhere, without a branch.
+
+use super::root::{angle, arc_ratio, guarded, length, sign};
+use crate::Real;
+
+/// A unit quaternion.
+pub(super) type Quaternion<R> = [R; 4];
+
+/// A vector of three components.
+pub(super) type Vector<R> = [R; 3];
+
+/// A matrix by rows.
+pub(super) type Matrix<R> = [[R; 3]; 3];
+
+/// Hamilton's product.
+pub(super) fn product<R: Real>(a: Quaternion<R>, b: Quaternion<R>) -> Quaternion<R> {
+    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a, b);
+    [
+        a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3,
+        a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2,
+        a0 * b2 - a1 * b3 + a2 * b0 + a3 * b1,
+        a0 * b3 + a1 * b2 - a2 * b1 + a3 * b0,
+    ]
+}
+
+/// The inverse turn.
+pub(super) fn inverse<R: Real>([e0, e1, e2, e3]: Quaternion<R>) -> Quaternion<R> {
+    [e0, -e1, -e2, -e3]
+}
+
+/// `sin(a / 2) / a` and `cos(a / 2)` of the angle `a` of a turn, and `a²`.
+fn half<R: Real>(d: Vector<R>) -> (R, R, R) {
+    let angle = length(d);
+    let (sine, cosine) = (R::from_f64(0.5) * angle).sin_cos();
+    (
+        sine / angle,
+        cosine,
+        d[0] * d[0] + d[1] * d[1] + d[2] * d[2],
+    )
+}
+
+/// The quaternion of a turn.
+pub(super) fn exp<R: Real>(d: Vector<R>) -> Quaternion<R> {
+    let (ratio, cosine, _) = half(d);
+    [cosine, ratio * d[0], ratio * d[1], ratio * d[2]]
+}
+
+/// The turn of a quaternion of any length, by an angle from 0 to π.
+pub(super) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
+    // tan(a / 4) = |v| / (|e| + |e_0|).
+    let by = sign(e[0]) / (length(e) + e[0].abs());
+    let quarter = [e[1] * by, e[2] * by, e[3] * by];
+    let square = quarter[0] * quarter[0] + quarter[1] * quarter[1] + quarter[2] * quarter[2];
+    let ratio = R::from_f64(4.0) * arc_ratio(square);
+    quarter.map(|entry| ratio * entry)
+}
+
+/// The quaternion of 1-2-3 body-fixed angles, rad.
+pub(super) fn of_angles<R: Real>(theta: Vector<R>) -> Quaternion<R> {
+    let zero = R::from_f64(0.0);
+    let [(s1, c1), (s2, c2), (s3, c3)] = theta.map(|angle| (R::from_f64(0.5) * angle).sin_cos());
+    let first = product([c1, s1, zero, zero], [c2, zero, s2, zero]);
+    product(first, [c3, zero, zero, s3])
+}
+
+/// The 1-2-3 body-fixed angles of a unit quaternion that are the nearest to others, with `theta_2` on the same side of their
+/// singularity.
+pub(super) fn angles_near<R: Real>(e: Quaternion<R>, near: Vector<R>) -> Vector<R> {
+    let two = R::from_f64(2.0);
+    let [e0, e1, e2, e3] = e;
+    let [(s1, c1), (s2, c2), (s3, c3)] = near.map(R::sin_cos);
+    // Entries of C(e)^T, Eq. (4): s2, -s1 c2, c1 c2.
+    let new_s2 = two * (e1 * e3 + e0 * e2);
+    let side = sign(c2);
+    let s1c2 = side * two * (e0 * e1 - e2 * e3);
+    let c1c2 = side * (e0 * e0 - e1 * e1 - e2 * e2 + e3 * e3);
+    let size = length([s1c2, c1c2]);
+    let new_c2 = side * size;
+    let (new_s1, new_c1) = (s1c2 / size, c1c2 / size);
+    let xy = two * (e1 * e2 + e0 * e3);
+    let xz = two * (e1 * e3 - e0 * e2);
+    let yy = e0 * e0 - e1 * e1 + e2 * e2 - e3 * e3;
+    let yz = two * (e2 * e3 + e0 * e1);
+    let (new_s3, new_c3) = (new_c1 * xy + new_s1 * xz, new_c1 * yy + new_s1 * yz);
+    // By how much each has turned on.
+    [
+        near[0] + angle(new_s1 * c1 - new_c1 * s1, new_c1 * c1 + new_s1 * s1),
+        near[1] + angle(new_s2 * c2 - new_c2 * s2, new_c2 * c2 + new_s2 * s2),
+        near[2] + angle(new_s3 * c3 - new_c3 * s3, new_c3 * c3 + new_s3 * s3),
+    ]
+}
+
+/// `1 + a [d] + b [d]²`, `[d]` the matrix of the cross product with `d`.
+fn polynomial<R: Real>(d: Vector<R>, a: R, b: R) -> Matrix<R> {
+    let (one, zero) = (R::from_f64(1.0), R::from_f64(0.0));
+    let cross = [
+        [zero, -d[2], d[1]],
+        [d[2], zero, -d[0]],
+        [-d[1], d[0], zero],
+    ];
+    let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| {
+            let own = if i == j { one - b * square } else { zero };
+            own + a * cross[i][j] + b * d[i] * d[j]
+        })
+    })
+}
+
+/// The matrix of the inverse turn: what a turn before makes of one after.
+pub(super) fn matrix_of_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
+    let two = R::from_f64(2.0);
+    let (ratio, cosine, _) = half(d);
+    polynomial(d, -two * ratio * cosine, two * ratio * ratio)
+}
+
+/// How the turn by `d` moves on, along its own moved axes, as `d` changes: the right Jacobian of SO(3).
+pub(super) fn jacobian<R: Real>(d: Vector<R>) -> Matrix<R> {
+    let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
+    let (ratio, cosine, square) = half(d);
+    // The difference keeps no digits near no turn, and is multiplied by as little: the product is exact to rounding.
+    let rest = guarded(one - two * ratio * cosine, square);
+    polynomial(d, -two * ratio * ratio, rest)
+}
+
+/// The inverse of [`jacobian`], for turns below a whole one.
+pub(super) fn jacobian_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
+    let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
+    let (ratio, cosine, square) = half(d);
+    let rest = guarded(one - cosine / (two * ratio), square);
+    polynomial(d, R::from_f64(0.5), rest)
+}
+
+/// A matrix times a vector.
+pub(super) fn times<R: Real>(matrix: &Matrix<R>, v: Vector<R>) -> Vector<R> {
+    matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+}
+
+/// A transposed matrix times a vector.
+pub(super) fn transposed_times<R: Real>(matrix: &Matrix<R>, v: Vector<R>) -> Vector<R> {
+    [0, 1, 2].map(|j| matrix[0][j] * v[0] + matrix[1][j] * v[1] + matrix[2][j] * v[2])
+}
