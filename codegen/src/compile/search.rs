@@ -252,6 +252,7 @@ impl Search<'_> {
                 let says_something = match technique {
                     Technique::Articulated => self.factors_have_a_chance(),
                     Technique::LinkAxes | Technique::Fall => self.function.solves(),
+                    Technique::Carriers => self.function.inverts(),
                     Technique::Inward => self.function.is_of_frames(),
                     Technique::Composite | Technique::Reverse => false,
                     _ => true,

@@ -6,6 +6,9 @@
 //! inverted once.
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
+mod carried;
+mod carriers;
+mod felt;
 mod inverse;
 mod partitioned;
 mod projected;
@@ -14,6 +17,8 @@ mod solutions;
 
 use std::collections::BTreeSet;
 
+pub use carried::factorise_on_carriers;
+pub use carriers::{Carriers, RootMotion};
 pub use partitioned::{Partitioned, partitioned};
 
 use crate::{
@@ -132,6 +137,27 @@ fn factorised(
 }
 
 impl Factors {
+    /// Those of these rows of L: speeds in the order in which they were eliminated, each with what resists it and the entries of
+    /// those still to be eliminated.
+    pub fn of_rows(tree: &Tree, rows: Vec<(SpeedId, Expr, Vec<(SpeedId, Expr)>)>) -> Self {
+        let mut speeds = elimination_order(tree);
+        speeds.sort_by_key(|own| own.speed);
+        let mut pivots: Vec<Expr> = rows.iter().map(|(_, pivot, _)| *pivot).collect();
+        let mut order = Vec::with_capacity(rows.len());
+        let mut couplings = Vec::with_capacity(rows.len());
+        for (speed, pivot, row) in rows {
+            order.push(speeds[speed.index()]);
+            pivots[speed.index()] = pivot;
+            let row = row.into_iter();
+            couplings.push(row.map(|(own, entry)| (speeds[own.index()], entry)).collect());
+        }
+        Self {
+            order,
+            couplings,
+            pivots,
+        }
+    }
+
     /// D on the diagonal, beside it the entries of L, each at the place of its two speeds and at the mirrored one.
     pub fn entries(&self, graph: &mut ExprGraph) -> SpeedMatrix {
         let n = self.pivots.len();
