@@ -111,6 +111,7 @@ fn from<'a>(
         },
     };
     search.try_all(&plan);
+    search.try_solving_by_columns();
     search.try_solving_by_factors();
     search.try_none(without);
     search.try_parallel_axes();
@@ -187,6 +188,14 @@ impl Search<'_> {
             if choice != Regroup::Last || self.is_exact {
                 self.try_one(plan.with_regroup(None, choice));
             }
+        }
+    }
+
+    /// The inverse column by column from articulated bodies.
+    fn try_solving_by_columns(&mut self) {
+        let carriers = Technique::Carriers;
+        if self.function.inverts() && self.plan.uses(carriers) {
+            self.try_one(self.plan.with(carriers, false));
         }
     }
 

@@ -65,7 +65,8 @@ fn speeds_of_root(linkage: &Linkage<'_>, root: BodyId) -> Option<[SpeedId; 6]> {
     Some([a, b, c, d?, e?, f?].map(|motion| motion.speed))
 }
 
-/// Bodies on the way to one that several others are on, by one motion each.
+/// Bodies on the way to one that several others are on, by one motion each, and those next to a root, whose motions are constant
+/// along the root's.
 fn carrying(tree: &Tree) -> BodyMap<bool> {
     let joints = BodyMap::outward(tree.bodies.len(), |body, joints: &BodyMap<Option<usize>>| {
         match tree.lower(body) {
@@ -78,7 +79,9 @@ fn carrying(tree: &Tree) -> BodyMap<bool> {
     });
     let mut carrying = BodyMap::outward(tree.bodies.len(), |_, _| false);
     for body in tree.body_ids() {
-        if joints[body].is_some() && tree.uppers(body).len() > 1 {
+        let n_uppers = tree.uppers(body).len();
+        let is_next = joints[body] == Some(1) && n_uppers > 0;
+        if joints[body].is_some() && (is_next || n_uppers > 1) {
             let mut next = Some(body);
             while let Some(own) = next {
                 carrying[own] = true;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::{
     BodySpeed, Factors, SpeedMatrix,
-    carriers::{Carriers, dot},
+    carriers::{Carriers, Derived, dot},
     elimination_order, inverse,
 };
 use crate::{
@@ -165,7 +165,7 @@ impl Elimination<'_> {
         farther: &[BodySpeed],
     ) -> Vec<(BodySpeed, Expr)> {
         let entries = self.carriers.entries(graph, self.tree, carrier, of_root);
-        let entries = entries.into_iter().filter_map(|(_, speed, entry)| {
+        let entries = entries.into_iter().filter_map(|Derived { speed, entry, .. }| {
             let own = farther.iter().find(|own| own.speed == speed)?;
             Some((*own, entry))
         });

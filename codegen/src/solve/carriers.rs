@@ -4,7 +4,7 @@
 //! the carrier's acceleration does, along the root's motions. The entry of a speed on the way there is that row times the
 //! speed's own motion, also along the root's.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::{
     expr::{Expr, ExprGraph},
@@ -36,6 +36,14 @@ pub(super) struct Released {
     pub(super) motion: RootMotion,
     /// A part of the motion that is a number, which is not zero.
     pub(super) pivot: usize,
+}
+
+/// An entry of a row at a speed on the way to a carrier, of those of the root.
+pub(super) struct Derived {
+    pub(super) speed: SpeedId,
+    pub(super) entry: Expr,
+    /// How many parts the speed's motion has along the root's.
+    pub(super) n_parts: usize,
 }
 
 impl Carriers {
@@ -90,13 +98,17 @@ impl Carriers {
         tree: &Tree,
         carrier: BodyId,
         row: &RootMotion,
-    ) -> Vec<(BodyId, SpeedId, Expr)> {
+    ) -> Vec<Derived> {
         let mut entries = Vec::new();
         let mut body = Some(carrier);
         while let Some(own) = body {
             if let Some((speed, motion)) = self.own(own) {
                 graph.enter(own);
-                entries.push((own, speed, dot(graph, row, &motion)));
+                entries.push(Derived {
+                    speed,
+                    entry: dot(graph, row, &motion),
+                    n_parts: motion.iter().filter(|part| !graph.is_zero(**part)).count(),
+                });
             }
             body = tree.lower(own);
         }
@@ -111,12 +123,6 @@ impl Carriers {
         }
         let released = self.released.get(&on_root)?;
         Some((released, on_root == body))
-    }
-
-    /// The speeds of all roots.
-    pub(super) fn of_roots(&self) -> BTreeSet<SpeedId> {
-        let roots = self.carriers.values().flat_map(|own| own.root);
-        roots.collect()
     }
 }
 

@@ -89,12 +89,24 @@ impl<'a> Reduced<'a> {
             return (Vec::new(), None);
         };
         let (mut cut, mut at) = (0, i);
-        while let Some(foot) = self.foot[at].filter(|foot| *foot <= first) {
+        while let Some(foot) = self.next_foot(at).filter(|foot| *foot <= first) {
             self.eliminate(graph, tree, i, [cut, foot]);
             (cut, at) = (foot, foot);
         }
         let foot = (cut > 0).then(|| self.order[cut].body);
         (self.known[&(i, cut)].clone(), foot)
+    }
+
+    /// Up to where is eliminated next. What is on a carrier is felt by that carrier or by the root.
+    fn next_foot(&self, place: usize) -> Option<usize> {
+        let body = |place: usize| self.order[place].body;
+        let mut foot = self.foot[place];
+        if self.carriers.contains(body(place)) {
+            while let Some(own) = foot.filter(|own| self.carriers.own(body(*own)).is_some()) {
+                foot = self.foot[own];
+            }
+        }
+        foot
     }
 
     /// Makes the row from which all below the place `to` is eliminated, of that from which all below `from` was.
@@ -115,7 +127,7 @@ impl<'a> Reduced<'a> {
                 sums.insert(other, sum);
             }
         }
-        self.derive(graph, tree, to, &mut sums);
+        self.derive(graph, tree, [i, to], &mut sums);
         let (own, foot) = (self.order[i], &tree.body(self.order[to].body).identifier);
         for (&other, &entry) in &sums {
             let other = self.order[other];
@@ -126,21 +138,31 @@ impl<'a> Reduced<'a> {
         self.known.insert((i, to), sums.into_iter().collect());
     }
 
-    /// Replaces the entries of speeds on the way to a carrier, from which all beyond was eliminated.
-    fn derive(&self, graph: &mut ExprGraph, tree: &Tree, to: usize, sums: &mut BTreeMap<usize, Expr>) {
+    /// Replaces the entries of speeds on the way to a carrier, from which all beyond was eliminated, where that is cheaper than
+    /// what was eliminated from them.
+    fn derive(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        [i, to]: [usize; 2],
+        sums: &mut BTreeMap<usize, Expr>,
+    ) {
         let carrier = self.order[to].body;
         if !self.carriers.contains(carrier) {
             return;
         }
+        let n_eliminated = self.reached[i].range(..to).count();
         let zero = graph.zero();
         let place = |speed| self.order.iter().position(|own| own.speed == speed);
         let root = self.carriers.root(carrier).map(|own| {
             let entry = place(own).and_then(|place| sums.get(&place));
             entry.copied().unwrap_or(zero)
         });
-        for (_, speed, entry) in self.carriers.entries(graph, tree, carrier, &root) {
-            if let Some(place) = place(speed) {
-                sums.insert(place, entry);
+        for own in self.carriers.entries(graph, tree, carrier, &root) {
+            if own.n_parts <= n_eliminated
+                && let Some(place) = place(own.speed)
+            {
+                sums.insert(place, own.entry);
             }
         }
     }
