@@ -27,6 +27,23 @@ pub(super) const REGRESSOR: Function = Function {
     ..PLAIN
 };
 
+pub(super) const REGRESSOR_PACKED: Function = Function {
+    name: "regressor_packed",
+    trait_name: Some("RegressorPacked"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: &[Output::new("entries", Shape::REGRESSOR_PACKED)],
+    doc: &[
+        "The entries of `regressor` that the tree does not make zero: a speed has those of the bodies that it moves, and where it",
+        "translates without turning, those of their masses and first moments.",
+        "`REGRESSOR_PACKED_PLACES` says in which row and column each stands, row after row; the column is ten times the body, and the parameter.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_regressor::regressor_packed).with_terms(terms::of_vector),
+        Candidate::planned(derive_regressor::regressor_packed_recursive),
+    ],
+    ..PLAIN
+};
+
 pub(super) const BASE_REGRESSOR: Function = Function {
     name: "base_regressor",
     trait_name: Some("BaseRegressor"),
