@@ -452,7 +452,13 @@ pub trait RegressorPacked<R: Real>: System<R> {
     /// The speed and the column of each entry, ten times the body and the parameter; ordered by speed, of a speed by column.
     const PLACES: &'static [[usize; 2]];
     /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
-    fn regressor_packed(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, entries: &mut Self::Entries);
+    fn regressor_packed(
+        &self,
+        q: &Self::Q,
+        u: &Self::U,
+        u_dot: &Self::U,
+        entries: &mut Self::Entries,
+    );
 }
 
 /// Inertia forces and weight as they are linear in the base parameters: those columns of the [`Regressor`] that are independent.

@@ -39,7 +39,9 @@ pub(super) fn solution_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan
 }
 
 pub(super) fn inverse(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    factors(graph, tree).inverse(graph, tree, &Carriers::default()).concat()
+    factors(graph, tree)
+        .inverse(graph, tree, &Carriers::default())
+        .concat()
 }
 
 pub(super) fn inverse_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {

@@ -36,7 +36,12 @@ struct Entry {
 
 impl Packed {
     /// All of them, in the order in which modules hold their places.
-    pub const ALL: [Self; 4] = [Self::MassMatrix, Self::Inverse, Self::Factors, Self::Regressor];
+    pub const ALL: [Self; 4] = [
+        Self::MassMatrix,
+        Self::Inverse,
+        Self::Factors,
+        Self::Regressor,
+    ];
 
     fn entry(self) -> Entry {
         match self {

@@ -68,15 +68,16 @@ fn speeds_of_root(linkage: &Linkage<'_>, root: BodyId) -> Option<[SpeedId; 6]> {
 /// Bodies on the way to one that several others are on, by one motion each, and those next to a root, whose motions are constant
 /// along the root's.
 fn carrying(tree: &Tree) -> BodyMap<bool> {
-    let joints = BodyMap::outward(tree.bodies.len(), |body, joints: &BodyMap<Option<usize>>| {
-        match tree.lower(body) {
+    let joints = BodyMap::outward(
+        tree.bodies.len(),
+        |body, joints: &BodyMap<Option<usize>>| match tree.lower(body) {
             None => Some(0),
             Some(lower) => {
                 let own = only_motion(tree, body).map(|_| 1)?;
                 Some(joints[lower]? + own).filter(|joints| *joints <= MOST_JOINTS)
             }
-        }
-    });
+        },
+    );
     let mut carrying = BodyMap::outward(tree.bodies.len(), |_, _| false);
     for body in tree.body_ids() {
         let n_uppers = tree.uppers(body).len();

@@ -108,9 +108,7 @@ impl Passenger for Gaining<'_> {
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         self.meet(graph, drive.motions(), 0);
-        self.each(graph, |graph, row| {
-            row.map(|v| rotation.backward(graph, v))
-        });
+        self.each(graph, |graph, row| row.map(|v| rotation.backward(graph, v)));
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {

@@ -136,8 +136,7 @@ impl Elimination<'_> {
                 // The entry is there because of the outer of its two bodies.
                 graph.enter(other.body);
                 let update = graph.mul(factor, self.a[k.index()][other.index()]);
-                if let (Some(carrier), Some(i), Some(j)) =
-                    (carrier, at_root(speed), at_root(other))
+                if let (Some(carrier), Some(i), Some(j)) = (carrier, at_root(speed), at_root(other))
                 {
                     self.leave(graph, carrier, [i, j], -update);
                 } else {
@@ -165,10 +164,12 @@ impl Elimination<'_> {
         farther: &[BodySpeed],
     ) -> Vec<(BodySpeed, Expr)> {
         let entries = self.carriers.entries(graph, self.tree, carrier, of_root);
-        let entries = entries.into_iter().filter_map(|Derived { speed, entry, .. }| {
-            let own = farther.iter().find(|own| own.speed == speed)?;
-            Some((*own, entry))
-        });
+        let entries = entries
+            .into_iter()
+            .filter_map(|Derived { speed, entry, .. }| {
+                let own = farther.iter().find(|own| own.speed == speed)?;
+                Some((*own, entry))
+            });
         entries
             .filter(|(_, entry)| !graph.is_zero(*entry))
             .collect()

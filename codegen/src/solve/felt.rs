@@ -60,7 +60,10 @@ impl<'a> Felt<'a> {
                 }
                 sum
             }
-            _ => self.carriers.root(carrier).map(|own| h[own.index()][column]),
+            _ => self
+                .carriers
+                .root(carrier)
+                .map(|own| h[own.index()][column]),
         };
         self.known.insert((carrier, column), found);
         found

@@ -149,7 +149,10 @@ impl Factors {
             order.push(speeds[speed.index()]);
             pivots[speed.index()] = pivot;
             let row = row.into_iter();
-            couplings.push(row.map(|(own, entry)| (speeds[own.index()], entry)).collect());
+            couplings.push(
+                row.map(|(own, entry)| (speeds[own.index()], entry))
+                    .collect(),
+            );
         }
         Self {
             order,

@@ -30,9 +30,8 @@ fn floating(seed: u64) -> Tree {
         };
         lower.push(if body == 2 { 0 } else { before });
     }
-    let mut text = format!(
-        "name = \"floating\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = {lower:?}\n"
-    );
+    let mut text =
+        format!("name = \"floating\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = {lower:?}\n");
     let charts = [
         "joint = \"free\"\nchart = \"quaternion\"",
         "joint = \"free\"\nspeeds = \"angular_velocity\"",

@@ -119,7 +119,10 @@ fn packed_pairs(packed: Packed, maps: &Maps, from: &Tree, to: &Tree) -> Vec<usiz
     let place = |pair: [usize; 2]| {
         let pair = if packed == Packed::Regressor {
             let [speed, column] = pair;
-            [maps.speeds[speed], 10 * maps.bodies[column / 10] + column % 10]
+            [
+                maps.speeds[speed],
+                10 * maps.bodies[column / 10] + column % 10,
+            ]
         } else {
             let [row, column] = pair.map(|speed| maps.speeds[speed]);
             [row.max(column), row.min(column)]
