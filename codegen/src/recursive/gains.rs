@@ -15,7 +15,7 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph, Vector},
     id::{BodyId, BodyMap, SpeedId},
-    solve::{Carriers, Factors},
+    solve::{Carriers, FactorRow, Factors},
     tree::{Motion, Tree},
 };
 
@@ -41,11 +41,12 @@ pub(super) fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>, _: &Carriers
             gained[lower].extend(carried);
         }
     }
-    let rows = order.into_iter().map(|speed| {
-        let row = rows.remove(&speed).unwrap_or_default();
-        (speed, gains[&speed].0, row)
+    let rows = order.into_iter().map(|speed| FactorRow {
+        speed,
+        pivot: gains[&speed].0,
+        entries: rows.remove(&speed).unwrap_or_default(),
     });
-    Factors::of_rows(tree, rows.collect())
+    Factors::of_rows(tree, &rows.collect::<Vec<_>>())
 }
 
 /// A row on its way inward.

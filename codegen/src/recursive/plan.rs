@@ -31,8 +31,8 @@ pub enum Technique {
     Articulated,
     /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
     LinkAxes,
-    /// In the inverse of the mass matrix what branches of a floating tree feel of one another passes through the acceleration of
-    /// the body that carries them.
+    /// The inverse of the mass matrix comes row by row from its factors, those of articulated bodies too, and what branches of a
+    /// floating tree feel of one another passes through the acceleration of the body that carries them.
     Carriers,
     /// Where accelerations are solved for, bodies that nothing holds are taken to fall, and gravity is added to the result.
     Fall,

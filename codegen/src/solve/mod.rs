@@ -41,6 +41,17 @@ pub struct Factors {
     pub pivots: Vec<Expr>,
 }
 
+/// A row of L: a speed with what resists it, and the entries of those that are eliminated after it.
+#[derive(Clone, Debug)]
+pub struct FactorRow {
+    /// The speed that is eliminated.
+    pub speed: SpeedId,
+    /// Its entry of D.
+    pub pivot: Expr,
+    /// Entries of L, none twice.
+    pub entries: Vec<(SpeedId, Expr)>,
+}
+
 /// A speed, the body that moves with it, and its coordinate among that body's.
 #[derive(Clone, Copy, Debug)]
 struct BodySpeed {
@@ -137,26 +148,22 @@ fn factorised(
 }
 
 impl Factors {
-    /// Those of these rows of L: speeds in the order in which they were eliminated, each with what resists it and the entries of
-    /// those still to be eliminated.
-    pub fn of_rows(tree: &Tree, rows: Vec<(SpeedId, Expr, Vec<(SpeedId, Expr)>)>) -> Self {
+    /// Those of a row for every speed, in the order in which they were eliminated.
+    pub fn of_rows(tree: &Tree, rows: &[FactorRow]) -> Self {
         let mut speeds = elimination_order(tree);
         speeds.sort_by_key(|own| own.speed);
-        let mut pivots: Vec<Expr> = rows.iter().map(|(_, pivot, _)| *pivot).collect();
-        let mut order = Vec::with_capacity(rows.len());
-        let mut couplings = Vec::with_capacity(rows.len());
-        for (speed, pivot, row) in rows {
-            order.push(speeds[speed.index()]);
-            pivots[speed.index()] = pivot;
-            let row = row.into_iter();
-            couplings.push(
-                row.map(|(own, entry)| (speeds[own.index()], entry))
-                    .collect(),
-            );
+        let mut pivots: Vec<Expr> = rows.iter().map(|row| row.pivot).collect();
+        for row in rows {
+            pivots[row.speed.index()] = row.pivot;
         }
+        let entries = |row: &FactorRow| {
+            let entries = row.entries.iter();
+            let entries = entries.map(|&(speed, entry)| (speeds[speed.index()], entry));
+            entries.collect()
+        };
         Self {
-            order,
-            couplings,
+            order: rows.iter().map(|row| speeds[row.speed.index()]).collect(),
+            couplings: rows.iter().map(entries).collect(),
             pivots,
         }
     }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use kane_codegen::{
     expr::Input,
     functions::{Formulation, Request},
+    id::CoordinateId,
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -87,7 +88,7 @@ fn state(tree: &Tree, seed: u64) -> Vec<f64> {
     for body in tree.body_ids() {
         let joint = &tree.body(body).joint;
         if joint.angles().is_none() {
-            let places = joint.euler_parameters().map(|own| own.index());
+            let places = joint.euler_parameters().map(CoordinateId::index);
             let size = places.map(|own| q[own] * q[own]).iter().sum::<f64>().sqrt();
             for own in places {
                 q[own] /= size;
