@@ -1,7 +1,8 @@
 //! Which entries of a matrix a packed output holds: one table.
 //!
-//! In: a [`Packed`] and a tree. Out: the places, `[row, column]`, row after row, with `column <= row` where the matrix is one over
-//! speeds, and what constants that hold them are called. Afterwards: places follow from the tree alone, never from values.
+//! In: a [`Packed`] and a tree. Out: the places, `[row, column]` with `column <= row`, row after row, of a regressor `[column, row]`,
+//! column after column, and what constants that hold them are called. Afterwards: places follow from the tree alone, never from
+//! values, and those of a new last leaf come last.
 
 use std::collections::BTreeSet;
 
@@ -77,8 +78,8 @@ impl Packed {
                 length: "REGRESSOR_PACKED_LEN",
                 places: "REGRESSOR_PACKED_PLACES",
                 brief: "Number of entries of a packed regressor",
-                meaning: "The speed and the column, `10 body + parameter`, of each entry of a packed regressor; all others are zero.",
-                written: "The speed and the column, `10 body + parameter`, of each entry that `regressor_packed` writes; all others are zero.",
+                meaning: "The column, `10 body + parameter`, and the speed of each entry of a packed regressor; all others are zero.",
+                written: "The column, `10 body + parameter`, and the speed of each entry that `regressor_packed` writes; all others are zero.",
                 of: regressor::places,
             },
         }
@@ -103,7 +104,7 @@ impl Packed {
     pub fn one(self) -> &'static str {
         match self {
             Self::MassMatrix | Self::Inverse | Self::Factors => "a pair of speeds",
-            Self::Regressor => "a speed and a parameter of a body",
+            Self::Regressor => "a parameter of a body and a speed",
         }
     }
 

@@ -54,8 +54,8 @@ pub fn place(tree: &Tree, speed: usize, body: BodyId, parameter: usize) -> usize
     (speed * tree.bodies.len() + body.index()) * PARAMETERS.len() + parameter
 }
 
-/// The row and the column, `10 body + parameter`, of each entry that the tree does not make zero, row after row: those of the
-/// bodies that a speed moves, and where it turns none of their joints, those of mass and first moment alone.
+/// The column, `10 body + parameter`, and the row of each entry that the tree does not make zero, column after column: those of
+/// the speeds that move a body, and of those that turn none of its joints in the columns of mass and first moment alone.
 pub fn places(tree: &Tree) -> BTreeSet<[usize; 2]> {
     let mut places = BTreeSet::new();
     let mut moving: Vec<BTreeSet<(SpeedId, bool)>> = Vec::with_capacity(tree.bodies.len());
@@ -67,7 +67,7 @@ pub fn places(tree: &Tree) -> BTreeSet<[usize; 2]> {
         for &(speed, turns) in &speeds {
             let n_felt = if turns { PARAMETERS.len() } else { 4 };
             let first = place * PARAMETERS.len();
-            places.extend((first..first + n_felt).map(|column| [speed.index(), column]));
+            places.extend((first..first + n_felt).map(|column| [column, speed.index()]));
         }
         moving.push(speeds);
     }

@@ -31,11 +31,11 @@ pub(super) const REGRESSOR_PACKED: Function = Function {
     name: "regressor_packed",
     trait_name: Some("RegressorPacked"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
-    outputs: &[Output::new("entries", Shape::REGRESSOR_PACKED)],
+    outputs: &[Output::new("y", Shape::REGRESSOR_PACKED)],
     doc: &[
-        "The entries of `regressor` that the tree does not make zero: a speed has those of the bodies that it moves, and where it",
-        "translates without turning, those of their masses and first moments.",
-        "`REGRESSOR_PACKED_PLACES` says in which row and column each stands, row after row; the column is ten times the body, and the parameter.",
+        "The entries of `regressor` that the tree does not make zero: a body has those of the speeds that move it, and of a speed that",
+        "translates it without turning, those of its mass and first moment.",
+        "`REGRESSOR_PACKED_PLACES` says in which column, ten times the body and the parameter, and for which speed each stands, column after column.",
     ],
     candidates: &[
         Candidate::plain(derive_regressor::regressor_packed).with_terms(terms::of_vector),

@@ -118,10 +118,10 @@ fn packed_pairs(packed: Packed, maps: &Maps, from: &Tree, to: &Tree) -> Vec<usiz
     let places: Vec<[usize; 2]> = packed.places(from).into_iter().collect();
     let place = |pair: [usize; 2]| {
         let pair = if packed == Packed::Regressor {
-            let [speed, column] = pair;
+            let [column, speed] = pair;
             [
-                maps.speeds[speed],
                 10 * maps.bodies[column / 10] + column % 10,
+                maps.speeds[speed],
             ]
         } else {
             let [row, column] = pair.map(|speed| maps.speeds[speed]);
