@@ -60,6 +60,7 @@
 //! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
 //! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
 //! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Matrix` | (36), (43) |
+//! | [`RegressorPacked`] | `regressor_packed(q, u, u_dot, y)` | `Entries`, `PLACES` | (36), (43) |
 //! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Matrix`, `NAMES`, `TERMS` | (36), (43) |
 //! | [`JointRegressor`] | `joint_regressor(q, u, u_dot, y)` | `Terms` | |
 //! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
@@ -432,6 +433,30 @@ pub trait Regressor<R: Real>: System<R> {
     type Matrix: Array<Self::Row>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
     fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
+}
+
+/// The entries of the [`Regressor`] that the tree does not make zero, column after column: a body has those of the speeds that
+/// move it, and of a speed that translates it without turning, those of its mass and first moment.
+///
+/// Forces are sums of few entries times the parameters of all bodies, ten a body, one after the other:
+///
+/// ```
+/// use kane::{Array, Real, functions::RegressorPacked};
+///
+/// /// Adds the forces that the parameters make to those in `tau`.
+/// fn add_forces<R: Real, S: RegressorPacked<R>>(entries: &S::Entries, parameters: &[[R; 10]], tau: &mut S::U) {
+///     for (&entry, &[column, speed]) in entries.as_ref().iter().zip(S::PLACES) {
+///         tau[speed] = tau[speed] + entry * parameters.as_flattened()[column];
+///     }
+/// }
+/// ```
+pub trait RegressorPacked<R: Real>: System<R> {
+    /// `[R; n]`, one entry a place.
+    type Entries: Array<R>;
+    /// The column of each entry, ten times the body and the parameter, and its speed; ordered by column, within a column by speed.
+    const PLACES: &'static [[usize; 2]];
+    /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
+    fn regressor_packed(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Entries);
 }
 
 /// Inertia forces and weight as they are linear in the base parameters: those columns of the [`Regressor`] that are independent.

@@ -210,18 +210,22 @@ struct Rust {
     if (!found.call) throw std::runtime_error("no generated functions of " + robot.name);
     return {"kane", KANE, found.call, found.object, robot.dense(f), robot.whole(f, 0)};
   }
-  // Of the mass matrix what is not zero of a triangle, as all the others but dynibo write it.
-  Candidate kane_packed(const Robot &robot) const {
-    const auto found = symbol<Found (*)(const char *)>(library, "kane_packed_candidate")(robot.name.c_str());
-    if (!found.call) throw std::runtime_error("no generated functions of " + robot.name);
-    const auto unpack = symbol<void (*)(const char *, const double *, double *)>(library, "kane_unpack");
-    auto expand = [=, name = robot.name, n = robot.model.nv](const double *out) -> Matrix {
-      Matrix m(n, n);
-      unpack(name.c_str(), out, m.data());
-      return m;
+  // What the tree does not make zero, of symmetric matrices of a triangle: as CasADi writes it. None where there is no such function.
+  std::vector<Candidate> kane_packed(const Robot &robot, Function f) const {
+    const auto found = symbol<Found (*)(const char *, unsigned)>(library, "kane_packed_candidate")(robot.name.c_str(), f);
+    if (!found.call) return {};
+    const auto unpack = symbol<void (*)(const char *, unsigned, const double *, double *)>(library, "kane_unpack");
+    auto expand = [=, name = robot.name, m = robot.rows(f), n = robot.columns(f)](const double *out) -> Matrix {
+      Rows whole(m, n);
+      unpack(name.c_str(), f, out, whole.data());
+      return whole;
     };
-    // Row after row, the last entry of each on the diagonal; the base's rows are whole.
-    return {"kane", KANE, found.call, found.object, expand, robot.floating ? 5 : 0};
+    // Where the entry of `Candidate::whole` stands is asked of the places: numbers that say where they stand are unpacked.
+    const auto [row, column] = robot.entry(f, 0);
+    std::vector<double> numbered(robot.rows(f) * robot.columns(f));
+    for (size_t i = 0; i < numbered.size(); ++i) numbered[i] = i;
+    const int place = expand(numbered.data())(row, column);
+    return {{"kane", KANE, found.call, found.object, expand, place}};
   }
   size_t operations(const Robot &robot, Function f) const {
     return symbol<size_t (*)(const char *, unsigned)>(library, "kane_operations")(robot.name.c_str(), f);
@@ -251,6 +255,6 @@ inline std::vector<Candidate> candidates_of(const Robot &robot, Function f, cons
     all.push_back(MuJoCo::candidate(robot, f));
   }
   if (f <= FORWARD_DYNAMICS) all.push_back(rust.dynibo(robot, f));
-  if (f == MASS_MATRIX) all.push_back(rust.kane_packed(robot));
+  for (const auto &packed : rust.kane_packed(robot, f)) all.push_back(packed);
   return all;
 }

@@ -11,6 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ("talos", Base::Free, "arm_left_7_link"),
     ] {
         let jacobian = format!("jacobian({link})");
+        let jacobian_packed = format!("jacobian_packed({link})");
         let build = Build::new(format!("../../../tests/robots/{name}/{name}.urdf"))
             .base(base)
             .functions([
@@ -19,9 +20,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 "mass_matrix_packed",
                 "forward_dynamics",
                 &jacobian,
+                &jacobian_packed,
                 "coriolis_matrix",
                 "mass_matrix_inverse",
+                "mass_matrix_inverse_packed",
                 "regressor",
+                "regressor_packed",
             ]);
         let build = if cfg!(feature = "fma") {
             build.fma()

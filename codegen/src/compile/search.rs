@@ -111,6 +111,7 @@ fn from<'a>(
         },
     };
     search.try_all(&plan);
+    search.try_solving_by_columns();
     search.try_solving_by_factors();
     search.try_none(without);
     search.try_parallel_axes();
@@ -190,6 +191,14 @@ impl Search<'_> {
         }
     }
 
+    /// The inverse column by column from articulated bodies.
+    fn try_solving_by_columns(&mut self) {
+        let carriers = Technique::Carriers;
+        if self.function.inverts() && self.plan.uses(carriers) {
+            self.try_one(self.plan.with(carriers, false));
+        }
+    }
+
     /// `L^T D L` in place of articulated bodies, where that has a chance.
     fn try_solving_by_factors(&mut self) {
         if self.plan.uses(Technique::Articulated) && self.factors_have_a_chance() {
@@ -252,6 +261,7 @@ impl Search<'_> {
                 let says_something = match technique {
                     Technique::Articulated => self.factors_have_a_chance(),
                     Technique::LinkAxes | Technique::Fall => self.function.solves(),
+                    Technique::Carriers => self.function.inverts(),
                     Technique::Inward => self.function.is_of_frames(),
                     Technique::Composite | Technique::Reverse => false,
                     _ => true,

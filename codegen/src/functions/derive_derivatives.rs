@@ -7,7 +7,7 @@ use crate::{
     given::{self, Accelerations, Loads, orientation},
     id::{BodyId, SpeedId},
     recursive::{Plan, derivatives, inverse_dynamics},
-    solve::{self, SpeedMatrix},
+    solve::{self, Carriers, SpeedMatrix},
     tree::{Orientation, Tree, Value},
 };
 
@@ -56,7 +56,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     let mut net = derive::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &bias);
     let u_dot = factors.solve(graph, net);
-    let inverse = factors.inverse(graph, tree);
+    let inverse = factors.inverse(graph, tree, &Carriers::default());
     let given = Accelerations::Values(&u_dot);
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, given, loads);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];

@@ -6,7 +6,7 @@ use crate::{
     given::mechanics,
     kane::dynamics,
     recursive::{Plan, inverse_mass, product},
-    solve::{self, SpeedMatrix},
+    solve::{self, Carriers, SpeedMatrix},
     tree::Tree,
 };
 
@@ -39,7 +39,9 @@ pub(super) fn solution_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan
 }
 
 pub(super) fn inverse(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    factors(graph, tree).inverse(graph, tree).concat()
+    factors(graph, tree)
+        .inverse(graph, tree, &Carriers::default())
+        .concat()
 }
 
 pub(super) fn inverse_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
@@ -47,7 +49,7 @@ pub(super) fn inverse_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan)
 }
 
 pub(super) fn inverse_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let inverse = factors(graph, tree).inverse(graph, tree);
+    let inverse = factors(graph, tree).inverse(graph, tree, &Carriers::default());
     at(solve::inverse_places(tree), &inverse)
 }
 

@@ -17,6 +17,28 @@ pub(super) fn regressor_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Pla
     recursive::regressor::regressor(graph, tree, plan)
 }
 
+pub(super) fn regressor_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let y = regressor(graph, tree);
+    at_places(tree, &y)
+}
+
+pub(super) fn regressor_packed_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    let y = regressor_recursive(graph, tree, plan);
+    at_places(tree, &y)
+}
+
+fn at_places(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
+    let columns = kane::regressor::PARAMETERS.len() * tree.bodies.len();
+    let places = kane::regressor::places(tree).into_iter();
+    places
+        .map(|[column, row]| y[row * columns + column])
+        .collect()
+}
+
 pub(super) fn base_regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let y = regressor(graph, tree);
     left(tree, &y)

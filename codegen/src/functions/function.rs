@@ -96,6 +96,11 @@ impl Function {
         candidates.map(|candidate| candidate.formulation).collect()
     }
 
+    /// True where the inverse of the mass matrix is written, whole or packed.
+    pub(super) fn inverts(&self) -> bool {
+        self.name.starts_with("mass_matrix_inverse")
+    }
+
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub(super) fn factorises(&self) -> bool {
         self.candidates.iter().all(|candidate| candidate.factorises)

@@ -1,11 +1,12 @@
-//! Which entries of a matrix over speeds a packed output holds: one table.
+//! Which entries of a matrix a packed output holds: one table.
 //!
-//! In: a [`Packed`] and a tree. Out: the places, `[row, column]` with `column <= row`, row after row, and what constants that
-//! hold them are called. Afterwards: places follow from the tree alone, never from values.
+//! In: a [`Packed`] and a tree. Out: the places, `[row, column]` with `column <= row`, row after row, of a regressor `[column, row]`,
+//! column after column, and what constants that hold them are called. Afterwards: places follow from the tree alone, never from
+//! values, and those of a new last leaf come last.
 
 use std::collections::BTreeSet;
 
-use crate::{solve, tree::Tree};
+use crate::{kane::regressor, solve, tree::Tree};
 
 /// The constant that holds the order in which speeds are eliminated.
 pub const ELIMINATION: &str = "MASS_MATRIX_FACTORS_ORDER";
@@ -19,6 +20,8 @@ pub enum Packed {
     Inverse,
     /// Its factors: speeds that move a body in common, or that elimination couples.
     Factors,
+    /// The regressor: bodies that a speed moves, by their parameters.
+    Regressor,
 }
 
 /// A row of the table.
@@ -34,7 +37,12 @@ struct Entry {
 
 impl Packed {
     /// All of them, in the order in which modules hold their places.
-    pub const ALL: [Self; 3] = [Self::MassMatrix, Self::Inverse, Self::Factors];
+    pub const ALL: [Self; 4] = [
+        Self::MassMatrix,
+        Self::Inverse,
+        Self::Factors,
+        Self::Regressor,
+    ];
 
     fn entry(self) -> Entry {
         match self {
@@ -65,6 +73,15 @@ impl Packed {
                 written: "The two speeds of each entry that `mass_matrix_factors` writes: of D on the diagonal, of L elsewhere, in the row of the one that is eliminated first.",
                 of: solve::factor_places,
             },
+            Self::Regressor => Entry {
+                function: "regressor_packed",
+                length: "REGRESSOR_PACKED_LEN",
+                places: "REGRESSOR_PACKED_PLACES",
+                brief: "Number of entries of a packed regressor",
+                meaning: "The column, `10 body + parameter`, and the speed of each entry of a packed regressor; all others are zero.",
+                written: "The column, `10 body + parameter`, and the speed of each entry that `regressor_packed` writes; all others are zero.",
+                of: regressor::places,
+            },
         }
     }
 
@@ -81,6 +98,14 @@ impl Packed {
     /// The constant that holds where they stand.
     pub fn places_constant(self) -> &'static str {
         self.entry().places
+    }
+
+    /// One of its entries, in words.
+    pub fn one(self) -> &'static str {
+        match self {
+            Self::MassMatrix | Self::Inverse | Self::Factors => "a pair of speeds",
+            Self::Regressor => "a parameter of a body and a speed",
+        }
     }
 
     /// What the number of entries is, in words.

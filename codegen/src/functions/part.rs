@@ -228,6 +228,9 @@ impl Part {
                 }
                 // Elimination couples more only where joints follow others.
                 Axis::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
+                Axis::Packed(Packed::Regressor) if !tree.has_followers() => {
+                    N_INERTIAL * terms::of_vector(tree)
+                }
                 axis => axis
                     .length(tree)
                     .unwrap_or_else(|| self.own_length(*axis, tree, terms::of_vector(tree))),

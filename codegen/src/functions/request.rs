@@ -182,6 +182,11 @@ impl Request {
         self.functions().any(|function| function.solves)
     }
 
+    /// True where the inverse of the mass matrix is written.
+    pub fn inverts(&self) -> bool {
+        self.functions().any(Function::inverts)
+    }
+
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub fn factorises(&self) -> bool {
         self.functions().any(Function::factorises)

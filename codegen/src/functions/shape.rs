@@ -133,7 +133,7 @@ impl Axis {
             Self::Three => "an axis",
             Self::Coordinates => "a coordinate",
             Self::Speeds => "a speed",
-            Self::Packed(_) => "a pair of speeds",
+            Self::Packed(packed) => packed.one(),
             Self::Bodies => "a body",
             Self::Parameters => "a parameter",
             Self::Values => "a value set at run time",
@@ -175,6 +175,8 @@ impl Shape {
     pub const INVERSE_PACKED: Self = Self::of(&[Axis::Packed(Packed::Inverse)]);
     /// `[R; MASS_MATRIX_FACTORS_LEN]`.
     pub const FACTORS: Self = Self::of(&[Axis::Packed(Packed::Factors)]);
+    /// `[R; REGRESSOR_PACKED_LEN]`.
+    pub const REGRESSOR_PACKED: Self = Self::of(&[Axis::Packed(Packed::Regressor)]);
     /// `[R; PARAMETERS_LEN]`.
     pub const VALUES: Self = Self::of(&[Axis::Values]);
     /// `[R; NB]`.

@@ -3,6 +3,8 @@
 //! The parameters are those of a body about the user's origin and along the user's axes: mass, first moment and inertia, that is
 //! `m`, `m c`, and the components of [`PARAMETERS`] that follow.
 
+use std::collections::BTreeSet;
+
 use super::{
     dynamics::{self, Wrench},
     velocity::{self, BodyAccelerations, Partials},
@@ -50,6 +52,26 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 /// Where the entry of a speed, a body and a parameter stands.
 pub fn place(tree: &Tree, speed: usize, body: BodyId, parameter: usize) -> usize {
     (speed * tree.bodies.len() + body.index()) * PARAMETERS.len() + parameter
+}
+
+/// The column, `10 body + parameter`, and the row of each entry that the tree does not make zero, column after column: those of
+/// the speeds that move a body, and of those that turn none of its joints in the columns of mass and first moment alone.
+pub fn places(tree: &Tree) -> BTreeSet<[usize; 2]> {
+    let mut places = BTreeSet::new();
+    let mut moving: Vec<BTreeSet<(SpeedId, bool)>> = Vec::with_capacity(tree.bodies.len());
+    for (place, body) in tree.bodies.iter().enumerate() {
+        let below = body.lower.map(|lower| moving[lower.index()].clone());
+        let mut speeds = below.unwrap_or_default();
+        let motions = body.joint.motions().into_iter().enumerate();
+        speeds.extend(motions.filter_map(|(motion, own)| Some((own?.speed, motion < 3))));
+        for &(speed, turns) in &speeds {
+            let n_felt = if turns { PARAMETERS.len() } else { 4 };
+            let first = place * PARAMETERS.len();
+            places.extend((first..first + n_felt).map(|column| [column, speed.index()]));
+        }
+        moving.push(speeds);
+    }
+    places
 }
 
 type Columns = Vec<(SpeedId, Vector)>;

@@ -42,6 +42,8 @@ struct Eliminated {
     own: Vec<Expr>,
     /// What the other parts of the acceleration take from it.
     factors: [Expr; 6],
+    /// What resists the motion.
+    pivot: Expr,
     /// True where a rotor resists the motion as well.
     has_rotor: bool,
 }
@@ -83,10 +85,39 @@ pub(super) fn solutions_at_rest(
 fn solutions(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
-    mut wrenches: BodyMap<Vec<Wrench>>,
+    wrenches: BodyMap<Vec<Wrench>>,
     taus: &[Vec<Expr>],
     prescribed: &BTreeSet<SpeedId>,
 ) -> Vec<Partitioned> {
+    let met = met(graph, linkage, wrenches, taus, prescribed);
+    let sides = 0..taus.len();
+    sides
+        .map(|side| recovered(graph, linkage, &met, side))
+        .collect()
+}
+
+/// What resists each motion, and what it takes from the acceleration of the lower link, turned to where it enters.
+pub(super) fn gains(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+) -> BTreeMap<SpeedId, (Expr, [Expr; 6])> {
+    let none = BodyMap::outward(linkage.tree.bodies.len(), |_, _| Vec::new());
+    let met = met(graph, linkage, none, &[], &BTreeSet::new());
+    let gains = met.into_iter().filter_map(|(speed, met)| match met {
+        Met::Eliminated(own) => Some((speed, (own.pivot, own.factors))),
+        Met::Prescribed(_) => None,
+    });
+    gains.collect()
+}
+
+/// All motions, from the leaves inward.
+fn met(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    mut wrenches: BodyMap<Vec<Wrench>>,
+    taus: &[Vec<Expr>],
+    prescribed: &BTreeSet<SpeedId>,
+) -> BTreeMap<SpeedId, Met> {
     let Linkage {
         tree,
         links,
@@ -123,10 +154,7 @@ fn solutions(
             inertias[lower] = inertias[lower].plus(graph, &inertia);
         }
     }
-    let sides = 0..taus.len();
-    sides
-        .map(|side| recovered(graph, linkage, &met, side))
-        .collect()
+    met
 }
 
 /// What is sought of the motions for one right-hand side, from the inertial frame outward.
@@ -352,6 +380,7 @@ impl Resisting<'_> {
             place,
             own,
             factors,
+            pivot,
             has_rotor,
         }
     }

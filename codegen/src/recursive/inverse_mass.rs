@@ -1,14 +1,14 @@
 //! The inverse of the mass matrix, and what it makes of forces: the plan's solver on a system at rest without weight.
 
 use super::{
-    articulated, composite, exchange,
+    articulated, carriers, composite, exchange, gains,
     linkage::Linkage,
     plan::{Plan, Technique},
 };
 use crate::{
     expr::{Expr, ExprGraph},
     given::mechanics,
-    solve::{self, Factors, SpeedMatrix},
+    solve::{self, Carriers, Factors, SpeedMatrix},
     tree::Tree,
 };
 
@@ -20,7 +20,8 @@ pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Ex
         let mut solutions = articulated::solutions_at_rest(graph, &linkage, &[tau]);
         solutions.remove(0)
     } else {
-        factors(graph, &linkage).solve(graph, tau)
+        let matrix = matrix(graph, &linkage);
+        solve::factorise(graph, tree, matrix).solve(graph, tau)
     };
     exchange::accelerations(graph, &linkage, &mut solution);
     solution
@@ -29,19 +30,40 @@ pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Ex
 /// `M^-1`.
 pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
-    let mut inverse = if plan.uses(Technique::Articulated) {
-        by_articulated_bodies(graph, &linkage)
-    } else {
-        factors(graph, &linkage).inverse(graph, tree)
+    let ways = [Technique::Articulated, Technique::Carriers].map(|way| plan.uses(way));
+    let mut inverse = match ways {
+        [true, false] => by_articulated_bodies(graph, &linkage),
+        [true, true] => by_rows(graph, &linkage, gains::factors),
+        [false, _] => by_rows(graph, &linkage, of_composite_bodies),
     };
     exchange::compliance(graph, &linkage, &mut inverse);
     inverse
 }
 
-fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Factors {
+/// Row by row of the factors, which branches have by their carriers.
+fn by_rows(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    factors: fn(&mut ExprGraph, &Linkage<'_>, &Carriers) -> Factors,
+) -> SpeedMatrix {
+    let carriers = carriers::carriers(graph, linkage);
+    let factors = factors(graph, linkage, &carriers);
+    factors.inverse(graph, linkage.tree, &carriers)
+}
+
+fn of_composite_bodies(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    carriers: &Carriers,
+) -> Factors {
+    let matrix = matrix(graph, linkage);
+    solve::factorise_on_carriers(graph, linkage.tree, matrix, carriers)
+}
+
+fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatrix {
     let mut matrix = composite::matrix(graph, linkage);
     mechanics::add_rotors(graph, linkage.tree, &mut matrix);
-    solve::factorise(graph, linkage.tree, matrix)
+    matrix
 }
 
 /// Column by column, each the accelerations for a unit force. Of two entries that are the same that one is taken whose force

@@ -8,6 +8,7 @@
 mod ahead;
 mod articulated;
 mod articulated_inertia;
+mod carriers;
 pub mod center;
 mod column;
 pub mod composite;
@@ -17,6 +18,7 @@ pub mod energy;
 mod exchange;
 pub mod forward_dynamics;
 pub mod frame;
+mod gains;
 pub mod gravity;
 pub mod hybrid_dynamics;
 mod inertia;

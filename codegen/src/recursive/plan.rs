@@ -31,6 +31,9 @@ pub enum Technique {
     Articulated,
     /// Accelerations of joints that move freely about or along all axes are solved for along the link's axes.
     LinkAxes,
+    /// The inverse of the mass matrix comes row by row from its factors, those of articulated bodies too, and what branches of a
+    /// floating tree feel of one another passes through the acceleration of the body that carries them.
+    Carriers,
     /// Where accelerations are solved for, bodies that nothing holds are taken to fall, and gravity is added to the result.
     Fall,
     /// Derivatives of dynamics come from composite bodies, and not from the values' own operations.
@@ -43,7 +46,7 @@ pub enum Technique {
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 14] = [
+    pub const ALL: [(&str, Self); 15] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -54,6 +57,7 @@ impl Technique {
         ("inward", Self::Inward),
         ("articulated", Self::Articulated),
         ("link_axes", Self::LinkAxes),
+        ("carriers", Self::Carriers),
         ("fall", Self::Fall),
         ("composite", Self::Composite),
         ("reverse", Self::Reverse),
@@ -63,7 +67,11 @@ impl Technique {
     /// False where one speed moves several joints, of what takes a speed's motion for the one of its own joint: that could
     /// not be eliminated where it enters, nor taken along other axes, nor fall.
     pub fn is_possible(self, tree: &Tree) -> bool {
-        !matches!(self, Self::Articulated | Self::LinkAxes | Self::Fall) || !tree.has_followers()
+        let is_by_joint = matches!(
+            self,
+            Self::Articulated | Self::LinkAxes | Self::Carriers | Self::Fall
+        );
+        !is_by_joint || !tree.has_followers()
     }
 }
 

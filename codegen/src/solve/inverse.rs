@@ -5,27 +5,42 @@
 //! mirror image of the other. What lies between a speed and a body farther in is
 //! eliminated from its row of L once, and serves the columns of that body and of all other branches on it.
 
-use super::{Factors, SpeedMatrix, inverse, reduced::Reduced};
-use crate::{expr::ExprGraph, tree::Tree};
+use super::{BodySpeed, Carriers, Factors, SpeedMatrix, felt::Felt, inverse, reduced::Reduced};
+use crate::{
+    expr::{Expr, ExprGraph},
+    tree::Tree,
+};
 
 impl Factors {
-    /// `A^-1`; what is structurally zero is the number zero.
-    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
+    /// `A^-1`; what is structurally zero is the number zero. What branches feel passes through the carriers that
+    /// [`factorise_on_carriers`](super::factorise_on_carriers) was given.
+    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, carriers: &Carriers) -> SpeedMatrix {
         let n = self.order.len();
-        let mut reduced = Reduced::new(self);
+        let mut reduced = Reduced::new(self, carriers);
+        let mut felt = Felt::new(tree, carriers);
         let mut h = vec![vec![graph.zero(); n]; n];
         for i in (0..n).rev() {
             for j in (i..n).rev() {
                 let (own, other) = (self.order[i], self.order[j]);
                 graph.enter(own.body);
-                let row = reduced.row(graph, tree, i, &reduced.path(j));
+                let (row, foot) = reduced.row(graph, tree, i, &reduced.path(j));
+                let row = row.into_iter().map(|(a, factor)| (self.order[a], factor));
+                let row: Vec<(BodySpeed, Expr)> = row.collect();
+                graph.enter(own.body);
                 let mut sum = graph.zero();
                 if i == j {
                     sum = inverse(graph, own, self.pivots[own.index()]);
                 }
-                for (a, factor) in row {
-                    let term = graph.mul(factor, h[self.order[a].index()][other.index()]);
-                    sum = graph.add(sum, term);
+                let carrier = felt.carrier(own.body, foot).filter(|_| !row.is_empty());
+                for &(a, factor) in &row {
+                    if carrier.is_none() || !carriers.contains(a.body) {
+                        let term = graph.mul(factor, h[a.index()][other.index()]);
+                        sum = graph.add(sum, term);
+                    }
+                }
+                if let Some(carrier) = carrier {
+                    let share = felt.share(graph, &h, (own, &row), carrier, other.index());
+                    sum = graph.add(sum, share);
                 }
                 let at = &tree.body(other.body).identifier;
                 let place = format!("h_{}_{at}_{}", own.coordinate, other.coordinate);

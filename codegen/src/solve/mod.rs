@@ -6,6 +6,9 @@
 //! inverted once.
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
+mod carried;
+mod carriers;
+mod felt;
 mod inverse;
 mod partitioned;
 mod projected;
@@ -14,6 +17,8 @@ mod solutions;
 
 use std::collections::BTreeSet;
 
+pub use carried::factorise_on_carriers;
+pub use carriers::{Carriers, RootMotion};
 pub use partitioned::{Partitioned, partitioned};
 
 use crate::{
@@ -34,6 +39,17 @@ pub struct Factors {
     couplings: Vec<Vec<(BodySpeed, Expr)>>,
     /// D, by speed.
     pub pivots: Vec<Expr>,
+}
+
+/// A row of L: a speed with what resists it, and the entries of those that are eliminated after it.
+#[derive(Clone, Debug)]
+pub struct FactorRow {
+    /// The speed that is eliminated.
+    pub speed: SpeedId,
+    /// Its entry of D.
+    pub pivot: Expr,
+    /// Entries of L, none twice.
+    pub entries: Vec<(SpeedId, Expr)>,
 }
 
 /// A speed, the body that moves with it, and its coordinate among that body's.
@@ -132,6 +148,26 @@ fn factorised(
 }
 
 impl Factors {
+    /// Those of a row for every speed, in the order in which they were eliminated.
+    pub fn of_rows(tree: &Tree, rows: &[FactorRow]) -> Self {
+        let mut speeds = elimination_order(tree);
+        speeds.sort_by_key(|own| own.speed);
+        let mut pivots: Vec<Expr> = rows.iter().map(|row| row.pivot).collect();
+        for row in rows {
+            pivots[row.speed.index()] = row.pivot;
+        }
+        let entries = |row: &FactorRow| {
+            let entries = row.entries.iter();
+            let entries = entries.map(|&(speed, entry)| (speeds[speed.index()], entry));
+            entries.collect()
+        };
+        Self {
+            order: rows.iter().map(|row| speeds[row.speed.index()]).collect(),
+            couplings: rows.iter().map(entries).collect(),
+            pivots,
+        }
+    }
+
     /// D on the diagonal, beside it the entries of L, each at the place of its two speeds and at the mirrored one.
     pub fn entries(&self, graph: &mut ExprGraph) -> SpeedMatrix {
         let n = self.pivots.len();

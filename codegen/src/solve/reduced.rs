@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{BodySpeed, Factors};
+use super::{BodySpeed, Carriers, Factors};
 use crate::{
     expr::{Expr, ExprGraph},
+    id::BodyId,
     tree::Tree,
 };
 
@@ -13,7 +14,8 @@ pub(super) type Row = Vec<(usize, Expr)>;
 
 /// Rows of `-L`, with what was eliminated from them. Speeds are their places in the order of elimination: what is farther in
 /// has a higher one.
-pub(super) struct Reduced {
+pub(super) struct Reduced<'a> {
+    carriers: &'a Carriers,
     order: Vec<BodySpeed>,
     /// Whatever a speed is coupled with, and that one, and so on.
     reached: Vec<BTreeSet<usize>>,
@@ -23,8 +25,8 @@ pub(super) struct Reduced {
     known: BTreeMap<(usize, usize), Row>,
 }
 
-impl Reduced {
-    pub(super) fn new(factors: &Factors) -> Self {
+impl<'a> Reduced<'a> {
+    pub(super) fn new(factors: &Factors, carriers: &'a Carriers) -> Self {
         let n = factors.order.len();
         let mut places = vec![0; n];
         for (place, k) in factors.order.iter().enumerate() {
@@ -58,6 +60,7 @@ impl Reduced {
             .enumerate()
             .map(|(place, row)| ((place, 0), row));
         Self {
+            carriers,
             order: factors.order.clone(),
             reached,
             foot,
@@ -72,24 +75,38 @@ impl Reduced {
         path
     }
 
-    /// The shortest row of `-L` that gives a speed's solution, where the right-hand side is zero but at these places.
+    /// The shortest row of `-L` that gives a speed's solution, where the right-hand side is zero but at these places, and the
+    /// body up to which all was eliminated, if any was.
     pub(super) fn row(
         &mut self,
         graph: &mut ExprGraph,
         tree: &Tree,
         i: usize,
         places: &BTreeSet<usize>,
-    ) -> Row {
+    ) -> (Row, Option<BodyId>) {
         // What must stay.
         let Some(&first) = self.reached[i].intersection(places).next() else {
-            return Vec::new();
+            return (Vec::new(), None);
         };
         let (mut cut, mut at) = (0, i);
-        while let Some(foot) = self.foot[at].filter(|foot| *foot <= first) {
+        while let Some(foot) = self.next_foot(at).filter(|foot| *foot <= first) {
             self.eliminate(graph, tree, i, [cut, foot]);
             (cut, at) = (foot, foot);
         }
-        self.known[&(i, cut)].clone()
+        let foot = (cut > 0).then(|| self.order[cut].body);
+        (self.known[&(i, cut)].clone(), foot)
+    }
+
+    /// Up to where is eliminated next. What is on a carrier is felt by that carrier or by the root.
+    fn next_foot(&self, place: usize) -> Option<usize> {
+        let body = |place: usize| self.order[place].body;
+        let mut foot = self.foot[place];
+        if self.carriers.contains(body(place)) {
+            while let Some(own) = foot.filter(|own| self.carriers.own(body(*own)).is_some()) {
+                foot = self.foot[own];
+            }
+        }
+        foot
     }
 
     /// Makes the row from which all below the place `to` is eliminated, of that from which all below `from` was.
@@ -110,6 +127,7 @@ impl Reduced {
                 sums.insert(other, sum);
             }
         }
+        self.derive(graph, tree, [i, to], &mut sums);
         let (own, foot) = (self.order[i], &tree.body(self.order[to].body).identifier);
         for (&other, &entry) in &sums {
             let other = self.order[other];
@@ -118,5 +136,34 @@ impl Reduced {
             graph.name(entry, format!("l_{k}_{at}_{l}_on_{foot}"));
         }
         self.known.insert((i, to), sums.into_iter().collect());
+    }
+
+    /// Replaces the entries of speeds on the way to a carrier, from which all beyond was eliminated, where that is cheaper than
+    /// what was eliminated from them.
+    fn derive(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        [i, to]: [usize; 2],
+        sums: &mut BTreeMap<usize, Expr>,
+    ) {
+        let carrier = self.order[to].body;
+        if !self.carriers.contains(carrier) {
+            return;
+        }
+        let n_eliminated = self.reached[i].range(..to).count();
+        let zero = graph.zero();
+        let place = |speed| self.order.iter().position(|own| own.speed == speed);
+        let root = self.carriers.root(carrier).map(|own| {
+            let entry = place(own).and_then(|place| sums.get(&place));
+            entry.copied().unwrap_or(zero)
+        });
+        for own in self.carriers.entries(graph, tree, carrier, &root) {
+            if own.n_parts <= n_eliminated
+                && let Some(place) = place(own.speed)
+            {
+                sums.insert(place, own.entry);
+            }
+        }
     }
 }

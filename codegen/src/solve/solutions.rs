@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Factors, inverse, reduced::Reduced};
+use super::{Carriers, Factors, inverse, reduced::Reduced};
 use crate::{
     expr::{Expr, ExprGraph},
     tree::Tree,
@@ -17,7 +17,8 @@ impl Factors {
         tree: &Tree,
         columns: impl IntoIterator<Item = Vec<Expr>>,
     ) -> Vec<Vec<Expr>> {
-        let mut reduced = Reduced::new(self);
+        let carriers = Carriers::default();
+        let mut reduced = Reduced::new(self, &carriers);
         let columns = columns.into_iter();
         columns
             .map(|b| self.solution(graph, tree, &mut reduced, b))
@@ -28,7 +29,7 @@ impl Factors {
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
-        reduced: &mut Reduced,
+        reduced: &mut Reduced<'_>,
         b: Vec<Expr>,
     ) -> Vec<Expr> {
         let half = self.eliminated(graph, b);
@@ -39,7 +40,7 @@ impl Factors {
         let places: BTreeSet<usize> = places.map(|(place, _)| place).collect();
         let mut x = vec![graph.zero(); half.len()];
         for (place, &k) in order.rev() {
-            let row = reduced.row(graph, tree, place, &places);
+            let (row, _) = reduced.row(graph, tree, place, &places);
             graph.enter(k.body);
             let inverse = inverse(graph, k, self.pivots[k.index()]);
             let mut sum = graph.mul(half[k.index()], inverse);

@@ -90,7 +90,7 @@ fn robots() {
     insta::assert_snapshot!(text);
 }
 
-const OF_SYSTEMS: [&str; 13] = [
+const OF_SYSTEMS: [&str; 14] = [
     "loaded_inverse_dynamics",
     "loaded_forward_dynamics",
     "kinetic_energies",
@@ -103,6 +103,7 @@ const OF_SYSTEMS: [&str; 13] = [
     "centroidal_momentum_matrix",
     "centroidal_momentum_matrix_dot_u",
     "regressor",
+    "regressor_packed",
     "base_regressor",
 ];
 

@@ -9,6 +9,7 @@ mod derivatives;
 mod equivalences;
 mod evaluator;
 mod expr;
+mod floating;
 mod frame_identities;
 mod frame_references;
 mod frames;

@@ -204,9 +204,14 @@ fn every_technique_has_its_gain() {
     insta::assert_snapshot!(text);
 }
 
-/// The techniques but those that concern frames or derivatives alone.
+/// The techniques but those that concern frames, derivatives or the inverse of the mass matrix alone.
 fn of_dynamics() -> impl Iterator<Item = (&'static str, Technique)> {
-    let others = [Technique::Inward, Technique::Composite, Technique::Reverse];
+    let others = [
+        Technique::Inward,
+        Technique::Composite,
+        Technique::Reverse,
+        Technique::Carriers,
+    ];
     let all = Technique::ALL.into_iter();
     all.filter(move |(_, technique)| !others.contains(technique))
 }

@@ -89,8 +89,8 @@ fn generated(text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All(Vec::new()),
         formulation,
-        // Which solver is the cheaper depends on all bodies.
-        without: BTreeSet::from([Technique::Articulated]),
+        // Which solver is the cheaper depends on all bodies, and what carries branches on those that a leaf makes.
+        without: BTreeSet::from([Technique::Articulated, Technique::Carriers]),
         ..Options::default()
     };
     generate(
@@ -161,11 +161,12 @@ fn changes(old: &str, new: &str) -> Vec<(ChangeTag, String)> {
     keys.into_iter().filter_map(change).collect()
 }
 
-/// The bodies of a module, that of each speed, and that of each entry of a packed mass matrix.
+/// The bodies of a module, that of each speed, and that of each entry of a packed mass matrix and of a packed regressor.
 struct Names {
     bodies: Vec<String>,
     of_speeds: Vec<usize>,
     of_entries: Vec<usize>,
+    of_columns: Vec<usize>,
 }
 
 impl Names {
@@ -195,9 +196,12 @@ impl Names {
         // Of row and column the row is the later speed.
         let places = numbers("MASS_MATRIX_PACKED_PLACES");
         let of_entries = places.chunks(2).map(|place| of_speeds[place[0]]);
+        let places = numbers("REGRESSOR_PACKED_PLACES");
+        let of_columns = places.chunks(2).map(|place| place[0] / 10);
         Self {
             bodies: table("BODY_NAMES"),
             of_entries: of_entries.collect(),
+            of_columns: of_columns.collect(),
             of_speeds,
         }
     }
@@ -244,6 +248,7 @@ impl Names {
                         *self.of_speeds.get(*speed)?
                     }
                     "y" if places.len() == 3 => places[1],
+                    "y" if places.len() == 1 => *self.of_columns.get(places[0])?,
                     "y" => *self.of_speeds.get(places[0])?,
                     _ => *self.of_speeds.get(*places.iter().max()?)?,
                 };

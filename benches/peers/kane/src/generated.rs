@@ -1,12 +1,12 @@
 //! The generated robots.
 
-use std::ffi::c_void;
+use std::{ffi::c_void, slice};
 
 use kane::{
     System,
     functions::{
-        self, CoriolisMatrix, ForwardDynamics, InverseDynamics, Jacobian, MassMatrix,
-        MassMatrixInverse, MassMatrixPacked, Regressor,
+        CoriolisMatrix, ForwardDynamics, InverseDynamics, Jacobian, JacobianPacked, MassMatrix,
+        MassMatrixInverse, MassMatrixInversePacked, MassMatrixPacked, Regressor, RegressorPacked,
     },
 };
 
@@ -35,24 +35,39 @@ macro_rules! robots {
             }
         }
 
-        pub(crate) fn packed_candidate(robot: &str) -> Candidate {
+        pub(crate) fn packed_candidate(robot: &str, function: Function) -> Candidate {
             match robot {
                 $(stringify!($name) => {
-                    Candidate::new(mass_matrix_packed::<$name::Prepared<f64>>, $name::Prepared::<f64>::nominal())
+                    let call = packed_call::<$name::Prepared<f64>, $name::frames::$link>(function);
+                    call.map_or(Candidate::NONE, |call| {
+                        Candidate::new(call, $name::Prepared::<f64>::nominal())
+                    })
                 })*
                 _ => Candidate::NONE,
             }
         }
 
-        pub(crate) unsafe fn unpack(robot: &str, entries: *const f64, m: *mut f64) {
-            match robot {
+        pub(crate) unsafe fn unpack(robot: &str, function: Function, entries: *const f64, m: *mut f64) {
+            let (places, length) = match robot {
                 $(stringify!($name) => {
-                    // SAFETY: the arrays are as long as the robot's.
-                    let (entries, m): (&[f64; $name::MASS_MATRIX_PACKED_LEN], &mut [[f64; $name::NU]; $name::NU]) =
-                        unsafe { (&*entries.cast(), &mut *m.cast()) };
-                    functions::unpack(entries, $name::MASS_MATRIX_PACKED_PLACES, m);
+                    let places = places::<$name::Prepared<f64>, $name::frames::$link>(function);
+                    let columns = if matches!(function, Function::Regressor) { 10 * $name::NB } else { $name::NU };
+                    let rows = if matches!(function, Function::Jacobian) { 6 } else { $name::NU };
+                    (places, [rows, columns])
                 })*
-                _ => {}
+                _ => return,
+            };
+            let [rows, columns] = length;
+            // SAFETY: the arrays are as long as the robot's.
+            let (entries, m) = unsafe {
+                (slice::from_raw_parts(entries, places.len()), slice::from_raw_parts_mut(m, rows * columns))
+            };
+            m.fill(0.0);
+            for (&entry, &[row, column]) in entries.iter().zip(&places) {
+                m[row * columns + column] = entry;
+                if matches!(function, Function::MassMatrix | Function::MassMatrixInverse) {
+                    m[column * columns + row] = entry;
+                }
             }
         }
     };
@@ -83,6 +98,46 @@ where
         Function::CoriolisMatrix => coriolis_matrix::<S>,
         Function::MassMatrixInverse => mass_matrix_inverse::<S>,
         Function::Regressor => regressor::<S>,
+    }
+}
+
+/// What leaves out the entries that the tree makes zero.
+fn packed_call<S, F>(function: Function) -> Option<Call>
+where
+    S: MassMatrixPacked<f64>
+        + MassMatrixInversePacked<f64>
+        + RegressorPacked<f64>
+        + JacobianPacked<f64, F>,
+{
+    match function {
+        Function::MassMatrix => Some(mass_matrix_packed::<S>),
+        Function::MassMatrixInverse => Some(mass_matrix_inverse_packed::<S>),
+        Function::Regressor => Some(regressor_packed::<S>),
+        Function::Jacobian => Some(jacobian_packed::<S, F>),
+        _ => None,
+    }
+}
+
+/// The row and the column of each entry of it.
+fn places<S, F>(function: Function) -> Vec<[usize; 2]>
+where
+    S: MassMatrixPacked<f64>
+        + MassMatrixInversePacked<f64>
+        + RegressorPacked<f64>
+        + JacobianPacked<f64, F>,
+{
+    match function {
+        Function::MassMatrix => <S as MassMatrixPacked<f64>>::PLACES.to_vec(),
+        Function::MassMatrixInverse => <S as MassMatrixInversePacked<f64>>::PLACES.to_vec(),
+        Function::Regressor => {
+            let places = <S as RegressorPacked<f64>>::PLACES.iter();
+            places.map(|&[column, row]| [row, column]).collect()
+        }
+        Function::Jacobian => {
+            let of_row = |row| S::SPEEDS.iter().map(move |speed| [row, *speed]);
+            (0..6).flat_map(of_row).collect()
+        }
+        _ => Vec::new(),
     }
 }
 
@@ -131,6 +186,50 @@ unsafe extern "C" fn mass_matrix_packed<S: MassMatrixPacked<f64>>(
 ) {
     // SAFETY: the object is of this type, the arrays are as long as the robot's.
     unsafe { (*object.cast::<S>()).mass_matrix_packed(&*q.cast(), &mut *entries.cast()) }
+}
+
+unsafe extern "C" fn mass_matrix_inverse_packed<S: MassMatrixInversePacked<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    _: *const f64,
+    _: *const f64,
+    entries: *mut f64,
+) {
+    // SAFETY: the object is of this type, the arrays are as long as the robot's.
+    unsafe { (*object.cast::<S>()).mass_matrix_inverse_packed(&*q.cast(), &mut *entries.cast()) }
+}
+
+unsafe extern "C" fn regressor_packed<S: RegressorPacked<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    u: *const f64,
+    u_dot: *const f64,
+    entries: *mut f64,
+) {
+    // SAFETY: the object is of this type, the arrays are as long as the robot's.
+    unsafe {
+        (*object.cast::<S>()).regressor_packed(
+            &*q.cast(),
+            &*u.cast(),
+            &*u_dot.cast(),
+            &mut *entries.cast(),
+        );
+    }
+}
+
+unsafe extern "C" fn jacobian_packed<S: JacobianPacked<f64, F>, F>(
+    object: *mut c_void,
+    q: *const f64,
+    _: *const f64,
+    _: *const f64,
+    rows: *mut f64,
+) {
+    let rows: *mut [S::Columns; 3] = rows.cast();
+    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are six rows.
+    unsafe {
+        let (linear, angular) = (&mut *rows, &mut *rows.add(1));
+        (*object.cast::<S>()).jacobian_packed(&*q.cast(), linear, angular);
+    }
 }
 
 unsafe extern "C" fn forward_dynamics<S: ForwardDynamics<f64>>(

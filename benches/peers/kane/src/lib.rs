@@ -100,27 +100,37 @@ pub unsafe extern "C" fn kane_operations(robot: *const c_char, function: u32) ->
     Function::new(function).map_or(0, |function| generated::operations(&robot, function))
 }
 
-/// The packed mass matrix of a generated robot.
+/// The packed form of a function of a generated robot, where it has one.
 ///
 /// # Safety
 /// `robot` is a C string.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn kane_packed_candidate(robot: *const c_char) -> Candidate {
+pub unsafe extern "C" fn kane_packed_candidate(robot: *const c_char, function: u32) -> Candidate {
     // SAFETY: as the caller promises.
-    let robot = unsafe { CStr::from_ptr(robot) };
-    generated::packed_candidate(&robot.to_string_lossy())
+    let robot = unsafe { CStr::from_ptr(robot) }.to_string_lossy();
+    let function = Function::new(function);
+    function.map_or(Candidate::NONE, |function| {
+        generated::packed_candidate(&robot, function)
+    })
 }
 
-/// Writes the whole of a generated robot's packed mass matrix, row by row.
+/// Writes the whole of a generated robot's packed matrix, row by row.
 ///
 /// # Safety
 /// `robot` is a C string of a robot that is there, the arrays are as long as its matrices.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn kane_unpack(robot: *const c_char, entries: *const f64, m: *mut f64) {
+pub unsafe extern "C" fn kane_unpack(
+    robot: *const c_char,
+    function: u32,
+    entries: *const f64,
+    m: *mut f64,
+) {
     // SAFETY: as the caller promises.
     unsafe {
         let robot = CStr::from_ptr(robot).to_string_lossy();
-        generated::unpack(&robot, entries, m);
+        if let Some(function) = Function::new(function) {
+            generated::unpack(&robot, function, entries, m);
+        }
     }
 }
 

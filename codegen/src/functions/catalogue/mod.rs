@@ -14,7 +14,7 @@ mod regressor;
 use super::function::Function;
 
 /// Every function of the whole system that a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 55] = [
+pub static CATALOGUE: [Function; 56] = [
     kinematics::RELATIVE_ROTATION,
     kinematics::ROTATION,
     kinematics::RELATIVE_ANGULAR_VELOCITY,
@@ -68,6 +68,7 @@ pub static CATALOGUE: [Function; 55] = [
     center::CENTROIDAL_MOMENTUM_MATRIX,
     center::CENTROIDAL_MOMENTUM_MATRIX_DOT_U,
     regressor::REGRESSOR,
+    regressor::REGRESSOR_PACKED,
     regressor::BASE_REGRESSOR,
     regressor::JOINT_REGRESSOR,
 ];

@@ -27,6 +27,23 @@ pub(super) const REGRESSOR: Function = Function {
     ..PLAIN
 };
 
+pub(super) const REGRESSOR_PACKED: Function = Function {
+    name: "regressor_packed",
+    trait_name: Some("RegressorPacked"),
+    arguments: &[Argument::Q, Argument::U, Argument::UDot],
+    outputs: &[Output::new("y", Shape::REGRESSOR_PACKED)],
+    doc: &[
+        "The entries of `regressor` that the tree does not make zero: a body has those of the speeds that move it, and of a speed that",
+        "translates it without turning, those of its mass and first moment.",
+        "`REGRESSOR_PACKED_PLACES` says in which column, ten times the body and the parameter, and for which speed each stands, column after column.",
+    ],
+    candidates: &[
+        Candidate::plain(derive_regressor::regressor_packed).with_terms(terms::of_vector),
+        Candidate::planned(derive_regressor::regressor_packed_recursive),
+    ],
+    ..PLAIN
+};
+
 pub(super) const BASE_REGRESSOR: Function = Function {
     name: "base_regressor",
     trait_name: Some("BaseRegressor"),

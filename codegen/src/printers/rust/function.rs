@@ -70,7 +70,7 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
     let packed = shape.packed().map(|packed| ident(packed.places_constant()));
     match shape {
         Shape::SPEED_MATRIX => quote!(type Matrix = #output_type;),
-        Shape::MASS_MATRIX_PACKED | Shape::INVERSE_PACKED => quote! {
+        Shape::MASS_MATRIX_PACKED | Shape::INVERSE_PACKED | Shape::REGRESSOR_PACKED => quote! {
             type Entries = #output_type;
             const PLACES: &'static [[usize; 2]] = #packed;
         },

@@ -132,6 +132,7 @@ fn functions_of_frames_and_matrices_hold() {
         "mass_matrix_inverse",
         "mass_matrix_factors",
         "regressor",
+        "regressor_packed",
         "base_regressor",
         "joint_wrenches",
     ];

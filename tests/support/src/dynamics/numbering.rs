@@ -51,7 +51,7 @@ pub fn renumbered_output(function: &Function, numbers: &[f64], from: &Tree, to: 
     let mut renumbered = Vec::with_capacity(numbers.len());
     for output in function.outputs {
         let packed = output.shape.packed();
-        let pairs = packed.map(|packed| speed_pairs(packed, &maps.speeds, from, to));
+        let pairs = packed.map(|packed| packed_pairs(packed, &maps, from, to));
         let own = Own {
             pairs: pairs.unwrap_or_default(),
             base: base_places(output.shape, to),
@@ -114,11 +114,19 @@ fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
 }
 
 /// For each place of a packed matrix of one model its place among those of another model of the same system.
-fn speed_pairs(packed: Packed, speeds: &[usize], from: &Tree, to: &Tree) -> Vec<usize> {
+fn packed_pairs(packed: Packed, maps: &Maps, from: &Tree, to: &Tree) -> Vec<usize> {
     let places: Vec<[usize; 2]> = packed.places(from).into_iter().collect();
     let place = |pair: [usize; 2]| {
-        let [row, column] = pair.map(|speed| speeds[speed]);
-        let pair = [row.max(column), row.min(column)];
+        let pair = if packed == Packed::Regressor {
+            let [column, speed] = pair;
+            [
+                10 * maps.bodies[column / 10] + column % 10,
+                maps.speeds[speed],
+            ]
+        } else {
+            let [row, column] = pair.map(|speed| maps.speeds[speed]);
+            [row.max(column), row.min(column)]
+        };
         let found = places.iter().position(|place| *place == pair);
         found.expect("the trees are the same but for their order")
     };

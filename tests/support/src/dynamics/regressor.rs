@@ -1,8 +1,10 @@
 //! Identities of regressors: forces are linear in what bodies weigh and in what acts in joints.
 
+use kane_codegen::kane::regressor::places;
+
 use super::{model::Model, quantities::mass_matrix, state::State};
 use crate::{
-    compare::{larger, largest, relative_to},
+    compare::{larger, largest, relative, relative_to},
     rotation::{dot, scaled},
 };
 
@@ -21,6 +23,24 @@ fn parameters(model: &dyn Model) -> Vec<[f64; 10]> {
         [m, h[0], h[1], h[2], xx, xy, yy, xz, yz, zz]
     };
     solids.iter().map(of).collect()
+}
+
+/// The packed entries are those of the regressor, and what has no place among them is zero.
+pub fn the_packed_regressor_is_what_is_not_zero(model: &dyn Model, state: &State) -> f64 {
+    let tree = model.tree();
+    let mut y = model.evaluate("regressor", state);
+    let packed = model.evaluate("regressor_packed", state);
+    let places: Vec<usize> = places(tree)
+        .into_iter()
+        .map(|[column, row]| row * 10 * tree.bodies.len() + column)
+        .collect();
+    assert_eq!(packed.len(), places.len());
+    let expected: Vec<f64> = places.iter().map(|place| y[*place]).collect();
+    for place in places {
+        y[place] = 0.0;
+    }
+    assert!(y.iter().all(|entry| *entry == 0.0), "{}", tree.name);
+    relative(&packed, &expected)
 }
 
 /// `Y pi` and what rotors, dampers and springs need is `inverse_dynamics`.

@@ -9,7 +9,7 @@ use kane::{
         CoriolisMatrix, HybridDynamics, JointRegressor, JointWrenches, KineticEnergies,
         LoadedForwardDynamics, LoadedInverseDynamics, MassMatrixDot, MassMatrixFactors,
         MassMatrixInverse, MassMatrixInversePacked, MassMatrixProduct, MassMatrixSolve,
-        PotentialEnergies, Regressor,
+        PotentialEnergies, Regressor, RegressorPacked,
     },
 };
 
@@ -38,6 +38,7 @@ together! {
         CentroidalMomentumMatrix,
         CentroidalMomentumMatrixDotU,
         Regressor,
+        RegressorPacked,
         BaseRegressor,
 }
 
@@ -184,6 +185,11 @@ fn regressor<R: Real + Into<f64>, S: Further<R>>(
             let rows = y.as_ref().iter();
             let numbers = rows.flat_map(|row| numbers(row.as_ref().as_flattened()));
             Some(numbers.collect())
+        }
+        "regressor_packed" => {
+            let mut entries = <S as RegressorPacked<R>>::Entries::filled(nan);
+            system.regressor_packed(q, u, u_dot, &mut entries);
+            Some(numbers(entries.as_ref()))
         }
         "base_regressor" => {
             let row = <S as BaseRegressor<R>>::Row::filled(nan);
