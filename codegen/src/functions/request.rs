@@ -99,7 +99,12 @@ impl Request {
             let mut parts = self.parts.iter();
             parts.any(|part| part.arguments().contains(argument))
         };
-        Argument::ALL.into_iter().filter(is_given).collect()
+        let all = Argument::ALL.into_iter().filter(is_given);
+        let parts = self.parts.iter().flat_map(Part::arguments);
+        let multipliers = parts.filter(|own| matches!(own, Argument::Multiplier(_)));
+        // They are one function's, in the order of its outputs.
+        let multipliers: BTreeSet<Argument> = multipliers.collect();
+        all.chain(multipliers).collect()
     }
 
     /// What it writes, in the order asked for. An output that has the name of another one or of an argument carries the name
@@ -246,6 +251,11 @@ impl Request {
     pub fn differentiates_dynamics(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(|part| part.is_whole_derivative() && part.function.derivatives.is_some())
+    }
+
+    /// True where some part is a second derivative.
+    pub fn is_second_derivative(&self) -> bool {
+        self.parts.iter().any(Part::is_second_derivative)
     }
 
     /// As [`Self::n_numbers`], of the parts that are derivatives.

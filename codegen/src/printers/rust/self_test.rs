@@ -1,5 +1,7 @@
 //! The tests beside a module: calls of `kane::self_test`, with their states and values.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Item, parse_quote};
@@ -46,12 +48,16 @@ fn states(module: &Module, samples: &[Sample]) -> Vec<Item> {
         const STATES: [kane::self_test::State<NQ, NU>; #count] = [#(#states),*];
     }];
     items.extend(systems(&module.facts, samples));
-    let is_given = |argument: Argument| {
-        let mut functions = module.functions.iter();
-        functions.any(|function| function.arguments.contains(&argument))
-    };
-    items.extend(Argument::ALL.into_iter().filter_map(|argument| {
-        let name = ident(argument.sampled().filter(|_| is_given(argument))?);
+    let functions = module.functions.iter();
+    let given: BTreeSet<Argument> = functions.flat_map(|one| &one.arguments).copied().collect();
+    let mut known = BTreeSet::new();
+    items.extend(given.into_iter().filter_map(|argument| {
+        let name = argument.sampled()?;
+        // Multipliers of different outputs may be alike.
+        if !known.insert(name.clone()) {
+            return None;
+        }
+        let name = ident(&name);
         let held = signature::held(&argument.declared(), "f64");
         let samples = samples.iter();
         let samples = samples.map(|sample| numbers(&module.facts, argument, sample));
@@ -196,7 +202,7 @@ fn arguments(function: &Function) -> Vec<TokenStream> {
 
 /// Where an argument's sample stands.
 fn place_of(argument: Argument) -> TokenStream {
-    let Some(constant) = argument.sampled().map(ident) else {
+    let Some(constant) = argument.sampled().map(|name| ident(&name)) else {
         let field = ident(argument.name());
         return quote!(&STATES[place].#field);
     };

@@ -1,0 +1,148 @@
+//! Numbers modulo a prime, in which what cancels is exactly zero: whether an expression is zero whatever its inputs are can be
+//! asked of them.
+//!
+//! A rational function that is not zero everywhere is zero at a drawn point with a probability of its degree over the prime
+//! (Schwartz 1980, Zippel 1979). A sine and a cosine are a point of the circle, drawn by their angle.
+
+use std::ops::{Add, Div, Mul, Neg};
+
+use crate::number::{Number, Rounded};
+
+/// The prime `2^61 - 1`.
+const PRIME: u64 = (1 << 61) - 1;
+
+/// A number modulo this prime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Field(u64);
+
+impl Field {
+    pub(crate) const ZERO: Self = Self(0);
+    pub(crate) const ONE: Self = Self(1);
+
+    /// A number drawn by these bits.
+    pub(crate) fn drawn(bits: u64) -> Self {
+        let mut bits = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        Self((bits ^ (bits >> 31)) % PRIME)
+    }
+
+    /// Another number, drawn by this one.
+    fn other(self) -> Self {
+        Self::drawn(self.0)
+    }
+
+    /// `2^exponent`, of which 61 is a period.
+    fn power_of_two(exponent: i64) -> Self {
+        Self(1 << exponent.rem_euclid(61))
+    }
+
+    /// `1 / self`; zero for zero.
+    fn reciprocal(self) -> Self {
+        let (mut power, mut square, mut exponent) = (Self::ONE, self, PRIME - 2);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                power = power * square;
+            }
+            square = square * square;
+            exponent >>= 1;
+        }
+        power
+    }
+}
+
+impl Number for Field {
+    /// Zero for what is not finite.
+    fn constant(value: f64) -> Self {
+        let bits = value.to_bits();
+        let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
+        let (mantissa, exponent) = match exponent {
+            0x7ff => return Self::ZERO,
+            0 => (fraction, 1),
+            normal => (fraction | (1 << 52), normal),
+        };
+        let exponent = i64::try_from(exponent).expect("eleven bits") - 1075;
+        let magnitude = Self(mantissa) * Self::power_of_two(exponent);
+        if value.is_sign_negative() {
+            -magnitude
+        } else {
+            magnitude
+        }
+    }
+
+    fn folded(constant: Rounded) -> Self {
+        Self::constant(constant.value)
+    }
+
+    /// Nothing is positive here: a function of the number like any other.
+    fn abs(self) -> Self {
+        self.other()
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let half = self.other();
+        let square = half * half;
+        let length = (Self::ONE + square).reciprocal();
+        ((half + half) * length, (Self::ONE + -square) * length)
+    }
+
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+}
+
+impl Add for Field {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self((self.0 + other.0) % PRIME)
+    }
+}
+
+impl Mul for Field {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let product = u128::from(self.0) * u128::from(other.0) % u128::from(PRIME);
+        Self(u64::try_from(product).expect("less than the prime"))
+    }
+}
+
+impl Div for Field {
+    type Output = Self;
+
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "a quotient is a product with the reciprocal"
+    )]
+    fn div(self, other: Self) -> Self {
+        self * other.reciprocal()
+    }
+}
+
+impl Neg for Field {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self((PRIME - self.0) % PRIME)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Field, Number};
+
+    #[test]
+    fn numbers_keep_what_holds_of_them() {
+        let numbers = [0.3, -2.75, 1e-300, 5e-324, 7e200].map(Field::constant);
+        for a in numbers {
+            assert_eq!(a * (Field::ONE / a), Field::ONE);
+            assert_eq!(a + -a, Field::ZERO);
+            let (sin, cos) = a.sin_cos();
+            assert_eq!(sin * sin + cos * cos, Field::ONE);
+        }
+        let sum = Field::constant(0.25) + Field::constant(-3.0);
+        assert_eq!(sum, Field::constant(-2.75));
+        assert_eq!(Field::constant(f64::NAN), Field::ZERO);
+    }
+}
