@@ -52,8 +52,12 @@ impl Field {
 }
 
 impl Number for Field {
-    /// Zero for what is not finite.
+    /// The fraction that was rounded to it, where there is one with a small denominator; zero for what is not finite.
     fn constant(value: f64) -> Self {
+        if let Some((numerator, denominator)) = fraction(value) {
+            let magnitude = Self(numerator % PRIME) * Self(denominator).reciprocal();
+            return if value < 0.0 { -magnitude } else { magnitude };
+        }
         let bits = value.to_bits();
         let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
         let (mantissa, exponent) = match exponent {
@@ -88,6 +92,34 @@ impl Number for Field {
 
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
+    }
+}
+
+/// The largest denominator of a number that is taken for a fraction.
+const MOST_DENOMINATOR: f64 = 16_777_216.0;
+
+/// How far from a fraction its rounding may be, where a few operations were folded.
+const FOLDED: f64 = 16.0 * f64::EPSILON;
+
+/// The magnitude as a fraction, by its expansion into a continued one. Distances of such fractions are larger than rounding.
+fn fraction(value: f64) -> Option<(u64, u64)> {
+    let magnitude = value.abs();
+    if !(1e-6..1e6).contains(&magnitude) {
+        return None;
+    }
+    let ([mut p, mut q], [mut p_before, mut q_before]) = ([1.0, 0.0], [0.0, 1.0]);
+    let mut rest = magnitude;
+    loop {
+        let whole = libm::floor(rest);
+        [p, p_before] = [whole * p + p_before, p];
+        [q, q_before] = [whole * q + q_before, q];
+        if q > MOST_DENOMINATOR {
+            return None;
+        }
+        if (magnitude - p / q).abs() <= FOLDED * magnitude {
+            return Some((p as u64, q as u64));
+        }
+        rest = 1.0 / (rest - whole);
     }
 }
 
@@ -134,7 +166,7 @@ mod tests {
 
     #[test]
     fn numbers_keep_what_holds_of_them() {
-        let numbers = [0.3, -2.75, 1e-300, 5e-324, 7e200].map(Field::constant);
+        let numbers = [0.3, -2.75, 1e-300, 5e-324, 7e200, 0.1234567890123].map(Field::constant);
         for a in numbers {
             assert_eq!(a * (Field::ONE / a), Field::ONE);
             assert_eq!(a + -a, Field::ZERO);
@@ -144,5 +176,18 @@ mod tests {
         let sum = Field::constant(0.25) + Field::constant(-3.0);
         assert_eq!(sum, Field::constant(-2.75));
         assert_eq!(Field::constant(f64::NAN), Field::ZERO);
+    }
+
+    #[test]
+    fn fractions_are_exact_whatever_was_rounded() {
+        let third = Field::constant(1.0 / 3.0);
+        assert_eq!(third + third + third, Field::ONE);
+        let (a, b) = (3.0 / 7.0, 5.0 / 11.0);
+        assert_eq!(
+            Field::constant(a * b),
+            Field::constant(a) * Field::constant(b)
+        );
+        let sum = Field::constant(a) + -Field::constant(b);
+        assert_eq!(Field::constant(a - b), sum);
     }
 }

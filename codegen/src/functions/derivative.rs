@@ -18,8 +18,8 @@ use crate::{
     tree::{Orientation, Tree},
 };
 
-/// The seed of the numbers of which structural zeros are found.
-const DRAWN: u64 = 1;
+/// The seeds of the numbers of which structural zeros are found: what is zero for one choice of rotations alone is none.
+const DRAWN: [u64; 2] = [1, 2];
 
 /// What is asked for of a function's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -171,7 +171,7 @@ impl Derivative {
         &self,
         tree: &Tree,
         of: (&[Output], usize),
-        values: impl FnOnce(&Tree) -> Derived,
+        values: impl Fn(&Tree) -> Derived,
     ) -> Option<&Sparsity> {
         let is_second = match self.kind {
             DerivativeKind::Packed => false,
@@ -179,25 +179,28 @@ impl Derivative {
             _ => return None,
         };
         Some(self.sparsity.get_or_find(|| {
-            let tree = tree.with_drawn_numbers(DRAWN);
-            let mut derived = values(&tree);
-            let graph = &mut derived.graph;
-            graph.enter(None);
-            let (seeds, columns) = self.seeds(graph, &tree);
-            let n_columns = columns.last().map_or(0, |last| last.end);
-            let roots = if is_second {
-                let multipliers = self.arguments(of.0, of.1);
-                gradient(
-                    graph,
-                    &tree,
-                    (&multipliers, &derived.roots),
-                    &seeds,
-                    n_columns,
-                )
-            } else {
-                derived.roots
-            };
-            let rows = dependences(graph, &roots, (&tree, &seeds));
+            let mut rows: Vec<BTreeSet<usize>> = Vec::new();
+            let mut n_columns = 0;
+            for seed in DRAWN {
+                let mut derived = values(&tree.with_drawn_parameters(seed));
+                let graph = &mut derived.graph;
+                graph.enter(None);
+                // How inputs change follows from joints alone.
+                let (seeds, columns) = self.seeds(graph, tree);
+                n_columns = columns.last().map_or(0, |last| last.end);
+                let roots = if is_second {
+                    let multipliers = self.arguments(of.0, of.1);
+                    let weighted = (&multipliers[..], &derived.roots[..]);
+                    gradient(graph, tree, weighted, &seeds, n_columns)
+                } else {
+                    derived.roots
+                };
+                let found = dependences(graph, &roots, (tree, &seeds));
+                rows.resize(found.len(), BTreeSet::new());
+                for (row, found) in rows.iter_mut().zip(found) {
+                    row.extend(found);
+                }
+            }
             if is_second {
                 Sparsity::of_second(&rows)
             } else {

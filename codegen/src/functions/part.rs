@@ -16,6 +16,7 @@ use super::{
     terms,
 };
 use crate::{
+    base_parameters,
     recursive::{Plan, Technique},
     tree::{N_INERTIAL, Tree},
 };
@@ -153,6 +154,10 @@ impl Part {
     /// Which entries of a packed derivative it writes; `None` where it is none.
     pub fn sparsity(&self, tree: &Tree) -> Option<&Sparsity> {
         let derivative = self.derivative.as_ref()?;
+        if self.function.writes(Axis::BaseParameters) {
+            // Which there are follows from the model's own numbers.
+            base_parameters::of(tree);
+        }
         let of = (self.function.outputs, self.own_of_subject());
         derivative.sparsity(tree, of, |tree| {
             let mut derived = Derived::default();

@@ -5,7 +5,7 @@
 //! zero for all numbers of the model and all states. So patterns follow from the topology and the free coordinates alone.
 
 use std::{
-    collections::BTreeMap,
+    collections::{BTreeMap, BTreeSet},
     sync::{Arc, OnceLock},
 };
 
@@ -29,7 +29,7 @@ pub struct Sparsity {
 
 impl Sparsity {
     /// That of a first derivative with so many columns.
-    pub(super) fn of_first(rows: &[Vec<usize>], n_columns: usize) -> Self {
+    pub(super) fn of_first(rows: &[BTreeSet<usize>], n_columns: usize) -> Self {
         let rows = rows.iter().enumerate();
         let places = rows.flat_map(|(row, columns)| columns.iter().map(move |&at| [row, at]));
         let places: Vec<[usize; 2]> = places.collect();
@@ -40,7 +40,7 @@ impl Sparsity {
     }
 
     /// That of a second derivative, whose rows may be given from either side.
-    pub(super) fn of_second(rows: &[Vec<usize>]) -> Self {
+    pub(super) fn of_second(rows: &[BTreeSet<usize>]) -> Self {
         let rows = rows.iter().enumerate();
         let places = rows.flat_map(|(row, columns)| {
             let ordered = move |&at: &usize| [row.max(at), row.min(at)];

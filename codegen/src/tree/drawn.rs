@@ -1,6 +1,7 @@
 //! A tree of the same bodies and joints whose numbers are drawn: what holds of it holds of the structure, not of values.
 
 use crate::geometry::{self, IDENTITY, Rotation};
+use crate::id::ParameterId;
 use crate::random::Random;
 use crate::tree::body::{Body, Inertia, Pose, RigidPart};
 use crate::tree::frames::Frame;
@@ -8,30 +9,53 @@ use crate::tree::joint::{Coordinate, Joint, Orientation};
 use crate::tree::mechanics::Mechanics;
 use crate::tree::offset::{Offset, Step};
 use crate::tree::system::Tree;
-use crate::tree::value::Value;
+use crate::tree::value::{Parameter, Value};
 
 impl Tree {
     /// The tree with other numbers in the place of all that are baked in, drawn by a seed. No length, mass, inertia, spring, damper
-    /// or rotor is zero, and no axes are parallel, so that only the structure is left. What is set at run time stays so.
+    /// or rotor is zero, and no axes are parallel, so that only the structure is left. What is set at run time stays so, and which base
+    /// parameters there are, where that is known.
     #[must_use]
     pub fn with_drawn_numbers(&self, seed: u64) -> Self {
-        let mut drawn = Drawn(Random::new(seed));
-        Self {
+        self.drawn(seed, None)
+    }
+
+    /// The same with all values set at run time, after those that were; rotations have rational entries. So nothing is rounded
+    /// where expressions are built.
+    pub(crate) fn with_drawn_parameters(&self, seed: u64) -> Self {
+        self.drawn(seed, Some(self.parameters.clone()))
+    }
+
+    fn drawn(&self, seed: u64, parameters: Option<Vec<Parameter>>) -> Self {
+        let mut drawn = Drawn {
+            random: Random::new(seed),
+            parameters,
+        };
+        let tree = Self {
             gravity: self.gravity.map(|component| drawn.value(component)),
             bodies: self.bodies.iter().map(|body| drawn.body(body)).collect(),
             frames: self.frames.iter().map(|own| drawn.frame(own)).collect(),
             markers: self.markers.iter().map(|own| drawn.frame(own)).collect(),
+            base_parameters: self.base_parameters.kept(),
             ..self.clone()
+        };
+        Self {
+            parameters: drawn.parameters.unwrap_or(tree.parameters),
+            ..tree
         }
     }
 }
 
-struct Drawn(Random);
+struct Drawn {
+    random: Random,
+    /// Where all values are set at run time, those that there are.
+    parameters: Option<Vec<Parameter>>,
+}
 
 impl Drawn {
     /// Between a quarter and 1.25 in magnitude.
     fn number(&mut self) -> f64 {
-        let number = self.0.signed();
+        let number = self.random.signed();
         number + 0.25_f64.copysign(number)
     }
 
@@ -39,33 +63,63 @@ impl Drawn {
         [0; 3].map(|_| self.number())
     }
 
+    /// A whole number of either sign between 2 and 20: fractions of the squares of a few are told from others when they are rounded.
+    fn whole(&mut self) -> f64 {
+        let number = (19.0 * self.random.signed()).trunc();
+        number + 2.0_f64.copysign(number)
+    }
+
+    /// A rotation with rational entries, none of which is zero.
     fn rotation(&mut self) -> Rotation {
-        geometry::body_fixed_123(self.vector())
+        loop {
+            let quaternion = [0; 4].map(|_| self.whole());
+            let rotation = geometry::of_quaternion(quaternion);
+            let is_plain = |entry: &f64| entry.abs() < 1e-3;
+            if let Some(found) = rotation
+                && !found.as_flattened().iter().any(is_plain)
+            {
+                return found;
+            }
+        }
+    }
+
+    /// An angle with a rational sine and cosine.
+    fn angle(&mut self) -> f64 {
+        let (a, b) = (self.whole(), self.whole());
+        2.0 * libm::atan2(a, b.abs())
     }
 
     fn value(&mut self, value: Value) -> Value {
-        match value {
-            Value::Baked(_) => Value::Baked(self.number()),
-            Value::Runtime(_) => value,
-        }
+        let number = match value {
+            Value::Baked(_) => self.number(),
+            Value::Runtime(_) => return value,
+        };
+        let Some(parameters) = &mut self.parameters else {
+            return Value::Baked(number);
+        };
+        parameters.push(Parameter {
+            name: format!("drawn_{}", parameters.len()),
+            body: None,
+            nominal: number,
+            unit: "",
+        });
+        Value::Runtime(ParameterId::new(parameters.len() - 1))
     }
 
     /// A vector to which what is set at run time is added as before.
     fn offset(&mut self, offset: &Offset) -> Offset {
-        let own = Offset::new(IDENTITY, self.vector().map(Value::Baked));
-        let mut steps = offset.steps().iter();
+        let own = [0; 3].map(|_| self.value(Value::Baked(0.0)));
+        let own = Offset::new(IDENTITY, own);
         let is_set = |value: &Value| matches!(value, Value::Runtime(_));
-        let mut of_step = |sum: Offset, step: &Step| {
-            let vector = step.vector.map(|value| self.value(value));
-            let rotation = self.rotation();
+        let steps = offset.steps().iter();
+        let steps = steps.filter(|step| step.vector.iter().any(is_set));
+        steps.fold(own, |sum, step| {
             sum.plus(Step {
-                rotation,
-                vector,
+                rotation: self.rotation(),
+                vector: step.vector.map(|value| self.value(value)),
                 ..*step
             })
-        };
-        let steps = steps.by_ref().filter(|step| step.vector.iter().any(is_set));
-        steps.fold(own, &mut of_step)
+        })
     }
 
     fn pose(&mut self, pose: &Pose) -> Pose {
@@ -125,7 +179,7 @@ impl Drawn {
         });
         let orientation = match joint.orientation {
             Orientation::Rates(angles) => {
-                Orientation::Rates(angles.map(|own| self.coordinate(own)))
+                Orientation::Rates(angles.map(|own| self.coordinate(own, Self::angle)))
             }
             orientation @ Orientation::AngularVelocity { .. } => {
                 // No spring acts there, and the rotors of all three are one.
@@ -141,13 +195,15 @@ impl Drawn {
             rotation: self.rotation(),
             attachment: self.offset(&joint.attachment),
             orientation,
-            translations: joint.translations.map(|own| self.coordinate(own)),
+            translations: joint
+                .translations
+                .map(|own| self.coordinate(own, Self::number)),
             mechanics,
             ..joint.clone()
         }
     }
 
-    fn coordinate(&mut self, coordinate: Coordinate) -> Coordinate {
+    fn coordinate(&mut self, coordinate: Coordinate, locked: fn(&mut Self) -> f64) -> Coordinate {
         match coordinate {
             Coordinate::Free { .. } => coordinate,
             Coordinate::Mimic {
@@ -155,10 +211,10 @@ impl Drawn {
             } => Coordinate::Mimic {
                 coordinate,
                 speed,
-                multiplier: self.number(),
+                multiplier: self.whole() / 16.0,
                 offset: self.number(),
             },
-            Coordinate::Locked(_) => Coordinate::Locked(self.number()),
+            Coordinate::Locked(_) => Coordinate::Locked(locked(self)),
         }
     }
 }

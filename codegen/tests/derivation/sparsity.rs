@@ -6,6 +6,7 @@ use kane_codegen::{functions::Sparsity, recursive::Plan, tree::Tree};
 use kane_test_support::{
     compare::{assert_within, larger, largest},
     dynamics::State,
+    random::Random,
     systems::trees,
 };
 
@@ -18,6 +19,16 @@ use crate::{
 
 /// Seeds of numbers that trees are given here.
 const DRAWN: [u64; 2] = [71, 72];
+
+/// The tree with drawn numbers, also of what is set at run time.
+fn drawn(tree: &Tree, seed: u64) -> Tree {
+    let mut drawn = tree.with_drawn_numbers(seed);
+    let numbers = Random::new(seed).numbers(drawn.parameters.len());
+    for (parameter, number) in drawn.parameters.iter_mut().zip(numbers) {
+        parameter.nominal = number;
+    }
+    drawn
+}
 
 fn sparsity(tree: &Tree, text: &str) -> Sparsity {
     let request = request(tree, text);
@@ -44,7 +55,7 @@ fn left_out(places: &[[usize; 2]], n: usize, n_all: usize) -> Vec<bool> {
 fn what_is_left_out_is_zero_and_nothing_else() {
     for seed in trees::tried(591..=596) {
         let (_, tree) = system(seed);
-        let drawn = DRAWN.map(|seed| tree.with_drawn_numbers(seed));
+        let drawn = DRAWN.map(|seed| drawn(&tree, seed));
         for (function, name) in every_function(&tree) {
             for variable in variables(&tree, function) {
                 let text = format!("d({name})/d({variable})");
@@ -74,7 +85,10 @@ fn what_is_left_out_is_zero_and_nothing_else() {
                     if *is_out {
                         assert_within(what, *most, allowed);
                     } else if *most < 1e-14 {
-                        println!("NOTSPARSE {what}: {most:e}");
+                        println!(
+                            "NOTSPARSE {what}: {most:e} {}",
+                            tree.parameters.get(place % n).map_or("", |p| &p.name)
+                        );
                     }
                     if *is_out && *most != 0.0 {
                         println!(
