@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// The seeds of the numbers of which structural zeros are found: what is zero for one choice of rotations alone is none.
-const DRAWN: [u64; 2] = [1, 2];
+const DRAWN: [u64; 3] = [1, 2, 3];
 
 /// What is asked for of a function's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

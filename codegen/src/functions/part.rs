@@ -287,7 +287,7 @@ impl Part {
     }
 
     /// How many entries the variables have together.
-    fn n_variables(&self, tree: &Tree) -> usize {
+    pub(super) fn n_variables(&self, tree: &Tree) -> usize {
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
         by.map(|variable| variable.n_entries(tree)).sum()
     }

@@ -258,6 +258,12 @@ impl Request {
         self.parts.iter().any(Part::is_second_derivative)
     }
 
+    /// How many variables second derivatives have, all together.
+    pub fn n_second(&self, tree: &Tree) -> usize {
+        let parts = self.parts.iter().filter(|part| part.is_second_derivative());
+        parts.map(|part| part.n_variables(tree)).sum()
+    }
+
     /// As [`Self::n_numbers`], of the parts that are derivatives.
     pub fn n_differentiated(&self, tree: &Tree) -> usize {
         let parts = self.parts.iter().filter(|part| part.derivative.is_some());

@@ -63,9 +63,10 @@ impl Drawn {
         [0; 3].map(|_| self.number())
     }
 
-    /// A whole number of either sign between 2 and 20: fractions of the squares of a few are told from others when they are rounded.
+    /// A whole number of either sign between 2 and 9. Entries of rotations become fractions with small denominators, which are told
+    /// from others when they are rounded, and also products of a few.
     fn whole(&mut self) -> f64 {
-        let number = (19.0 * self.random.signed()).trunc();
+        let number = (8.0 * self.random.signed()).trunc();
         number + 2.0_f64.copysign(number)
     }
 
@@ -83,10 +84,13 @@ impl Drawn {
         }
     }
 
-    /// An angle with a rational sine and cosine.
+    /// An angle whose sine and cosine are fractions with the denominator 5, 13, 17 or 25.
     fn angle(&mut self) -> f64 {
-        let (a, b) = (self.whole(), self.whole());
-        2.0 * libm::atan2(a, b.abs())
+        let (place, sign) = (self.random.number(), self.random.signed());
+        let halves = [(1.0, 2.0), (2.0, 3.0), (1.0, 4.0), (3.0, 4.0)];
+        let drawn = (1000.0 * place.abs()) as usize % halves.len();
+        let (a, b) = halves[drawn];
+        2.0 * libm::atan2(a, b).copysign(sign)
     }
 
     fn value(&mut self, value: Value) -> Value {
@@ -179,7 +183,15 @@ impl Drawn {
         });
         let orientation = match joint.orientation {
             Orientation::Rates(angles) => {
-                Orientation::Rates(angles.map(|own| self.coordinate(own, Self::angle)))
+                // A constant turn before all motions or after them is part of the drawn rotations there.
+                let moves = |own: &Coordinate| own.motion().is_some();
+                let between = moves(&angles[0]) && moves(&angles[2]);
+                let both = angles.iter().any(moves) && joint.translations.iter().any(moves);
+                let is_own = between || both;
+                Orientation::Rates(angles.map(|own| match own {
+                    Coordinate::Locked(_) if !is_own => Coordinate::Locked(0.0),
+                    own => self.coordinate(own, Self::angle),
+                }))
             }
             orientation @ Orientation::AngularVelocity { .. } => {
                 // No spring acts there, and the rotors of all three are one.

@@ -2,7 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use kane_codegen::{functions::Sparsity, recursive::Plan, tree::Tree};
+use kane_codegen::{
+    functions::{Packed, Request, Sparsity},
+    recursive::Plan,
+    tree::{Motion, Tree},
+};
 use kane_test_support::{
     compare::{assert_within, larger, largest},
     dynamics::State,
@@ -13,9 +17,12 @@ use kane_test_support::{
 use crate::{
     derivatives::{EXACT, INVERTED, inverts, n_entries, values, variables, ways},
     evaluator::input,
-    frames::{relative, request, system},
+    frames::{request, system},
     products::every_function,
 };
+
+/// What rounding leaves of a zero at most, relative to the largest entry: more is none.
+const ROUNDING: f64 = 1e-14;
 
 /// Seeds of numbers that trees are given here.
 const DRAWN: [u64; 2] = [71, 72];
@@ -51,54 +58,213 @@ fn left_out(places: &[[usize; 2]], n: usize, n_all: usize) -> Vec<bool> {
     left_out
 }
 
+/// True where some joint only slides: the constant rotations before and after it are one then, and rounding may hide that of its
+/// numbers a few cancel. Of what is kept at most a twentieth is zero there.
+fn slides(tree: &Tree) -> bool {
+    let mut joints = tree.bodies.iter().map(|body| &body.joint);
+    joints.any(|joint| joint.turns().iter().all(Option::is_none))
+}
+
 #[test]
 fn what_is_left_out_is_zero_and_nothing_else() {
-    for seed in trees::tried(591..=596) {
+    for seed in trees::tried(591..=599) {
         let (_, tree) = system(seed);
         let drawn = DRAWN.map(|seed| drawn(&tree, seed));
-        for (function, name) in every_function(&tree) {
+        let states = [(&tree, seed), (&drawn[0], 1), (&drawn[1], 2)];
+        let is_sliding = slides(&tree);
+        // Each of three trees tries a third of them.
+        let all = every_function(&tree).into_iter().zip(0..);
+        let own = all.filter(|(_, place)| place % 3 == seed % 3);
+        for ((function, name), _) in own {
             for variable in variables(&tree, function) {
+                // The sign of a speed changes only where it turns round.
+                if name == "joint_regressor" && variable == "u" {
+                    continue;
+                }
                 let text = format!("d({name})/d({variable})");
                 let places = sparsity(&tree, &format!("packed({text})")).places;
                 let n = n_entries(&tree, &variable);
-                let own = whole(&tree, &text, seed);
-                let mut most = vec![0.0; own.len()];
-                let allowed = if inverts(&name) { INVERTED } else { EXACT };
-                for (tree, seed) in [
-                    (&tree, seed),
-                    (&drawn[0], 1),
-                    (&drawn[0], 2),
-                    (&drawn[1], 3),
-                ] {
+                let mut most: Vec<f64> = Vec::new();
+                for (tree, seed) in states {
                     let found = whole(tree, &text, seed);
                     let scale = larger(largest(&found), 1.0);
+                    most.resize(found.len(), 0.0);
                     for (most, own) in most.iter_mut().zip(&found) {
                         *most = larger(*most, own.abs() / scale);
                     }
                 }
-                for (place, (is_out, most)) in left_out(&places, n, own.len())
-                    .iter()
-                    .zip(&most)
-                    .enumerate()
-                {
-                    let what = format!("{seed}, {text}, row {}, column {}", place / n, place % n);
+                let allowed = if inverts(&name) { INVERTED } else { EXACT };
+                let left_out = left_out(&places, n, most.len());
+                let mut n_zeros = 0;
+                for (place, (is_out, &most)) in left_out.iter().zip(&most).enumerate() {
+                    let (row, column) = (place / n, place % n);
+                    let what = format!("{seed}, {text}, row {row}, column {column}");
                     if *is_out {
-                        assert_within(what, *most, allowed);
-                    } else if *most < 1e-14 {
-                        println!(
-                            "NOTSPARSE {what}: {most:e} {}",
-                            tree.parameters.get(place % n).map_or("", |p| &p.name)
-                        );
-                    }
-                    if *is_out && *most != 0.0 {
-                        println!(
-                            "NOISE {seed}, {text}, row {}, column {} {most:e}",
-                            place / n,
-                            place % n
-                        );
+                        assert_within(what, most, allowed);
+                    } else if most <= ROUNDING {
+                        assert!(is_sliding, "{what}: {most:e}");
+                        n_zeros += 1;
                     }
                 }
+                let n_kept = places.len();
+                assert!(
+                    20 * n_zeros <= n_kept,
+                    "{seed}, {text}: {n_zeros} of {n_kept}"
+                );
             }
         }
     }
+}
+
+/// All derivatives of a function by variables, a row for each entry of its outputs, the variables' columns side by side.
+fn rows(tree: &Tree, (name, by): (&str, &[&str]), numbers: &[f64]) -> Vec<Vec<f64>> {
+    let mut rest = numbers;
+    let mut rows = Vec::new();
+    for lengths in request(tree, name).lengths(tree, 0) {
+        let mut own = vec![Vec::new(); lengths.iter().product()];
+        for variable in by {
+            let n = n_entries(tree, variable);
+            for row in &mut own {
+                let (entries, others) = rest.split_at(n);
+                row.extend_from_slice(entries);
+                rest = others;
+            }
+        }
+        rows.extend(own);
+    }
+    assert!(rest.is_empty());
+    rows
+}
+
+#[test]
+fn packed_derivatives_are_those_of_all_that_are_not_left_out() {
+    for seed in trees::tried(601..=606) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        for (name, by) in [
+            ("loaded_inverse_dynamics", &["u", "q", "loads"][..]),
+            ("inverse_dynamics", &["q", "u", "u_dot"]),
+            ("forward_dynamics", &["tau", "q", "u"]),
+            ("centroidal_momentum_matrix", &["q"]),
+        ] {
+            let text = format!("d({name})/d({})", by.join(", "));
+            let packed = request(&tree, &format!("packed({text})"));
+            let all = request(&tree, &text);
+            let places = sparsity(&tree, &packed.text()).places;
+            for (formulation, plan) in ways(&tree) {
+                let numbers = |request: &Request| {
+                    let derived = request.derive(&tree, formulation, &plan);
+                    let graph = &derived.graph;
+                    graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+                };
+                let whole = rows(&tree, (name, by), &numbers(&all));
+                let expected = places.iter().map(|&[row, column]| whole[row][column]);
+                let expected: Vec<f64> = expected.collect();
+                // The same expressions, so the same bits.
+                assert_eq!(numbers(&packed), expected, "{seed}, {text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn columns_of_one_colour_share_no_row() {
+    let mut n_saved = 0;
+    for seed in trees::tried(611..=630) {
+        let (_, tree) = system(seed);
+        for text in [
+            "packed(d(inverse_dynamics)/d(q, u))",
+            "packed(d(forward_dynamics)/d(q, u, tau))",
+            "packed(d(mass_center_position)/d(q))",
+        ] {
+            let Sparsity { places, colors } = sparsity(&tree, text);
+            let colors = colors.expect("a first derivative has some");
+            let known: BTreeSet<[usize; 2]> = places
+                .iter()
+                .map(|&[row, column]| [row, colors[column]])
+                .collect();
+            assert_eq!(known.len(), places.len(), "{seed}, {text}");
+            let n_colors = colors.iter().max().map_or(0, |most| most + 1);
+            n_saved += colors.len() - n_colors;
+        }
+    }
+    assert!(n_saved > 0, "some columns share no row");
+}
+
+/// The places of a packed matrix over speeds, above the diagonal too.
+fn mirrored(packed: Packed, tree: &Tree) -> Vec<[usize; 2]> {
+    let places = packed.places(tree).into_iter();
+    let both = places.flat_map(|[row, column]| [[row, column], [column, row]]);
+    let both: BTreeSet<[usize; 2]> = both.collect();
+    both.into_iter().collect()
+}
+
+/// True for translations of one joint, which are along axes at right angles.
+fn are_across(tree: &Tree, [row, column]: [usize; 2]) -> bool {
+    let mut shifts = tree.bodies.iter().map(|body| body.joint.shifts());
+    let has = |shifts: &[Option<Motion>; 3], speed| {
+        let mut shifts = shifts.iter().flatten();
+        shifts.any(|motion| motion.speed.index() == speed)
+    };
+    row != column && shifts.any(|own| has(&own, row) && has(&own, column))
+}
+
+#[test]
+fn patterns_of_dynamics_follow_from_the_tree() {
+    for seed in trees::tried(631..=651) {
+        let (_, tree) = system(seed);
+        let of = |text: &str| sparsity(&tree, &format!("packed({text})")).places;
+        let mut coupled = mirrored(Packed::MassMatrix, &tree);
+        for variable in ["q", "u"] {
+            let found = of(&format!("d(inverse_dynamics)/d({variable})"));
+            let is_known = |place| coupled.binary_search(place).is_ok();
+            assert!(found.iter().all(is_known), "{seed}, {variable}");
+        }
+        let together = mirrored(Packed::Inverse, &tree);
+        for variable in ["q", "u", "tau"] {
+            let found = of(&format!("d(forward_dynamics)/d({variable})"));
+            let is_known = |place| together.binary_search(place).is_ok();
+            assert!(found.iter().all(is_known), "{seed}, {variable}");
+        }
+        coupled.retain(|place| !are_across(&tree, *place));
+        assert_eq!(of("d(inverse_dynamics)/d(u_dot)"), coupled, "{seed}");
+    }
+}
+
+/// Two pendulums in a row, and one beside them, with numbers of their own.
+fn pendulums(length: &str, mass: &str, gravity: &str, more: &str) -> Tree {
+    let body = |name: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = {mass}\nmass_center = [0.0, 0.0, {length}]\n\
+             inertia = {{ xx = 0.1, yy = 0.1, zz = 0.1, xy = 0.0, xz = 0.0, yz = 0.0 }}\n\
+             attachment = [0.0, 0.0, {length}]\njoint = [\"theta1\"]\n{more}\n"
+        )
+    };
+    let bodies = ["a", "b", "c"].map(body).concat();
+    let text = format!(
+        "name = \"three\"\ngravity = [0.0, 0.0, {gravity}]\nlower_bodies = [0, 1, 0]\n{bodies}"
+    );
+    kane_test_support::systems::tree(&text).expect("a right description")
+}
+
+#[test]
+fn patterns_do_not_change_with_values() {
+    let known = pendulums("-0.5", "2.0", "-9.81", "");
+    let others = [
+        pendulums("0.0", "2.0", "0.0", ""),
+        pendulums("{ runtime = -0.5 }", "{ runtime = 2.0 }", "-9.81", ""),
+        pendulums("-0.5", "2.0", "0.0", "stiffness = 3.0\ndamping = 0.5"),
+    ];
+    for text in [
+        "packed(d(inverse_dynamics)/d(q, u))",
+        "packed(d(forward_dynamics)/d(q, u, tau))",
+        "hessian(inverse_dynamics; q, u)",
+        "hessian(forward_dynamics; q, u)",
+    ] {
+        for other in &others {
+            assert_eq!(sparsity(&known, text), sparsity(other, text), "{text}");
+        }
+    }
+    let places = sparsity(&known, "packed(d(inverse_dynamics)/d(q))").places;
+    assert_eq!(places, [[0, 0], [0, 1], [1, 0], [1, 1], [2, 2]]);
 }
