@@ -1,6 +1,8 @@
 //! Second derivatives: against differences of gradients, and of values along motions at constant speeds.
 
 use kane_codegen::{
+    compile::{self, Options},
+    description::{Base, Reading},
     functions::{Formulation, Request},
     recursive::{Plan, Technique},
     tree::Tree,
@@ -14,6 +16,7 @@ use kane_test_support::{
 };
 
 use crate::{
+    compiled::read,
     derivatives::{DIFFERENCED, EXACT, INVERTED, inverts, moved, n_entries, values, variables},
     evaluator::input,
     frames::{of_states, relative, request, system},
@@ -201,4 +204,24 @@ fn all_ways_give_the_same_second_derivatives() {
             }
         }
     }
+}
+
+#[test]
+fn what_would_be_large_is_refused_with_its_size() {
+    let base = Some(Base::Free);
+    let path = "tests/robots/talos/talos.urdf";
+    let tree = read(path, &Reading { base, chart: None });
+    let refused = |text: &str| {
+        let requests = [request(&tree, text)];
+        let checked = compile::check_size(&tree, &requests, &Options::default());
+        checked.err().map(|error| error.to_string())
+    };
+    assert_eq!(refused("hessian(inverse_dynamics; q, u)"), None);
+    let told = refused("hessian(forward_dynamics; q, u, tau)").expect("it is refused");
+    let start = "`hessian(forward_dynamics; q, u, tau)` (ask for fewer variables, or for `vjp` and its differences) has 114 variables and builds about ";
+    let found = told.strip_prefix(start).expect(&told);
+    assert!(
+        found.ends_with(" operations; expected at most 4000000"),
+        "{told}"
+    );
 }

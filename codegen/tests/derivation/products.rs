@@ -1,5 +1,7 @@
 //! Products with derivatives, against all derivatives.
 
+use std::collections::BTreeMap;
+
 use kane_codegen::{
     expr::Input,
     functions::{Argument, Function, Of, Request},
@@ -143,6 +145,17 @@ fn every_function_has_its_gradient() {
                 let what = format!("{seed}, {text}");
                 assert_within(what, relative(&numbers(&text), &expected), allowed);
             }
+        }
+    }
+}
+
+#[test]
+fn multipliers_of_one_name_belong_to_one_place() {
+    let mut known = BTreeMap::new();
+    for function in Function::all().filter(|function| function.outputs.len() > 1) {
+        for (place, output) in function.outputs.iter().enumerate() {
+            let first = *known.entry(output.name.clone()).or_insert(place);
+            assert_eq!(first, place, "{}, {}", function.name, output.name);
         }
     }
 }

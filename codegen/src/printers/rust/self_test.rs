@@ -78,7 +78,9 @@ fn numbers(facts: &Facts, argument: Argument, sample: &Sample) -> Expr {
 fn nested(numbers: &[f64], lengths: &[usize], element: Element) -> Expr {
     match (lengths, element.vectors()) {
         (&[length, ref inner @ ..], _) => {
-            let entries = numbers.chunks(numbers.len() / length);
+            // None has entries where there are none, or where these are empty.
+            let size = numbers.len().checked_div(length).unwrap_or(0);
+            let entries = (0..length).map(|place| &numbers[place * size..(place + 1) * size]);
             syntax::array(entries.map(|entry| nested(entry, inner, element)))
         }
         ([], []) => syntax::number(numbers[0]),
