@@ -28,7 +28,8 @@ impl Tree {
 
     fn drawn(&self, seed: u64, parameters: Option<Vec<Parameter>>) -> Self {
         let mut drawn = Drawn {
-            random: Random::new(seed),
+            values: Random::new(seed),
+            joints: Random::new(!seed),
             parameters,
         };
         let tree = Self {
@@ -47,7 +48,10 @@ impl Tree {
 }
 
 struct Drawn {
-    random: Random,
+    /// For masses, lengths, what acts in joints, and how parts are turned.
+    values: Random,
+    /// For what stays a number: how joints are turned, and what is constant in them. It is the same whatever is set at run time.
+    joints: Random,
     /// Where all values are set at run time, those that there are.
     parameters: Option<Vec<Parameter>>,
 }
@@ -55,7 +59,7 @@ struct Drawn {
 impl Drawn {
     /// Between a quarter and 1.25 in magnitude.
     fn number(&mut self) -> f64 {
-        let number = self.random.signed();
+        let number = self.values.signed();
         number + 0.25_f64.copysign(number)
     }
 
@@ -63,30 +67,14 @@ impl Drawn {
         [0; 3].map(|_| self.number())
     }
 
-    /// A whole number of either sign between 2 and 9. Entries of rotations become fractions with small denominators, which are told
-    /// from others when they are rounded, and also products of a few.
-    fn whole(&mut self) -> f64 {
-        let number = (8.0 * self.random.signed()).trunc();
-        number + 2.0_f64.copysign(number)
-    }
-
-    /// A rotation with rational entries, none of which is zero.
-    fn rotation(&mut self) -> Rotation {
-        loop {
-            let quaternion = [0; 4].map(|_| self.whole());
-            let rotation = geometry::of_quaternion(quaternion);
-            let is_plain = |entry: &f64| entry.abs() < 1e-3;
-            if let Some(found) = rotation
-                && !found.as_flattened().iter().any(is_plain)
-            {
-                return found;
-            }
-        }
+    /// An eighth of a whole number, of which sums and products are exact.
+    fn eighths(&mut self) -> f64 {
+        whole(&mut self.joints) / 8.0
     }
 
     /// An angle whose sine and cosine are fractions with the denominator 5, 13, 17 or 25.
     fn angle(&mut self) -> f64 {
-        let (place, sign) = (self.random.number(), self.random.signed());
+        let (place, sign) = (self.joints.number(), self.joints.signed());
         let halves = [(1.0, 2.0), (2.0, 3.0), (1.0, 4.0), (3.0, 4.0)];
         let drawn = (1000.0 * place.abs()) as usize % halves.len();
         let (a, b) = halves[drawn];
@@ -94,10 +82,10 @@ impl Drawn {
     }
 
     fn value(&mut self, value: Value) -> Value {
-        let number = match value {
-            Value::Baked(_) => self.number(),
-            Value::Runtime(_) => return value,
-        };
+        if let Value::Runtime(_) = value {
+            return value;
+        }
+        let number = self.number();
         let Some(parameters) = &mut self.parameters else {
             return Value::Baked(number);
         };
@@ -119,7 +107,7 @@ impl Drawn {
         let steps = steps.filter(|step| step.vector.iter().any(is_set));
         steps.fold(own, |sum, step| {
             sum.plus(Step {
-                rotation: self.rotation(),
+                rotation: rotation(&mut self.values),
                 vector: step.vector.map(|value| self.value(value)),
                 ..*step
             })
@@ -128,14 +116,14 @@ impl Drawn {
 
     fn pose(&mut self, pose: &Pose) -> Pose {
         Pose {
-            rotation: self.rotation(),
+            rotation: rotation(&mut self.joints),
             origin: self.offset(&pose.origin),
         }
     }
 
     fn frame(&mut self, frame: &Frame) -> Frame {
         Frame {
-            rotation: self.rotation(),
+            rotation: rotation(&mut self.values),
             position: self.vector(),
             pose: self.pose(&frame.pose),
             turn: frame
@@ -169,7 +157,7 @@ impl Drawn {
                 xz,
                 yz,
             },
-            axes: self.rotation(),
+            axes: rotation(&mut self.values),
         }
     }
 
@@ -204,12 +192,12 @@ impl Drawn {
             }
         };
         Joint {
-            rotation: self.rotation(),
+            rotation: rotation(&mut self.joints),
             attachment: self.offset(&joint.attachment),
             orientation,
             translations: joint
                 .translations
-                .map(|own| self.coordinate(own, Self::number)),
+                .map(|own| self.coordinate(own, Self::eighths)),
             mechanics,
             ..joint.clone()
         }
@@ -223,10 +211,31 @@ impl Drawn {
             } => Coordinate::Mimic {
                 coordinate,
                 speed,
-                multiplier: self.whole() / 16.0,
-                offset: self.number(),
+                multiplier: self.eighths() / 2.0,
+                offset: self.eighths(),
             },
             Coordinate::Locked(_) => Coordinate::Locked(locked(self)),
+        }
+    }
+}
+
+/// A whole number of either sign between 2 and 9. Entries of rotations become fractions with small denominators, which are told
+/// from others when they are rounded, and also products of a few.
+fn whole(random: &mut Random) -> f64 {
+    let number = (8.0 * random.signed()).trunc();
+    number + 2.0_f64.copysign(number)
+}
+
+/// A rotation with rational entries, none of which is zero.
+fn rotation(random: &mut Random) -> Rotation {
+    loop {
+        let quaternion = [0; 4].map(|_| whole(random));
+        let rotation = geometry::of_quaternion(quaternion);
+        let is_plain = |entry: &f64| entry.abs() < 1e-3;
+        if let Some(found) = rotation
+            && !found.as_flattened().iter().any(is_plain)
+        {
+            return found;
         }
     }
 }
