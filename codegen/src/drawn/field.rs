@@ -37,6 +37,24 @@ impl Field {
         Self(1 << exponent.rem_euclid(61))
     }
 
+    /// The number itself, a whole number times a power of two; zero for what is not finite.
+    fn exact(value: f64) -> Self {
+        let bits = value.to_bits();
+        let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
+        let (mantissa, exponent) = match exponent {
+            0x7ff => return Self::ZERO,
+            0 => (fraction, 1),
+            normal => (fraction | (1 << 52), normal),
+        };
+        let exponent = i64::try_from(exponent).expect("eleven bits") - 1075;
+        let magnitude = Self(mantissa) * Self::power_of_two(exponent);
+        if value.is_sign_negative() {
+            -magnitude
+        } else {
+            magnitude
+        }
+    }
+
     /// `1 / self`; zero for zero.
     fn reciprocal(self) -> Self {
         let (mut power, mut square, mut exponent) = (Self::ONE, self, PRIME - 2);
@@ -54,23 +72,9 @@ impl Field {
 impl Number for Field {
     /// The fraction that was rounded to it, where there is one with a small denominator; zero for what is not finite.
     fn constant(value: f64) -> Self {
-        if let Some((numerator, denominator)) = fraction(value) {
-            let magnitude = Self(numerator % PRIME) * Self(denominator).reciprocal();
-            return if value < 0.0 { -magnitude } else { magnitude };
-        }
-        let bits = value.to_bits();
-        let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & ((1 << 52) - 1));
-        let (mantissa, exponent) = match exponent {
-            0x7ff => return Self::ZERO,
-            0 => (fraction, 1),
-            normal => (fraction | (1 << 52), normal),
-        };
-        let exponent = i64::try_from(exponent).expect("eleven bits") - 1075;
-        let magnitude = Self(mantissa) * Self::power_of_two(exponent);
-        if value.is_sign_negative() {
-            -magnitude
-        } else {
-            magnitude
+        match fraction(value) {
+            Some([numerator, denominator]) => Self::exact(numerator) / Self::exact(denominator),
+            None => Self::exact(value),
         }
     }
 
@@ -101,8 +105,9 @@ const MOST_DENOMINATOR: f64 = 16_777_216.0;
 /// How far from a fraction its rounding may be, where a few operations were folded.
 const FOLDED: f64 = 16.0 * f64::EPSILON;
 
-/// The magnitude as a fraction, by its expansion into a continued one. Distances of such fractions are larger than rounding.
-fn fraction(value: f64) -> Option<(u64, u64)> {
+/// Numerator and denominator of a fraction, by its expansion into a continued one. Distances of such fractions are larger than
+/// rounding.
+fn fraction(value: f64) -> Option<[f64; 2]> {
     let magnitude = value.abs();
     if !(1e-6..1e6).contains(&magnitude) {
         return None;
@@ -117,7 +122,7 @@ fn fraction(value: f64) -> Option<(u64, u64)> {
             return None;
         }
         if (magnitude - p / q).abs() <= FOLDED * magnitude {
-            return Some((p as u64, q as u64));
+            return Some([p.copysign(value), q]);
         }
         rest = 1.0 / (rest - whole);
     }
@@ -166,7 +171,7 @@ mod tests {
 
     #[test]
     fn numbers_keep_what_holds_of_them() {
-        let numbers = [0.3, -2.75, 1e-300, 5e-324, 7e200, 0.1234567890123].map(Field::constant);
+        let numbers = [0.3, -2.75, 1e-300, 5e-324, 7e200, 0.123_456_789_012_3].map(Field::constant);
         for a in numbers {
             assert_eq!(a * (Field::ONE / a), Field::ONE);
             assert_eq!(a + -a, Field::ZERO);

@@ -74,10 +74,13 @@ impl Drawn {
 
     /// An angle whose sine and cosine are fractions with the denominator 5, 13, 17 or 25.
     fn angle(&mut self) -> f64 {
-        let (place, sign) = (self.joints.number(), self.joints.signed());
-        let halves = [(1.0, 2.0), (2.0, 3.0), (1.0, 4.0), (3.0, 4.0)];
-        let drawn = (1000.0 * place.abs()) as usize % halves.len();
-        let (a, b) = halves[drawn];
+        let [first, second, sign] = [0; 3].map(|_| self.joints.signed());
+        let (a, b) = match (first < 0.0, second < 0.0) {
+            (false, false) => (1.0, 2.0),
+            (false, true) => (2.0, 3.0),
+            (true, false) => (1.0, 4.0),
+            (true, true) => (3.0_f64, 4.0),
+        };
         2.0 * libm::atan2(a, b).copysign(sign)
     }
 
