@@ -14,7 +14,11 @@ use super::{
     syntax::AT_SIN_COS,
     variable::Variable,
 };
-use crate::{recursive::Plan, solve, tree::Tree};
+use crate::{
+    recursive::{Plan, Technique},
+    solve,
+    tree::Tree,
+};
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -296,8 +300,13 @@ impl Request {
     /// notice of `formulation`, and only what needs a plan of `plan`.
     pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
         let mut derived = Derived::default();
+        // Second derivatives go over a gradient that is carried back: one that is asked for beside them is the same.
+        let back = plan.with(Technique::Reverse, true);
+        let is_second = self.is_second_derivative();
         for part in &self.parts {
             derived.graph.enter(None);
+            let is_shared = is_second && part.is_gradient();
+            let plan = if is_shared { &back } else { plan };
             part.derive_in(&mut derived, tree, formulation, plan);
         }
         derived

@@ -406,12 +406,13 @@ fn packed_derivatives_come_with_their_places() {
         "q": [0.1, 0.3], "u": [0.5, -0.4], "u_dot": [0.1, 0.2], "multiplier": [2.0, 1.0],
     });
     let at = |function: &str| evaluated(model, function, "recursive", &state);
-    let all = flat(&at("d(inverse_dynamics)/d(q, u)"));
+    let all = at("d(inverse_dynamics)/d(q, u)");
+    let all = ["dtau_dq", "dtau_du"].map(|name| flat(&all[name]));
     let packed = at("packed(d(inverse_dynamics)/d(q, u))");
     // Columns 0 and 1 are those of `q`, 2 and 3 those of `u`. A spring or damper may act along each coordinate.
     let places = [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [1, 3]];
     assert_eq!(packed["places"], json!(places));
-    let whole = |[row, column]: [usize; 2]| all[column / 2 * 4 + row * 2 + column % 2];
+    let whole = |[row, column]: [usize; 2]| all[column / 2][row * 2 + column % 2];
     let expected = places.map(whole);
     assert_close(
         "packed",
