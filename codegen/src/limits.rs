@@ -39,6 +39,8 @@ pub const UPDATES: usize = 1_000_000;
 pub const SOLVED: usize = 20_000;
 /// Numbers that the derivatives of a function write.
 pub const DIFFERENTIATED: usize = 20_000;
+/// Operations that second derivatives build, before what is zero or alike falls away.
+pub const SECOND: usize = 4_000_000;
 /// Speeds, and parts, of a system of which `kane info` counts the operations of all functions.
 pub const COUNTED: usize = 100;
 /// Bodies of a system of which `kane info` draws the tree and the partitions.

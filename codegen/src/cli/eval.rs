@@ -143,6 +143,7 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
         };
         outputs.insert(name, json!(own.places(tree)));
     }
+    entries(tree, function, &mut outputs);
     if packed.contains(&Packed::Factors) {
         outputs.insert("order".to_owned(), json!(solve::elimination(tree)));
     }
@@ -154,6 +155,28 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);
     only.cloned().unwrap_or(Value::Object(outputs))
+}
+
+/// Adds where the entries of packed derivatives stand, and the colours of their columns.
+fn entries(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
+    let parts = function.parts().iter();
+    let all: Vec<_> = parts
+        .filter_map(|part| Some((part.name(), part.sparsity(tree)?)))
+        .collect();
+    let is_only = all.len() == 1 && !outputs.contains_key("places");
+    for (name, own) in all {
+        let named = |kind: &str| {
+            if is_only {
+                kind.to_owned()
+            } else {
+                format!("{name}_{kind}")
+            }
+        };
+        outputs.insert(named("places"), json!(own.places));
+        if let Some(colors) = &own.colors {
+            outputs.insert(named("colors"), json!(colors));
+        }
+    }
 }
 
 fn blocks(blocks: &[Block]) -> Value {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
-    functions::{Argument, Axis, Element, Request},
+    functions::{Argument, Axis, Element, MULTIPLIER, Request},
     id::ParameterId,
     passes::sines,
     tree::Tree,
@@ -68,10 +68,17 @@ impl Reader<'_> {
     fn file(&mut self, file: &Map<String, Value>, function: &Request) {
         // Directions and multipliers are the function's: those of others may have other shapes.
         let own = function.arguments();
-        let (all, others): (Vec<_>, Vec<_>) = Argument::ALL
+        let multipliers = own.iter().copied();
+        let multipliers = multipliers.filter(|one| matches!(one, Argument::Multiplier(_)));
+        let (known, others): (Vec<_>, Vec<_>) = Argument::ALL
             .into_iter()
             .partition(|argument| own.contains(argument) || !argument.is_of_product());
-        let is_of_others = |key: &String| others.iter().any(|other| other.name() == key);
+        let all: Vec<Argument> = known.into_iter().chain(multipliers).collect();
+        let is_of_others = |key: &String| {
+            let mut others = others.iter();
+            let is_known = all.iter().any(|own| own.name() == key);
+            others.any(|other| other.name() == key) || key.ends_with(MULTIPLIER) && !is_known
+        };
         let keys: Vec<&str> = all.iter().map(|argument| argument.name()).collect();
         let keys = [&keys[..], &[PARAMETERS]].concat();
         let mut asked = file.clone();

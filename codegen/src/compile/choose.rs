@@ -42,8 +42,8 @@ pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
     }
     let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
-    // On a large tree the literal sums alone would take longer than all the rest.
-    if count < function.literal_terms(tree) {
+    // On a large tree the literal sums alone would take longer than all the rest, and so would second derivatives of them.
+    if count < function.literal_terms(tree) || function.is_second_derivative() {
         return recursive;
     }
     let notes = of(Formulation::Notes);

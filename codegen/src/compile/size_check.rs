@@ -7,15 +7,18 @@ use std::collections::BTreeSet;
 
 use crate::{
     error::Error,
-    functions::{Argument, Request},
+    functions::{self, Argument, Request},
     limits,
     options::{Formulation, Options, companion::CompanionKind},
-    recursive::Technique,
+    recursive::{Plan, Technique},
     tree::Tree,
 };
 
 /// How many terms of a mass matrix take the memory of one of forces.
 const ACCELERATION: usize = 8;
+
+/// How many operations a gradient needs for each of what is differentiated, at most.
+const SLOPES: usize = 4;
 
 /// Refuses what would be too large.
 ///
@@ -66,6 +69,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         "numbers of derivatives",
         limits::DIFFERENTIATED,
     )?;
+    check_second(tree, request)?;
     bound(
         &format!("`{name}` writes"),
         request.n_solved(tree),
@@ -85,6 +89,26 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         )?;
     }
     Ok(())
+}
+
+/// Refuses second derivatives of which sweeps would build too much: first derivatives need up to four times the operations of the
+/// values, and each of these changes with every variable.
+fn check_second(tree: &Tree, request: &Request) -> Result<(), Error> {
+    let n_variables = request.n_second(tree);
+    if n_variables == 0 {
+        return Ok(());
+    }
+    let values = request.values();
+    let derived = values.derive(tree, functions::Formulation::Recursive, &Plan::plain(tree));
+    let name = request.text();
+    bound(
+        &format!(
+            "`{name}` (ask for fewer variables, or for `vjp` and its differences) has {n_variables} variables and builds about"
+        ),
+        SLOPES * derived.graph.len() * n_variables,
+        "operations",
+        limits::SECOND,
+    )
 }
 
 /// Refuses what functions have together.

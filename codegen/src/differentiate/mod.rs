@@ -5,12 +5,15 @@
 //!
 //! [`forward`] carries the changes of every node from the inputs to the roots; [`reverse`] carries from each root to the inputs
 //! by how much it changes with every node. Both give the same values, with other operations: which are fewer is counted.
+//! [`tangents`] is the first with numbers in the place of expressions.
 
 mod forward;
 mod partials;
 mod reverse;
 mod row;
+mod tangents;
 
 pub use forward::forward;
 pub use reverse::reverse;
 pub use row::{Row, Seeds};
+pub use tangents::tangents;

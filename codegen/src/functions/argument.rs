@@ -3,7 +3,12 @@
 //! In: an [`Argument`]. Out: its name, what array it is, what it means, and which inputs of the equations stand in it, entry
 //! by entry. Whatever reads, writes, declares or samples arguments follows from this.
 
-use super::shape::{Element, Shape};
+use std::borrow::Cow;
+
+use super::{
+    multiplier::Multiplier,
+    shape::{Element, Length, Shape},
+};
 use crate::{
     expr::Input,
     id::{BodyId, CoordinateId, SpeedId},
@@ -43,15 +48,13 @@ pub enum Argument {
     LoadsDirection,
     /// `parameters_direction: &[R; PARAMETERS_LEN]`.
     ParametersDirection,
-    /// `multiplier: &[R; 3]`.
-    VectorMultiplier,
-    /// `multiplier: &[R; NQ]`.
-    CoordinateMultiplier,
-    /// `multiplier: &[R; NU]`.
-    SpeedMultiplier,
-    /// `multiplier: &[[R; NU]; NU]`.
-    MatrixMultiplier,
+    /// `multiplier: &[R; 3]`, or an array like another output.
+    Multiplier(Multiplier),
 }
+
+/// The first [`Input::Product`] of multipliers: those of directions stand before it. A function has one for each of its
+/// outputs, so that different functions' arguments may be the same inputs.
+const MULTIPLIERS: usize = 6;
 
 /// A row of the table.
 struct Row {
@@ -66,8 +69,8 @@ struct Row {
 }
 
 impl Row {
-    /// A direction or multiplier.
-    fn of_product(
+    /// A direction.
+    fn of_direction(
         name: &'static str,
         shape: Shape,
         meaning: &'static str,
@@ -102,8 +105,8 @@ impl Row {
 }
 
 impl Argument {
-    /// All of them, in the order in which functions are given them.
-    pub const ALL: [Self; 19] = [
+    /// All but multipliers, in the order in which functions are given them; multipliers come last.
+    pub const ALL: [Self; 15] = [
         Self::Q,
         Self::U,
         Self::UDot,
@@ -119,25 +122,7 @@ impl Argument {
         Self::TauDirection,
         Self::LoadsDirection,
         Self::ParametersDirection,
-        Self::VectorMultiplier,
-        Self::CoordinateMultiplier,
-        Self::SpeedMultiplier,
-        Self::MatrixMultiplier,
     ];
-
-    /// The multipliers of functions with one output of such a shape.
-    const MULTIPLIERS: [Self; 4] = [
-        Self::VectorMultiplier,
-        Self::CoordinateMultiplier,
-        Self::SpeedMultiplier,
-        Self::MatrixMultiplier,
-    ];
-
-    /// What a function with such an output is multiplied by.
-    pub(super) fn multiplier(shape: Shape) -> Option<Self> {
-        let mut all = Self::MULTIPLIERS.into_iter();
-        all.find(|own| own.shape() == shape)
-    }
 
     /// The direction along which this one changes.
     pub(super) fn direction(self) -> Option<Self> {
@@ -152,16 +137,19 @@ impl Argument {
     }
 
     fn row(self) -> Row {
-        self.of_product().unwrap_or_else(|| self.of_function())
+        self.of_direction().unwrap_or_else(|| self.of_function())
     }
 
-    /// The rows of directions and multipliers.
-    fn of_product(self) -> Option<Row> {
-        let direction = Row::of_product;
-        let multiplier = |shape, own| {
-            let meaning = "multiplies the output, entry by entry, before the sum is differentiated";
-            Row::of_product("multiplier", shape, meaning, own)
-        };
+    fn multiplier(self) -> Option<Multiplier> {
+        match self {
+            Self::Multiplier(own) => Some(own),
+            _ => None,
+        }
+    }
+
+    /// The rows of directions.
+    fn of_direction(self) -> Option<Row> {
+        let direction = Row::of_direction;
         Some(match self {
             Self::QDirection => direction(
                 "q_direction",
@@ -201,22 +189,6 @@ impl Argument {
                 Shape::VALUES,
                 "the change of the values set at run time, in the order of `PARAMETER_NAMES`",
                 ("PARAMETERS_DIRECTIONS", |place| Input::Product(5, place)),
-            ),
-            Self::VectorMultiplier => multiplier(
-                Shape::VECTOR,
-                ("VECTOR_MULTIPLIERS", |place| Input::Product(6, place)),
-            ),
-            Self::CoordinateMultiplier => multiplier(
-                Shape::COORDINATES,
-                ("COORDINATE_MULTIPLIERS", |place| Input::Product(7, place)),
-            ),
-            Self::SpeedMultiplier => multiplier(
-                Shape::SPEEDS,
-                ("SPEED_MULTIPLIERS", |place| Input::Product(8, place)),
-            ),
-            Self::MatrixMultiplier => multiplier(
-                Shape::SPEED_MATRIX,
-                ("MATRIX_MULTIPLIERS", |place| Input::Product(9, place)),
             ),
             _ => return None,
         })
@@ -301,33 +273,52 @@ impl Argument {
 
     /// The argument's name in generated code.
     pub fn name(self) -> &'static str {
-        self.row().name
+        let own = self.multiplier().map(Multiplier::name);
+        own.unwrap_or_else(|| self.row().name)
     }
 
     /// What the array is of.
     pub fn element(self) -> Element {
-        self.row().element
+        let own = self.multiplier().map(|_| Element::Scalar);
+        own.unwrap_or_else(|| self.row().element)
     }
 
     /// The array.
     pub fn shape(self) -> Shape {
-        self.row().shape
+        let own = self.multiplier().map(Multiplier::shape);
+        own.unwrap_or_else(|| self.row().shape)
     }
 
     /// What it means, in words.
     pub fn meaning(self) -> &'static str {
-        self.row().meaning
+        let own = self.multiplier().map(Multiplier::meaning);
+        own.unwrap_or_else(|| self.row().meaning)
     }
 
     /// The constant that holds its samples in the tests beside a module; `None` for what `kane::self_test::State` holds.
-    pub fn sampled(self) -> Option<&'static str> {
-        self.row().sampled
+    pub fn sampled(self) -> Option<Cow<'static, str>> {
+        match self {
+            Self::Multiplier(own) => Some(own.sampled().into()),
+            _ => self.row().sampled.map(Cow::Borrowed),
+        }
     }
 
     /// The lengths of its nested arrays, outermost first.
     pub fn lengths(self, tree: &Tree) -> Vec<usize> {
         let of_tree = |axis| unreachable!("functions: an argument has no axis {axis:?}");
-        self.shape().lengths(tree, of_tree)
+        match self {
+            Self::Multiplier(own) => own.lengths(tree),
+            _ => self.shape().lengths(tree, of_tree),
+        }
+    }
+
+    /// The same as generated code names them.
+    pub(super) fn declared_lengths(self) -> Vec<Length> {
+        let of_tree = |axis| unreachable!("functions: an argument has no axis {axis:?}");
+        match self {
+            Self::Multiplier(own) => own.declared(),
+            _ => self.shape().declared(of_tree),
+        }
     }
 
     /// True for what belongs to the frame that a function is of.
@@ -337,7 +328,7 @@ impl Argument {
 
     /// True for a direction or multiplier.
     pub fn is_of_product(self) -> bool {
-        self.of_product().is_some()
+        self.multiplier().is_some() || self.of_direction().is_some()
     }
 
     /// How many numbers it holds.
@@ -347,11 +338,14 @@ impl Argument {
 
     /// The input that stands at a place, all numbers counted one after the other.
     pub fn input(self, place: usize) -> Input {
-        (self.row().input)(place)
+        match self {
+            Self::Multiplier(own) => Input::Product(MULTIPLIERS + own.place(), place),
+            _ => (self.row().input)(place),
+        }
     }
 
     /// The inputs that stand in it, one after the other.
     pub fn inputs(self, tree: &Tree) -> impl Iterator<Item = Input> + use<> {
-        (0..self.n_numbers(tree)).map(self.row().input)
+        (0..self.n_numbers(tree)).map(move |place| self.input(place))
     }
 }

@@ -1,18 +1,25 @@
 //! A derivative of a function of the catalogue: its outputs, and how it follows from the function's own.
 
+use std::{collections::BTreeSet, ops::Range};
+
 use super::{
     argument::Argument,
     derived::Derived,
     function::{Jacobians, Output},
+    multiplier::Multiplier,
     shape::Shape,
+    sparsity::{Known, Sparsity, dependences},
     variable::Variable,
 };
 use crate::{
     differentiate::{Row, Seeds, forward, reverse},
     expr::{Expr, ExprGraph},
     recursive::Plan,
-    tree::Tree,
+    tree::{Orientation, Tree},
 };
+
+/// The seeds of the numbers of which structural zeros are found: what is zero for one choice of rotations alone is none.
+const DRAWN: [u64; 3] = [1, 2, 3];
 
 /// What is asked for of a function's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -21,8 +28,12 @@ pub enum DerivativeKind {
     Whole,
     /// Their product with a direction: how outputs change along it.
     Forward,
-    /// The product of a multiplier with them: how the sum of the output's entries, so weighted, changes with each entry of the variables.
+    /// The product of a multiplier with them: how the sum of the outputs' entries, so weighted, changes with each entry of the variables.
     Reverse,
+    /// As `Whole`, without the entries that the tree makes zero.
+    Packed,
+    /// The second derivative of the sum of the outputs' entries, weighted by a multiplier: one triangle, without what the tree makes zero.
+    Hessian,
 }
 
 /// A derivative of a function.
@@ -32,9 +43,19 @@ pub struct Derivative {
     pub kind: DerivativeKind,
     /// The variables, in the order asked for.
     pub by: Vec<Variable>,
+    /// Which of its entries are not structurally zero.
+    sparsity: Known,
 }
 
 impl Derivative {
+    pub(super) fn new(kind: DerivativeKind, by: Vec<Variable>) -> Self {
+        Self {
+            kind,
+            by,
+            sparsity: Known::default(),
+        }
+    }
+
     /// The names of the variables with something between them.
     pub(super) fn joined(&self, between: &str) -> String {
         let names: Vec<&str> = self.by.iter().map(Variable::name).collect();
@@ -45,8 +66,10 @@ impl Derivative {
     pub(super) fn text(kind: DerivativeKind, of: &str, by: &str) -> String {
         match kind {
             DerivativeKind::Whole => format!("d({of})/d({by})"),
+            DerivativeKind::Packed => format!("packed(d({of})/d({by}))"),
             DerivativeKind::Forward => format!("jvp({of}; {by})"),
             DerivativeKind::Reverse => format!("vjp({of}; {by})"),
+            DerivativeKind::Hessian => format!("hessian({of}; {by})"),
         }
     }
 
@@ -55,24 +78,31 @@ impl Derivative {
         let by = self.joined("_");
         match self.kind {
             DerivativeKind::Whole => format!("d_{of}_d_{by}"),
+            DerivativeKind::Packed => format!("d_{of}_d_{by}_packed"),
             DerivativeKind::Forward => format!("jvp_{of}_{by}"),
             DerivativeKind::Reverse => format!("vjp_{of}_{by}"),
+            DerivativeKind::Hessian => format!("hessian_{of}_{by}"),
         }
     }
 
-    /// What it is given beside the function's own arguments.
-    pub(super) fn arguments(&self, of: &[Output]) -> Vec<Argument> {
+    /// What it is given beside the function's own arguments; `own` is the length of axes that the function decides.
+    pub(super) fn arguments(&self, of: &[Output], own: usize) -> Vec<Argument> {
         match self.kind {
-            DerivativeKind::Whole => Vec::new(),
+            DerivativeKind::Whole | DerivativeKind::Packed => Vec::new(),
             DerivativeKind::Forward => self.by.iter().filter_map(Variable::direction).collect(),
-            DerivativeKind::Reverse => of
-                .iter()
-                .filter_map(|output| Argument::multiplier(output.shape))
-                .collect(),
+            DerivativeKind::Reverse | DerivativeKind::Hessian => {
+                let outputs = of.iter().enumerate();
+                let multiplier = |(place, output): (usize, &Output)| {
+                    Multiplier::of((place, of.len()), &output.name, output.shape, own)
+                };
+                outputs
+                    .map(|output| Argument::Multiplier(multiplier(output)))
+                    .collect()
+            }
         }
     }
 
-    /// What it writes: for each output as many as there are variables, or one for each output, or for each variable.
+    /// What it writes: for each output as many as there are variables, or one for each output, or for each variable, or one packed.
     pub(super) fn outputs(&self, of: &[Output]) -> Vec<Output> {
         let by_all = |output: &Output| {
             let by = |variable: &Variable| Output {
@@ -96,14 +126,19 @@ impl Derivative {
             DerivativeKind::Whole => of.iter().flat_map(by_all).collect(),
             DerivativeKind::Forward => of.iter().map(along).collect(),
             DerivativeKind::Reverse => self.by.iter().map(gradient).collect(),
+            DerivativeKind::Packed => vec![Output::new("derivatives", Shape::ENTRIES)],
+            DerivativeKind::Hessian => vec![Output::new("hessian", Shape::ENTRIES)],
         }
     }
 
-    /// Lines of documentation; `of` is the text of the function.
-    pub(super) fn doc(&self, of: &str, outputs: &[Output]) -> Vec<String> {
+    /// Lines of documentation; `of` is the text of the function, `places` the constant that says where entries stand.
+    pub(super) fn doc(&self, of: &str, outputs: &[Output], places: &str) -> Vec<String> {
         let first = match self.kind {
             DerivativeKind::Whole => format!(
                 "The derivatives of `{of}`: rows are the entries of its outputs, columns those of the variables."
+            ),
+            DerivativeKind::Packed => format!(
+                "The derivatives of `{of}` without those that the tree makes zero, whatever its numbers are: `{places}` holds the row and column of each. Rows count the entries of all outputs one after the other, columns those of the variables in this order:"
             ),
             DerivativeKind::Forward => format!(
                 "How the outputs of `{of}` change along a direction: its derivatives times the change of each variable."
@@ -111,62 +146,117 @@ impl Derivative {
             DerivativeKind::Reverse => format!(
                 "The multiplier times the derivatives of `{of}`: the gradient of the sum of its output's entries, each times its multiplier."
             ),
+            DerivativeKind::Hessian => format!(
+                "The second derivatives of the sum of the entries of `{of}`, each times its multiplier. They are symmetric: `{places}` holds the row and column of each on and below the diagonal that the tree does not make zero. Rows and columns count the entries of the variables in this order:"
+            ),
         };
         let mut lines = vec![first];
         let of_variables = outputs.iter().zip(self.by.iter().cycle());
         let of_variables = of_variables
             .map(|(output, variable)| format!("- `{}`: by {}.", output.name, variable.meaning()));
-        let directions = self
+        let in_order = self
             .by
             .iter()
             .map(|variable| format!("- By {}.", variable.meaning()));
         match self.kind {
-            DerivativeKind::Forward => lines.extend(directions),
             DerivativeKind::Whole | DerivativeKind::Reverse => lines.extend(of_variables),
+            _ => lines.extend(in_order),
         }
         lines
+    }
+
+    /// Which of its entries are not structurally zero; `values` derives what is differentiated, of the tree of drawn numbers that
+    /// it is given. `None` where none is left out.
+    pub(super) fn sparsity(
+        &self,
+        tree: &Tree,
+        of: (&[Output], usize),
+        values: impl Fn(&Tree) -> Derived,
+    ) -> Option<&Sparsity> {
+        let is_second = match self.kind {
+            DerivativeKind::Packed => false,
+            DerivativeKind::Hessian => true,
+            _ => return None,
+        };
+        Some(self.sparsity.get_or_find(|| {
+            let mut rows: Vec<BTreeSet<usize>> = Vec::new();
+            let mut n_columns = 0;
+            for seed in DRAWN {
+                let mut derived = values(&tree.with_drawn_parameters(seed));
+                let graph = &mut derived.graph;
+                graph.enter(None);
+                // How inputs change follows from joints alone.
+                let (seeds, columns) = self.seeds(graph, tree);
+                n_columns = columns.last().map_or(0, |last| last.end);
+                let roots = if is_second {
+                    let multipliers = self.arguments(of.0, of.1);
+                    let weighted = (&multipliers[..], &derived.roots[..]);
+                    gradient(graph, tree, weighted, &seeds, n_columns)
+                } else {
+                    derived.roots
+                };
+                let found = dependences(graph, &roots, (tree, &seeds));
+                rows.resize(found.len(), BTreeSet::new());
+                for (row, found) in rows.iter_mut().zip(found) {
+                    row.extend(found);
+                }
+            }
+            if is_second {
+                Sparsity::of_second(&rows)
+            } else {
+                Sparsity::of_first(&rows, n_columns)
+            }
+        }))
     }
 
     /// Derives them by these, where all its variables are among what is told.
     pub(super) fn by_jacobians(
         &self,
         derived: &mut Derived,
-        tree: &Tree,
-        plan: &Plan,
+        (tree, plan): (&Tree, &Plan),
         jacobians: Jacobians,
+        sparsity: Option<&Sparsity>,
     ) -> bool {
         let told = jacobians(&mut derived.graph, tree, plan);
         let find = |variable: &Variable| {
             let mut told = told.iter();
             let found = told.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
-            Some(found.1.concat())
+            Some(&found.1)
         };
         let found: Option<Vec<_>> = self.by.iter().map(find).collect();
-        let is_found = found.is_some();
-        derived.roots.extend(found.into_iter().flatten().flatten());
-        is_found
+        let Some(found) = found else {
+            return false;
+        };
+        match sparsity {
+            None => derived
+                .roots
+                .extend(found.iter().flat_map(|own| own.concat())),
+            Some(Sparsity { places, .. }) => {
+                // Each of them has a column for every speed.
+                let n = tree.n_speeds;
+                let entry = |&[row, column]: &[usize; 2]| found[column / n][row][column % n];
+                derived.roots.extend(places.iter().map(entry));
+            }
+        }
+        true
     }
 
-    /// Puts the derivatives in the place of the values that were derived last, the entries of outputs with `sizes`, of which
-    /// the only one has this multiplier where it has any.
+    /// Puts the derivatives in the place of the values that were derived last, the entries of outputs with `sizes`; `own` is the
+    /// multipliers where it has any, and which entries are not structurally zero where others are left out.
     pub(super) fn apply(
         &self,
         derived: &mut Derived,
         tree: &Tree,
         (first, sizes): (usize, &[usize]),
-        (is_reverse, multiplier): (bool, Option<Argument>),
+        is_reverse: bool,
+        (multipliers, sparsity): (&[Argument], Option<&Sparsity>),
     ) {
         let values = derived.roots.split_off(first);
         let graph = &mut derived.graph;
         graph.enter(None);
-        let mut seeds = Seeds::new();
-        let mut columns = Vec::with_capacity(self.by.len());
-        let mut n_columns = 0;
-        for variable in &self.by {
-            variable.seed(graph, tree, n_columns, &mut seeds);
-            columns.push(n_columns..n_columns + variable.n_entries(tree));
-            n_columns = columns.last().map_or(0, |last| last.end);
-        }
+        let (seeds, columns) = self.seeds(graph, tree);
+        let n_columns = columns.last().map_or(0, |last| last.end);
+        let places = sparsity.map_or(&[][..], |sparsity| &sparsity.places);
         let sweep = if is_reverse { reverse } else { forward };
         match self.kind {
             DerivativeKind::Whole => {
@@ -182,6 +272,12 @@ impl Derivative {
                     }
                 }
             }
+            DerivativeKind::Packed => {
+                let rows = sweep(graph, &values, &seeds);
+                for &[row, column] in places {
+                    derived.extend_by(&rows[row], column..column + 1);
+                }
+            }
             DerivativeKind::Forward => {
                 let seeds = self.along(graph, tree, seeds);
                 for row in sweep(graph, &values, &seeds) {
@@ -189,11 +285,61 @@ impl Derivative {
                 }
             }
             DerivativeKind::Reverse => {
-                let weighted = weighted(graph, tree, multiplier, &values);
+                let weighted = weighted(graph, tree, multipliers, &values);
                 let rows = sweep(graph, &[weighted], &seeds);
                 derived.extend_by(&rows[0], 0..n_columns);
             }
+            DerivativeKind::Hessian => {
+                let weighted = (multipliers, &values[..]);
+                let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
+                let rows = sweep(graph, &gradient, &seeds);
+                let mixing = self.mixing(tree);
+                for &[row, column] in places {
+                    let mut sum = entry(graph, &rows[row], column);
+                    if mixing.contains(&[row, column]) {
+                        let mirrored = entry(graph, &rows[column], row);
+                        let twice = graph.add(sum, mirrored);
+                        let half = graph.number(0.5);
+                        sum = graph.mul(half, twice);
+                    }
+                    derived.roots.push(sum);
+                }
+            }
         }
+    }
+
+    /// How inputs change with the entries of all variables, and the columns of each.
+    fn seeds(&self, graph: &mut ExprGraph, tree: &Tree) -> (Seeds, Vec<Range<usize>>) {
+        let mut seeds = Seeds::new();
+        let mut columns: Vec<Range<usize>> = Vec::with_capacity(self.by.len());
+        for variable in &self.by {
+            let first = columns.last().map_or(0, |last| last.end);
+            variable.seed(graph, tree, first, &mut seeds);
+            columns.push(first..first + variable.n_entries(tree));
+        }
+        (seeds, columns)
+    }
+
+    /// The rows and columns of second derivatives, lower triangle, along motions whose order matters: turns about axes of one body.
+    /// At constant speeds both are done at once, which to second order is the mean of one after the other and the other way round.
+    fn mixing(&self, tree: &Tree) -> BTreeSet<[usize; 2]> {
+        let mut pairs = BTreeSet::new();
+        let mut first = 0;
+        for variable in &self.by {
+            let turning = tree.bodies.iter().filter(|_| variable.is_motion());
+            for body in turning {
+                if let Orientation::AngularVelocity { speeds, .. } = body.joint.orientation {
+                    let places = speeds.map(|speed| first + speed.index());
+                    let pair = |(a, b): (usize, usize)| {
+                        let (a, b) = (places[a], places[b]);
+                        [a.max(b), a.min(b)]
+                    };
+                    pairs.extend([(0, 1), (0, 2), (1, 2)].map(pair));
+                }
+            }
+            first += variable.n_entries(tree);
+        }
+        pairs
     }
 
     /// How inputs change along the direction.
@@ -214,13 +360,8 @@ impl Derivative {
 }
 
 /// The sum of values, each times its multiplier.
-fn weighted(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    multiplier: Option<Argument>,
-    values: &[Expr],
-) -> Expr {
-    let inputs = multiplier.into_iter().flat_map(|own| own.inputs(tree));
+fn weighted(graph: &mut ExprGraph, tree: &Tree, multipliers: &[Argument], values: &[Expr]) -> Expr {
+    let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
     let mut sum = graph.zero();
     for (input, &value) in inputs.zip(values) {
         let own = graph.input(input);
@@ -228,6 +369,28 @@ fn weighted(
         sum = graph.add(sum, term);
     }
     sum
+}
+
+/// How that sum changes with each variable.
+fn gradient(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    (multipliers, values): (&[Argument], &[Expr]),
+    seeds: &Seeds,
+    n_columns: usize,
+) -> Vec<Expr> {
+    let weighted = weighted(graph, tree, multipliers, values);
+    let rows = reverse(graph, &[weighted], seeds);
+    let columns = 0..n_columns;
+    columns
+        .map(|column| entry(graph, &rows[0], column))
+        .collect()
+}
+
+/// The entry of a row in a column.
+fn entry(graph: &mut ExprGraph, row: &Row, column: usize) -> Expr {
+    let place = row.binary_search_by_key(&column, |&(place, _)| place);
+    place.map_or_else(|_| graph.zero(), |place| row[place].1)
 }
 
 impl Derived {

@@ -5,7 +5,6 @@
 //! not: know which frames there are.
 
 use super::{
-    argument::Argument,
     catalogue::{CATALOGUE, OF_FRAMES},
     derivative::{Derivative, DerivativeKind},
     function::{Function, Of},
@@ -79,11 +78,13 @@ impl Parsed {
                 name: function.name.to_owned(),
             });
         }
-        let has_own = |part: &&ParsedPart| part.has_own_arguments();
-        if let [_, second, ..] = &parts.iter().filter(has_own).collect::<Vec<_>>()[..] {
+        // What is given to one function is the same for its values and its derivatives.
+        let mut own = parts.iter().filter(|part| part.has_own_arguments());
+        let first = own.next().map(ParsedPart::text_of_values);
+        if let Some(other) = own.find(|part| Some(part.text_of_values()) != first) {
             return Err(RequestError::OwnArguments {
                 request: text.to_owned(),
-                name: second.text(),
+                name: other.text(),
             });
         }
         Ok(Self {
@@ -146,13 +147,19 @@ impl ParsedPart {
     fn of(text: &str, part: &syntax::Part) -> Result<Self, RequestError> {
         match &part.kind {
             Kind::Named { name, of } => Self::named((name, of), part.place.clone()),
-            Kind::Derivative { of, by } => {
-                Self::derivative(text, part, of, (DerivativeKind::Whole, by))
+            Kind::Derivative { of, by, is_packed } => {
+                let kind = if *is_packed {
+                    DerivativeKind::Packed
+                } else {
+                    DerivativeKind::Whole
+                };
+                Self::derivative(text, part, of, (kind, by))
             }
             Kind::Product { name, of, along } => {
                 let kind = match name.text.as_str() {
                     "jvp" => DerivativeKind::Forward,
-                    _ => DerivativeKind::Reverse,
+                    "vjp" => DerivativeKind::Reverse,
+                    _ => DerivativeKind::Hessian,
                 };
                 Self::derivative(text, part, of, (kind, along))
             }
@@ -171,16 +178,6 @@ impl ParsedPart {
         let values = Self::named((name, frames), part.place.clone())?;
         if values.function.is_compact() {
             return Err(no_derivative(text, of, "has a compact output"));
-        }
-        let multiplier = match values.function.outputs {
-            [output] => Argument::multiplier(output.shape),
-            _ => None,
-        };
-        if kind == DerivativeKind::Reverse && multiplier.is_none() {
-            return Err(RequestError::NoMultiplier {
-                name: values.function.name,
-                place: of.place.clone(),
-            });
         }
         values.differentiated(text, (kind, by))
     }
@@ -286,7 +283,7 @@ impl ParsedPart {
             derivative: self
                 .derivative
                 .as_ref()
-                .map(|&(kind, _)| Derivative { kind, by }),
+                .map(|&(kind, _)| Derivative::new(kind, by)),
         })
     }
 
@@ -296,11 +293,15 @@ impl ParsedPart {
         is_plain.then_some(self.function)
     }
 
-    fn text(&self) -> String {
-        let of = match &self.subject {
+    fn text_of_values(&self) -> String {
+        match &self.subject {
             None => self.function.name.to_owned(),
             Some(subject) => text_of(self.function, subject.names(), subject.view),
-        };
+        }
+    }
+
+    fn text(&self) -> String {
+        let of = self.text_of_values();
         let Some((kind, by)) = &self.derivative else {
             return of;
         };
@@ -310,9 +311,11 @@ impl ParsedPart {
 
     /// True where it is given what no other part can be given beside it.
     fn has_own_arguments(&self) -> bool {
-        let is_reverse = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Reverse;
+        let is_weighted = |(kind, _): &(DerivativeKind, _)| {
+            matches!(kind, DerivativeKind::Reverse | DerivativeKind::Hessian)
+        };
         let mut arguments = self.function.arguments.iter();
-        self.derivative.as_ref().is_some_and(is_reverse)
+        self.derivative.as_ref().is_some_and(is_weighted)
             || arguments.any(|argument| argument.is_of_frame())
     }
 
@@ -393,10 +396,8 @@ impl ParsedSubject {
                 }]
             })
         };
-        Ok(Subject {
-            frames: all_or_faults(self.frames.iter().map(found))?,
-            view: self.view,
-        })
+        let frames = all_or_faults(self.frames.iter().map(found))?;
+        Ok(Subject::new(tree, frames, self.view))
     }
 }
 

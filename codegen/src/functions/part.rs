@@ -9,12 +9,14 @@ use super::{
     derived::Derived,
     function::{Function, Output},
     packed::Packed,
-    shape::{Axis, Length},
+    shape::{Axis, Length, Shape},
+    sparsity::Sparsity,
     subject::{Subject, View},
     syntax::written,
     terms,
 };
 use crate::{
+    base_parameters,
     recursive::{Plan, Technique},
     tree::{N_INERTIAL, Tree},
 };
@@ -107,15 +109,89 @@ impl Part {
     /// What it is given besides the parameters.
     pub(super) fn arguments(&self) -> Vec<Argument> {
         let derivative = self.derivative.iter();
-        let own = derivative.flat_map(|derivative| derivative.arguments(self.function.outputs));
+        let own = derivative.flat_map(|derivative| {
+            derivative.arguments(self.function.outputs, self.own_of_subject())
+        });
         let arguments = self.function.arguments.iter().copied();
         arguments.chain(own).collect()
+    }
+
+    /// The length of the axes of its values that its subject decides.
+    fn own_of_subject(&self) -> usize {
+        let subject = self.subject.as_ref();
+        subject.map_or(0, |subject| {
+            if self.function.writes(Axis::FrameSpeeds) {
+                subject.n_speeds
+            } else {
+                6 * subject.frames.len()
+            }
+        })
     }
 
     /// True where all derivatives are asked for, as the function's composite bodies give them.
     pub(super) fn is_whole_derivative(&self) -> bool {
         let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| derivative.kind == DerivativeKind::Whole)
+        derivative.any(|derivative| {
+            matches!(
+                derivative.kind,
+                DerivativeKind::Whole | DerivativeKind::Packed
+            )
+        })
+    }
+
+    /// True where entries are left out that the tree makes zero.
+    pub(super) fn is_packed(&self) -> bool {
+        let mut outputs = self.outputs().into_owned().into_iter();
+        outputs.any(|output| output.shape == Shape::ENTRIES)
+    }
+
+    /// True where the product of a multiplier with derivatives is asked for.
+    pub(super) fn is_gradient(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| derivative.kind == DerivativeKind::Reverse)
+    }
+
+    /// True where second derivatives are asked for.
+    pub(super) fn is_second_derivative(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| derivative.kind == DerivativeKind::Hessian)
+    }
+
+    /// Which entries of a packed derivative it writes; `None` where it is none.
+    pub fn sparsity(&self, tree: &Tree) -> Option<&Sparsity> {
+        let derivative = self.derivative.as_ref()?;
+        if self.function.writes(Axis::BaseParameters) {
+            // Which there are follows from the model's own numbers.
+            base_parameters::of(tree);
+        }
+        let of = (self.function.outputs, self.own_of_subject());
+        derivative.sparsity(tree, of, |tree| {
+            let mut derived = Derived::default();
+            let candidate = self.function.candidate(Formulation::Recursive);
+            let (plan, subject) = (Plan::plain(tree), self.subject.as_ref());
+            candidate.derive_in(&mut derived, tree, &plan, subject);
+            derived
+        })
+    }
+
+    /// The constant that says which they are.
+    pub fn places_constant(&self) -> String {
+        format!("{}_PLACES", self.name().to_uppercase())
+    }
+
+    /// The constant that says how many.
+    pub fn len_constant(&self) -> String {
+        format!("{}_LEN", self.name().to_uppercase())
+    }
+
+    /// The constant that holds the colours of columns.
+    pub fn colors_constant(&self) -> String {
+        format!("{}_COLORS", self.name().to_uppercase())
+    }
+
+    /// The constant that says how many columns there are.
+    pub fn columns_constant(&self) -> String {
+        format!("{}_COLUMNS", self.name().to_uppercase())
     }
 
     /// What it writes, in order.
@@ -132,7 +208,11 @@ impl Part {
         let Some(derivative) = &self.derivative else {
             return of;
         };
-        let mut lines = derivative.doc(&self.text_of_values(), &self.outputs());
+        let mut lines = derivative.doc(
+            &self.text_of_values(),
+            &self.outputs(),
+            &self.places_constant(),
+        );
         lines.extend([String::new(), "Of that function:".to_owned(), String::new()]);
         lines.extend(of);
         lines
@@ -207,13 +287,20 @@ impl Part {
     /// How many terms the notes' sums have at least; where they are differentiated, about so many for every variable.
     pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
         let terms = self.function.literal_terms(tree);
-        let whole = self
-            .derivative
-            .iter()
-            .filter(|_| self.is_whole_derivative());
-        let by = whole.flat_map(|derivative| &derivative.by);
-        let columns: usize = by.map(|variable| variable.n_entries(tree)).sum();
+        let is_swept = self.is_whole_derivative() || self.is_second_derivative();
+        let columns = if is_swept { self.n_variables(tree) } else { 0 };
         terms * columns.max(1)
+    }
+
+    /// How many entries the variables have together.
+    pub(super) fn n_variables(&self, tree: &Tree) -> usize {
+        let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
+        by.map(|variable| variable.n_entries(tree)).sum()
+    }
+
+    /// How many numbers its values have, or somewhat more.
+    fn n_values(&self, tree: &Tree) -> usize {
+        self.values().n_numbers(tree)
     }
 
     /// How many numbers it writes, or somewhat more, where joints follow others.
@@ -226,6 +313,12 @@ impl Part {
                 Axis::Packed(Packed::Inverse) if !tree.has_followers() => {
                     terms::pairs_of_trees(tree)
                 }
+                // Not more than there are without finding out which are zero.
+                Axis::Entries if self.is_second_derivative() => {
+                    let n = self.n_variables(tree);
+                    n * (n + 1) / 2
+                }
+                Axis::Entries => self.n_values(tree) * self.n_variables(tree),
                 // Elimination couples more only where joints follow others.
                 Axis::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
                 Axis::Packed(Packed::Regressor) if !tree.has_followers() => {
@@ -247,6 +340,10 @@ impl Part {
     /// The length of an axis that is its own; `n_columns` is the number of a compact output's columns.
     pub fn own_length(&self, axis: Axis, tree: &Tree, n_columns: usize) -> usize {
         match (axis, &self.subject) {
+            (Axis::Entries, _) => {
+                let sparsity = self.sparsity(tree);
+                sparsity.map_or(0, |sparsity| sparsity.places.len())
+            }
             (Axis::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
             (Axis::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
             _ => n_columns,
@@ -256,6 +353,7 @@ impl Part {
     /// The same, as generated code names it.
     pub(super) fn own_declared(&self, axis: Axis) -> Length {
         match (axis, &self.subject) {
+            (Axis::Entries, _) => Length::Constant(self.len_constant()),
             (Axis::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
             (Axis::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
             _ => Length::Constant(self.function.columns_constant()),
@@ -277,7 +375,7 @@ impl Part {
             && self.is_whole_derivative()
             && let Some(derivative) = &self.derivative
             && let Some(jacobians) = self.function.derivatives
-            && derivative.by_jacobians(derived, tree, plan, jacobians)
+            && derivative.by_jacobians(derived, (tree, plan), jacobians, self.sparsity(tree))
         {
             return;
         }
@@ -287,9 +385,10 @@ impl Part {
             let outputs = self.function.outputs.iter();
             let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
             let sizes: Vec<usize> = sizes.collect();
-            let multiplier = derivative.arguments(self.function.outputs).pop();
-            let way = (plan.uses(Technique::Reverse), multiplier);
-            derivative.apply(derived, tree, (first, &sizes), way);
+            let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
+            let is_reverse = plan.uses(Technique::Reverse);
+            let own = (&multipliers[..], self.sparsity(tree));
+            derivative.apply(derived, tree, (first, &sizes), is_reverse, own);
         }
     }
 }

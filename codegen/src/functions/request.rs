@@ -14,7 +14,11 @@ use super::{
     syntax::AT_SIN_COS,
     variable::Variable,
 };
-use crate::{recursive::Plan, solve, tree::Tree};
+use crate::{
+    recursive::{Plan, Technique},
+    solve,
+    tree::Tree,
+};
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -99,7 +103,12 @@ impl Request {
             let mut parts = self.parts.iter();
             parts.any(|part| part.arguments().contains(argument))
         };
-        Argument::ALL.into_iter().filter(is_given).collect()
+        let all = Argument::ALL.into_iter().filter(is_given);
+        let parts = self.parts.iter().flat_map(Part::arguments);
+        let multipliers = parts.filter(|own| matches!(own, Argument::Multiplier(_)));
+        // They are one function's, in the order of its outputs.
+        let multipliers: BTreeSet<Argument> = multipliers.collect();
+        all.chain(multipliers).collect()
     }
 
     /// What it writes, in the order asked for. An output that has the name of another one or of an argument carries the name
@@ -253,6 +262,17 @@ impl Request {
         parts.any(|part| part.is_whole_derivative() && part.function.derivatives.is_some())
     }
 
+    /// True where some part is a second derivative.
+    pub fn is_second_derivative(&self) -> bool {
+        self.parts.iter().any(Part::is_second_derivative)
+    }
+
+    /// How many variables second derivatives have, all together.
+    pub fn n_second(&self, tree: &Tree) -> usize {
+        let parts = self.parts.iter().filter(|part| part.is_second_derivative());
+        parts.map(|part| part.n_variables(tree)).sum()
+    }
+
     /// As [`Self::n_numbers`], of the parts that are derivatives.
     pub fn n_differentiated(&self, tree: &Tree) -> usize {
         let parts = self.parts.iter().filter(|part| part.derivative.is_some());
@@ -285,8 +305,13 @@ impl Request {
     /// notice of `formulation`, and only what needs a plan of `plan`.
     pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
         let mut derived = Derived::default();
+        // Second derivatives go over a gradient that is carried back: one that is asked for beside them is the same.
+        let back = plan.with(Technique::Reverse, true);
+        let is_second = self.is_second_derivative();
         for part in &self.parts {
             derived.graph.enter(None);
+            let is_shared = is_second && part.is_gradient();
+            let plan = if is_shared { &back } else { plan };
             part.derive_in(&mut derived, tree, formulation, plan);
         }
         derived

@@ -30,9 +30,9 @@ pub enum RequestError {
         /// The part.
         name: String,
     },
-    /// Two parts that are each given something of their own frame.
+    /// Two parts that are each given something of their own.
     #[error(
-        "`{request}` joins `{name}` to another that is given a point, force or moment of its frame"
+        "`{request}` joins `{name}` to another that is given a point, force, moment or multiplier of its own"
     )]
     OwnArguments {
         /// What was asked for.
@@ -100,16 +100,6 @@ pub enum RequestError {
         /// Where in the request.
         place: Range<usize>,
     },
-    /// A function whose output has no multiplier.
-    #[error(
-        "no multiplier fits what `{name}` writes: a `vjp` needs one vector, or one matrix over speeds; ask for `d({name})/d(..)`"
-    )]
-    NoMultiplier {
-        /// The function.
-        name: &'static str,
-        /// Where in the request.
-        place: Range<usize>,
-    },
     /// A variable that the function is not given.
     #[error(
         "`{name}` is not given `{variable}`; it can be differentiated by {}",
@@ -170,7 +160,6 @@ impl RequestError {
             | Self::View { place, .. }
             | Self::UnknownFrame { place, .. }
             | Self::NoDerivative { place, .. }
-            | Self::NoMultiplier { place, .. }
             | Self::VariableNotTaken { place, .. }
             | Self::UnknownVariable { place, .. } => Some(place.clone()),
             Self::Unknown { .. }

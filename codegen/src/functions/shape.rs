@@ -20,7 +20,7 @@ pub const N_BASE_PARAMETERS: &str = "BASE_PARAMETERS_LEN";
 pub const N_PARAMETERS: &str = "PARAMETERS_LEN";
 
 /// What an axis of an array counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Axis {
     /// The components of a vector.
     Three,
@@ -46,10 +46,12 @@ pub enum Axis {
     FrameSpeeds,
     /// The components of frames' motions and of the wrenches on them: six a frame, linear before angular.
     FrameComponents,
+    /// The entries of a derivative that are not structurally zero, with their places beside the function.
+    Entries,
 }
 
 /// The axes of nested arrays, outermost first; none for one element. Row-major.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Shape {
     /// The axes.
     pub axes: &'static [Axis],
@@ -94,7 +96,9 @@ impl Axis {
             Self::Speeds => tree.n_speeds,
             Self::Packed(packed) => packed.places(tree).len(),
             Self::Bodies => tree.bodies.len(),
-            Self::Columns | Self::FrameSpeeds | Self::FrameComponents => return None,
+            Self::Columns | Self::FrameSpeeds | Self::FrameComponents | Self::Entries => {
+                return None;
+            }
         })
     }
 
@@ -106,7 +110,8 @@ impl Axis {
             | Self::LoadComponents
             | Self::Columns
             | Self::FrameSpeeds
-            | Self::FrameComponents => None,
+            | Self::FrameComponents
+            | Self::Entries => None,
             Self::Coordinates => Some(N_COORDINATES),
             Self::Speeds => Some(N_SPEEDS),
             Self::Packed(packed) => Some(packed.length_constant()),
@@ -142,6 +147,7 @@ impl Axis {
             Self::Columns => "a column",
             Self::FrameSpeeds => "a speed that moves the frame",
             Self::FrameComponents => "a component of a frame",
+            Self::Entries => "an entry",
         }
     }
 }
@@ -191,6 +197,8 @@ impl Shape {
     pub const VECTOR_BY_FRAME_SPEEDS: Self = Self::of(&[Axis::Three, Axis::FrameSpeeds]);
     /// `[[R; 6]; 6]`, of one frame.
     pub const FRAME_MATRIX: Self = Self::of(&[Axis::FrameComponents, Axis::FrameComponents]);
+    /// `[R; NAME_LEN]`, of a packed derivative.
+    pub const ENTRIES: Self = Self::of(&[Axis::Entries]);
     /// `[[R; 3]; NAME_COLUMNS]`.
     pub const COLUMNS: Self = Self::of(&[Axis::Columns, Axis::Three]);
 

@@ -140,9 +140,7 @@ impl Argument {
     /// How it is declared.
     pub fn declared(self) -> Declared {
         Declared {
-            lengths: self
-                .shape()
-                .declared(|axis| unreachable!("functions: an argument has no axis {axis:?}")),
+            lengths: self.declared_lengths(),
             ..Declared::read(self.name(), self.element(), self.meaning())
         }
     }
@@ -190,7 +188,9 @@ impl Request {
         let prescribed = self.prescribes().then(|| PRESCRIBED.to_owned());
         let names = self.is_by_parameters();
         let names = names.then(|| PARAMETER_NAMES.to_owned());
-        let tables = tables.chain(of_frames).chain(prescribed);
+        let packed = self.parts().iter().filter(|part| part.is_packed());
+        let packed = packed.map(Part::places_constant);
+        let tables = tables.chain(of_frames).chain(packed).chain(prescribed);
         tables.chain(names).collect()
     }
 }

@@ -12,6 +12,8 @@ pub struct Subject {
     pub frames: Vec<SubjectFrame>,
     /// How they are seen.
     pub view: View,
+    /// How many speeds move them as they are seen.
+    pub(super) n_speeds: usize,
 }
 
 /// A frame that a function is of.
@@ -50,6 +52,17 @@ impl SubjectFrame {
 }
 
 impl Subject {
+    /// Frames of a tree.
+    pub(super) fn new(tree: Option<&Tree>, frames: Vec<SubjectFrame>, view: View) -> Self {
+        let own = Self {
+            frames,
+            view,
+            n_speeds: 0,
+        };
+        let n_speeds = tree.map_or(0, |tree| own.speeds(tree).len());
+        Self { n_speeds, ..own }
+    }
+
     /// The frame, or the first of several.
     pub fn frame(&self) -> NamedFrame {
         self.frames[0].frame

@@ -3,7 +3,8 @@
 //! ```text
 //! request = part ("+" part)* ["(sin_cos)"]
 //! part    = "d" "(" part ")" "/" "d" "(" words ")"
-//!         | ("jvp" | "vjp") "(" part ";" words ")"
+//!         | "packed" "(" "d" "(" part ")" "/" "d" "(" words ")" ")"
+//!         | ("jvp" | "vjp" | "hessian") "(" part ";" words ")"
 //!         | word ["(" words ")"]
 //! words   = word ("," word)*
 //! word    = characters other than + ( ) , ; " | '"' (a character other than " | '""')* '"'
@@ -40,8 +41,12 @@ pub struct Part {
 pub enum Kind {
     /// `rotation`, or `pose(tool0)`.
     Named { name: Word, of: Vec<Word> },
-    /// `d(bias)/d(q, u)`.
-    Derivative { of: Box<Part>, by: Vec<Word> },
+    /// `d(bias)/d(q, u)`, or `packed(d(bias)/d(q, u))`.
+    Derivative {
+        of: Box<Part>,
+        by: Vec<Word>,
+        is_packed: bool,
+    },
     /// `jvp(bias; q, u)`.
     Product {
         name: Word,
@@ -193,7 +198,8 @@ impl<'a> Reader<'a> {
         let is_operator = !name.is_quoted && self.rest().starts_with('(');
         let kind = match name.text.as_str() {
             "d" if is_operator => self.derivative()?,
-            "jvp" | "vjp" if is_operator => self.product(name)?,
+            "packed" if is_operator => self.packed()?,
+            "jvp" | "vjp" | "hessian" if is_operator => self.product(name)?,
             _ if self.is_at_suffix() || !self.take('(') => Kind::Named {
                 name,
                 of: Vec::new(),
@@ -229,7 +235,34 @@ impl<'a> Reader<'a> {
         self.expect('d', expected)?;
         self.expect('(', expected)?;
         let by = self.words()?;
-        Ok(Kind::Derivative { of, by })
+        Ok(Kind::Derivative {
+            of,
+            by,
+            is_packed: false,
+        })
+    }
+
+    /// A derivative in brackets, after the word before them.
+    fn packed(&mut self) -> Result<Kind, Unexpected> {
+        let expected = "expected `d(PART)/d(VARIABLES)`";
+        self.expect('(', expected)?;
+        self.skip();
+        let start = self.at;
+        let name = self.word()?;
+        if !name.is("d") || !self.rest().starts_with('(') {
+            self.at = start;
+            return Err(self.unexpected(expected));
+        }
+        let inner = self.derivative()?;
+        self.expect(')', "expected `)`")?;
+        let Kind::Derivative { of, by, .. } = inner else {
+            return Ok(inner);
+        };
+        Ok(Kind::Derivative {
+            of,
+            by,
+            is_packed: true,
+        })
     }
 
     fn product(&mut self, name: Word) -> Result<Kind, Unexpected> {

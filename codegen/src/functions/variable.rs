@@ -84,6 +84,11 @@ impl Variable {
         }
     }
 
+    /// True for coordinates, which change along motions.
+    pub(super) fn is_motion(&self) -> bool {
+        *self == Self::Given(Argument::Q)
+    }
+
     /// The direction along which it changes; `None` for one value set at run time.
     pub(super) fn direction(&self) -> Option<Argument> {
         match self {

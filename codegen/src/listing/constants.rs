@@ -1,7 +1,7 @@
 //! The constants of a module: their names, what they mean, what they hold. Printers write them in this order; what compares
 //! committed modules finds them by the same names.
 
-use super::{BaseTerm, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
+use super::{BaseTerm, Entries, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
 use crate::functions::{
     Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     PARAMETER_NAMES, PRESCRIBED,
@@ -59,7 +59,7 @@ pub enum Data<'a> {
     /// Numbers; some may be infinite.
     Numbers(&'static str, &'a [f64]),
     /// Rows and columns.
-    Places(&'static str, &'a [[usize; 2]]),
+    Places(&'a str, &'a [[usize; 2]]),
     /// Joints.
     Joints(&'static str, &'a [Joint]),
     /// Frames.
@@ -250,6 +250,25 @@ impl Facts {
             length.into_iter().chain([speeds])
         });
         constants.collect()
+    }
+
+    /// The constants of packed derivatives: which entries they have.
+    pub fn entry_constants(&self) -> Vec<Constant<'_>> {
+        let all = self.entries.iter();
+        all.flat_map(|entries| self.constants_of(entries)).collect()
+    }
+
+    fn constants_of<'a>(&'a self, entries: &'a Entries) -> Vec<Constant<'a>> {
+        let length = self.sizes.named(&entries.length).map(size);
+        let places = Data::Places(&entries.length, &entries.places);
+        let places = constant(&entries.constant, &entries.doc, places);
+        let mut constants: Vec<Constant<'_>> = length.into_iter().chain([places]).collect();
+        if let Some(own) = &entries.colors {
+            let colors = Data::Integers(&own.length, own.colors.clone());
+            constants.extend(self.sizes.named(&own.length).map(size));
+            constants.push(constant(&own.constant, &own.doc, colors));
+        }
+        constants
     }
 
     /// The constants of a compact output.

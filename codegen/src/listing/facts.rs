@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::{
-    BaseParameters, Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size, Sizes,
+    BaseParameters, Entries, Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size,
+    Sizes,
 };
 use crate::{
     functions::{Axis, Block, Declared, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
@@ -55,6 +56,8 @@ pub struct Facts {
     pub patterns: Vec<Pattern>,
     /// The speeds that move frames, each frame's once.
     pub frame_speeds: Vec<FrameSpeeds>,
+    /// The entries of packed derivatives, each once.
+    pub entries: Vec<Entries>,
 }
 
 /// A body of the system.
@@ -111,6 +114,8 @@ pub(super) struct Wanted {
     pub(super) patterns: Vec<Pattern>,
     /// The speeds that move the frames of Jacobians, each frame's once.
     pub(super) frame_speeds: Vec<FrameSpeeds>,
+    /// The entries of packed derivatives, each once.
+    pub(super) entries: Vec<Entries>,
 }
 
 impl Facts {
@@ -154,6 +159,7 @@ impl Facts {
             prescribed: wanted.prescribed.then(|| prescribed(tree)),
             patterns: wanted.patterns,
             frame_speeds: wanted.frame_speeds,
+            entries: wanted.entries,
         }
     }
 
@@ -248,6 +254,7 @@ fn sizes(
         doc: "Number of speeds that move the frame.".to_owned(),
         brief: "Number of speeds that move a frame",
     }));
+    sizes.extend(wanted.entries.iter().flat_map(entry_sizes));
     sizes.extend(wanted.patterns.iter().map(|pattern| Size {
         name: pattern.columns.clone(),
         value: pattern.n_columns,
@@ -255,4 +262,21 @@ fn sizes(
         brief: "Number of columns",
     }));
     Sizes(sizes)
+}
+
+/// How many entries a packed derivative has, and how many columns where these have colours.
+fn entry_sizes(entries: &Entries) -> Vec<Size> {
+    let own = Size {
+        name: entries.length.clone(),
+        value: entries.places.len(),
+        doc: format!("Number of entries that `{}` writes.", entries.of),
+        brief: "Number of entries of a packed derivative",
+    };
+    let columns = entries.colors.iter().map(|colors| Size {
+        name: colors.length.clone(),
+        value: colors.colors.len(),
+        doc: format!("Number of columns of `{}`.", entries.of),
+        brief: "Number of columns of a packed derivative",
+    });
+    [own].into_iter().chain(columns).collect()
 }

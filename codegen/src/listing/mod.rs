@@ -8,6 +8,7 @@
 mod base_parameters;
 mod code;
 pub(crate) mod constants;
+mod entries;
 mod entry;
 mod expression;
 mod extent;
@@ -31,6 +32,7 @@ mod writer;
 
 pub use base_parameters::{BaseParameters, BaseTerm};
 pub use constants::{Constant, Data};
+pub use entries::{Colors, Entries};
 pub use entry::{Entry, Member, Step};
 pub use expression::{Binding, Expression};
 pub use extent::Extent;

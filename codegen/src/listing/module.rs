@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{
-    BaseParameters, Facts, FrameSpeeds, Function, Pattern,
+    BaseParameters, Entries, Facts, FrameSpeeds, Function, Pattern,
     facts::Wanted,
     plain::{nominal, sin_cos},
     verify::{verify, verify_facts},
@@ -109,6 +109,7 @@ fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
         patterns: patterns.collect(),
         base_parameters: BaseParameters::of(tree, functions),
         frame_speeds: FrameSpeeds::of(tree, functions),
+        entries: Entries::of(tree, functions),
         angles: any(Request::is_at_sin_cos),
         prescribed: any(Request::prescribes),
         values: any(Request::is_by_parameters),

@@ -1,6 +1,6 @@
 //! Functions of a listing, from programs.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::{
     Code, Entry, Facts, Function, Member, Step, code,
@@ -18,6 +18,9 @@ use crate::{
     tree::Tree,
 };
 
+/// The argument's name, and the steps in it, of what a function is given.
+type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
+
 /// What functions are made from.
 pub(super) struct Writer<'a> {
     tree: &'a Tree,
@@ -25,7 +28,6 @@ pub(super) struct Writer<'a> {
     facts: &'a Facts,
     /// Where each prepared value stands among the fields.
     fields: Vec<usize>,
-    given: BTreeMap<Input, (&'static str, Vec<Step>)>,
 }
 
 impl<'a> Writer<'a> {
@@ -35,7 +37,6 @@ impl<'a> Writer<'a> {
             compiled,
             facts,
             fields: places_of(&compiled.fields, &facts.fields),
-            given: given(tree, facts, compiled),
         }
     }
 
@@ -43,10 +44,12 @@ impl<'a> Writer<'a> {
         let (request, program) = (&emittable.function, &emittable.program);
         let signature = request.signature();
         let places = places(&signature, self.facts);
-        let code = self.code(program, &signature, places, Counted::InFunction);
+        let arguments = request.arguments();
+        let given = self.given(&arguments);
+        let code = self.code(program, (&signature, &given), places, Counted::InFunction);
         let stages = stages::of(&signature, &code);
         Function {
-            arguments: request.arguments(),
+            arguments,
             alone: request.alone().cloned(),
             derivative_trait: request.derivative_trait(),
             pattern: self.pattern(emittable),
@@ -78,7 +81,7 @@ impl<'a> Writer<'a> {
         });
         let code = self.code(
             program,
-            &signature,
+            (&signature, &Given::new()),
             places.collect(),
             Counted::InPreparation,
         );
@@ -88,7 +91,7 @@ impl<'a> Writer<'a> {
     fn code(
         &self,
         program: &Program,
-        signature: &Signature,
+        (signature, given): (&Signature, &Given),
         places: Vec<Entry>,
         counted: Counted,
     ) -> Code {
@@ -99,13 +102,23 @@ impl<'a> Writer<'a> {
         let known = Known {
             groups: &groups,
             names: &names,
-            entry: &|input| self.entry(input, signature),
+            entry: &|input| self.entry(input, signature, given),
         };
         code::of(program, &known, places)
     }
 
+    /// Where each input of the equations stands that is no parameter, in a function with these arguments.
+    fn given(&self, arguments: &[Argument]) -> Given {
+        let all = arguments.iter().flat_map(|argument| {
+            let extent = self.facts.extent(&argument.declared());
+            let inputs = argument.inputs(self.tree).enumerate();
+            inputs.map(move |(place, input)| (input, (argument.name(), extent.steps(place))))
+        });
+        all.collect()
+    }
+
     /// Where a function finds an input.
-    fn entry(&self, input: Input, signature: &Signature) -> Entry {
+    fn entry(&self, input: Input, signature: &Signature, given: &Given) -> Entry {
         let (name, steps) = match input {
             Input::Sine(place) => ("sin_cos", of_member(Member::Sines, place)),
             Input::Cosine(place) => ("sin_cos", of_member(Member::Cosines, place)),
@@ -117,7 +130,7 @@ impl<'a> Writer<'a> {
                 "p",
                 vec![Step::Member(Member::Prepared(self.fields[place]))],
             ),
-            given => self.given[&given].clone(),
+            input => given[&input].clone(),
         };
         let mut arguments = signature.arguments.iter();
         let argument = arguments.position(|argument| argument.name == name);
@@ -125,23 +138,6 @@ impl<'a> Writer<'a> {
             argument.unwrap_or_else(|| unreachable!("listing: {} has no `{name}`", signature.name));
         Entry { argument, steps }
     }
-}
-
-/// Where each input of the equations stands that is no parameter: the argument's name, and the steps in it.
-fn given(
-    tree: &Tree,
-    facts: &Facts,
-    compiled: &Compiled,
-) -> BTreeMap<Input, (&'static str, Vec<Step>)> {
-    let functions = compiled.functions.iter();
-    let all = functions.flat_map(|one| one.function.arguments());
-    let all: BTreeSet<Argument> = all.collect();
-    let all = all.into_iter().flat_map(|argument| {
-        let extent = facts.extent(&argument.declared());
-        let inputs = argument.inputs(tree).enumerate();
-        inputs.map(move |(place, input)| (input, (argument.name(), extent.steps(place))))
-    });
-    all.collect()
 }
 
 /// Where each name stands in a sorted list of them.

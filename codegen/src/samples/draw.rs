@@ -42,13 +42,15 @@ impl<'a> Sampler<'a> {
     pub(super) fn new(tree: &'a Tree, asked: &BTreeSet<Argument>) -> Self {
         let all = Argument::ALL.into_iter();
         let drawn = all.filter(|one| asked.contains(one) || !one.is_of_product());
+        let multipliers = asked.iter().copied();
+        let multipliers = multipliers.filter(|one| matches!(one, Argument::Multiplier(_)));
         let [positions, forces] = SCALES.map(|name| {
             let function = Function::find(name).expect("a function of the catalogue");
             Request::from(function).derive(tree, Formulation::Notes, &Plan::full(tree))
         });
         Self {
             tree,
-            drawn: drawn.collect(),
+            drawn: drawn.chain(multipliers).collect(),
             positions,
             forces,
         }

@@ -38,6 +38,11 @@ impl BaseParameters {
     ) -> &[BaseParameter] {
         self.0.get_or_init(find)
     }
+
+    /// The same for a tree with other numbers, whose columns are to be those of this one.
+    pub(crate) fn kept(&self) -> Self {
+        Self(self.0.clone())
+    }
 }
 
 impl Clone for BaseParameters {

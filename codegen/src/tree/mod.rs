@@ -13,6 +13,7 @@
 // What a tree is.
 mod base_parameter;
 mod body;
+mod drawn;
 mod frames;
 mod joint;
 mod mechanics;

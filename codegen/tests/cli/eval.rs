@@ -399,6 +399,36 @@ fn products_are_given_directions_and_multipliers() {
 }
 
 #[test]
+fn packed_derivatives_come_with_their_places() {
+    let model = repository("models/cart_pole.toml");
+    let model = model.to_str().unwrap();
+    let state = json!({
+        "q": [0.1, 0.3], "u": [0.5, -0.4], "u_dot": [0.1, 0.2], "multiplier": [2.0, 1.0],
+    });
+    let at = |function: &str| evaluated(model, function, "recursive", &state);
+    let all = at("d(inverse_dynamics)/d(q, u)");
+    let all = ["dtau_dq", "dtau_du"].map(|name| flat(&all[name]));
+    let packed = at("packed(d(inverse_dynamics)/d(q, u))");
+    // Columns 0 and 1 are those of `q`, 2 and 3 those of `u`. A spring or damper may act along each coordinate.
+    let places = [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 3]];
+    assert_eq!(packed["places"], json!(places));
+    let whole = |[row, column]: [usize; 2]| all[column / 2][row * 2 + column % 2];
+    let expected = places.map(whole);
+    assert_close(
+        "packed",
+        &flat(&packed["derivatives"]),
+        &expected,
+        TOLERANCE,
+    );
+    assert_eq!(packed["colors"], json!([2, 0, 3, 1]));
+    let second = at("hessian(inverse_dynamics; q, u)");
+    assert_eq!(
+        second["places"].as_array().unwrap().len(),
+        flat(&second["hessian"]).len()
+    );
+}
+
+#[test]
 fn what_cannot_be_differentiated_is_told_why() {
     let model = repository("models/cart_pole.toml");
     let model = model.to_str().unwrap();
@@ -416,8 +446,20 @@ fn what_cannot_be_differentiated_is_told_why() {
             "`pole_mass` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`",
         ),
         (
-            "vjp(kinetic_energy; q)",
-            "no multiplier fits what `kinetic_energy` writes: a `vjp` needs one vector, or one matrix over speeds; ask for `d(kinetic_energy)/d(..)`",
+            "hessian(mass_matrix; u)",
+            "`mass_matrix` is not given `u`; it can be differentiated by `q`",
+        ),
+        (
+            "hessian(vjp(bias; q); q)",
+            "`vjp(bias; q)` is a derivative itself, and cannot be differentiated",
+        ),
+        (
+            "packed(bias)",
+            "`packed(bias)` is no request: expected `d(PART)/d(VARIABLES)`",
+        ),
+        (
+            "vjp(bias; q)+vjp(mass_matrix; q)",
+            "`vjp(bias; q)+vjp(mass_matrix; q)` joins `vjp(mass_matrix; q)` to another that is given a point, force, moment or multiplier of its own",
         ),
         (
             "d(partial_velocity)/d(q)",

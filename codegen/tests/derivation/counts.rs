@@ -174,6 +174,24 @@ fn derivatives_of_robots() {
 }
 
 #[test]
+fn second_derivatives_of_robots() {
+    let mut text = String::new();
+    for robot in ["ur5", "panda"] {
+        let tree = model(&format!("tests/robots/{robot}/{robot}.urdf"));
+        let requests = [
+            "hessian(inverse_dynamics; q, u)",
+            "inverse_dynamics+vjp(inverse_dynamics; q, u)+hessian(inverse_dynamics; q, u)",
+            "hessian(forward_dynamics; q, u, tau)",
+        ];
+        let names = requests.iter().map(ToString::to_string).collect();
+        let mut counts = counts(&tree, Functions::Named(names), Formulation::Cheapest);
+        counts.retain(|(name, _)| name != "q_dot");
+        write!(text, "{robot}\n{}", table(&counts)).unwrap();
+    }
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }

@@ -10,27 +10,27 @@ use kane_codegen::{
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
     dynamics::State,
-    numeric::{derivative, dot},
+    numeric::derivative,
     systems::trees,
 };
 
 use crate::{
-    evaluator::{input, product},
+    evaluator::input,
     frames::{relative, request, system},
 };
 
 /// How far two ways to one derivative may be apart, relative to its largest entry and to one.
-const EXACT: f64 = 1e-12;
+pub(crate) const EXACT: f64 = 1e-12;
 
 /// How far differences may be off, relative to the largest entry of the values and of the derivative: see
 /// [`derivative`], of sums that are ten times as large as what is left of them.
-const DIFFERENCED: f64 = 1e-11;
+pub(crate) const DIFFERENCED: f64 = 1e-11;
 
 /// The same where the mass matrix is inverted, twice in a derivative, whose condition numbers here are below 1e4.
-const INVERTED: f64 = 1e-9;
+pub(crate) const INVERTED: f64 = 1e-9;
 
 /// The variables of a function, in the order of its arguments.
-fn variables(tree: &Tree, function: &Function) -> Vec<String> {
+pub(crate) fn variables(tree: &Tree, function: &Function) -> Vec<String> {
     let known = [
         Argument::Q,
         Argument::U,
@@ -47,14 +47,14 @@ fn variables(tree: &Tree, function: &Function) -> Vec<String> {
         .collect()
 }
 
-fn values(tree: &Tree, request: &Request, plan: &Plan, state: &State) -> Vec<f64> {
+pub(crate) fn values(tree: &Tree, request: &Request, plan: &Plan, state: &State) -> Vec<f64> {
     let derived = request.derive(tree, Formulation::Recursive, plan);
     let graph = &derived.graph;
     graph.evaluate(&derived.roots, |given| input(tree, state, given))
 }
 
 /// Ways to differentiate by the notes' equations or the recursion.
-fn ways(tree: &Tree) -> [(Formulation, Plan); 4] {
+pub(crate) fn ways(tree: &Tree) -> [(Formulation, Plan); 4] {
     let [sweep, reverse] = [false, true].map(|is_reverse| {
         let plan = Plan::full(tree).with(Technique::Composite, false);
         plan.with(Technique::Reverse, is_reverse)
@@ -96,7 +96,7 @@ fn all_ways_give_the_same_derivatives() {
 }
 
 /// What a function gives in the state that lies `t` away along an entry of a variable.
-fn moved(
+pub(crate) fn moved(
     tree: &Tree,
     request: &Request,
     state: &State,
@@ -124,7 +124,7 @@ fn moved(
 }
 
 /// The entries of a variable, and a step along each for differences.
-fn n_entries(tree: &Tree, variable: &str) -> usize {
+pub(crate) fn n_entries(tree: &Tree, variable: &str) -> usize {
     match variable {
         "loads" => 6 * tree.bodies.len(),
         "parameters" => tree.parameters.len(),
@@ -132,7 +132,7 @@ fn n_entries(tree: &Tree, variable: &str) -> usize {
     }
 }
 
-fn inverts(name: &str) -> bool {
+pub(crate) fn inverts(name: &str) -> bool {
     let inverting = [
         "forward_dynamics",
         "factors",
@@ -171,112 +171,6 @@ fn every_function_changes_as_its_derivatives_say() {
                     let error = relative_to(scale, &own, &expected);
                     let allowed = if inverts(name) { INVERTED } else { DIFFERENCED };
                     assert_within(format!("{seed}, {text}, {entry}"), error, allowed);
-                }
-            }
-        }
-    }
-}
-
-/// The numbers that a direction or multiplier holds here.
-fn given(tree: &Tree, argument: Argument) -> Vec<f64> {
-    let inputs = argument.inputs(tree);
-    let numbers = inputs.map(|input| match input {
-        Input::Product(of, place) => product(of, place),
-        other => unreachable!("{other:?} is of no product"),
-    });
-    numbers.collect()
-}
-
-/// A function, variables with their directions, and the multiplier of its output.
-type Case = (
-    &'static str,
-    &'static [&'static str],
-    &'static [Argument],
-    Argument,
-);
-
-const PRODUCTS: [Case; 5] = [
-    (
-        "loaded_inverse_dynamics",
-        &["u_dot", "q", "loads"],
-        &[
-            Argument::UDotDirection,
-            Argument::QDirection,
-            Argument::LoadsDirection,
-        ],
-        Argument::SpeedMultiplier,
-    ),
-    (
-        "forward_dynamics",
-        &["tau", "u", "parameters"],
-        &[
-            Argument::TauDirection,
-            Argument::UDirection,
-            Argument::ParametersDirection,
-        ],
-        Argument::SpeedMultiplier,
-    ),
-    (
-        "mass_matrix",
-        &["q"],
-        &[Argument::QDirection],
-        Argument::MatrixMultiplier,
-    ),
-    (
-        "center_of_mass",
-        &["q"],
-        &[Argument::QDirection],
-        Argument::VectorMultiplier,
-    ),
-    (
-        "q_dot",
-        &["u", "q"],
-        &[Argument::UDirection, Argument::QDirection],
-        Argument::CoordinateMultiplier,
-    ),
-];
-
-#[test]
-fn products_are_those_with_all_derivatives() {
-    for seed in trees::tried(541..=552) {
-        let (_, tree) = system(seed);
-        let state = State::random(&tree, seed);
-        let has_values = !tree.parameters.is_empty();
-        for (function, by, directions, multiplier) in PRODUCTS {
-            let by: Vec<&str> = by
-                .iter()
-                .copied()
-                .filter(|name| has_values || *name != "parameters")
-                .collect();
-            let by_all = by.join(", ");
-            for (formulation, plan) in ways(&tree) {
-                let numbers = |text: String| {
-                    let derived = request(&tree, &text).derive(&tree, formulation, &plan);
-                    let graph = &derived.graph;
-                    graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
-                };
-                let values = numbers(function.to_owned());
-                let (mut along, mut back) = (vec![0.0; values.len()], Vec::new());
-                for (&direction, name) in directions.iter().zip(&by) {
-                    let matrix = numbers(format!("d({function})/d({name})"));
-                    let direction = given(&tree, direction);
-                    let rows: Vec<&[f64]> = matrix.chunks(direction.len()).collect();
-                    for (sum, row) in along.iter_mut().zip(&rows) {
-                        *sum += dot(row, &direction);
-                    }
-                    let weights = given(&tree, multiplier);
-                    assert_eq!(weights.len(), rows.len());
-                    back.extend((0..direction.len()).map(|column| {
-                        let column: Vec<f64> = rows.iter().map(|row| row[column]).collect();
-                        dot(&column, &weights)
-                    }));
-                }
-                for (found, expected) in [("jvp", along), ("vjp", back)].map(|(name, expected)| {
-                    (numbers(format!("{name}({function}; {by_all})")), expected)
-                }) {
-                    let allowed = if inverts(function) { INVERTED } else { EXACT };
-                    let what = format!("{seed}, {function}");
-                    assert_within(what, relative(&found, &expected), allowed);
                 }
             }
         }

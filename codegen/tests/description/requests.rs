@@ -4,8 +4,8 @@
 
 use std::ops::Range;
 
-use kane_codegen::functions::split;
 use kane_codegen::functions::syntax::{Kind, Sum, Unexpected, read, written};
+use kane_codegen::functions::{Parsed, TRAITS, split};
 
 fn expected(text: &str) -> (&'static str, Range<usize>) {
     let Unexpected { expected, place } = read(text).unwrap_err();
@@ -33,7 +33,7 @@ fn parts_stand_where_they_are_written() {
 #[test]
 fn derivatives_and_products_hold_parts() {
     let sum = read("d(pose(tool0))/d(q, u)+vjp(bias; q)").unwrap();
-    let Kind::Derivative { of, by } = &sum.parts[0].kind else {
+    let Kind::Derivative { of, by, .. } = &sum.parts[0].kind else {
         panic!("{sum:?}");
     };
     assert!(matches!(&of.kind, Kind::Named { name, .. } if name.text == "pose"));
@@ -77,4 +77,20 @@ fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));
     assert_eq!(expected("d(bias)/q"), ("expected `/d(VARIABLES)`", 8..9));
     assert_eq!(expected("jvp(bias)"), ("expected `; VARIABLES`", 8..9));
+    assert_eq!(
+        expected("hessian(bias)"),
+        ("expected `; VARIABLES`", 12..13)
+    );
+    let derivative = "expected `d(PART)/d(VARIABLES)`";
+    assert_eq!(expected("packed(bias)"), (derivative, 7..8));
+    assert_eq!(expected("packed(d)"), (derivative, 7..8));
+    assert_eq!(expected("packed(d(bias)/d(q)"), ("expected `)`", 19..19));
+}
+
+#[test]
+fn every_text_of_the_table_is_a_request_as_it_is_written_back() {
+    for (text, name) in TRAITS {
+        let parsed = Parsed::read(text).expect(name);
+        assert_eq!(parsed.text(), text);
+    }
 }

@@ -317,6 +317,11 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
             "`d(bias)/d(q, u)` writes 80000 numbers of derivatives; expected at most 20000",
         ),
         (
+            200,
+            named("hessian(bias; q, u)"),
+            "`hessian(bias; q, u)` writes 80200 numbers of derivatives; expected at most 20000",
+        ),
+        (
             600,
             named("mass_matrix"),
             "the functions, `mass_matrix` most of all, write 360600 numbers; expected at most 250000",

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     functions::{Access, Block, Declared, ELIMINATION, Element, Length, PRESCRIBED, Signature},
-    listing::{Facts, Module, Size, nominal},
+    listing::{Entries, Facts, Module, Size, nominal},
 };
 
 /// The text of the header of the module `name`, for C99 and C++.
@@ -17,7 +17,8 @@ pub fn text(module: &Module, name: &str) -> String {
     let facts = &module.facts;
     let empty = facts.sizes.0.iter().filter(|size| {
         let patterns = facts.patterns.iter().map(|pattern| &pattern.columns);
-        let mut own = patterns.chain(facts.frame_speeds.iter().map(|frame| &frame.length));
+        let own = patterns.chain(facts.frame_speeds.iter().map(|frame| &frame.length));
+        let mut own = own.chain(facts.entries.iter().map(|entries| &entries.length));
         size.value == 0 && own.any(|length| *length == size.name)
     });
     let header = Header {
@@ -154,6 +155,7 @@ impl Header<'_> {
                 speeds,
             )
         }));
+        tables.extend(self.facts.entries.iter().flat_map(|own| self.entries(own)));
         let patterns = self.facts.patterns.iter();
         let patterns = patterns.filter(|pattern| !pattern.entries.is_empty());
         let blocks = patterns.map(|pattern| {
@@ -169,6 +171,26 @@ impl Header<'_> {
         let blocks: Vec<String> = blocks.collect();
         tables.extend((!blocks.is_empty()).then(|| once("KANE_BLOCK", BLOCK)));
         tables.extend(blocks);
+        tables
+    }
+
+    /// Where the entries of a packed derivative stand, and the colours of its columns.
+    fn entries(&self, own: &Entries) -> Vec<String> {
+        let prefix = &self.prefix;
+        let mut tables = Vec::new();
+        if !own.places.is_empty() {
+            let places = own.places.iter().map(|place| list(place));
+            let (constant, length) = (&own.constant, &own.length);
+            let declared = format!("int {prefix}{constant}[{prefix}{length}][2]");
+            tables.push(table(&own.doc, &declared, places));
+        }
+        let colors = own.colors.iter().filter(|own| !own.colors.is_empty());
+        tables.extend(colors.map(|own| {
+            let colors = own.colors.iter().map(usize::to_string);
+            let (constant, length) = (&own.constant, &own.length);
+            let declared = format!("int {prefix}{constant}[{prefix}{length}]");
+            table(&own.doc, &declared, colors)
+        }));
         tables
     }
 
@@ -251,7 +273,7 @@ impl Header<'_> {
     /// The number of elements; none for one, and for an array that is empty, which C does not know.
     fn lengths(&self, argument: &Declared) -> Option<String> {
         let lengths = argument.lengths.iter().map(|length| match length {
-            Length::Number(number) => Some(number.to_string()),
+            Length::Number(number) => (*number > 0).then(|| number.to_string()),
             Length::Constant(name) => {
                 (!self.empty.contains(name.as_str())).then(|| format!("{}{name}", self.prefix))
             }

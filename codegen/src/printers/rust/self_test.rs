@@ -1,5 +1,7 @@
 //! The tests beside a module: calls of `kane::self_test`, with their states and values.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Item, parse_quote};
@@ -47,12 +49,16 @@ fn states(module: &Module, samples: &[Sample]) -> Vec<Item> {
         const STATES: [kane::self_test::State<NQ, NU>; #count] = [#(#states),*];
     }];
     items.extend(systems(&module.facts, samples));
-    let is_given = |argument: Argument| {
-        let mut functions = module.functions.iter();
-        functions.any(|function| function.arguments.contains(&argument))
-    };
-    items.extend(Argument::ALL.into_iter().filter_map(|argument| {
-        let name = ident(argument.sampled().filter(|_| is_given(argument))?);
+    let functions = module.functions.iter();
+    let given: BTreeSet<Argument> = functions.flat_map(|one| &one.arguments).copied().collect();
+    let mut known = BTreeSet::new();
+    items.extend(given.into_iter().filter_map(|argument| {
+        let name = argument.sampled()?;
+        // Multipliers of different outputs may be alike.
+        if !known.insert(name.clone()) {
+            return None;
+        }
+        let name = ident(&name);
         let held = signature::held(&argument.declared(), "f64");
         let samples = samples.iter();
         let samples = samples.map(|sample| numbers(&module.facts, argument, sample));
@@ -73,7 +79,9 @@ fn numbers(facts: &Facts, argument: Argument, sample: &Sample) -> Expr {
 fn nested(numbers: &[f64], lengths: &[usize], element: Element) -> Expr {
     match (lengths, element.vectors()) {
         (&[length, ref inner @ ..], _) => {
-            let entries = numbers.chunks(numbers.len() / length);
+            // None has entries where there are none, or where these are empty.
+            let size = numbers.len().checked_div(length).unwrap_or(0);
+            let entries = (0..length).map(|place| &numbers[place * size..(place + 1) * size]);
             syntax::array(entries.map(|entry| nested(entry, inner, element)))
         }
         ([], []) => syntax::number(numbers[0]),
@@ -197,7 +205,7 @@ fn arguments(function: &Function) -> Vec<TokenStream> {
 
 /// Where an argument's sample stands.
 fn place_of(argument: Argument) -> TokenStream {
-    let Some(constant) = argument.sampled().map(ident) else {
+    let Some(constant) = argument.sampled().map(|name| ident(&name)) else {
         let field = ident(argument.name());
         return quote!(&STATES[place].#field);
     };

@@ -95,7 +95,7 @@ fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
         let map: &[usize] = match axis {
             Axis::Three => &all[..3],
             Axis::LoadComponents => &all[..6],
-            Axis::Values => unreachable!("of a derivative"),
+            Axis::Values | Axis::Entries => unreachable!("of a derivative"),
             Axis::Parameters => &all,
             Axis::Coordinates => &maps.coordinates,
             Axis::Speeds => &maps.speeds,

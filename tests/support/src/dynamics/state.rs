@@ -85,6 +85,26 @@ impl State {
         self.along(tree, &unit, t)
     }
 
+    /// The state after unit time at constant speeds `d`, which are added to no others.
+    ///
+    /// By 128 steps of the classical Runge-Kutta method, whose error is `|d|^5 / (120 128^4)` or so: 1e-15 for `|d|` of a tenth.
+    #[must_use]
+    pub fn after(&self, tree: &Tree, d: &[f64]) -> Self {
+        const STEPS: u32 = 128;
+        let h = 1.0 / f64::from(STEPS);
+        let mut q = self.q.clone();
+        for _ in 0..STEPS {
+            let first = q_dot(tree, &q, d);
+            let second = q_dot(tree, &stepped(&q, &first, h / 2.0), d);
+            let third = q_dot(tree, &stepped(&q, &second, h / 2.0), d);
+            let fourth = q_dot(tree, &stepped(&q, &third, h), d);
+            for (rates, part) in [(first, 6.0), (second, 3.0), (third, 3.0), (fourth, 6.0)] {
+                q = stepped(&q, &rates, h / part);
+            }
+        }
+        Self { q, ..self.clone() }
+    }
+
     fn along(&self, tree: &Tree, u: &[f64], t: f64) -> Self {
         let mut q = stepped(&self.q, &q_dot(tree, &self.q, u), t);
         for places in quaternions(tree) {

@@ -1,0 +1,27 @@
+//! Colours of columns: those of one colour share no row, so that one direction gives all their entries at once.
+
+use std::collections::BTreeSet;
+
+/// A colour for each column, from 0, of a matrix that is zero but at these places. Greedy, the column with most rows first (Welsh
+/// and Powell 1967), of equals the one that stands first.
+pub fn colors(places: &[[usize; 2]], n_columns: usize) -> Vec<usize> {
+    let mut rows_of = vec![Vec::new(); n_columns];
+    let n_rows = places.iter().map(|[row, _]| row + 1).max().unwrap_or(0);
+    for &[row, column] in places {
+        rows_of[column].push(row);
+    }
+    let mut order: Vec<usize> = (0..n_columns).collect();
+    order.sort_by_key(|&column| std::cmp::Reverse(rows_of[column].len()));
+    let mut taken: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); n_rows];
+    let mut colors = vec![0; n_columns];
+    for column in order {
+        let rows = &rows_of[column];
+        let is_free = |color: &usize| rows.iter().all(|&row| !taken[row].contains(color));
+        let color = (0..n_columns).find(is_free).unwrap_or(0);
+        for &row in rows {
+            taken[row].insert(color);
+        }
+        colors[column] = color;
+    }
+    colors
+}

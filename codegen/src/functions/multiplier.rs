@@ -1,0 +1,116 @@
+//! What the outputs of a function are multiplied by, entry by entry, before their sum is differentiated.
+//!
+//! In: an output, and its place among the function's. Out: a [`Multiplier`], an array like the output.
+
+use super::shape::{Length, Shape};
+use crate::tree::Tree;
+
+/// The multiplier of an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Multiplier {
+    /// The place of the output among its function's.
+    place: usize,
+    name: &'static str,
+    shape: Shape,
+    /// The length of the axes that the function decides.
+    own: usize,
+}
+
+/// What it is called where the output is the only one, and with what its name ends elsewhere.
+pub const MULTIPLIER: &str = "multiplier";
+
+/// What it is called otherwise, by the name of the output.
+const NAMES: [(&str, &str); 10] = [
+    ("rotation", "rotation_multiplier"),
+    ("position", "position_multiplier"),
+    ("linear", "linear_multiplier"),
+    ("angular", "angular_multiplier"),
+    ("specific_force", "specific_force_multiplier"),
+    ("angular_velocity", "angular_velocity_multiplier"),
+    ("whole_u_dot", "whole_u_dot_multiplier"),
+    ("whole_tau", "whole_tau_multiplier"),
+    ("force", "force_multiplier"),
+    ("moment", "moment_multiplier"),
+];
+
+/// The constants that hold samples, by shapes that many outputs have.
+const SAMPLED: [(Shape, &str); 4] = [
+    (Shape::VECTOR, "VECTOR_MULTIPLIERS"),
+    (Shape::COORDINATES, "COORDINATE_MULTIPLIERS"),
+    (Shape::SPEEDS, "SPEED_MULTIPLIERS"),
+    (Shape::SPEED_MATRIX, "MATRIX_MULTIPLIERS"),
+];
+
+impl Multiplier {
+    /// That of the output with this name and shape at a place among `count`; `own` is the length of axes that the function
+    /// decides.
+    pub(super) fn of((place, count): (usize, usize), name: &str, shape: Shape, own: usize) -> Self {
+        Self {
+            place,
+            name: if count == 1 {
+                MULTIPLIER
+            } else {
+                name_for(name)
+            },
+            shape,
+            own,
+        }
+    }
+
+    /// The place of the output among its function's.
+    pub(super) fn place(self) -> usize {
+        self.place
+    }
+
+    /// The name in generated code.
+    pub(super) fn name(self) -> &'static str {
+        self.name
+    }
+
+    /// The array.
+    pub(super) fn shape(self) -> Shape {
+        self.shape
+    }
+
+    /// What it means, in words.
+    pub(super) fn meaning(self) -> &'static str {
+        if self.name == MULTIPLIER {
+            "multiplies the output, entry by entry, before the sum is differentiated"
+        } else {
+            "multiplies the output of that name, entry by entry, before the sum of all outputs is differentiated"
+        }
+    }
+
+    /// The constant that holds its samples: no two arrays with different names or types have the same.
+    pub(super) fn sampled(self) -> String {
+        let mut known = SAMPLED.iter();
+        if let Some((_, constant)) =
+            known.find(|(shape, _)| self.name == MULTIPLIER && *shape == self.shape)
+        {
+            return (*constant).to_owned();
+        }
+        let lengths = self.declared().into_iter().map(|length| match length {
+            Length::Number(number) => format!("_{number}"),
+            Length::Constant(name) => format!("_{name}"),
+        });
+        let lengths: String = lengths.collect();
+        format!("{}S{lengths}", self.name.to_uppercase())
+    }
+
+    /// The lengths of its nested arrays, outermost first.
+    pub(super) fn lengths(self, tree: &Tree) -> Vec<usize> {
+        self.shape.lengths(tree, |_| self.own)
+    }
+
+    /// The same as generated code names them.
+    pub(super) fn declared(self) -> Vec<Length> {
+        self.shape.declared(|_| Length::Number(self.own))
+    }
+}
+
+fn name_for(output: &str) -> &'static str {
+    let mut names = NAMES.iter();
+    let found = names.find(|(name, _)| *name == output);
+    let (_, name) = found.unwrap_or_else(|| unreachable!("functions: `{output}` has a multiplier"));
+    name
+}

@@ -1,0 +1,161 @@
+//! Products with derivatives, against all derivatives.
+
+use std::collections::BTreeMap;
+
+use kane_codegen::{
+    expr::Input,
+    functions::{Argument, Function, Of, Request},
+    recursive::Plan,
+    tree::Tree,
+};
+use kane_test_support::{compare::assert_within, dynamics::State, numeric::dot, systems::trees};
+
+use crate::{
+    derivatives::{EXACT, INVERTED, inverts, n_entries, values, variables, ways},
+    evaluator::{input, product},
+    frames::{names, relative, request, system},
+};
+
+/// The numbers that a direction or multiplier holds here.
+fn given(tree: &Tree, argument: Argument) -> Vec<f64> {
+    let inputs = argument.inputs(tree);
+    let numbers = inputs.map(|input| match input {
+        Input::Product(of, place) => product(of, place),
+        other => unreachable!("{other:?} is of no product"),
+    });
+    numbers.collect()
+}
+
+/// All multipliers that a request is given, one after the other.
+pub(crate) fn weights(tree: &Tree, request: &Request) -> Vec<f64> {
+    let arguments = request.arguments().into_iter();
+    let own = arguments.filter(|argument| matches!(argument, Argument::Multiplier(_)));
+    own.flat_map(|argument| given(tree, argument)).collect()
+}
+
+/// A function, and variables with their directions.
+type Case = (&'static str, &'static [&'static str], &'static [Argument]);
+
+const PRODUCTS: [Case; 5] = [
+    (
+        "loaded_inverse_dynamics",
+        &["u_dot", "q", "loads"],
+        &[
+            Argument::UDotDirection,
+            Argument::QDirection,
+            Argument::LoadsDirection,
+        ],
+    ),
+    (
+        "forward_dynamics",
+        &["tau", "u", "parameters"],
+        &[
+            Argument::TauDirection,
+            Argument::UDirection,
+            Argument::ParametersDirection,
+        ],
+    ),
+    ("mass_matrix", &["q"], &[Argument::QDirection]),
+    ("center_of_mass", &["q"], &[Argument::QDirection]),
+    (
+        "q_dot",
+        &["u", "q"],
+        &[Argument::UDirection, Argument::QDirection],
+    ),
+];
+
+#[test]
+fn products_are_those_with_all_derivatives() {
+    for seed in trees::tried(541..=552) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        let has_values = !tree.parameters.is_empty();
+        for (function, by, directions) in PRODUCTS {
+            let by: Vec<&str> = by
+                .iter()
+                .copied()
+                .filter(|name| has_values || *name != "parameters")
+                .collect();
+            let by_all = by.join(", ");
+            for (formulation, plan) in ways(&tree) {
+                let numbers = |text: String| {
+                    let derived = request(&tree, &text).derive(&tree, formulation, &plan);
+                    let graph = &derived.graph;
+                    graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+                };
+                let values = numbers(function.to_owned());
+                let weights = weights(
+                    &tree,
+                    &request(&tree, &format!("vjp({function}; {by_all})")),
+                );
+                assert_eq!(weights.len(), values.len());
+                let (mut along, mut back) = (vec![0.0; values.len()], Vec::new());
+                for (&direction, name) in directions.iter().zip(&by) {
+                    let matrix = numbers(format!("d({function})/d({name})"));
+                    let direction = given(&tree, direction);
+                    let rows: Vec<&[f64]> = matrix.chunks(direction.len()).collect();
+                    for (sum, row) in along.iter_mut().zip(&rows) {
+                        *sum += dot(row, &direction);
+                    }
+                    back.extend((0..direction.len()).map(|column| {
+                        let column: Vec<f64> = rows.iter().map(|row| row[column]).collect();
+                        dot(&column, &weights)
+                    }));
+                }
+                for (found, expected) in [("jvp", along), ("vjp", back)].map(|(name, expected)| {
+                    (numbers(format!("{name}({function}; {by_all})")), expected)
+                }) {
+                    let allowed = if inverts(function) { INVERTED } else { EXACT };
+                    let what = format!("{seed}, {function}");
+                    assert_within(what, relative(&found, &expected), allowed);
+                }
+            }
+        }
+    }
+}
+
+/// Every function but those with compact outputs, as it is asked for.
+pub(crate) fn every_function(tree: &Tree) -> Vec<(&'static Function, String)> {
+    let frame = names(tree).pop().expect("a tree has bodies");
+    let all = Function::all().filter(|function| !function.is_compact());
+    all.map(|function| match function.of {
+        Of::System => (function, function.name.to_owned()),
+        Of::Frame(_) | Of::Frames(_) => (function, format!("{}({frame})", function.name)),
+    })
+    .collect()
+}
+
+#[test]
+fn every_function_has_its_gradient() {
+    for seed in trees::tried(553..=555) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        let numbers = |text: &str| values(&tree, &request(&tree, text), &Plan::full(&tree), &state);
+        for (function, name) in every_function(&tree) {
+            for variable in variables(&tree, function) {
+                let text = format!("vjp({name}; {variable})");
+                let weights = weights(&tree, &request(&tree, &text));
+                let all = numbers(&format!("d({name})/d({variable})"));
+                assert_eq!(weights.len(), numbers(&name).len(), "{text}");
+                let n = n_entries(&tree, &variable);
+                let column =
+                    |at: usize| -> Vec<f64> { all.iter().skip(at).step_by(n).copied().collect() };
+                let expected: Vec<f64> = (0..n).map(|at| dot(&column(at), &weights)).collect();
+                let allowed = if inverts(&name) { INVERTED } else { EXACT };
+                let what = format!("{seed}, {text}");
+                assert_within(what, relative(&numbers(&text), &expected), allowed);
+            }
+        }
+    }
+}
+
+#[test]
+fn multipliers_of_one_name_belong_to_one_place() {
+    let mut known = BTreeMap::new();
+    for function in Function::all().filter(|function| function.outputs.len() > 1) {
+        for (place, output) in function.outputs.iter().enumerate() {
+            let first = *known.entry(output.name.clone()).or_insert(place);
+            assert_eq!(first, place, "{}, {}", function.name, output.name);
+        }
+    }
+}
