@@ -5,7 +5,7 @@ use kane_codegen::{
     description::{Base, Reading},
     functions::{Formulation, Request},
     recursive::{Plan, Technique},
-    tree::Tree,
+    tree::{ChartCoordinates, Orientation, Tree},
 };
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
@@ -129,8 +129,15 @@ const CASES: [(&str, &[&str]); 6] = [
 
 #[test]
 fn second_derivatives_are_those_along_motions_at_constant_speeds() {
+    let mut charts = [false; 2];
     for seed in trees::tried(571..=579) {
         let (_, tree) = system(seed);
+        for body in &tree.bodies {
+            if let Orientation::AngularVelocity { chart, .. } = body.joint.orientation {
+                let is_angles = matches!(chart, ChartCoordinates::Angles(_));
+                charts[usize::from(is_angles)] = true;
+            }
+        }
         let (state, mut random) = (State::random(&tree, seed), Random::new(seed));
         for (name, by) in CASES {
             let text = format!("hessian({name}; {})", by.join(", "));
@@ -175,6 +182,11 @@ fn second_derivatives_are_those_along_motions_at_constant_speeds() {
             }
         }
     }
+    // Where turns about several axes do not commute.
+    assert_eq!(
+        charts, [true; 2],
+        "quaternions, and angles with angular velocities"
+    );
 }
 
 #[test]

@@ -89,7 +89,7 @@ fn generated(text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All(Vec::new()),
         formulation,
-        // Which solver is the cheaper depends on all bodies, and what carries branches on those that a leaf makes.
+        // Which solver is the cheaper, and what carries branches, depends on all bodies.
         without: BTreeSet::from([Technique::Articulated, Technique::Carriers]),
         ..Options::default()
     };
@@ -189,8 +189,10 @@ impl Names {
                 .collect::<Vec<String>>()
         };
         let numbers = |name: &str| -> Vec<usize> {
-            let items = table(name);
-            items.iter().map(|item| item.parse().unwrap()).collect()
+            table(name)
+                .iter()
+                .map(|item| item.parse().unwrap())
+                .collect()
         };
         let of_speeds = numbers("SPEED_BODIES");
         // Of row and column the row is the later speed.
