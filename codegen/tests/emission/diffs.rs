@@ -184,15 +184,11 @@ impl Names {
             let items = list
                 .split(',')
                 .map(|item| item.trim().trim_matches(['"', '[', ']']).to_owned());
-            items
-                .filter(|item| !item.is_empty())
-                .collect::<Vec<String>>()
+            items.filter(|item| !item.is_empty()).collect::<Vec<_>>()
         };
         let numbers = |name: &str| -> Vec<usize> {
-            table(name)
-                .iter()
-                .map(|item| item.parse().unwrap())
-                .collect()
+            let items = table(name);
+            items.iter().map(|item| item.parse().unwrap()).collect()
         };
         let of_speeds = numbers("SPEED_BODIES");
         // Of row and column the row is the later speed.
