@@ -153,7 +153,7 @@ fn assert_same(module: &Module, function: &Function) {
 
 #[test]
 fn stages_store_what_their_function_does() {
-    let module = module_of(&hinges(1_300), &["relative_rotation"]);
+    let module = module_of(&hinges(1_600), &["relative_rotation"]);
     assert_same(
         &module,
         module
@@ -180,7 +180,7 @@ fn short_functions_have_no_stages() {
 
 #[test]
 fn what_no_earlier_stage_keeps_cannot_be_read() {
-    let module = module_of(&hinges(1_300), &["relative_rotation"]);
+    let module = module_of(&hinges(1_600), &["relative_rotation"]);
     let function = module
         .function("relative_rotation")
         .expect("it is asked for");
