@@ -10,11 +10,14 @@ use std::{
 
 use kane_codegen::{build_script::Build, description::Base};
 
-use kane_test_support::mutant::{Mutant, mutant};
+use kane_test_support::{
+    mutant::{Mutant, mutant},
+    systems::trees,
+};
 
 mod calls;
 
-/// How many mutants a module has: ten, and some more, for there are those that change no value.
+/// How many mutants a module has: ten, and some more, for there are those that change no value. Ordinary runs compile a third.
 const MUTANTS: usize = 12;
 /// As many of a large module, in which more is zero.
 const MUTANTS_OF_LARGE: usize = 15;
@@ -32,6 +35,7 @@ fn main() -> Result<(), Failure> {
     for file in ["build.rs", "calls.rs"] {
         println!("cargo::rerun-if-changed={file}");
     }
+    trees::announce_all_seeds();
     let robots = Path::new("../robots");
     let mut list = String::new();
     for (name, model, base) in [
@@ -50,13 +54,17 @@ fn main() -> Result<(), Failure> {
             None => build,
         };
         let system = System::generate(name, build)?;
-        list += &system.listed(MUTANTS, |mutant| Ok(system.whole(&mutant.module)))?;
+        list += &system.listed(share(MUTANTS), |mutant| Ok(system.whole(&mutant.module)))?;
     }
     let build = Build::new("../../models/eight_body.toml").functions(["all"]);
     let system = System::generate("eight_body", build)?;
-    list += &system.listed(MUTANTS_OF_LARGE, |mutant| system.alone(mutant))?;
+    list += &system.listed(share(MUTANTS_OF_LARGE), |mutant| system.alone(mutant))?;
     fs::write(out()?.join("mutants.rs"), list)?;
     Ok(())
+}
+
+fn share(count: usize) -> usize {
+    if trees::all_seeds() { count } else { count / 3 }
 }
 
 #[expect(

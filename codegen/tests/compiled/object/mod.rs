@@ -71,8 +71,8 @@ fn module(source: &Source, base: Option<Base>, functions: Functions) -> String {
     module.unwrap().source
 }
 
-fn assert_bundled_holds(runtime: &Runtime, what: &str) {
-    for system in ["cart_pole", "eight_body"] {
+fn assert_bundled_holds(runtime: &Runtime, systems: &[&str], what: &str) {
+    for system in systems {
         let path = repository(&format!("generated/{system}.rs"));
         let report = verify(runtime, &path).unwrap();
         let n_functions = fs::read_to_string(path).unwrap();
@@ -84,7 +84,7 @@ fn assert_bundled_holds(runtime: &Runtime, what: &str) {
 
 #[test]
 fn bundled_systems_hold() {
-    assert_bundled_holds(released(), "release");
+    assert_bundled_holds(released(), &["cart_pole", "eight_body"], "release");
 }
 
 #[test]
@@ -94,7 +94,10 @@ fn bundled_systems_hold_in_single_precision_with_fewer_optimizations() {
         opt_level: OptLevel::Two,
         ..RELEASE
     };
-    assert_bundled_holds(&runtime(&options), "single precision");
+    // The eight bodies hold the compiler up for long.
+    let n_systems = if trees::all_seeds() { 2 } else { 1 };
+    let systems = &["cart_pole", "eight_body"][..n_systems];
+    assert_bundled_holds(&runtime(&options), systems, "single precision");
 }
 
 fn assert_robot_holds(name: &str, base: Base) {
