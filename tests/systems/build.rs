@@ -99,7 +99,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The systems that take a third of the compiler's time.
-const LARGE: [&str; 4] = ["tree12", "random_105", "random_106", "random_107"];
+const LARGE: [&str; 3] = ["tree12", "random_105", "random_107"];
 
 fn is_compiled(name: &str) -> bool {
     trees::all_seeds() || !LARGE.contains(&name)

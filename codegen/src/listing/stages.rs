@@ -358,15 +358,15 @@ impl<'a> Cut<'a> {
             Expression::Entry(entry) => Expression::Entry(self.entry(entry)),
             Expression::Negative(a) => Expression::Negative(Box::new(self.expression(a))),
             Expression::Absolute(a) => Expression::Absolute(Box::new(self.expression(a))),
-            Expression::Sum(both) => Expression::Sum(self.all(both)),
-            Expression::Difference(both) => Expression::Difference(self.all(both)),
-            Expression::Product(both) => Expression::Product(self.all(both)),
-            Expression::Quotient(both) => Expression::Quotient(self.all(both)),
-            Expression::Fused(all) => Expression::Fused(self.all(all)),
+            Expression::Sum(both) => Expression::Sum(Box::new(self.all(both))),
+            Expression::Difference(both) => Expression::Difference(Box::new(self.all(both))),
+            Expression::Product(both) => Expression::Product(Box::new(self.all(both))),
+            Expression::Quotient(both) => Expression::Quotient(Box::new(self.all(both))),
+            Expression::Fused(all) => Expression::Fused(Box::new(self.all(all))),
         }
     }
 
-    fn all<const N: usize>(&mut self, operands: &[Expression; N]) -> Box<[Expression; N]> {
-        Box::new(operands.each_ref().map(|operand| self.expression(operand)))
+    fn all<const N: usize>(&mut self, operands: &[Expression; N]) -> [Expression; N] {
+        operands.each_ref().map(|operand| self.expression(operand))
     }
 }

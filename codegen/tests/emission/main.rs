@@ -5,6 +5,7 @@ mod diffs;
 mod header;
 mod interface;
 mod listing;
+mod long;
 mod module;
 mod nesting;
 mod writing;

@@ -20,7 +20,11 @@ use kane_codegen::{
 use kane_test_support::models::system;
 
 /// The module of a model that stands alone.
-fn generate(source: &Source, shown: &str, options: &Options) -> Result<Generated, Error> {
+pub(crate) fn generate(
+    source: &Source,
+    shown: &str,
+    options: &Options,
+) -> Result<Generated, Error> {
     generate::generate(source, shown, options, &no_includes)
 }
 
@@ -36,7 +40,7 @@ fn module(name: &str, functions: Functions) -> String {
         .source
 }
 
-fn named(names: &[&str]) -> Functions {
+pub(crate) fn named(names: &[&str]) -> Functions {
     Functions::Named(names.iter().map(ToString::to_string).collect())
 }
 
@@ -413,48 +417,6 @@ fn unknown_function_is_told_beside_all_that_there_are() {
     let told = error.to_string();
     assert!(told.starts_with("`jacobain` is no function; there are relative_rotation, "));
     assert!(told.ends_with(", operational_inverse_inertia"), "{told}");
-}
-
-#[test]
-fn functions_of_many_angles_declare_their_values_by_few_lets() {
-    for n_bodies in [500, 700, 2000] {
-        let options = Options {
-            functions: named(&["relative_rotation"]),
-            ..Options::default()
-        };
-        let source = Source::new("chain.toml", hinges(n_bodies));
-        let text = generate(&source, "chain.toml", &options).unwrap().source;
-        // The function, or its stages.
-        let functions = text.split("\nfn relative_rotation_stage_").skip(1);
-        let whole = text.split("\npub fn relative_rotation<").skip(1);
-        let functions = functions.chain(whole);
-        let functions: Vec<&str> = functions
-            .map(|text| text.split_once("\n}\n").unwrap().0)
-            .collect();
-        for function in &functions {
-            // The stack of rustc ends after two or three thousand of them in debug builds.
-            let n_lets = function.matches("\n    let ").count();
-            assert!(n_lets <= 1_800, "{n_lets} of {n_bodies} bodies");
-        }
-        let function = functions.concat();
-        let assigned = function.lines().filter_map(|line| {
-            let (name, _) = line.trim().split_once(" = ")?;
-            Some(name.strip_prefix("let ").unwrap_or(name).to_owned())
-        });
-        let mut values: Vec<String> = assigned.filter(|name| name.starts_with('b')).collect();
-        values.sort();
-        // What a stage reads of another is assigned there.
-        values.dedup();
-        let expected = (1..=n_bodies)
-            .flat_map(|body| ["theta3", "sin3", "cos3"].map(|value| format!("b{body}_{value}")));
-        let mut expected: Vec<String> = expected.collect();
-        expected.sort();
-        assert_eq!(values, expected);
-        assert_eq!(
-            function.matches("R::sin_cos_array(").count(),
-            n_bodies.div_ceil(64)
-        );
-    }
 }
 
 #[test]

@@ -7,9 +7,9 @@
 use kane::functions::{InverseDynamics, InverseDynamicsByParameters};
 use nalgebra::{Matrix4, Vector4};
 
-use crate::arm::{READY, loaded};
+use crate::arm::READY;
 use crate::noise::Noise;
-use crate::panda::{NU, PARAMETERS_LEN, Prepared};
+use crate::panda::{NU, PARAMETERS_LEN, Parameters, Prepared};
 
 /// The payload: mass, kg, and mass centre from the hand's tip along the hand's axes, m.
 pub const TRUE: [f64; PARAMETERS_LEN] = [1.35, 0.03, -0.02, 0.06];
@@ -48,8 +48,8 @@ fn state(time: f64) -> State {
     state
 }
 
-fn arm([mass, x, y, z]: [f64; PARAMETERS_LEN]) -> Prepared<f64> {
-    loaded(mass, [x, y, z])
+fn arm(values: [f64; PARAMETERS_LEN]) -> Prepared<f64> {
+    Prepared::new(&Parameters::from_array(values))
 }
 
 fn torques(arm: &Prepared<f64>, [q, u, u_dot]: &State) -> [f64; NU] {

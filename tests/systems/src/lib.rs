@@ -59,7 +59,6 @@ systems! {
     #[cfg(every_system)]
     random_105
     /// Random, seed 106.
-    #[cfg(every_system)]
     random_106
     /// Random, seed 107.
     #[cfg(every_system)]
@@ -174,7 +173,7 @@ macro_rules! compiled {
     )+]};
 }
 
-/// The random systems; the three largest where all are compiled.
+/// The random systems; the two largest where all are compiled.
 pub const RANDOM: &[Compiled] = &compiled![
     random_100,
     random_101,
@@ -183,7 +182,6 @@ pub const RANDOM: &[Compiled] = &compiled![
     random_104,
     #[cfg(every_system)]
     random_105,
-    #[cfg(every_system)]
     random_106,
     #[cfg(every_system)]
     random_107

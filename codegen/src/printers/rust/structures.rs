@@ -10,7 +10,10 @@ use super::{
     statements,
     text::{allow_generated, allow_unused, doc, ident},
 };
-use crate::listing::{Code, Expression, Member, Module, Statement, Step, nominal};
+use crate::{
+    functions::N_PARAMETERS,
+    listing::{Code, Expression, Facts, Member, Module, Statement, Step, nominal},
+};
 
 /// `Parameters` and its nominal values.
 pub(super) fn parameters(module: &Module) -> Vec<Item> {
@@ -43,7 +46,7 @@ pub(super) fn parameters(module: &Module) -> Vec<Item> {
     let values = fields(&module.nominal.code);
     let values = values.into_values().map(|value| writer.expression(value));
     let allow_numbers = allow_generated();
-    vec![
+    let mut items = vec![
         parse_quote! {
             /// Values set at run time; the default is the model's nominal values.
             #allow
@@ -61,7 +64,35 @@ pub(super) fn parameters(module: &Module) -> Vec<Item> {
                 }
             }
         },
-    ]
+    ];
+    items.extend(as_array(&module.facts));
+    items
+}
+
+/// `Parameters` as an array, in modules with derivatives by them.
+fn as_array(facts: &Facts) -> Option<Item> {
+    let length = ident(&facts.sizes.named(N_PARAMETERS)?.name);
+    let names = facts.parameters.iter();
+    let names: Vec<_> = names.map(|parameter| ident(&parameter.name)).collect();
+    let allow = allow_unused();
+    Some(parse_quote! {
+        impl<R> Parameters<R> {
+            /// These values, in the order of `PARAMETER_NAMES`.
+            #allow
+            #[inline]
+            pub fn from_array(values: [R; #length]) -> Self {
+                let [#(#names),*] = values;
+                Self { #(#names),* }
+            }
+
+            /// The values, in the order of `PARAMETER_NAMES`.
+            #allow
+            #[inline]
+            pub fn to_array(self) -> [R; #length] {
+                [#(self.#names),*]
+            }
+        }
+    })
 }
 
 /// `Prepared` and what computes it.

@@ -61,11 +61,11 @@ impl<'a> Run<'a> {
                 sine,
                 cosine,
             } => {
-                let (sin, cos) = self.value(angle).sin_cos();
+                let (sin, cos) = libm::sincos(self.value(angle));
                 let mut assign = |local: &Option<LocalId>, value| {
-                    local
-                        .iter()
-                        .for_each(|local| self.locals[local.index()] = value);
+                    if let Some(local) = local {
+                        self.locals[local.index()] = value;
+                    }
                 };
                 assign(sine, sin);
                 assign(cosine, cos);
@@ -75,7 +75,7 @@ impl<'a> Run<'a> {
                 sines,
                 cosines,
             } => {
-                let both = angles.iter().map(|angle| self.value(angle).sin_cos());
+                let both = angles.iter().map(|angle| libm::sincos(self.value(angle)));
                 let (sin, cos) = both.unzip();
                 self.arrays[sines.index()] = sin;
                 self.arrays[cosines.index()] = cos;
@@ -114,7 +114,7 @@ impl<'a> Run<'a> {
 /// What stands at a place of an argument: some number, another at each.
 fn given((name, place): &(String, usize)) -> f64 {
     let name: u32 = name.bytes().map(u32::from).sum();
-    (f64::from(name) + 0.7 * f64::from(u32::try_from(*place).expect("few numbers"))).sin()
+    libm::sin(f64::from(name) + 0.7 * f64::from(u32::try_from(*place).expect("few numbers")))
 }
 
 /// What the stages store, one after the other, each given what those before it keep.

@@ -247,6 +247,14 @@ fn eight_bodies_change_as_differences_of_the_step_do() {
 fn a_step_changes_with_values_set_at_run_time_as_differences_do() {
     for scheme in Scheme::ALL {
         let parameters = tumbler::Parameters::<f64>::default();
+        assert_eq!(
+            tumbler::PARAMETER_NAMES,
+            ["trunk_mass", "arm_mass_center_z"]
+        );
+        assert_eq!(
+            parameters.to_array(),
+            [parameters.trunk_mass, parameters.arm_mass_center_z]
+        );
         let at = drawn(&tumbler::Prepared::new(&parameters), 8, 0.5, 0.1);
         let none = [[f64::NAN; 2]; 10];
         let mut found = StepByParameters { q: none, u: none };
@@ -256,13 +264,9 @@ fn a_step_changes_with_values_set_at_run_time_as_differences_do() {
         for (place, name) in tumbler::PARAMETER_NAMES.iter().enumerate() {
             // A tenth of the steps: the values are not much larger than these.
             let expected = derivative(|t| {
-                let mut changed = parameters;
-                match *name {
-                    "trunk_mass" => changed.trunk_mass += 0.1 * t,
-                    "arm_mass_center_z" => changed.arm_mass_center_z += 0.1 * t,
-                    other => unreachable!("{other} is no parameter"),
-                }
-                let changed = tumbler::Prepared::new(&changed);
+                let mut values = parameters.to_array();
+                values[place] += 0.1 * t;
+                let changed = tumbler::Prepared::new(&tumbler::Parameters::from_array(values));
                 seen(&changed, &after, &scheme.step(&changed, &at))
             });
             let rows = found.q.iter().chain(&found.u);
