@@ -11,7 +11,7 @@ use kane_codegen::{
     base_parameters, compile,
     diagnostic::Source,
     error::Error,
-    functions::{Axis, Block, Packed, Request},
+    functions::{CompactBlock, Dimension, Packed, Request},
     input,
     options::{Formulation, Options},
     recursive::Technique,
@@ -123,7 +123,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
 }
 
 /// The output in its shape; an object of several.
-fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) -> Value {
+fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlock]) -> Value {
     let mut rest = numbers;
     let mut outputs = Map::new();
     let lengths = function.lengths(tree, numbers.len() / 3);
@@ -148,7 +148,7 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[Block]) ->
         outputs.insert("order".to_owned(), json!(solve::elimination(tree)));
     }
     let mut written = function.outputs().into_iter();
-    if written.any(|output| output.shape.has(Axis::BaseParameters)) {
+    if written.any(|output| output.shape.has(Dimension::BaseParameters)) {
         let base = base_parameters::of(tree).iter();
         let names = base.map(|base| base_parameters::text(tree, base));
         outputs.insert("base_parameters".to_owned(), names.collect());
@@ -179,9 +179,9 @@ fn entries(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
     }
 }
 
-fn blocks(blocks: &[Block]) -> Value {
-    let block = |block: &Block| {
-        let Block {
+fn blocks(blocks: &[CompactBlock]) -> Value {
+    let block = |block: &CompactBlock| {
+        let CompactBlock {
             body,
             partition,
             speed,

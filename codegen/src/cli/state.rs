@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
-    functions::{Argument, Axis, Element, MULTIPLIER, Request},
+    functions::{Argument, Dimension, Element, MULTIPLIER, Request},
     id::ParameterId,
     passes::sines,
     tree::Tree,
@@ -169,11 +169,12 @@ impl Reader<'_> {
     fn expected(&self, argument: Argument) -> String {
         let shape = argument.shape();
         let lengths = argument.lengths(self.tree);
-        let (Some((length, inner)), Some(axis)) = (lengths.split_first(), shape.axes.first())
+        let (Some((length, inner)), Some(dimension)) =
+            (lengths.split_first(), shape.dimensions.first())
         else {
             return numbers(&lengths);
         };
-        if *axis == Axis::Three {
+        if *dimension == Dimension::Three {
             return numbers(&lengths);
         }
         let of = match (inner, argument.element()) {
@@ -181,7 +182,7 @@ impl Reader<'_> {
             ([], _) => "numbers".to_owned(),
             (inner, _) => numbers(inner).replacen("a list", "lists", 1),
         };
-        format!("a list of {length} {of}, one {}", axis.one())
+        format!("a list of {length} {of}, one {}", dimension.one())
     }
 
     fn vectors(

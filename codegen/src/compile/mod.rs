@@ -19,7 +19,7 @@ pub use crate::options::Options;
 
 use crate::{
     error::Error,
-    functions::{Block, Formulation, Request},
+    functions::{CompactBlock, Formulation, Request},
     passes::{hoist, hoist::Preparation},
     program::{self, Operations, Program},
     threads,
@@ -49,7 +49,7 @@ pub struct Emittable {
     /// Its operations.
     pub operations: Operations,
     /// For compact outputs: the non-zero partitions.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<CompactBlock>,
 }
 
 /// Compiles the functions that the options select; no other is derived.

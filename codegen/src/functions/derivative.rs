@@ -108,7 +108,7 @@ impl Derivative {
             let by = |variable: &Variable| Output {
                 name: format!("d{}_d{}", output.name, variable.name()).into(),
                 shape: Shape {
-                    by: variable.axes(),
+                    by: variable.dimensions(),
                     ..output.shape
                 },
             };
@@ -120,7 +120,7 @@ impl Derivative {
         };
         let gradient = |variable: &Variable| Output {
             name: format!("{}_gradient", variable.name()).into(),
-            shape: Shape::of(variable.axes()),
+            shape: Shape::of(variable.dimensions()),
         };
         match self.kind {
             DerivativeKind::Whole => of.iter().flat_map(by_all).collect(),

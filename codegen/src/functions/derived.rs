@@ -15,12 +15,12 @@ pub struct Derived {
     /// The outputs' entries, row-major, one output after the other.
     pub roots: Vec<Expr>,
     /// For a compact output: the non-zero partitions, body after body.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<CompactBlock>,
 }
 
 /// A non-zero partition of a body's partial velocities in a compact output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Block {
+pub struct CompactBlock {
     /// The body whose velocity it is, from 0.
     pub body: usize,
     /// The partition among the 2N of the notes, from 0.
@@ -34,7 +34,7 @@ pub struct Block {
 }
 
 /// The non-zero partitions of every body's row.
-pub fn pattern(tree: &Tree, rows: &BodyMap<Row>) -> Vec<Block> {
+pub fn pattern(tree: &Tree, rows: &BodyMap<Row>) -> Vec<CompactBlock> {
     let mut blocks = Vec::new();
     let mut first = 0;
     for (body, row) in rows.iter().enumerate() {
@@ -44,7 +44,7 @@ pub fn pattern(tree: &Tree, rows: &BodyMap<Row>) -> Vec<Block> {
                 .map(|(_, motion)| motion.speed.index())
                 .collect();
             let index = Partition::index(partition, tree.bodies.len());
-            blocks.push(Block {
+            blocks.push(CompactBlock {
                 body,
                 partition: index,
                 speed: speeds[0],

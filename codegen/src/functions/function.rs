@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::{
     argument::Argument,
     candidate::{Candidate, Formulation},
-    shape::{Axis, Shape},
+    shape::{Dimension, Shape},
     subject::View,
 };
 use crate::{expr::ExprGraph, recursive::Plan, solve::SpeedMatrix, tree::Tree};
@@ -121,9 +121,11 @@ impl Function {
             .unwrap_or(&self.candidates[0])
     }
 
-    /// True where an output has such an axis.
-    pub(super) fn writes(&self, axis: Axis) -> bool {
-        self.outputs.iter().any(|output| output.shape.has(axis))
+    /// True where an output has such a dimension.
+    pub(super) fn writes(&self, dimension: Dimension) -> bool {
+        self.outputs
+            .iter()
+            .any(|output| output.shape.has(dimension))
     }
 
     /// True for a function of a frame whose columns belong to speeds: a constant beside it says which are not zero.
@@ -135,7 +137,7 @@ impl Function {
 
     /// True where the output is compact.
     pub fn is_compact(&self) -> bool {
-        self.writes(Axis::Columns)
+        self.writes(Dimension::Columns)
     }
 
     /// The constant that holds the pattern of a compact output.

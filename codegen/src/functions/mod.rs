@@ -43,7 +43,7 @@ pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use coloring::colors;
 pub use derivative::{Derivative, DerivativeKind};
 pub use derivative_trait::TRAITS;
-pub use derived::{Block, Derived, pattern};
+pub use derived::{CompactBlock, Derived, pattern};
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::{MULTIPLIER, Multiplier};
 pub use packed::{ELIMINATION, Packed};
@@ -52,7 +52,7 @@ pub use part::Part;
 pub use request::Request;
 pub use request_error::RequestError;
 pub use shape::{
-    Axis, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
+    Dimension, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     Shape,
 };
 pub use signature::{Access, Declared, Signature};

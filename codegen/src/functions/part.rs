@@ -9,7 +9,7 @@ use super::{
     derived::Derived,
     function::{Function, Output},
     packed::Packed,
-    shape::{Axis, Length, Shape},
+    shape::{Dimension, Length, Shape},
     sparsity::Sparsity,
     subject::{Subject, View},
     syntax::written,
@@ -116,11 +116,11 @@ impl Part {
         arguments.chain(own).collect()
     }
 
-    /// The length of the axes of its values that its subject decides.
+    /// The length of the dimensions of its values that its subject decides.
     fn own_of_subject(&self) -> usize {
         let subject = self.subject.as_ref();
         subject.map_or(0, |subject| {
-            if self.function.writes(Axis::FrameSpeeds) {
+            if self.function.writes(Dimension::FrameSpeeds) {
                 subject.n_speeds
             } else {
                 6 * subject.frames.len()
@@ -160,7 +160,7 @@ impl Part {
     /// Which entries of a packed derivative it writes; `None` where it is none.
     pub fn sparsity(&self, tree: &Tree) -> Option<&Sparsity> {
         let derivative = self.derivative.as_ref()?;
-        if self.function.writes(Axis::BaseParameters) {
+        if self.function.writes(Dimension::BaseParameters) {
             // Which there are follows from the model's own numbers.
             base_parameters::of(tree);
         }
@@ -306,56 +306,56 @@ impl Part {
     /// How many numbers it writes, or somewhat more, where joints follow others.
     pub(super) fn n_numbers(&self, tree: &Tree) -> usize {
         let of_output = |output: &Output| {
-            let length = |axis: &Axis| match axis {
-                Axis::Packed(Packed::MassMatrix) => terms::pairs(tree),
+            let length = |dimension: &Dimension| match dimension {
+                Dimension::Packed(Packed::MassMatrix) => terms::pairs(tree),
                 // Not more than there are without combining them, which takes a while.
-                Axis::BaseParameters => N_INERTIAL * tree.bodies.len(),
-                Axis::Packed(Packed::Inverse) if !tree.has_followers() => {
+                Dimension::BaseParameters => N_INERTIAL * tree.bodies.len(),
+                Dimension::Packed(Packed::Inverse) if !tree.has_followers() => {
                     terms::pairs_of_trees(tree)
                 }
                 // Not more than there are without finding out which are zero.
-                Axis::Entries if self.is_second_derivative() => {
+                Dimension::Entries if self.is_second_derivative() => {
                     let n = self.n_variables(tree);
                     n * (n + 1) / 2
                 }
-                Axis::Entries => self.n_values(tree) * self.n_variables(tree),
+                Dimension::Entries => self.n_values(tree) * self.n_variables(tree),
                 // Elimination couples more only where joints follow others.
-                Axis::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
-                Axis::Packed(Packed::Regressor) if !tree.has_followers() => {
+                Dimension::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
+                Dimension::Packed(Packed::Regressor) if !tree.has_followers() => {
                     N_INERTIAL * terms::of_vector(tree)
                 }
-                axis => axis
+                dimension => dimension
                     .length(tree)
-                    .unwrap_or_else(|| self.own_length(*axis, tree, terms::of_vector(tree))),
+                    .unwrap_or_else(|| self.own_length(*dimension, tree, terms::of_vector(tree))),
             };
             output
                 .shape
                 .all()
-                .map(|axis| length(&axis))
+                .map(|dimension| length(&dimension))
                 .product::<usize>()
         };
         self.outputs().iter().map(of_output).sum()
     }
 
-    /// The length of an axis that is its own; `n_columns` is the number of a compact output's columns.
-    pub fn own_length(&self, axis: Axis, tree: &Tree, n_columns: usize) -> usize {
-        match (axis, &self.subject) {
-            (Axis::Entries, _) => {
+    /// The length of a dimension that is its own; `n_columns` is the number of a compact output's columns.
+    pub fn own_length(&self, dimension: Dimension, tree: &Tree, n_columns: usize) -> usize {
+        match (dimension, &self.subject) {
+            (Dimension::Entries, _) => {
                 let sparsity = self.sparsity(tree);
                 sparsity.map_or(0, |sparsity| sparsity.places.len())
             }
-            (Axis::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
-            (Axis::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
+            (Dimension::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
+            (Dimension::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
             _ => n_columns,
         }
     }
 
     /// The same, as generated code names it.
-    pub(super) fn own_declared(&self, axis: Axis) -> Length {
-        match (axis, &self.subject) {
-            (Axis::Entries, _) => Length::Constant(self.len_constant()),
-            (Axis::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
-            (Axis::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
+    pub(super) fn own_declared(&self, dimension: Dimension) -> Length {
+        match (dimension, &self.subject) {
+            (Dimension::Entries, _) => Length::Constant(self.len_constant()),
+            (Dimension::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
+            (Dimension::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
             _ => Length::Constant(self.function.columns_constant()),
         }
     }
@@ -381,7 +381,7 @@ impl Part {
         }
         candidate.derive_in(derived, tree, plan, self.subject.as_ref());
         if let Some(derivative) = &self.derivative {
-            let own = |axis| self.own_length(axis, tree, 0);
+            let own = |dimension| self.own_length(dimension, tree, 0);
             let outputs = self.function.outputs.iter();
             let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
             let sizes: Vec<usize> = sizes.collect();

@@ -121,7 +121,7 @@ impl Request {
     /// The lengths of each output's nested arrays, outermost first; `n_columns` is the number of a compact output's columns.
     pub fn lengths(&self, tree: &Tree, n_columns: usize) -> Vec<Vec<usize>> {
         let of_part = |part: &Part| {
-            let own = |axis| part.own_length(axis, tree, n_columns);
+            let own = |dimension| part.own_length(dimension, tree, n_columns);
             let outputs = part.outputs();
             let lengths = outputs.iter();
             let lengths = lengths.map(|output| output.shape.lengths(tree, own));

@@ -1,4 +1,4 @@
-//! Arrays that functions are given and write: axes, each with a constant's name and a length, and what they are of.
+//! Arrays that functions are given and write: dimensions, each with a constant's name and a length, and what they are of.
 
 use super::packed::Packed;
 use crate::{
@@ -19,9 +19,9 @@ pub const N_BASE_PARAMETERS: &str = "BASE_PARAMETERS_LEN";
 /// The constant that holds the number of values set at run time.
 pub const N_PARAMETERS: &str = "PARAMETERS_LEN";
 
-/// What an axis of an array counts.
+/// What a dimension of an array counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Axis {
+pub enum Dimension {
     /// The components of a vector.
     Three,
     /// Coordinates.
@@ -50,13 +50,13 @@ pub enum Axis {
     Entries,
 }
 
-/// The axes of nested arrays, outermost first; none for one element. Row-major.
+/// The dimensions of nested arrays, outermost first; none for one element. Row-major.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Shape {
-    /// The axes.
-    pub axes: &'static [Axis],
+    /// The dimensions.
+    pub dimensions: &'static [Dimension],
     /// Those of what it is differentiated by, within them.
-    pub by: &'static [Axis],
+    pub by: &'static [Dimension],
 }
 
 /// What an array is of.
@@ -83,7 +83,7 @@ pub enum Length {
     Constant(String),
 }
 
-impl Axis {
+impl Dimension {
     /// How many there are of what it counts; `None` where the function decides.
     pub fn length(self, tree: &Tree) -> Option<usize> {
         Some(match self {
@@ -153,84 +153,93 @@ impl Axis {
 }
 
 impl Shape {
-    pub(super) const fn of(axes: &'static [Axis]) -> Self {
-        Self { axes, by: &[] }
+    pub(super) const fn of(dimensions: &'static [Dimension]) -> Self {
+        Self {
+            dimensions,
+            by: &[],
+        }
     }
 
     /// One number.
     pub const SCALAR: Self = Self::of(&[]);
     /// `[R; 3]`.
-    pub const VECTOR: Self = Self::of(&[Axis::Three]);
+    pub const VECTOR: Self = Self::of(&[Dimension::Three]);
     /// `[[R; 3]; 3]`.
-    pub const MATRIX: Self = Self::of(&[Axis::Three, Axis::Three]);
+    pub const MATRIX: Self = Self::of(&[Dimension::Three, Dimension::Three]);
     /// `[R; NQ]`.
-    pub const COORDINATES: Self = Self::of(&[Axis::Coordinates]);
+    pub const COORDINATES: Self = Self::of(&[Dimension::Coordinates]);
     /// `[R; NU]`.
-    pub const SPEEDS: Self = Self::of(&[Axis::Speeds]);
+    pub const SPEEDS: Self = Self::of(&[Dimension::Speeds]);
     /// `[[R; NU]; NU]`.
-    pub const SPEED_MATRIX: Self = Self::of(&[Axis::Speeds, Axis::Speeds]);
+    pub const SPEED_MATRIX: Self = Self::of(&[Dimension::Speeds, Dimension::Speeds]);
     /// `[[R; 3]; NU]`.
-    pub const SPEED_VECTORS: Self = Self::of(&[Axis::Speeds, Axis::Three]);
+    pub const SPEED_VECTORS: Self = Self::of(&[Dimension::Speeds, Dimension::Three]);
     /// `[[[R; 10]; NB]; NU]`.
-    pub const BODY_PARAMETERS: Self = Self::of(&[Axis::Speeds, Axis::Bodies, Axis::Parameters]);
+    pub const BODY_PARAMETERS: Self =
+        Self::of(&[Dimension::Speeds, Dimension::Bodies, Dimension::Parameters]);
     /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
-    pub const BASE_PARAMETERS: Self = Self::of(&[Axis::Speeds, Axis::BaseParameters]);
+    pub const BASE_PARAMETERS: Self = Self::of(&[Dimension::Speeds, Dimension::BaseParameters]);
     /// `[R; MASS_MATRIX_PACKED_LEN]`.
-    pub const MASS_MATRIX_PACKED: Self = Self::of(&[Axis::Packed(Packed::MassMatrix)]);
+    pub const MASS_MATRIX_PACKED: Self = Self::of(&[Dimension::Packed(Packed::MassMatrix)]);
     /// `[R; MASS_MATRIX_INVERSE_PACKED_LEN]`.
-    pub const INVERSE_PACKED: Self = Self::of(&[Axis::Packed(Packed::Inverse)]);
+    pub const INVERSE_PACKED: Self = Self::of(&[Dimension::Packed(Packed::Inverse)]);
     /// `[R; MASS_MATRIX_FACTORS_LEN]`.
-    pub const FACTORS: Self = Self::of(&[Axis::Packed(Packed::Factors)]);
+    pub const FACTORS: Self = Self::of(&[Dimension::Packed(Packed::Factors)]);
     /// `[R; REGRESSOR_PACKED_LEN]`.
-    pub const REGRESSOR_PACKED: Self = Self::of(&[Axis::Packed(Packed::Regressor)]);
+    pub const REGRESSOR_PACKED: Self = Self::of(&[Dimension::Packed(Packed::Regressor)]);
     /// `[R; PARAMETERS_LEN]`.
-    pub const VALUES: Self = Self::of(&[Axis::Values]);
+    pub const VALUES: Self = Self::of(&[Dimension::Values]);
     /// `[R; NB]`.
-    pub const BODY_SCALARS: Self = Self::of(&[Axis::Bodies]);
+    pub const BODY_SCALARS: Self = Self::of(&[Dimension::Bodies]);
     /// `[[R; 3]; NB]`.
-    pub const BODY_VECTORS: Self = Self::of(&[Axis::Bodies, Axis::Three]);
+    pub const BODY_VECTORS: Self = Self::of(&[Dimension::Bodies, Dimension::Three]);
     /// `[[[R; 3]; 3]; NB]`.
-    pub const BODY_MATRICES: Self = Self::of(&[Axis::Bodies, Axis::Three, Axis::Three]);
+    pub const BODY_MATRICES: Self =
+        Self::of(&[Dimension::Bodies, Dimension::Three, Dimension::Three]);
     /// `[[R; NU]; 3]`.
-    pub const VECTOR_BY_SPEEDS: Self = Self::of(&[Axis::Three, Axis::Speeds]);
+    pub const VECTOR_BY_SPEEDS: Self = Self::of(&[Dimension::Three, Dimension::Speeds]);
     /// `[[R; NAME_SPEEDS_LEN]; 3]`.
-    pub const VECTOR_BY_FRAME_SPEEDS: Self = Self::of(&[Axis::Three, Axis::FrameSpeeds]);
+    pub const VECTOR_BY_FRAME_SPEEDS: Self = Self::of(&[Dimension::Three, Dimension::FrameSpeeds]);
     /// `[[R; 6]; 6]`, of one frame.
-    pub const FRAME_MATRIX: Self = Self::of(&[Axis::FrameComponents, Axis::FrameComponents]);
+    pub const FRAME_MATRIX: Self =
+        Self::of(&[Dimension::FrameComponents, Dimension::FrameComponents]);
     /// `[R; NAME_LEN]`, of a packed derivative.
-    pub const ENTRIES: Self = Self::of(&[Axis::Entries]);
+    pub const ENTRIES: Self = Self::of(&[Dimension::Entries]);
     /// `[[R; 3]; NAME_COLUMNS]`.
-    pub const COLUMNS: Self = Self::of(&[Axis::Columns, Axis::Three]);
+    pub const COLUMNS: Self = Self::of(&[Dimension::Columns, Dimension::Three]);
 
-    /// All axes, outermost first.
-    pub fn all(self) -> impl Iterator<Item = Axis> {
-        self.axes.iter().chain(self.by).copied()
+    /// All dimensions, outermost first.
+    pub fn all(self) -> impl Iterator<Item = Dimension> {
+        self.dimensions.iter().chain(self.by).copied()
     }
 
     /// The lengths of the nested arrays, outermost first; `own` knows those that the function decides.
-    pub fn lengths(self, tree: &Tree, own: impl Fn(Axis) -> usize) -> Vec<usize> {
-        let axes = self.all();
-        axes.map(|axis| axis.length(tree).unwrap_or_else(|| own(axis)))
+    pub fn lengths(self, tree: &Tree, own: impl Fn(Dimension) -> usize) -> Vec<usize> {
+        let dimensions = self.all();
+        dimensions
+            .map(|dimension| dimension.length(tree).unwrap_or_else(|| own(dimension)))
             .collect()
     }
 
     /// The lengths as generated code names them; `own` names those that the function decides.
-    pub fn declared(self, own: impl Fn(Axis) -> Length) -> Vec<Length> {
-        self.all().map(|axis| axis.declared(&own)).collect()
+    pub fn declared(self, own: impl Fn(Dimension) -> Length) -> Vec<Length> {
+        self.all()
+            .map(|dimension| dimension.declared(&own))
+            .collect()
     }
 
     /// The packed matrix that it is, if it is one.
     pub fn packed(self) -> Option<Packed> {
-        let mut axes = self.axes.iter();
-        axes.find_map(|axis| match axis {
-            Axis::Packed(packed) => Some(*packed),
+        let mut dimensions = self.dimensions.iter();
+        dimensions.find_map(|dimension| match dimension {
+            Dimension::Packed(packed) => Some(*packed),
             _ => None,
         })
     }
 
-    /// True where some axis counts this.
-    pub fn has(self, axis: Axis) -> bool {
-        self.axes.contains(&axis)
+    /// True where some dimension counts this.
+    pub fn has(self, dimension: Dimension) -> bool {
+        self.dimensions.contains(&dimension)
     }
 }
 

@@ -1,12 +1,12 @@
 //! What functions are differentiated by.
 //!
-//! In: a [`Variable`]. Out: its name, the axes that it adds to an output, and how what the equations are given changes with
+//! In: a [`Variable`]. Out: its name, the dimensions that it adds to an output, and how what the equations are given changes with
 //! each of its entries. Coordinates change along the motions of the speeds: a column for each speed, whatever the chart.
 
 use super::{
     argument::Argument,
     derive,
-    shape::{Axis, Shape},
+    shape::{Dimension, Shape},
 };
 use crate::{
     differentiate::{Seeds, forward},
@@ -73,13 +73,13 @@ impl Variable {
         }
     }
 
-    /// The axes that it adds to an output, innermost.
-    pub fn axes(&self) -> &'static [Axis] {
+    /// The dimensions that it adds to an output, innermost.
+    pub fn dimensions(&self) -> &'static [Dimension] {
         match self {
-            Self::Given(Argument::Q) => Shape::SPEEDS.axes,
-            Self::Given(Argument::Loads) => &[Axis::Bodies, Axis::LoadComponents],
-            Self::Given(argument) => argument.shape().axes,
-            Self::Parameters => &[Axis::Values],
+            Self::Given(Argument::Q) => Shape::SPEEDS.dimensions,
+            Self::Given(Argument::Loads) => &[Dimension::Bodies, Dimension::LoadComponents],
+            Self::Given(argument) => argument.shape().dimensions,
+            Self::Parameters => &[Dimension::Values],
             Self::Parameter { .. } => &[],
         }
     }
@@ -116,9 +116,12 @@ impl Variable {
 
     /// How many entries it has.
     pub fn n_entries(&self, tree: &Tree) -> usize {
-        let lengths = self.axes().iter().map(|axis| axis.length(tree));
-        let lengths =
-            lengths.map(|length| length.expect("functions: a variable's axes are the tree's"));
+        let lengths = self
+            .dimensions()
+            .iter()
+            .map(|dimension| dimension.length(tree));
+        let lengths = lengths
+            .map(|length| length.expect("functions: a variable's dimensions are the tree's"));
         lengths.product()
     }
 

@@ -3,7 +3,7 @@
 use crate::{
     base_parameters,
     compile::Emittable,
-    functions::Axis,
+    functions::Dimension,
     tree::{InertialParameter, Tree},
 };
 
@@ -33,7 +33,7 @@ impl BaseParameters {
     /// Those of the tree, if some function writes their columns.
     pub(super) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
         let mut outputs = functions.iter().flat_map(|one| one.function.outputs());
-        let is_written = outputs.any(|output| output.shape.has(Axis::BaseParameters));
+        let is_written = outputs.any(|output| output.shape.has(Dimension::BaseParameters));
         is_written.then(|| Self::all(tree))
     }
 

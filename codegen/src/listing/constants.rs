@@ -3,7 +3,7 @@
 
 use super::{BaseTerm, Entries, Facts, Frame, Function, Joint, Module, N_ANGLES, Pattern, Size};
 use crate::functions::{
-    Block, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
+    CompactBlock, ELIMINATION, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     PARAMETER_NAMES, PRESCRIBED,
 };
 
@@ -67,7 +67,7 @@ pub enum Data<'a> {
     /// Terms of base parameters.
     Terms(&'a [BaseTerm]),
     /// Non-zero partitions.
-    Blocks(&'a [Block]),
+    Blocks(&'a [CompactBlock]),
     /// Functions with their operations.
     Costs(Vec<&'a Function>),
 }

@@ -7,7 +7,7 @@ use super::{
     Sizes,
 };
 use crate::{
-    functions::{Axis, Block, Declared, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
+    functions::{CompactBlock, Declared, Dimension, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
     id::{BodyId, SpeedId},
     origin::Origin,
     passes::sines,
@@ -94,7 +94,7 @@ pub struct Pattern {
     /// How many columns there are.
     pub n_columns: usize,
     /// The non-zero partitions, body after body.
-    pub entries: Vec<Block>,
+    pub entries: Vec<CompactBlock>,
 }
 
 /// Of which functions some are in a module.
@@ -195,15 +195,15 @@ fn angles(tree: &Tree, coordinates: &[String]) -> Vec<Angle> {
 }
 
 /// What arrays of every system count, in words, and what else is said of it beside the functions.
-const COUNTED: [(Axis, &str, &str); 3] = [
-    (Axis::Bodies, "Number of bodies", ""),
+const COUNTED: [(Dimension, &str, &str); 3] = [
+    (Dimension::Bodies, "Number of bodies", ""),
     (
-        Axis::Coordinates,
+        Dimension::Coordinates,
         "Number of generalized coordinates",
         ", the length of `q`",
     ),
     (
-        Axis::Speeds,
+        Dimension::Speeds,
         "Number of generalized speeds",
         ", the length of `u`",
     ),

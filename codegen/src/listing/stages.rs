@@ -78,12 +78,12 @@ fn ranges(code: &Code) -> Vec<Range<usize>> {
 
 /// What a stage may hand on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Value {
+enum Passed {
     Element(ArrayId, usize),
     Local(LocalId),
 }
 
-impl Value {
+impl Passed {
     fn of(expression: &Expression) -> Option<Self> {
         match *expression {
             Expression::Local(id) => Some(Self::Local(id)),
@@ -100,7 +100,7 @@ struct Flow {
     /// The stage that assigns each array.
     arrays: Vec<usize>,
     /// What each stage keeps for later ones.
-    kept: Vec<Vec<Value>>,
+    kept: Vec<Vec<Passed>>,
 }
 
 impl Flow {
@@ -121,7 +121,7 @@ impl Flow {
                     flow.arrays[cosines.index()] = stage;
                 }
                 for_each(statement, &mut |expression| {
-                    if let Some(value) = Value::of(expression)
+                    if let Some(value) = Passed::of(expression)
                         && flow.stage(value) < stage
                     {
                         kept[flow.stage(value)].insert(value);
@@ -137,10 +137,10 @@ impl Flow {
     }
 
     /// The stage that assigns a value.
-    fn stage(&self, value: Value) -> usize {
+    fn stage(&self, value: Passed) -> usize {
         match value {
-            Value::Local(id) => self.locals[id.index()],
-            Value::Element(id, _) => self.arrays[id.index()],
+            Passed::Local(id) => self.locals[id.index()],
+            Passed::Element(id, _) => self.arrays[id.index()],
         }
     }
 }
@@ -198,7 +198,7 @@ impl<'a> Cut<'a> {
                 if let Expression::Entry(entry) = expression {
                     given.insert(entry.argument);
                 }
-                let stage = Value::of(expression).map(|value| flow.stage(value));
+                let stage = Passed::of(expression).map(|value| flow.stage(value));
                 earlier.extend(stage.filter(|stage| *stage < number));
             });
         }
@@ -223,11 +223,11 @@ impl<'a> Cut<'a> {
         }
         let kept = self.flow.kept[self.number].iter();
         let kept = kept.map(|value| match *value {
-            Value::Local(id) => Kept {
+            Passed::Local(id) => Kept {
                 name: self.whole.local(id).name.clone(),
                 value: Expression::Local(self.locals[&id]),
             },
-            Value::Element(id, place) => Kept {
+            Passed::Element(id, place) => Kept {
                 name: free(self.whole, format!("{}_{place}", self.whole.array(id).name)),
                 value: Expression::Element(self.arrays[&id], place),
             },
@@ -329,7 +329,7 @@ impl<'a> Cut<'a> {
     }
 
     /// What an earlier stage keeps.
-    fn kept(&self, value: Value) -> Expression {
+    fn kept(&self, value: Passed) -> Expression {
         let stage = self.flow.stage(value);
         let place = self.flow.kept[stage].binary_search(&value);
         let place = place.unwrap_or_else(|_| unreachable!("listing: {value:?} is not kept"));
@@ -344,7 +344,7 @@ impl<'a> Cut<'a> {
                 if let Some(&own) = self.locals.get(id) {
                     return Expression::Local(own);
                 }
-                let value = self.kept(Value::Local(*id));
+                let value = self.kept(Passed::Local(*id));
                 let local = self.local(*id);
                 self.code
                     .statements
@@ -353,7 +353,7 @@ impl<'a> Cut<'a> {
             }
             Expression::Element(id, place) => match self.arrays.get(id) {
                 Some(&own) => Expression::Element(own, *place),
-                None => self.kept(Value::Element(*id, *place)),
+                None => self.kept(Passed::Element(*id, *place)),
             },
             Expression::Entry(entry) => Expression::Entry(self.entry(entry)),
             Expression::Negative(a) => Expression::Negative(Box::new(self.expression(a))),

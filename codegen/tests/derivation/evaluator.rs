@@ -7,7 +7,7 @@ use std::{
 
 use kane_codegen::{
     expr::{Expr, ExprGraph, Input},
-    functions::{Block, Formulation, Function},
+    functions::{CompactBlock, Formulation, Function},
     passes::{factor, hoist},
     program::{self, Program},
     recursive::Plan,
@@ -34,7 +34,7 @@ pub(crate) struct Evaluator {
 /// A function as it would be emitted.
 struct Flat {
     program: Program,
-    blocks: Vec<Block>,
+    blocks: Vec<CompactBlock>,
     prepared: Vec<f64>,
 }
 
@@ -159,7 +159,7 @@ pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
     }
 }
 
-fn dense(tree: &Tree, blocks: &[Block], columns: &[f64]) -> Vec<f64> {
+fn dense(tree: &Tree, blocks: &[CompactBlock], columns: &[f64]) -> Vec<f64> {
     let width = tree.n_speeds;
     let mut dense = vec![0.0; tree.bodies.len() * 3 * width];
     for block in blocks {

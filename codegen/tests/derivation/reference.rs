@@ -10,7 +10,7 @@ use kane_codegen::{
     description::toml,
     diagnostic::Source,
     expr::Input,
-    functions::{Block, Formulation, Function},
+    functions::{CompactBlock, Formulation, Function},
     tree::{self, Tree},
 };
 use kane_test_support::{
@@ -92,7 +92,7 @@ fn evaluate(case: &Value, tree: &Tree, function: &str, formulation: Formulation)
 }
 
 /// Compact columns as dense 3 x 6N matrices, one a body.
-fn expand(tree: &Tree, blocks: &[Block], columns: &[f64]) -> Vec<f64> {
+fn expand(tree: &Tree, blocks: &[CompactBlock], columns: &[f64]) -> Vec<f64> {
     let width = tree.n_speeds;
     let mut dense = vec![0.0; tree.bodies.len() * 3 * width];
     for block in blocks {

@@ -8,7 +8,9 @@ use super::{
     text::{once, table},
 };
 use crate::{
-    functions::{Access, Block, Declared, ELIMINATION, Element, Length, PRESCRIBED, Signature},
+    functions::{
+        Access, CompactBlock, Declared, ELIMINATION, Element, Length, PRESCRIBED, Signature,
+    },
     listing::{Entries, Facts, Module, Size, nominal},
 };
 
@@ -326,7 +328,7 @@ fn structure(name: &str, doc: &str, fields: &[(String, String)], scalar: &str) -
     format!("/// {doc}\ntypedef struct {name} {{\n{fields}}} {name};\n")
 }
 
-fn block(block: &Block) -> String {
+fn block(block: &CompactBlock) -> String {
     list(&[
         block.body,
         block.partition,

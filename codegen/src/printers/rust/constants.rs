@@ -9,7 +9,7 @@ use super::{
     text::{allow_generated, allow_unused, doc, ident},
 };
 use crate::{
-    functions::Block,
+    functions::CompactBlock,
     listing::{BaseTerm, Constant, Data, Frame, Function, Joint},
     program::Operations,
 };
@@ -115,7 +115,7 @@ fn term(term: &BaseTerm) -> TokenStream {
     quote!(kane::BaseTerm { base: #base, body: #body, parameter: #parameter, factor: #factor })
 }
 
-fn block(block: &Block) -> TokenStream {
+fn block(block: &CompactBlock) -> TokenStream {
     let [body, partition, speed, columns, first] = [
         block.body,
         block.partition,

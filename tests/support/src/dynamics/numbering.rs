@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     base_parameters,
-    functions::{Axis, Function, Packed, Shape},
+    functions::{Dimension, Function, Packed, Shape},
     tree::Tree,
 };
 
@@ -73,7 +73,7 @@ struct Own {
 
 /// Those of base parameters: models that are compared have the same, in one order.
 fn base_places(shape: Shape, tree: &Tree) -> Vec<usize> {
-    if shape.has(Axis::BaseParameters) {
+    if shape.has(Dimension::BaseParameters) {
         (0..base_parameters::of(tree).len()).collect()
     } else {
         Vec::new()
@@ -83,27 +83,27 @@ fn base_places(shape: Shape, tree: &Tree) -> Vec<usize> {
 /// For each number of an output its place in the other numbering.
 fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
     // The columns of a compact output are spread over all speeds.
-    let dense = [Axis::Bodies, Axis::Three, Axis::Speeds];
-    let counted: &[Axis] = if shape == Shape::COLUMNS {
+    let dense = [Dimension::Bodies, Dimension::Three, Dimension::Speeds];
+    let counted: &[Dimension] = if shape == Shape::COLUMNS {
         &dense
     } else {
-        shape.axes
+        shape.dimensions
     };
     let all: Vec<usize> = (0..10).collect();
     let mut gathered = vec![0];
-    for axis in counted {
-        let map: &[usize] = match axis {
-            Axis::Three => &all[..3],
-            Axis::LoadComponents => &all[..6],
-            Axis::Values | Axis::Entries => unreachable!("of a derivative"),
-            Axis::Parameters => &all,
-            Axis::Coordinates => &maps.coordinates,
-            Axis::Speeds => &maps.speeds,
-            Axis::Packed(_) => &own.pairs,
-            Axis::Bodies => &maps.bodies,
-            Axis::BaseParameters => &own.base,
-            Axis::Columns => unreachable!("spread over bodies and speeds"),
-            Axis::FrameSpeeds | Axis::FrameComponents => unreachable!("of a frame"),
+    for dimension in counted {
+        let map: &[usize] = match dimension {
+            Dimension::Three => &all[..3],
+            Dimension::LoadComponents => &all[..6],
+            Dimension::Values | Dimension::Entries => unreachable!("of a derivative"),
+            Dimension::Parameters => &all,
+            Dimension::Coordinates => &maps.coordinates,
+            Dimension::Speeds => &maps.speeds,
+            Dimension::Packed(_) => &own.pairs,
+            Dimension::Bodies => &maps.bodies,
+            Dimension::BaseParameters => &own.base,
+            Dimension::Columns => unreachable!("spread over bodies and speeds"),
+            Dimension::FrameSpeeds | Dimension::FrameComponents => unreachable!("of a frame"),
         };
         gathered = gathered
             .iter()
