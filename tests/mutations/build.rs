@@ -18,9 +18,9 @@ use kane_test_support::{
 mod calls;
 
 /// How many mutants a module has: ten, and some more, for there are those that change no value. Ordinary runs compile a third.
-const MUTANTS: usize = 12;
+const MUTANTS: u64 = 12;
 /// As many of a large module, in which more is zero.
-const MUTANTS_OF_LARGE: usize = 15;
+const MUTANTS_OF_LARGE: u64 = 15;
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -54,17 +54,17 @@ fn main() -> Result<(), Failure> {
             None => build,
         };
         let system = System::generate(name, build)?;
-        list += &system.listed(share(MUTANTS), |mutant| Ok(system.whole(&mutant.module)))?;
+        list += &system.listed(trees::share(MUTANTS), |mutant| {
+            Ok(system.whole(&mutant.module))
+        })?;
     }
     let build = Build::new("../../models/eight_body.toml").functions(["all"]);
     let system = System::generate("eight_body", build)?;
-    list += &system.listed(share(MUTANTS_OF_LARGE), |mutant| system.alone(mutant))?;
+    list += &system.listed(trees::share(MUTANTS_OF_LARGE), |mutant| {
+        system.alone(mutant)
+    })?;
     fs::write(out()?.join("mutants.rs"), list)?;
     Ok(())
-}
-
-fn share(count: usize) -> usize {
-    if trees::all_seeds() { count } else { count / 3 }
 }
 
 #[expect(
@@ -89,10 +89,10 @@ impl System {
     /// The module as it is and its mutants, and a constant that lists them.
     fn listed(
         &self,
-        count: usize,
+        count: u64,
         text: impl Fn(&Mutant) -> Result<String, Failure>,
     ) -> Result<String, Failure> {
-        let name = self.name;
+        let (name, count) = (self.name, usize::try_from(count)?);
         let mut items = format!("pub mod {name} {{ {} }}\n", self.whole(&self.module));
         let mut list = String::new();
         for (place, mutant) in mutants(&self.module, count).iter().enumerate() {

@@ -32,7 +32,7 @@ pub enum RequestError {
     },
     /// Two parts that are each given something of their own.
     #[error(
-        "`{request}` joins `{name}` to another that is given a point, force, moment or multiplier of its own"
+        "`{name}` and another part of `{request}` are each given a point, force, moment or multiplier of their own; ask for them apart"
     )]
     OwnArguments {
         /// What was asked for.

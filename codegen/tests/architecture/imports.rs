@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{
-    Attribute, ImplItem, Item, UseTree, Visibility,
+    Item, UseTree, Visibility,
     parse::{Parse, Parser},
 };
 
@@ -30,17 +30,6 @@ pub(crate) struct Spoken {
     pub(crate) paths: Vec<Vec<String>>,
     /// All names.
     pub(crate) names: BTreeSet<String>,
-}
-
-/// True for what is compiled for tests alone.
-pub(crate) fn is_of_tests(attributes: &[Attribute]) -> bool {
-    attributes.iter().any(|attribute| {
-        let syn::Meta::List(list) = &attribute.meta else {
-            return false;
-        };
-        let condition = list.tokens.to_string();
-        list.path.is_ident("cfg") && (condition == "test" || condition.starts_with("all (test"))
-    })
 }
 
 /// The names that a `use` brings.
@@ -84,19 +73,6 @@ fn of_tree(tree: &UseTree, before: &[String], is_public: bool, uses: &mut Vec<Us
 
 /// What an item that is neither a `use` nor a module speaks of.
 pub(crate) fn of_item(item: &Item, spoken: &mut Spoken) {
-    let mut item = item.clone();
-    if let Item::Impl(item) = &mut item {
-        item.items.retain(|item| {
-            let attributes = match item {
-                ImplItem::Const(item) => &item.attrs,
-                ImplItem::Fn(item) => &item.attrs,
-                ImplItem::Type(item) => &item.attrs,
-                ImplItem::Macro(item) => &item.attrs,
-                _ => return true,
-            };
-            !is_of_tests(attributes)
-        });
-    }
     of_tokens(item.to_token_stream(), spoken);
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use syn::{Attribute, Expr, Item, Lit, Meta};
+use syn::{Expr, Item, Lit, Meta};
 
 use crate::{
     imports::{self, Spoken, Use},
@@ -76,7 +76,7 @@ impl Crate {
         });
         for item in items {
             match item {
-                Item::Mod(item) if !imports::is_of_tests(&item.attrs) => {
+                Item::Mod(item) => {
                     let name = item.ident.to_string();
                     let within = format!("{}{name}/", place.folder);
                     let child = match item.content {
@@ -93,17 +93,11 @@ impl Crate {
                     let children = &mut self.modules[own].children;
                     children.extend(child.map(|child| (name, child)));
                 }
-                Item::Use(item) if !imports::is_of_tests(&item.attrs) => {
+                Item::Use(item) => {
                     self.modules[own].uses.extend(imports::of_use(&item));
                 }
-                Item::Mod(_) | Item::Use(_) => {}
                 item => {
-                    if let Some((name, attributes)) = definition(&item) {
-                        if imports::is_of_tests(attributes) {
-                            continue;
-                        }
-                        self.modules[own].defined.extend(name);
-                    }
+                    self.modules[own].defined.extend(definition(&item));
                     imports::of_item(&item, &mut self.modules[own].spoken);
                 }
             }
@@ -138,7 +132,7 @@ fn file_of(
     sources: &Sources,
     place: &Place<'_>,
     name: &str,
-    attributes: &[Attribute],
+    attributes: &[syn::Attribute],
 ) -> Option<String> {
     let given = attributes
         .iter()
@@ -168,19 +162,19 @@ fn file_of(
     files.find(|file| sources.0.contains_key(file))
 }
 
-/// What an item defines, and its attributes; `None` for what code cannot stand under.
-fn definition(item: &Item) -> Option<(Option<String>, &[Attribute])> {
-    Some(match item {
-        Item::Const(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Enum(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Fn(item) => (Some(item.sig.ident.to_string()), &item.attrs),
-        Item::Macro(item) => (item.ident.as_ref().map(ToString::to_string), &item.attrs),
-        Item::Static(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Struct(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Trait(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Type(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Union(item) => (Some(item.ident.to_string()), &item.attrs),
-        Item::Impl(item) => (None, &item.attrs),
+/// The name that an item defines; `None` for what has none.
+fn definition(item: &Item) -> Option<String> {
+    let name = match item {
+        Item::Const(item) => &item.ident,
+        Item::Enum(item) => &item.ident,
+        Item::Fn(item) => &item.sig.ident,
+        Item::Macro(item) => item.ident.as_ref()?,
+        Item::Static(item) => &item.ident,
+        Item::Struct(item) => &item.ident,
+        Item::Trait(item) => &item.ident,
+        Item::Type(item) => &item.ident,
+        Item::Union(item) => &item.ident,
         _ => return None,
-    })
+    };
+    Some(name.to_string())
 }

@@ -4,8 +4,8 @@
 //! A file imports another one where a path in it names something that stands there: a path of a `use`, or one in the code
 //! whose first name is `crate`, `self`, `super`, or known in the module. What a `use` passes on under its name belongs to the
 //! file in which it stands, not to the one that passes it on. So `mod` lines are no imports, nor is a `pub use`, unless the
-//! file itself speaks of what it passes on. A path that ends at a module is an import of that module's file. What is compiled
-//! for tests alone is left out, and what a macro quotes.
+//! file itself speaks of what it passes on. A path that ends at a module is an import of that module's file. What a macro
+//! quotes is left out.
 #![expect(
     clippy::panic,
     clippy::unwrap_used,
@@ -15,6 +15,7 @@
 mod imports;
 mod krate;
 mod lengths;
+mod no_tests;
 mod order;
 mod planted;
 mod resolve;
@@ -82,4 +83,21 @@ fn files_and_functions_can_be_read_at_once() {
     });
     let long: Vec<String> = long.collect();
     assert!(long.is_empty(), "too long:\n{}", long.concat());
+}
+
+#[test]
+fn sources_hold_no_tests() {
+    let tests = CRATES.iter().flat_map(|(folder, _)| {
+        let sources = Sources::read(&repository().join(folder));
+        let tests = no_tests::found(&sources);
+        tests
+            .into_iter()
+            .map(move |one| format!("{folder}/{one}\n"))
+    });
+    let tests: Vec<String> = tests.collect();
+    assert!(
+        tests.is_empty(),
+        "tests that never run; they stand in `tests` and `codegen/tests`:\n{}",
+        tests.concat()
+    );
 }

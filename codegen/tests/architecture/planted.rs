@@ -1,6 +1,6 @@
 //! Small crates with faults that are found, and without.
 
-use crate::{krate::Crate, lengths, order, walk::Sources};
+use crate::{krate::Crate, lengths, no_tests, order, walk::Sources};
 
 fn sources(files: &[(&str, &str)]) -> Sources {
     let files = files.iter();
@@ -67,15 +67,12 @@ fn paths_in_code_are_imports() {
 }
 
 #[test]
-fn what_another_crate_or_a_test_names_is_no_import() {
+fn what_another_crate_names_is_no_import() {
     let b = ("b.rs", "use crate::a::A; pub mod std {}");
     for code in [
         "use std::fmt; fn f() { std::mem::drop(1) }",
         "use ::b::B; fn f() { ::b::f() }",
         "fn f() { quote!(crate::b::B) }",
-        "#[cfg(test)] mod tests { use crate::b::B; }",
-        "#[cfg(test)] use crate::b::B;",
-        "impl A { #[cfg(test)] fn f() { crate::b::f() } }",
         "pub(in crate::b) fn f() {}",
         "/// Of [`crate::b::B`].\nfn f() {}",
     ] {
@@ -187,4 +184,21 @@ fn long_files_and_functions_are_told() {
         lengths::too_long(&sources(&[("b.rs", &text)])),
         ["b.rs has 501 lines; at most 500"]
     );
+}
+
+#[test]
+fn test_among_sources_is_found() {
+    for test in [
+        "#[cfg(test)]\nmod tests;\n",
+        "mod tests {\n    #[test]\n    fn holds() {}\n}\n",
+        "#[cfg(all(test, unix))]\nuse a::A;\n",
+    ] {
+        assert_eq!(
+            no_tests::found(&sources(&[("a.rs", test)])).len(),
+            1,
+            "{test}"
+        );
+    }
+    let text = "/// #[test]\nfn f() {}\n";
+    assert!(no_tests::found(&sources(&[("a.rs", text)])).is_empty());
 }

@@ -459,7 +459,7 @@ fn what_cannot_be_differentiated_is_told_why() {
         ),
         (
             "vjp(bias; q)+vjp(mass_matrix; q)",
-            "`vjp(bias; q)+vjp(mass_matrix; q)` joins `vjp(mass_matrix; q)` to another that is given a point, force, moment or multiplier of its own",
+            "`vjp(mass_matrix; q)` and another part of `vjp(bias; q)+vjp(mass_matrix; q)` are each given a point, force, moment or multiplier of their own; ask for them apart",
         ),
         (
             "d(partial_velocity)/d(q)",

@@ -16,7 +16,7 @@ use kane_test_support::{
 
 use crate::{
     evaluator::input,
-    frames::{relative, request, system},
+    frames::{evaluate_by, relative, request, system},
 };
 
 /// How far two ways to one derivative may be apart, relative to its largest entry and to one.
@@ -47,10 +47,13 @@ pub(crate) fn variables(tree: &Tree, function: &Function) -> Vec<String> {
         .collect()
 }
 
+/// Coulomb friction jumps where a speed turns round, which lies within the differences' steps.
+pub(crate) fn jumps(function: &str, variable: &str) -> bool {
+    function == "joint_regressor" && variable == "u"
+}
+
 pub(crate) fn values(tree: &Tree, request: &Request, plan: &Plan, state: &State) -> Vec<f64> {
-    let derived = request.derive(tree, Formulation::Recursive, plan);
-    let graph = &derived.graph;
-    graph.evaluate(&derived.roots, |given| input(tree, state, given))
+    evaluate_by(tree, request, Formulation::Recursive, plan, state)
 }
 
 /// Ways to differentiate by the notes' equations or the recursion.
@@ -82,9 +85,7 @@ fn all_ways_give_the_same_derivatives() {
         ] {
             let request = request(&tree, text);
             let all = ways(&tree).map(|(formulation, plan)| {
-                let derived = request.derive(&tree, formulation, &plan);
-                let graph = &derived.graph;
-                graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+                evaluate_by(&tree, &request, formulation, &plan, &state)
             });
             for (way, found) in all.iter().enumerate().skip(1) {
                 let what = format!("{seed}, {text}, way {way}");
@@ -155,8 +156,7 @@ fn every_function_changes_as_its_derivatives_say() {
             let at = values(&tree, &whole, &Plan::full(&tree), &state);
             for variable in variables(&tree, function) {
                 let name = function.name;
-                // Coulomb friction jumps where a speed turns round, which lies within the differences' steps.
-                if name == "joint_regressor" && variable == "u" {
+                if jumps(name, &variable) {
                     continue;
                 }
                 let text = format!("d({name})/d({variable})");

@@ -98,7 +98,8 @@ pub(crate) fn of_states<'a>(
     }
 }
 
-fn evaluate_by(
+/// What a request gives by a plan.
+pub(crate) fn evaluate_by(
     tree: &Tree,
     request: &Request,
     formulation: Formulation,

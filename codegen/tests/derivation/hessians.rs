@@ -17,10 +17,9 @@ use kane_test_support::{
 
 use crate::{
     compiled::read,
-    derivatives::{DIFFERENCED, EXACT, INVERTED, inverts, moved, n_entries, values, variables},
-    evaluator::input,
-    frames::{of_states, relative, request, system},
-    products::{every_function, weights},
+    derivatives::{DIFFERENCED, EXACT, INVERTED, inverts, moved, n_entries, values},
+    frames::{evaluate_by, of_states, relative, request, system},
+    products::{third, weights},
 };
 
 /// How far second differences may be off, relative to the largest of the values and of what is differentiated: see
@@ -67,30 +66,22 @@ fn every_function_has_the_second_derivatives_of_its_gradient() {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         let full = Plan::full(&tree);
-        // Each of three trees tries a third of them.
-        let all = every_function(&tree).into_iter().zip(0..);
-        let own = all.filter(|(_, place)| place % 3 == seed % 3);
-        for ((function, name), _) in own {
-            for variable in variables(&tree, function) {
-                if name == "joint_regressor" && variable == "u" {
-                    continue;
-                }
-                let n = n_entries(&tree, &variable);
-                let hessian = request(&tree, &format!("hessian({name}; {variable})"));
-                let found = values(&tree, &hessian, &full, &state);
-                let found = whole(&tree, &hessian, &found, n);
-                let expected = differenced(&tree, &name, &variable, &state);
-                let gradient = request(&tree, &format!("vjp({name}; {variable})"));
-                let gradient = largest(&values(&tree, &gradient, &full, &state));
-                let scale = larger(larger(gradient, largest(&expected)), 1.0);
-                let error = relative_to(scale, &found, &expected);
-                let allowed = if inverts(&name) {
-                    INVERTED
-                } else {
-                    DIFFERENCED
-                };
-                assert_within(format!("{seed}, {name}, {variable}"), error, allowed);
-            }
+        for (name, variable) in third(&tree, seed) {
+            let n = n_entries(&tree, &variable);
+            let hessian = request(&tree, &format!("hessian({name}; {variable})"));
+            let found = values(&tree, &hessian, &full, &state);
+            let found = whole(&tree, &hessian, &found, n);
+            let expected = differenced(&tree, &name, &variable, &state);
+            let gradient = request(&tree, &format!("vjp({name}; {variable})"));
+            let gradient = largest(&values(&tree, &gradient, &full, &state));
+            let scale = larger(larger(gradient, largest(&expected)), 1.0);
+            let error = relative_to(scale, &found, &expected);
+            let allowed = if inverts(&name) {
+                INVERTED
+            } else {
+                DIFFERENCED
+            };
+            assert_within(format!("{seed}, {name}, {variable}"), error, allowed);
         }
     }
 }
@@ -212,9 +203,7 @@ fn all_ways_give_the_same_second_derivatives() {
                 (Formulation::Recursive, plan.with(Technique::Reverse, true)),
             ];
             let all = ways.map(|(formulation, plan)| {
-                let derived = request.derive(&tree, formulation, &plan);
-                let graph = &derived.graph;
-                graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+                evaluate_by(&tree, &request, formulation, &plan, &state)
             });
             for found in &all[1..] {
                 let allowed = if inverts(text) { INVERTED } else { EXACT };

@@ -11,9 +11,9 @@ use kane_codegen::{
 use kane_test_support::{compare::assert_within, dynamics::State, numeric::dot, systems::trees};
 
 use crate::{
-    derivatives::{EXACT, INVERTED, inverts, n_entries, values, variables, ways},
-    evaluator::{input, product},
-    frames::{names, relative, request, system},
+    derivatives::{EXACT, INVERTED, inverts, jumps, n_entries, values, variables, ways},
+    evaluator::product,
+    frames::{evaluate_by, names, relative, request, system},
 };
 
 /// The numbers that a direction or multiplier holds here.
@@ -79,9 +79,7 @@ fn products_are_those_with_all_derivatives() {
             let by_all = by.join(", ");
             for (formulation, plan) in ways(&tree) {
                 let numbers = |text: String| {
-                    let derived = request(&tree, &text).derive(&tree, formulation, &plan);
-                    let graph = &derived.graph;
-                    graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
+                    evaluate_by(&tree, &request(&tree, &text), formulation, &plan, &state)
                 };
                 let values = numbers(function.to_owned());
                 let weights = weights(
@@ -123,6 +121,19 @@ pub(crate) fn every_function(tree: &Tree) -> Vec<(&'static Function, String)> {
         Of::Frame(_) | Of::Frames(_) => (function, format!("{}({frame})", function.name)),
     })
     .collect()
+}
+
+/// The functions and variables that this of three trees tries, of those that do not jump.
+pub(crate) fn third(tree: &Tree, seed: u64) -> Vec<(String, String)> {
+    let all = every_function(tree).into_iter().zip(0..);
+    let own = all.filter(|(_, place)| place % 3 == seed % 3);
+    let pairs = own.flat_map(|((function, name), _)| {
+        let variables = variables(tree, function).into_iter();
+        variables.map(move |variable| (name.clone(), variable))
+    });
+    pairs
+        .filter(|(name, variable)| !jumps(name, variable))
+        .collect()
 }
 
 #[test]

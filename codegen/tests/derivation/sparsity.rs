@@ -17,10 +17,9 @@ use kane_test_support::{
 
 use crate::{
     compiled::read,
-    derivatives::{EXACT, INVERTED, inverts, n_entries, values, variables, ways},
-    evaluator::input,
-    frames::{request, system},
-    products::every_function,
+    derivatives::{EXACT, INVERTED, inverts, n_entries, values, ways},
+    frames::{evaluate_by, request, system},
+    products::third,
 };
 
 /// What rounding leaves of a zero at most, relative to the largest entry: more is none.
@@ -66,46 +65,37 @@ fn what_is_left_out_is_zero_and_hardly_anything_else() {
         let (_, tree) = system(seed);
         let drawn = DRAWN.map(|seed| drawn(&tree, seed));
         let states = [(&tree, seed), (&drawn[0], 1), (&drawn[1], 2)];
-        // Each of three trees tries a third of them.
-        let all = every_function(&tree).into_iter().zip(0..);
-        let own = all.filter(|(_, place)| place % 3 == seed % 3);
-        for ((function, name), _) in own {
-            for variable in variables(&tree, function) {
-                // The sign of a speed changes only where it turns round.
-                if name == "joint_regressor" && variable == "u" {
-                    continue;
+        for (name, variable) in third(&tree, seed) {
+            let text = format!("d({name})/d({variable})");
+            let places = sparsity(&tree, &format!("packed({text})")).places;
+            let n = n_entries(&tree, &variable);
+            let mut most: Vec<f64> = Vec::new();
+            for (tree, seed) in states {
+                let found = whole(tree, &text, seed);
+                let scale = larger(largest(&found), 1.0);
+                most.resize(found.len(), 0.0);
+                for (most, own) in most.iter_mut().zip(&found) {
+                    *most = larger(*most, own.abs() / scale);
                 }
-                let text = format!("d({name})/d({variable})");
-                let places = sparsity(&tree, &format!("packed({text})")).places;
-                let n = n_entries(&tree, &variable);
-                let mut most: Vec<f64> = Vec::new();
-                for (tree, seed) in states {
-                    let found = whole(tree, &text, seed);
-                    let scale = larger(largest(&found), 1.0);
-                    most.resize(found.len(), 0.0);
-                    for (most, own) in most.iter_mut().zip(&found) {
-                        *most = larger(*most, own.abs() / scale);
-                    }
-                }
-                let allowed = if inverts(&name) { INVERTED } else { EXACT };
-                let left_out = left_out(&places, n, most.len());
-                let mut n_zeros = 0;
-                for (place, (is_out, &most)) in left_out.iter().zip(&most).enumerate() {
-                    let (row, column) = (place / n, place % n);
-                    let what = format!("{seed}, {text}, row {row}, column {column}");
-                    if *is_out {
-                        assert_within(what, most, allowed);
-                    } else if most <= ROUNDING {
-                        n_zeros += 1;
-                    }
-                }
-                // Where constant rotations meet, rounding may hide that something cancels.
-                let n_kept = places.len();
-                assert!(
-                    20 * n_zeros <= n_kept,
-                    "{seed}, {text}: {n_zeros} of {n_kept}"
-                );
             }
+            let allowed = if inverts(&name) { INVERTED } else { EXACT };
+            let left_out = left_out(&places, n, most.len());
+            let mut n_zeros = 0;
+            for (place, (is_out, &most)) in left_out.iter().zip(&most).enumerate() {
+                let (row, column) = (place / n, place % n);
+                let what = format!("{seed}, {text}, row {row}, column {column}");
+                if *is_out {
+                    assert_within(what, most, allowed);
+                } else if most <= ROUNDING {
+                    n_zeros += 1;
+                }
+            }
+            // Where constant rotations meet, rounding may hide that something cancels.
+            let n_kept = places.len();
+            assert!(
+                20 * n_zeros <= n_kept,
+                "{seed}, {text}: {n_zeros} of {n_kept}"
+            );
         }
     }
 }
@@ -165,11 +155,8 @@ fn packed_derivatives_are_those_of_all_that_are_not_left_out() {
             let all = request(&tree, &text);
             let places = sparsity(&tree, &packed.text()).places;
             for (formulation, plan) in ways(&tree) {
-                let numbers = |request: &Request| {
-                    let derived = request.derive(&tree, formulation, &plan);
-                    let graph = &derived.graph;
-                    graph.evaluate(&derived.roots, |given| input(&tree, &state, given))
-                };
+                let numbers =
+                    |request: &Request| evaluate_by(&tree, request, formulation, &plan, &state);
                 let whole = rows(&tree, (name, by), &numbers(&all));
                 let expected = places.iter().map(|&[row, column]| whole[row][column]);
                 let expected: Vec<f64> = expected.collect();

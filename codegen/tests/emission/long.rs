@@ -32,7 +32,7 @@ fn functions_of_many_angles_declare_their_values_by_few_lets() {
         });
         let mut values: Vec<String> = assigned.filter(|name| name.starts_with('b')).collect();
         values.sort();
-        // What a stage reads of another is assigned there.
+        // A stage names again what it reads of an earlier one.
         values.dedup();
         let expected = (1..=n_bodies)
             .flat_map(|body| ["theta3", "sin3", "cos3"].map(|value| format!("b{body}_{value}")));

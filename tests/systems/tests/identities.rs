@@ -262,7 +262,11 @@ mod bits {
         assert!(n_compared >= 21, "{n_compared} comparisons");
     }
 
-    fn dense(tree: &Tree, blocks: &[kane_codegen::functions::Block], columns: &[f64]) -> Vec<f64> {
+    fn dense(
+        tree: &Tree,
+        blocks: &[kane_codegen::functions::CompactBlock],
+        columns: &[f64],
+    ) -> Vec<f64> {
         let width = tree.n_speeds;
         let mut dense = vec![0.0; tree.bodies.len() * 3 * width];
         for block in blocks {

@@ -101,11 +101,20 @@ impl<'ast> Visit<'ast> for Found {
                     | "R::abs"
                     | "core::sync::atomic::compiler_fence",
                 ) => {}
-                Some(stage) if stage.starts_with("self::") && stage.contains("_stage_") => {}
+                Some(stage) if stage.starts_with("self::") && stage.contains("_stage_") => {
+                    // What stages before it keep is lent to it.
+                    for argument in &call.args {
+                        match argument {
+                            syn::Expr::Reference(lent) if lent.mutability.is_none() => {
+                                self.visit_expr(&lent.expr);
+                            }
+                            own => self.visit_expr(own),
+                        }
+                    }
+                    return;
+                }
                 other => self.add(format!("a call of {other:?}")),
             },
-            // What a stage keeps, for later ones.
-            syn::Expr::Reference(given) if given.mutability.is_none() => {}
             syn::Expr::Index(index) => {
                 let is_integer = matches!(&*index.index, syn::Expr::Lit(literal) if matches!(literal.lit, syn::Lit::Int(_)));
                 if !is_integer {
@@ -183,41 +192,61 @@ impl<'ast> Visit<'ast> for Anywhere {
     }
 }
 
+/// Asserts that a module's functions are straight lines; how many there are, and how many stages of these.
+fn assert_straight(name: &str, text: &str) -> (usize, usize) {
+    let file = syn::parse_file(text).expect("what is generated is Rust");
+    let mut anywhere = Anywhere::default();
+    anywhere.visit_file(&file);
+    assert!(anywhere.0.is_empty(), "{name}: {:?}", anywhere.0);
+    let (mut n_functions, mut n_stages) = (0, 0);
+    for item in &file.items {
+        // The free functions, and what prepares the parameters.
+        let bodies: Vec<(String, &syn::Block)> = match item {
+            syn::Item::Fn(function) => vec![(function.sig.ident.to_string(), &function.block)],
+            syn::Item::Impl(implementation) if implementation.trait_.is_none() => {
+                let items = implementation.items.iter();
+                let methods = items.filter_map(|item| match item {
+                    syn::ImplItem::Fn(method) if method.sig.ident == "new" => {
+                        Some(("Prepared::new".to_owned(), &method.block))
+                    }
+                    _ => None,
+                });
+                methods.collect()
+            }
+            _ => Vec::new(),
+        };
+        for (function, body) in bodies {
+            let mut found = Found::default();
+            found.visit_block(body);
+            assert!(found.0.is_empty(), "{name}, {function}: {:?}", found.0);
+            let is_stage = function.contains("_stage_");
+            n_stages += usize::from(is_stage);
+            n_functions += usize::from(!is_stage);
+        }
+    }
+    (n_functions, n_stages)
+}
+
 #[test]
 fn generated_functions_are_straight_lines_of_arithmetic() {
     for (name, text) in modules() {
-        let file = syn::parse_file(&text).expect("what is generated is Rust");
-        let mut anywhere = Anywhere::default();
-        anywhere.visit_file(&file);
-        assert!(anywhere.0.is_empty(), "{name}: {:?}", anywhere.0);
-        let mut n_functions = 0;
-        for item in &file.items {
-            // The free functions, and what prepares the parameters.
-            let bodies: Vec<(String, &syn::Block)> = match item {
-                syn::Item::Fn(function) => vec![(function.sig.ident.to_string(), &function.block)],
-                syn::Item::Impl(implementation) if implementation.trait_.is_none() => {
-                    implementation
-                        .items
-                        .iter()
-                        .filter_map(|item| match item {
-                            syn::ImplItem::Fn(method) if method.sig.ident == "new" => {
-                                Some(("Prepared::new".to_owned(), &method.block))
-                            }
-                            _ => None,
-                        })
-                        .collect()
-                }
-                _ => Vec::new(),
-            };
-            for (function, body) in bodies {
-                let mut found = Found::default();
-                found.visit_block(body);
-                assert!(found.0.is_empty(), "{name}, {function}: {:?}", found.0);
-                n_functions += usize::from(!function.contains("_stage_"));
-            }
-        }
+        let (n_functions, _) = assert_straight(&name, &text);
         assert_eq!(n_functions, CATALOGUE.len() + 1, "{name}");
     }
+}
+
+#[test]
+fn so_are_the_stages_of_a_long_function() {
+    let options = Options {
+        functions: Functions::Named(vec!["forward_dynamics_pivots".to_owned()]),
+        ..Options::default()
+    };
+    let source = Source::new("tree12.toml", include_str!("../../reference/tree12.toml"));
+    let module = generate(&source, "tree12", &options, &no_includes).expect("a right description");
+    let (n_functions, n_stages) = assert_straight("tree12", &module.source);
+    // What every module has: its preparation, and the rates of coordinates.
+    assert_eq!(n_functions, 3);
+    assert!(n_stages > 2, "{n_stages}");
 }
 
 /// The ways in which a user's crate can take a module in: attributes of the crate, and the module's declaration.

@@ -1,6 +1,10 @@
 //! Long functions in stages: what is promised of machine code holds for them.
 
-use super::{assert_holds, report};
+use std::fs;
+
+use kane_codegen::{config::Functions, diagnostic::Source};
+
+use super::{assert_holds, module, report, repository};
 
 /// A function whose first stage keeps more than the stack has pages that a compiler touches one by one without a loop.
 #[test]
@@ -24,4 +28,18 @@ fn stages_that_keep_much_hold() {
     assert_eq!(names, ["long_stage_1", "long_stage_2", "long"]);
     assert!(report.functions[2].stack >= 40_000);
     assert_holds(&report, "long");
+}
+
+#[test]
+fn a_long_function_as_it_is_written_holds() {
+    let path = repository("tests/reference/tree12.toml");
+    let source = Source::new("tree12.toml", fs::read_to_string(path).unwrap());
+    let functions = Functions::Named(vec!["forward_dynamics_pivots".to_owned()]);
+    let report = report(&module(&source, None, functions));
+    let stages = report
+        .functions
+        .iter()
+        .filter(|one| one.name.contains("_stage_"));
+    assert!(stages.count() > 2);
+    assert_holds(&report, "tree12");
 }

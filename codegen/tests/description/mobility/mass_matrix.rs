@@ -4,7 +4,7 @@ use kane_codegen::expr::Input;
 use kane_codegen::functions::{Formulation, Function};
 use kane_codegen::recursive::Plan;
 use kane_codegen::tree::Tree;
-use kane_test_support::random::Random;
+use kane_test_support::dynamics::State;
 
 type Matrix = Vec<Vec<f64>>;
 
@@ -37,22 +37,7 @@ fn matrices(tree: &Tree, seed: u64) -> Vec<Matrix> {
     let function = Function::find("mass_matrix").unwrap();
     let derived = function.derive(tree, Formulation::Recursive, &Plan::full(tree));
     let of_state = |seed| {
-        let mut random = Random::new(seed);
-        let mut q: Vec<f64> = (0..tree.n_coordinates)
-            .map(|_| random.symmetric())
-            .collect();
-        for body in &tree.bodies {
-            let all = body.joint.coordinates();
-            let e: Vec<usize> = all
-                .iter()
-                .filter(|(kind, _)| kind.starts_with('e'))
-                .map(|(_, at)| at.index())
-                .collect();
-            let length = e.iter().map(|&at| q[at] * q[at]).sum::<f64>().sqrt();
-            for at in e {
-                q[at] /= length;
-            }
-        }
+        let q = State::random(tree, seed).q;
         let m = derived.graph.evaluate(&derived.roots, |input| match input {
             Input::Q(at) => q[at.index()],
             other => unreachable!("{other:?} in a mass matrix of numbers"),

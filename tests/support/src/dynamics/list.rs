@@ -64,7 +64,7 @@ macro_rules! test_every_identity {
         $crate::test_every_identity! {
             regressor,
             the_regressor_is_linear_in_inertial_parameters: EXACT;
-            the_packed_regressor_is_what_is_not_zero: EXACT;
+            the_packed_regressor_has_all_that_is_not_zero: EXACT;
             the_joint_regressor_is_linear_in_dampers_and_rotors: EXACT;
         }
         $crate::test_every_identity! {

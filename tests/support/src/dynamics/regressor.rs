@@ -26,7 +26,7 @@ fn parameters(model: &dyn Model) -> Vec<[f64; 10]> {
 }
 
 /// The packed entries are those of the regressor, and what has no place among them is zero.
-pub fn the_packed_regressor_is_what_is_not_zero(model: &dyn Model, state: &State) -> f64 {
+pub fn the_packed_regressor_has_all_that_is_not_zero(model: &dyn Model, state: &State) -> f64 {
     let tree = model.tree();
     let mut y = model.evaluate("regressor", state);
     let packed = model.evaluate("regressor_packed", state);

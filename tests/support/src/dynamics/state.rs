@@ -85,7 +85,7 @@ impl State {
         self.along(tree, &unit, t)
     }
 
-    /// The state after unit time at constant speeds `d`, which are added to no others.
+    /// The state after unit time at the constant speeds `d`, in place of its own.
     ///
     /// By 128 steps of the classical Runge-Kutta method, whose error is `|d|^5 / (120 128^4)` or so: 1e-15 for `|d|` of a tenth.
     #[must_use]
