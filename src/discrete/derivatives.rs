@@ -30,6 +30,20 @@ pub struct StepDerivatives<M> {
     pub u_by_tau: M,
 }
 
+impl<M: Copy> StepDerivatives<M> {
+    /// All blocks as this one, to be overwritten.
+    pub fn filled(block: M) -> Self {
+        Self {
+            q_by_q: block,
+            q_by_u: block,
+            q_by_tau: block,
+            u_by_q: block,
+            u_by_u: block,
+            u_by_tau: block,
+        }
+    }
+}
+
 /// The derivatives of the state after a step by all values set at run time, `[[R; n]; NU]` each, by rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepByParameters<M> {
