@@ -37,7 +37,7 @@
 
 mod derivatives;
 pub mod euler;
+mod reached;
 pub mod rk4;
-mod vector;
 
 pub use derivatives::{Change, StepByParameters, StepDerivatives};
