@@ -108,20 +108,7 @@ fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = Turning> {
 fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
     let is_told = !S::JOINTS.is_empty();
     let all = if is_told { 0 } else { S::U::LEN };
-    let of_joint = |joint: &'static Joint| {
-        let first = if joint.chart == Chart::AngleRates {
-            0
-        } else {
-            3
-        };
-        let pairs = (first..6).map(|motion| {
-            // Of the seven places the fourth is a quaternion's.
-            let place = if motion < 3 { motion } else { motion + 1 };
-            Some((joint.q[place]?, joint.u[motion]?))
-        });
-        pairs.flatten()
-    };
-    let told = S::JOINTS.iter().flat_map(of_joint);
+    let told = S::JOINTS.iter().flat_map(Joint::rates);
     (0..all).map(|place| (place, place)).chain(told)
 }
 
