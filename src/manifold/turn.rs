@@ -51,7 +51,8 @@ pub(super) fn exp<R: Real>(d: Vector<R>) -> Quaternion<R> {
 /// The turn of a quaternion of any length, by an angle from 0 to π.
 pub(super) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
     // tan(a / 4) = |v| / (|e| + |e_0|).
-    let by = sign(e[0]) / (length(e) + e[0].abs());
+    let size = length(e);
+    let by = sign(e[0] / size) / (size + e[0].abs());
     let quarter = [e[1] * by, e[2] * by, e[3] * by];
     let square = quarter[0] * quarter[0] + quarter[1] * quarter[1] + quarter[2] * quarter[2];
     let ratio = R::from_f64(4.0) * arc_ratio(square);

@@ -112,6 +112,25 @@ fn q_minus_is_the_way_that_q_plus_went() {
 }
 
 #[test]
+fn lengths_of_quaternions_do_not_matter() {
+    let mut random = Random::new(6);
+    for size in [1e-25, 1e-12, 1e12, 1e100] {
+        let (q, d) = (coordinates(&mut random), direction(&mut random, 2.0));
+        let mut there = q_plus(&Turning, &q, &d);
+        for sign in [1.0, -1.0] {
+            for entry in &mut there[4..8] {
+                *entry *= sign * size;
+            }
+            let found = q_minus(&Turning, &q, &there);
+            assert_close(size, &found[3..6], &d[3..6], ROUNDED);
+            for entry in &mut there[4..8] {
+                *entry /= size;
+            }
+        }
+    }
+}
+
+#[test]
 fn small_turns_keep_all_their_digits() {
     let q: Q = [0.1, 0.2, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     for size in [1e-12, 1e-8, 1e-5, 1e-3] {
