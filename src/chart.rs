@@ -5,6 +5,7 @@
 //! rounding; near `cos(theta_2) = 0`, where angles are singular, their rates lose as many digits as any use of them does.
 
 use crate::joint::Chart;
+use crate::manifold::of_angles;
 use crate::{Array, Joint, Real, System};
 
 /// An orientation that is free in all directions, and how it changes.
@@ -19,15 +20,10 @@ pub struct Turning {
 impl Turning {
     /// From 1-2-3 body-fixed angles, rad, and the relative angular velocity.
     pub fn from_angles(theta: [f64; 3], w: [f64; 3]) -> Self {
-        let [(s1, c1), (s2, c2), (s3, c3)] = theta.map(|angle| sin_cos(angle / 2.0));
-        // (c1, s1 x) (c2, s2 y) (c3, s3 z)
-        let e = [
-            c1 * c2 * c3 - s1 * s2 * s3,
-            s1 * c2 * c3 + c1 * s2 * s3,
-            c1 * s2 * c3 - s1 * c2 * s3,
-            c1 * c2 * s3 + s1 * s2 * c3,
-        ];
-        Self { e, w }
+        Self {
+            e: of_angles(theta),
+            w,
+        }
     }
 
     /// From 1-2-3 body-fixed angles, rad, and their rates, rad/s: Eq. (8).

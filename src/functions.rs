@@ -74,9 +74,8 @@
 //! | [`OperationalInverseInertia`] of frames | `operational_inverse_inertia(q, inverse_inertia)` | `Matrix` | `J M⁻¹ Jᵀ` |
 //! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
-//! Of derivatives forward and inverse dynamics have traits: [`ForwardDynamicsDerivatives`],
-//! [`ForwardDynamicsAndDerivatives`], [`ForwardDynamicsByParameters`], [`ForwardDynamicsJvp`], [`ForwardDynamicsVjp`], and the same
-//! of inverse dynamics; each names the request that has it.
+//! Derivatives of forward and inverse dynamics have traits too: [`ForwardDynamicsDerivatives`] (by `q`, `u`, `tau`), `..AndDerivatives`,
+//! `..ByParameters`, `..Jvp`, `..Vjp`, `..ParametersJvp`, `..ParametersVjp`, and the same of inverse dynamics. Each names its request.
 //!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};

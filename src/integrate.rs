@@ -6,6 +6,7 @@
 //! the module `simulate`.
 
 use crate::functions::ForwardDynamics;
+use crate::vector::add_scaled;
 use crate::{Array, Real};
 
 /// Advances `q` and `u` by `dt` (s) under generalized forces `tau` that are held over the step, as a
@@ -80,11 +81,4 @@ pub fn rk4_step_with<R: Real, S: ForwardDynamics<R>>(
     add_scaled(q, sixth, &q_dot);
     add_scaled(u, sixth, &u_dot);
     system.normalize(q);
-}
-
-/// `x += factor * rate`.
-fn add_scaled<R: Real, A: Array<R>>(x: &mut A, factor: R, rate: &A) {
-    for (x, rate) in x.as_mut().iter_mut().zip(rate.as_ref()) {
-        *x = *x + factor * *rate;
-    }
 }

@@ -31,6 +31,20 @@ pub struct Joint {
     pub u: [Option<usize>; 6],
 }
 
+impl Joint {
+    /// The places, in `q` and in `u`, of coordinates whose rates are speeds.
+    pub(crate) fn rates(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let skipped = match self.chart {
+            Chart::AngleRates => 0,
+            Chart::Angles | Chart::EulerParameters => 3,
+        };
+        // Of the seven places the fourth is a quaternion's.
+        let places = self.q[..3].iter().chain(&self.q[4..]);
+        let pairs = places.zip(self.u).skip(skipped);
+        pairs.filter_map(|(q, u)| Some(((*q)?, u?)))
+    }
+}
+
 /// A frame that is fixed in a body: that of a body of the model that is fixed to another, and part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {

@@ -38,6 +38,9 @@ mod system;
 // Its functions, a trait each.
 pub mod functions;
 
+// Sums of arrays.
+mod vector;
+
 // Coordinates as points of a manifold, which steps move.
 pub mod manifold;
 

@@ -78,7 +78,6 @@ pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
 /// before those of `u`.
 ///
 /// ```
-/// # #[cfg(feature = "cart_pole")] {
 /// use kane::discrete::StepDerivatives;
 /// use kane::view::step_by_state;
 /// use nalgebra::SMatrix;
@@ -90,32 +89,14 @@ pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
 /// };
 /// let a: SMatrix<f64, 2, 2> = step_by_state(&derivatives);
 /// assert_eq!(a, SMatrix::<f64, 2, 2>::new(1.0, 2.0, 4.0, 5.0));
-/// # }
 /// ```
 pub fn step_by_state<R: Scalar, const N: usize, const N2: usize>(
     derivatives: &StepDerivatives<[[R; N]; N]>,
 ) -> SMatrix<R, N2, N2> {
     const { assert!(N2 == 2 * N, "`A` has two rows a speed") };
-    let StepDerivatives {
-        q_by_q,
-        q_by_u,
-        u_by_q,
-        u_by_u,
-        ..
-    } = derivatives;
-    SMatrix::from_fn(|row, column| {
-        let [by_q, by_u] = if row < N {
-            [q_by_q, q_by_u].map(|block| &block[row])
-        } else {
-            [u_by_q, u_by_u].map(|block| &block[row - N])
-        };
-        let entry = if column < N {
-            &by_q[column]
-        } else {
-            &by_u[column - N]
-        };
-        entry.clone()
-    })
+    let d = derivatives;
+    let blocks = [[&d.q_by_q, &d.q_by_u], [&d.u_by_q, &d.u_by_u]];
+    SMatrix::from_fn(|row, column| blocks[row / N][column / N][row % N][column % N].clone())
 }
 
 /// Copies the derivatives of a discrete step by the forces into `B`, of `N` speeds: two rows and a column a speed.
@@ -123,15 +104,6 @@ pub fn step_by_tau<R: Scalar, const N: usize, const N2: usize>(
     derivatives: &StepDerivatives<[[R; N]; N]>,
 ) -> SMatrix<R, N2, N> {
     const { assert!(N2 == 2 * N, "`B` has two rows a speed") };
-    let StepDerivatives {
-        q_by_tau, u_by_tau, ..
-    } = derivatives;
-    SMatrix::from_fn(|row, column| {
-        let rows = if row < N {
-            &q_by_tau[row]
-        } else {
-            &u_by_tau[row - N]
-        };
-        rows[column].clone()
-    })
+    let blocks = [&derivatives.q_by_tau, &derivatives.u_by_tau];
+    SMatrix::from_fn(|row, column| blocks[row / N][row % N][column].clone())
 }

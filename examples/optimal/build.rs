@@ -53,8 +53,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     panda()
 }
 
-/// The arm with a payload in its hand whose mass, mass centre and inertia are set at run time: the massless link at
-/// the tip becomes that.
+/// The arm with a payload in its hand whose mass and mass centre are set at run time: the massless link at the tip becomes
+/// that.
 #[expect(
     clippy::disallowed_methods,
     reason = "cargo names the output folder of a build script in its environment"

@@ -20,15 +20,7 @@ const HORIZON: usize = 400;
 #[inline(never)]
 pub(super) fn gains<R: Real>(system: &Prepared<R>) -> [[R; 2]; 2] {
     let zero = R::from_f64(0.0);
-    let block = [[zero; 2]; 2];
-    let mut step = StepDerivatives {
-        q_by_q: block,
-        q_by_u: block,
-        q_by_tau: block,
-        u_by_q: block,
-        u_by_u: block,
-        u_by_tau: block,
-    };
+    let mut step = StepDerivatives::filled([[zero; 2]; 2]);
     let (mut q, mut u) = ([zero; 2], [zero; 2]);
     let dt = R::from_f64(DT);
     euler::linearized(system, &[zero; 2], dt, (&mut q, &mut u), &mut step);

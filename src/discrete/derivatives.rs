@@ -1,5 +1,8 @@
 //! What a step makes of changes.
 
+use crate::vector::{set_column, unit, zero};
+use crate::{Array, Real};
+
 /// A change of a state: of `q` as a direction over the speeds, [`q_plus`](crate::manifold::q_plus), and of `u`; or a multiplier of
 /// both.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,6 +11,45 @@ pub struct Change<U> {
     pub q: U,
     /// Of `u`, rad/s and m/s.
     pub u: U,
+}
+
+impl<U> Change<U> {
+    /// None.
+    pub(super) fn zero<R: Real>() -> Self
+    where
+        U: Array<R>,
+    {
+        Self {
+            q: zero(),
+            u: zero(),
+        }
+    }
+}
+
+/// What a step is differentiated by.
+#[derive(Clone, Copy)]
+pub(super) enum Variable {
+    Q,
+    U,
+    Tau,
+}
+
+impl Variable {
+    /// The change of the state where one entry of the variable changes by one.
+    pub(super) fn change<R: Real, U: Array<R>>(self, place: usize) -> Change<U> {
+        let none = Change::zero();
+        match self {
+            Self::Q => Change {
+                q: unit(place),
+                ..none
+            },
+            Self::U => Change {
+                u: unit(place),
+                ..none
+            },
+            Self::Tau => none,
+        }
+    }
 }
 
 /// The derivatives of a step by blocks, `[[R; NU]; NU]` each, by rows: of the state after it by the state before it, and by `tau`.
@@ -30,6 +72,40 @@ pub struct StepDerivatives<M> {
     pub u_by_tau: M,
 }
 
+impl<M: Copy> StepDerivatives<M> {
+    /// All blocks as this one, to be overwritten.
+    pub fn filled(block: M) -> Self {
+        Self {
+            q_by_q: block,
+            q_by_u: block,
+            q_by_tau: block,
+            u_by_q: block,
+            u_by_u: block,
+            u_by_tau: block,
+        }
+    }
+
+    /// Overwrites all columns, where `after(variable, place)` is the change after the step for one of that entry.
+    pub(super) fn set_columns<R: Real, U: Array<R>>(
+        &mut self,
+        after: impl Fn(Variable, usize) -> Change<U>,
+    ) where
+        M: Array<U>,
+    {
+        for (variable, of_q, of_u) in [
+            (Variable::Q, &mut self.q_by_q, &mut self.u_by_q),
+            (Variable::U, &mut self.q_by_u, &mut self.u_by_u),
+            (Variable::Tau, &mut self.q_by_tau, &mut self.u_by_tau),
+        ] {
+            for place in 0..U::LEN {
+                let changed = after(variable, place);
+                set_column(of_q, place, &changed.q);
+                set_column(of_u, place, &changed.u);
+            }
+        }
+    }
+}
+
 /// The derivatives of the state after a step by all values set at run time, `[[R; n]; NU]` each, by rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepByParameters<M> {
@@ -37,4 +113,20 @@ pub struct StepByParameters<M> {
     pub q: M,
     /// Of the speeds.
     pub u: M,
+}
+
+impl<M> StepByParameters<M> {
+    /// Overwrites all columns, where `after(place)` is the change after the step for one of that value.
+    pub(super) fn set_columns<R: Real, U: Array<R>, V: Array<R>>(
+        &mut self,
+        after: impl Fn(usize) -> Change<U>,
+    ) where
+        M: Array<V>,
+    {
+        for place in 0..V::LEN {
+            let changed = after(place);
+            set_column(&mut self.q, place, &changed.q);
+            set_column(&mut self.u, place, &changed.u);
+        }
+    }
 }

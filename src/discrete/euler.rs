@@ -3,13 +3,13 @@
 //! `u' = u + dt u_dot(q, u, tau)`, `q' = q_plus(q, dt u')`. Of first order, and of a system without losses the energy does not
 //! drift over long times.
 
-use super::derivatives::{Change, StepByParameters, StepDerivatives};
-use super::vector::{column, plus, plus_scaled, scaled, set_column, unit, zero};
+use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
+use super::reached::{Moving, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
     ForwardDynamicsJvp, ForwardDynamicsVjp,
 };
-use crate::manifold::{TangentMap, q_plus};
+use crate::vector::{column, plus, plus_scaled, scaled, zero};
 use crate::{Array, Real, System};
 
 /// Advances `q` and `u` by `dt`, s, under forces `tau`, N m and N.
@@ -35,35 +35,21 @@ fn moved<R: Real, S: System<R>>(
 ) -> S::U {
     *u = plus_scaled(u, dt, u_dot);
     let direction = scaled(dt, u);
-    *q = q_plus(system, q, &direction);
-    system.normalize(q);
+    move_on(system, q, &direction);
     direction
 }
 
-/// How the coordinates after a step change.
-struct Moving<R: Real, S: System<R>> {
+/// What becomes of a change over a step, where accelerations change by `u_dot`.
+fn changed<R: Real, S: System<R>>(
+    moving: &Moving<R, S>,
     dt: R,
-    by_q: TangentMap<R, S>,
-    by_direction: TangentMap<R, S>,
-}
-
-impl<R: Real, S: System<R>> Moving<R, S> {
-    fn new(dt: R, direction: &S::U) -> Self {
-        Self {
-            dt,
-            by_q: TangentMap::of_q_plus_by_q(direction),
-            by_direction: TangentMap::of_q_plus_by_direction(direction),
-        }
-    }
-
-    /// What becomes of a change, where accelerations change by `u_dot`.
-    fn changed(&self, change: &Change<S::U>, u_dot: &S::U) -> Change<S::U> {
-        let u = plus_scaled(&change.u, self.dt, u_dot);
-        let by_u = self.by_direction.times(&scaled(self.dt, &u));
-        Change {
-            q: plus(&self.by_q.times(&change.q), &by_u),
-            u,
-        }
+    change: &Change<S::U>,
+    u_dot: &S::U,
+) -> Change<S::U> {
+    let u = plus_scaled(&change.u, dt, u_dot);
+    Change {
+        q: moving.changed(&change.q, &scaled(dt, &u)),
+        u,
     }
 }
 
@@ -76,31 +62,26 @@ pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     derivatives: &mut StepDerivatives<S::Matrix>,
 ) {
     let mut u_dot = zero();
-    let mut of_u_dot = [S::Matrix::filled(zero()); 3];
-    let [by_q, by_u, by_tau] = &mut of_u_dot;
+    let [mut by_q, mut by_u, mut by_tau] = [S::Matrix::filled(zero()); 3];
     system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
-        q, u, tau, &mut u_dot, by_q, by_u, by_tau,
+        q,
+        u,
+        tau,
+        &mut u_dot,
+        &mut by_q,
+        &mut by_u,
+        &mut by_tau,
     );
-    let direction = moved(system, dt, q, u, &u_dot);
-    let moving = Moving::<R, S>::new(dt, &direction);
-    let none = Change {
-        q: zero(),
-        u: zero(),
-    };
-    let out = derivatives;
-    for place in 0..S::U::LEN {
-        let unit = unit(place);
-        let of = |change, matrix: &S::Matrix| moving.changed(&change, &column(matrix, place));
-        let changed = of(Change { q: unit, ..none }, by_q);
-        set_column(&mut out.q_by_q, place, &changed.q);
-        set_column(&mut out.u_by_q, place, &changed.u);
-        let changed = of(Change { u: unit, ..none }, by_u);
-        set_column(&mut out.q_by_u, place, &changed.q);
-        set_column(&mut out.u_by_u, place, &changed.u);
-        let changed = of(none, by_tau);
-        set_column(&mut out.q_by_tau, place, &changed.q);
-        set_column(&mut out.u_by_tau, place, &changed.u);
-    }
+    let moving = Moving::<R, S>::by(&moved(system, dt, q, u, &u_dot));
+    derivatives.set_columns(|variable, place| {
+        let of_u_dot = match variable {
+            Variable::Q => &by_q,
+            Variable::U => &by_u,
+            Variable::Tau => &by_tau,
+        };
+        let of_u_dot = column(of_u_dot, place);
+        changed(&moving, dt, &variable.change(place), &of_u_dot)
+    });
 }
 
 /// The derivatives of the state after the step by all values set at run time.
@@ -115,16 +96,11 @@ pub fn by_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsByParameter
     let mut by_values = S::ByParameters::filled(zero());
     system.forward_dynamics(&q, &u, tau, &mut u_dot);
     system.d_forward_dynamics_d_parameters(&q, &u, tau, &mut by_values);
-    let moving = Moving::<R, S>::new(dt, &moved(system, dt, &mut q, &mut u, &u_dot));
-    let none = Change {
-        q: zero(),
-        u: zero(),
-    };
-    for place in 0..S::Values::LEN {
-        let changed = moving.changed(&none, &column(&by_values, place));
-        set_column(&mut derivatives.q, place, &changed.q);
-        set_column(&mut derivatives.u, place, &changed.u);
-    }
+    let moving = Moving::<R, S>::by(&moved(system, dt, &mut q, &mut u, &u_dot));
+    derivatives.set_columns(|place| {
+        let of_u_dot = column(&by_values, place);
+        changed(&moving, dt, &Change::zero(), &of_u_dot)
+    });
 }
 
 /// As [`step`], and the change of the state becomes that after the step, where `tau` changes by `tau_change`.
@@ -138,8 +114,8 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     let (mut u_dot, mut du_dot) = (zero(), zero());
     system.forward_dynamics(q, u, tau, &mut u_dot);
     system.jvp_forward_dynamics_q_u_tau(q, u, tau, &change.q, &change.u, tau_change, &mut du_dot);
-    let direction = moved(system, dt, q, u, &u_dot);
-    *change = Moving::<R, S>::new(dt, &direction).changed(change, &du_dot);
+    let moving = Moving::<R, S>::by(&moved(system, dt, q, u, &u_dot));
+    *change = changed(&moving, dt, change, &du_dot);
 }
 
 /// The multiplier of the state after the step becomes that of the state before it, `q`, `u`; `tau_gradient` is overwritten with that of
@@ -156,10 +132,7 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     let mut u_dot = zero();
     system.forward_dynamics(q, u, tau, &mut u_dot);
     let direction = moved(system, dt, &mut { *q }, &mut { *u }, &u_dot);
-    let Moving {
-        by_q, by_direction, ..
-    } = Moving::<R, S>::new(dt, &direction);
-    let of_direction = by_direction.transposed_times(&multiplier.q);
+    let (of_q, of_direction) = Moving::<R, S>::by(&direction).back(&multiplier.q);
     let of_u = plus_scaled(&multiplier.u, dt, &of_direction);
     let (mut q_gradient, mut u_gradient) = (zero(), zero());
     system.vjp_forward_dynamics_q_u_tau(
@@ -171,6 +144,6 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
         &mut u_gradient,
         tau_gradient,
     );
-    multiplier.q = plus(&by_q.transposed_times(&multiplier.q), &q_gradient);
+    multiplier.q = plus(&of_q, &q_gradient);
     multiplier.u = plus(&of_u, &u_gradient);
 }

@@ -14,7 +14,7 @@
 //! | --- | --- | --- |
 //! | `step` | the step | `forward_dynamics` |
 //! | `linearized` | and its derivatives `A`, `B` | `forward_dynamics+d(forward_dynamics)/d(q, u, tau)` |
-//! | `by_parameters` | derivatives by values set at run time | and `d(forward_dynamics)/d(parameters)` |
+//! | `by_parameters` | derivatives by values set at run time | `d(forward_dynamics)/d(parameters)`, and in `euler` `forward_dynamics`, in `rk4` what `linearized` asks for |
 //! | `forward` | what becomes of one change, `A` and `B` times it | `forward_dynamics`, `jvp(forward_dynamics; q, u, tau)` |
 //! | `adjoint` | what a multiplier becomes, back over the step, times `A` and `B` | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
 //!
@@ -37,7 +37,7 @@
 
 mod derivatives;
 pub mod euler;
+mod reached;
 pub mod rk4;
-mod vector;
 
 pub use derivatives::{Change, StepByParameters, StepDerivatives};

@@ -4,13 +4,14 @@
 //! speeds are rates of coordinates that is the ordinary step, [`rk4_step`](crate::integrate::rk4_step), but for rounding. For
 //! an orientation `d_dot = w + d × w / 2 + d × (d × w) / 12`, of which the rest is beyond the order of the step.
 
-use super::derivatives::{Change, StepByParameters, StepDerivatives};
-use super::vector::{column, plus, plus_scaled, scaled, set_column, times, unit, zero};
+use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
+use super::reached::{Moving, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
     ForwardDynamicsJvp, ForwardDynamicsVjp,
 };
-use crate::manifold::{TangentMap, q_plus, rate};
+use crate::manifold::{q_plus, rate};
+use crate::vector::{column, plus, plus_scaled, scaled, times, zero};
 use crate::{Array, Real, System};
 
 /// How far each stage is from the state before the step, in steps.
@@ -32,13 +33,16 @@ struct Stage<Q, U> {
 
 type Stages<R, S> = [Stage<<S as System<R>>::Q, <S as System<R>>::U>; 4];
 
-/// The stages of a step, where `u_dot(stage, q, u)` are the accelerations, and the direction and speeds to which it leads.
+/// The stages of a step, and the direction and speeds to which it leads.
+type Walk<R, S> = (Stages<R, S>, <S as System<R>>::U, <S as System<R>>::U);
+
+/// Those where `u_dot(stage, q, u)` are the accelerations.
 fn stages<R: Real, S: System<R>>(
     system: &S,
     dt: R,
     (q, u): (&S::Q, &S::U),
     mut u_dot: impl FnMut(usize, &S::Q, &S::U) -> S::U,
-) -> (Stages<R, S>, S::U, S::U) {
+) -> Walk<R, S> {
     let start = Stage {
         d: zero(),
         q: *q,
@@ -69,7 +73,7 @@ fn driven<R: Real, S: ForwardDynamics<R>>(
     tau: &S::U,
     dt: R,
     state: (&S::Q, &S::U),
-) -> (Stages<R, S>, S::U, S::U) {
+) -> Walk<R, S> {
     stages(system, dt, state, |_, q, u| {
         let mut u_dot = zero();
         system.forward_dynamics(q, u, tau, &mut u_dot);
@@ -77,9 +81,31 @@ fn driven<R: Real, S: ForwardDynamics<R>>(
     })
 }
 
-fn move_on<R: Real, S: System<R>>(system: &S, q: &mut S::Q, direction: &S::U) {
-    *q = q_plus(system, q, direction);
-    system.normalize(q);
+/// The derivatives of the stages' accelerations by `q`, `u` and `tau`.
+type OfAccelerations<M> = [[M; 3]; 4];
+
+/// The stages of the dynamics with these derivatives.
+fn differentiated<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    state: (&S::Q, &S::U),
+) -> (Walk<R, S>, OfAccelerations<S::Matrix>) {
+    let mut of_u_dot = [[S::Matrix::filled(zero()); 3]; 4];
+    let walk = stages(system, dt, state, |place, q, u| {
+        let mut u_dot = zero();
+        let [by_q, by_u, by_tau] = &mut of_u_dot[place];
+        system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
+            q, u, tau, &mut u_dot, by_q, by_u, by_tau,
+        );
+        u_dot
+    });
+    (walk, of_u_dot)
+}
+
+/// How a stage's accelerations change with its state.
+fn by_state<R: Real, U: Array<R>, M: Array<U>>([by_q, by_u, _]: &[M; 3], change: &Change<U>) -> U {
+    plus(&times(by_q, &change.q), &times(by_u, &change.u))
 }
 
 /// Advances `q` and `u` by `dt`, s, under forces `tau`, N m and N.
@@ -95,31 +121,12 @@ pub fn step<R: Real, S: ForwardDynamics<R>>(
     *u = u_after;
 }
 
-/// How what is reached by a direction changes.
-struct Moving<R: Real, S: System<R>> {
-    by_q: TangentMap<R, S>,
-    by_direction: TangentMap<R, S>,
-}
-
 /// How the stages of a step change, and the coordinates after it.
 struct Moved<R: Real, S: System<R>> {
     dt: R,
     stages: Stages<R, S>,
     to_stages: [Moving<R, S>; 4],
     to_end: Moving<R, S>,
-}
-
-impl<R: Real, S: System<R>> Moving<R, S> {
-    fn by(direction: &S::U) -> Self {
-        Self {
-            by_q: TangentMap::of_q_plus_by_q(direction),
-            by_direction: TangentMap::of_q_plus_by_direction(direction),
-        }
-    }
-
-    fn changed(&self, q: &S::U, direction: &S::U) -> S::U {
-        plus(&self.by_q.times(q), &self.by_direction.times(direction))
-    }
 }
 
 impl<R: Real, S: System<R>> Moved<R, S> {
@@ -166,9 +173,9 @@ impl<R: Real, S: System<R>> Moved<R, S> {
         multiplier: &Change<S::U>,
         mut gradient: impl FnMut(usize, &S::U) -> Change<S::U>,
     ) -> Change<S::U> {
-        let d_after = self.to_end.by_direction.transposed_times(&multiplier.q);
+        let (of_q, d_after) = self.to_end.back(&multiplier.q);
         let mut before = Change {
-            q: self.to_end.by_q.transposed_times(&multiplier.q),
+            q: of_q,
             u: multiplier.u,
         };
         // What the stage after has of the rates of its own before.
@@ -180,9 +187,10 @@ impl<R: Real, S: System<R>> Moved<R, S> {
             let of_d_dot = plus_scaled(&of_d_rate, weight, &d_after);
             let own = gradient(place, &of_u_dot);
             let (of_d, of_u) = rate::back::<R, S>((&stage.d, &stage.u), &of_d_dot);
-            let of_d = plus(&of_d, &moving.by_direction.transposed_times(&own.q));
+            let (own_q, own_d) = moving.back(&own.q);
+            let of_d = plus(&of_d, &own_d);
             let of_u = plus(&of_u, &own.u);
-            before.q = plus(&before.q, &moving.by_q.transposed_times(&own.q));
+            before.q = plus(&before.q, &own_q);
             before.u = plus(&before.u, &of_u);
             let way = self.dt * R::from_f64(WAYS[place]);
             of_d_rate = scaled(way, &of_d);
@@ -200,42 +208,19 @@ pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     (q, u): (&mut S::Q, &mut S::U),
     derivatives: &mut StepDerivatives<S::Matrix>,
 ) {
-    let mut of_u_dot = [[S::Matrix::filled(zero()); 3]; 4];
-    let (stages, d_after, u_after) = stages(system, dt, (q, u), |place, q, u| {
-        let mut u_dot = zero();
-        let [by_q, by_u, by_tau] = &mut of_u_dot[place];
-        system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
-            q, u, tau, &mut u_dot, by_q, by_u, by_tau,
-        );
-        u_dot
-    });
+    let ((stages, d_after, u_after), of_u_dot) = differentiated(system, tau, dt, (q, u));
     move_on(system, q, &d_after);
     *u = u_after;
     let moved = Moved::<R, S>::new(dt, stages, &d_after);
-    let by_state = |stage: usize, change: &Change<S::U>| {
-        let [by_q, by_u, _] = &of_u_dot[stage];
-        plus(&times(by_q, &change.q), &times(by_u, &change.u))
-    };
-    let none = Change {
-        q: zero(),
-        u: zero(),
-    };
-    let out = derivatives;
-    for place in 0..S::U::LEN {
-        let unit = unit(place);
-        let changed = moved.changed(&Change { q: unit, ..none }, by_state);
-        set_column(&mut out.q_by_q, place, &changed.q);
-        set_column(&mut out.u_by_q, place, &changed.u);
-        let changed = moved.changed(&Change { u: unit, ..none }, by_state);
-        set_column(&mut out.q_by_u, place, &changed.q);
-        set_column(&mut out.u_by_u, place, &changed.u);
-        let changed = moved.changed(&none, |stage, change| {
-            let own = column(&of_u_dot[stage][2], place);
-            plus(&by_state(stage, change), &own)
-        });
-        set_column(&mut out.q_by_tau, place, &changed.q);
-        set_column(&mut out.u_by_tau, place, &changed.u);
-    }
+    derivatives.set_columns(|variable, place| {
+        moved.changed(&variable.change(place), |stage, change| {
+            let by_state = by_state(&of_u_dot[stage], change);
+            match variable {
+                Variable::Q | Variable::U => by_state,
+                Variable::Tau => plus(&by_state, &column(&of_u_dot[stage][2], place)),
+            }
+        })
+    });
 }
 
 /// The derivatives of the state after the step by all values set at run time.
@@ -249,31 +234,19 @@ pub fn by_parameters<
     (q, u): (&S::Q, &S::U),
     derivatives: &mut StepByParameters<S::ByParameters>,
 ) {
-    let mut of_u_dot = [[S::Matrix::filled(zero()); 3]; 4];
-    let mut by_values = [S::ByParameters::filled(zero()); 4];
-    let (stages, d_after, _) = stages(system, dt, (q, u), |place, q, u| {
-        let mut u_dot = zero();
-        let [by_q, by_u, by_tau] = &mut of_u_dot[place];
-        system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
-            q, u, tau, &mut u_dot, by_q, by_u, by_tau,
-        );
-        system.d_forward_dynamics_d_parameters(q, u, tau, &mut by_values[place]);
-        u_dot
+    let ((stages, d_after, _), of_u_dot) = differentiated(system, tau, dt, (q, u));
+    let by_values = stages.map(|Stage { q, u, .. }| {
+        let mut by_values = S::ByParameters::filled(zero());
+        system.d_forward_dynamics_d_parameters(&q, &u, tau, &mut by_values);
+        by_values
     });
     let moved = Moved::<R, S>::new(dt, stages, &d_after);
-    let none = Change {
-        q: zero(),
-        u: zero(),
-    };
-    for place in 0..S::Values::LEN {
-        let changed = moved.changed(&none, |stage, change| {
-            let [by_q, by_u, _] = &of_u_dot[stage];
-            let by_state = plus(&times(by_q, &change.q), &times(by_u, &change.u));
+    derivatives.set_columns(|place| {
+        moved.changed(&Change::zero(), |stage, change| {
+            let by_state = by_state(&of_u_dot[stage], change);
             plus(&by_state, &column(&by_values[stage], place))
-        });
-        set_column(&mut derivatives.q, place, &changed.q);
-        set_column(&mut derivatives.u, place, &changed.u);
-    }
+        })
+    });
 }
 
 /// As [`step`], and the change of the state becomes that after the step, where `tau` changes by `tau_change`.

@@ -1,7 +1,6 @@
 //! Limits of coordinates, and which speeds lead to them.
 
-use crate::joint::Chart;
-use crate::{Real, System};
+use crate::{Joint, Real, System};
 
 /// What the coordinates may be, rad, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,17 +72,9 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
 /// For each speed the coordinate whose rate it is; none for components of angular velocities.
 pub(super) fn rated_coordinates<R: Real, S: System<R>, const NU: usize>() -> [Option<usize>; NU] {
     let mut coordinates = [None; NU];
-    for joint in S::JOINTS {
-        let angles = match joint.chart {
-            Chart::AngleRates => &joint.q[..3],
-            Chart::Angles | Chart::EulerParameters => &[None; 3],
-        };
-        for (q, u) in angles.iter().chain(&joint.q[4..]).zip(joint.u) {
-            if let (Some(q), Some(u)) = (q, u)
-                && let Some(place) = coordinates.get_mut(u)
-            {
-                *place = Some(*q);
-            }
+    for (q, u) in S::JOINTS.iter().flat_map(Joint::rates) {
+        if let Some(place) = coordinates.get_mut(u) {
+            *place = Some(q);
         }
     }
     coordinates

@@ -28,6 +28,7 @@ mod tangent;
 mod turn;
 
 pub use tangent::TangentMap;
+pub(crate) use turn::of_angles;
 
 use crate::joint::Chart;
 use crate::{Array, Joint, Real, System};
@@ -48,7 +49,7 @@ fn put<R: Real, A: Array<R>>(array: &mut A, place: usize, value: R) {
 
 /// A joint whose speeds are no rates of its coordinates: where its orientation and angular velocity stand.
 #[derive(Clone, Copy, Debug)]
-struct Turning {
+struct TurningPlaces {
     /// The index of its body.
     body: usize,
     is_quaternion: bool,
@@ -56,7 +57,7 @@ struct Turning {
     u: [usize; 3],
 }
 
-impl Turning {
+impl TurningPlaces {
     fn of(body: usize, joint: &Joint) -> Option<Self> {
         let is_quaternion = match joint.chart {
             Chart::AngleRates => return None,
@@ -81,7 +82,7 @@ impl Turning {
         if self.is_quaternion {
             self.q.map(|place| entry(q, place))
         } else {
-            turn::of_angles(self.angles(q))
+            of_angles(self.angles(q))
         }
     }
 
@@ -99,29 +100,16 @@ impl Turning {
 }
 
 /// The joints whose speeds are no rates of their coordinates.
-fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = Turning> {
+fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
     let joints = S::JOINTS.iter().enumerate();
-    joints.filter_map(|(body, joint)| Turning::of(body, joint))
+    joints.filter_map(|(body, joint)| TurningPlaces::of(body, joint))
 }
 
 /// The places, in `q` and in `u`, of coordinates whose rates are speeds.
 fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
     let is_told = !S::JOINTS.is_empty();
     let all = if is_told { 0 } else { S::U::LEN };
-    let of_joint = |joint: &'static Joint| {
-        let first = if joint.chart == Chart::AngleRates {
-            0
-        } else {
-            3
-        };
-        let pairs = (first..6).map(|motion| {
-            // Of the seven places the fourth is a quaternion's.
-            let place = if motion < 3 { motion } else { motion + 1 };
-            Some((joint.q[place]?, joint.u[motion]?))
-        });
-        pairs.flatten()
-    };
-    let told = S::JOINTS.iter().flat_map(of_joint);
+    let told = S::JOINTS.iter().flat_map(Joint::rates);
     (0..all).map(|place| (place, place)).chain(told)
 }
 

@@ -51,7 +51,8 @@ pub(super) fn exp<R: Real>(d: Vector<R>) -> Quaternion<R> {
 /// The turn of a quaternion of any length, by an angle from 0 to π.
 pub(super) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
     // tan(a / 4) = |v| / (|e| + |e_0|).
-    let by = sign(e[0]) / (length(e) + e[0].abs());
+    let size = length(e);
+    let by = sign(e[0] / size) / (size + e[0].abs());
     let quarter = [e[1] * by, e[2] * by, e[3] * by];
     let square = quarter[0] * quarter[0] + quarter[1] * quarter[1] + quarter[2] * quarter[2];
     let ratio = R::from_f64(4.0) * arc_ratio(square);
@@ -59,11 +60,15 @@ pub(super) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
 }
 
 /// The quaternion of 1-2-3 body-fixed angles, rad.
-pub(super) fn of_angles<R: Real>(theta: Vector<R>) -> Quaternion<R> {
-    let zero = R::from_f64(0.0);
+pub(crate) fn of_angles<R: Real>(theta: Vector<R>) -> Quaternion<R> {
     let [(s1, c1), (s2, c2), (s3, c3)] = theta.map(|angle| (R::from_f64(0.5) * angle).sin_cos());
-    let first = product([c1, s1, zero, zero], [c2, zero, s2, zero]);
-    product(first, [c3, zero, zero, s3])
+    // (c1, s1 x) (c2, s2 y) (c3, s3 z)
+    [
+        c1 * c2 * c3 - s1 * s2 * s3,
+        s1 * c2 * c3 + c1 * s2 * s3,
+        c1 * s2 * c3 - s1 * c2 * s3,
+        c1 * c2 * s3 + s1 * s2 * c3,
+    ]
 }
 
 /// The 1-2-3 body-fixed angles of a unit quaternion that are the nearest to others, with `theta_2` on the same side of their

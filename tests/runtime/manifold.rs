@@ -70,11 +70,7 @@ fn unit_time_at_constant_speeds_leads_where_q_plus_does() {
         let mut q = coordinates(&mut random);
         // Where the angles stay clear of their singularity.
         q[1] *= 0.4;
-        let u = if size == 0.0 {
-            [0.0; 10]
-        } else {
-            direction(&mut random, size)
-        };
+        let u = direction(&mut random, size);
         let found = q_plus(&Turning, &q, &u);
         // The integration's own error: dt^4 times fifth derivatives, which the factor 1/cos(theta_2) makes some hundreds.
         let tolerance = Tolerance::absolute(1e-11);
@@ -107,6 +103,25 @@ fn q_minus_is_the_way_that_q_plus_went() {
                 &d[..3],
                 Tolerance::absolute(1e-14 / away),
             );
+        }
+    }
+}
+
+#[test]
+fn lengths_of_quaternions_do_not_matter() {
+    let mut random = Random::new(6);
+    for size in [1e-25, 1e-12, 1e12, 1e100] {
+        let (q, d) = (coordinates(&mut random), direction(&mut random, 2.0));
+        let mut there = q_plus(&Turning, &q, &d);
+        for sign in [1.0, -1.0] {
+            for entry in &mut there[4..8] {
+                *entry *= sign * size;
+            }
+            let found = q_minus(&Turning, &q, &there);
+            assert_close(size, &found[3..6], &d[3..6], ROUNDED);
+            for entry in &mut there[4..8] {
+                *entry /= size;
+            }
         }
     }
 }
@@ -235,6 +250,7 @@ fn maps_are_the_derivatives_on_both_sides() {
 #[test]
 fn single_precision_is_as_near() {
     let mut random = Random::new(4);
+    // The smallest three show that nothing is divided by zero: their turns are within the tolerance.
     for size in [0.0, 1e-20, 1e-6, 1e-3, 1.0, 3.0] {
         let q = coordinates(&mut random).map(<f32 as kane::Real>::from_f64);
         let d =
@@ -245,8 +261,10 @@ fn single_precision_is_as_near() {
         assert_close(size, &found[3..], &d[3..], Tolerance::absolute(3e-6));
         let at =
             direction(&mut random, 1.0).map(|entry| <f32 as kane::Real>::from_f64(size * entry));
+        // A turn goes on about its own axis.
         let map = TangentMap::<f32, Turning>::of_q_plus_by_direction(&at);
-        assert!(map.times(&at).iter().all(|entry| entry.is_finite()));
+        let (mapped, at) = (map.times(&at).map(f64::from), at.map(f64::from));
+        assert_close(size, &mapped, &at, Tolerance::absolute(3e-6));
     }
 }
 

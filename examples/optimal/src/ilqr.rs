@@ -194,15 +194,7 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
 
     /// The derivatives of every step.
     fn changes<const N2: usize>(&self, motion: &Motion<S::Q, S::U, M>) -> Vec<Changes<N2, M>> {
-        let zero = [[0.0; N]; N];
-        let mut of_step = StepDerivatives {
-            q_by_q: zero,
-            q_by_u: zero,
-            q_by_tau: zero,
-            u_by_q: zero,
-            u_by_u: zero,
-            u_by_tau: zero,
-        };
+        let mut of_step = StepDerivatives::filled([[0.0; N]; N]);
         let nodes = motion.states.iter().zip(&motion.forces);
         let of_node = |((q, u), forces): (&(S::Q, S::U), &SVector<f64, M>)| {
             let (mut q, mut u) = (*q, *u);

@@ -122,15 +122,7 @@ where
     S: ForwardDynamics<f64> + ForwardDynamicsAndDerivatives<f64>,
 {
     Scheme::ALL.map(|scheme| {
-        let zero = S::Matrix::filled(S::U::filled(f64::NAN));
-        let mut found = StepDerivatives {
-            q_by_q: zero,
-            q_by_u: zero,
-            q_by_tau: zero,
-            u_by_q: zero,
-            u_by_u: zero,
-            u_by_tau: zero,
-        };
+        let mut found = StepDerivatives::filled(S::Matrix::filled(S::U::filled(f64::NAN)));
         let what = format!("{}, {scheme:?}", S::NAME);
         let after = scheme.linearized(system, at, &mut found);
         // It is the same step; of what is joined, the operations come in another order.

@@ -2,17 +2,22 @@
 
 use crate::{Array, Real};
 
-/// `a + factor b`.
-pub(super) fn plus_scaled<R: Real, A: Array<R>>(a: &A, factor: R, b: &A) -> A {
-    let mut sum = *a;
+/// `sum += factor b`.
+pub(crate) fn add_scaled<R: Real, A: Array<R>>(sum: &mut A, factor: R, b: &A) {
     for (sum, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
         *sum = *sum + factor * *b;
     }
+}
+
+/// `a + factor b`.
+pub(crate) fn plus_scaled<R: Real, A: Array<R>>(a: &A, factor: R, b: &A) -> A {
+    let mut sum = *a;
+    add_scaled(&mut sum, factor, b);
     sum
 }
 
 /// `a + b`.
-pub(super) fn plus<R: Real, A: Array<R>>(a: &A, b: &A) -> A {
+pub(crate) fn plus<R: Real, A: Array<R>>(a: &A, b: &A) -> A {
     let mut sum = *a;
     for (sum, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
         *sum = *sum + *b;
@@ -21,7 +26,7 @@ pub(super) fn plus<R: Real, A: Array<R>>(a: &A, b: &A) -> A {
 }
 
 /// `factor a`.
-pub(super) fn scaled<R: Real, A: Array<R>>(factor: R, a: &A) -> A {
+pub(crate) fn scaled<R: Real, A: Array<R>>(factor: R, a: &A) -> A {
     let mut scaled = *a;
     for entry in scaled.as_mut() {
         *entry = factor * *entry;
@@ -30,17 +35,17 @@ pub(super) fn scaled<R: Real, A: Array<R>>(factor: R, a: &A) -> A {
 }
 
 /// No change.
-pub(super) fn zero<R: Real, A: Array<R>>() -> A {
+pub(crate) fn zero<R: Real, A: Array<R>>() -> A {
     A::filled(R::from_f64(0.0))
 }
 
 /// One entry of a change alone.
-pub(super) fn unit<R: Real, A: Array<R>>(entry: usize) -> A {
+pub(crate) fn unit<R: Real, A: Array<R>>(entry: usize) -> A {
     A::from_fn(|place| R::from_f64(if place == entry { 1.0 } else { 0.0 }))
 }
 
 /// A matrix by rows times a vector.
-pub(super) fn times<R: Real, U: Array<R>, M: Array<U>>(matrix: &M, v: &U) -> U {
+pub(crate) fn times<R: Real, U: Array<R>, M: Array<U>>(matrix: &M, v: &U) -> U {
     let mut product = zero::<R, U>();
     for (sum, row) in product.as_mut().iter_mut().zip(matrix.as_ref()) {
         for (entry, v) in row.as_ref().iter().zip(v.as_ref()) {
@@ -51,7 +56,7 @@ pub(super) fn times<R: Real, U: Array<R>, M: Array<U>>(matrix: &M, v: &U) -> U {
 }
 
 /// A column of a matrix by rows, one entry a speed.
-pub(super) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
+pub(crate) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     matrix: &M,
     place: usize,
 ) -> U {
@@ -65,7 +70,7 @@ pub(super) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
 }
 
 /// Writes such a column.
-pub(super) fn set_column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
+pub(crate) fn set_column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     matrix: &mut M,
     place: usize,
     column: &U,
