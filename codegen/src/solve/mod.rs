@@ -17,7 +17,7 @@ mod solutions;
 
 use std::collections::BTreeSet;
 
-pub use carried::factorise_on_carriers;
+pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
 pub use partitioned::{Partitioned, partitioned};
 
@@ -90,60 +90,6 @@ pub fn subtract(graph: &mut ExprGraph, tree: &Tree, tau: &mut [Expr], needed: &[
             let force = &mut tau[speed.index()];
             *force = graph.sub(*force, needed[speed.index()]);
         }
-    }
-}
-
-/// Factorises a mass matrix.
-pub fn factorise(graph: &mut ExprGraph, tree: &Tree, a: SpeedMatrix) -> Factors {
-    let order = elimination_order(tree);
-    factorised(graph, tree, a, order)
-}
-
-/// Factorises the rows and columns of a mass matrix that belong to the speeds in this order; the pivots of others are zero.
-fn factorised(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    mut a: SpeedMatrix,
-    order: Vec<BodySpeed>,
-) -> Factors {
-    let mut couplings = Vec::with_capacity(order.len());
-    let mut pivots = vec![graph.zero(); tree.n_speeds];
-    for (place, &k) in order.iter().enumerate() {
-        graph.enter(k.body);
-        let pivot = a[k.index()][k.index()];
-        graph.name(pivot, format!("pivot_{}", k.coordinate));
-        pivots[k.index()] = pivot;
-        let inverse = inverse(graph, k, pivot);
-        let coupled: Vec<BodySpeed> = order[place + 1..]
-            .iter()
-            .copied()
-            .filter(|other| !graph.is_zero(a[k.index()][other.index()]))
-            .collect();
-        let mut row = Vec::with_capacity(coupled.len());
-        for (i, &speed) in coupled.iter().enumerate() {
-            graph.enter(k.body);
-            let factor = graph.mul(a[k.index()][speed.index()], inverse);
-            let at = &tree.body(speed.body).identifier;
-            graph.name(
-                factor,
-                format!("l_{}_{at}_{}", k.coordinate, speed.coordinate),
-            );
-            for &other in &coupled[..=i] {
-                // The entry is there because of the outer of its two bodies.
-                graph.enter(other.body);
-                let update = graph.mul(factor, a[k.index()][other.index()]);
-                let entry = graph.sub(a[speed.index()][other.index()], update);
-                a[speed.index()][other.index()] = entry;
-                a[other.index()][speed.index()] = entry;
-            }
-            row.push((speed, factor));
-        }
-        couplings.push(row);
-    }
-    Factors {
-        order,
-        couplings,
-        pivots,
     }
 }
 
