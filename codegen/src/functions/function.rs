@@ -30,6 +30,8 @@ pub struct Function {
     pub is_default: bool,
     /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
     pub solves: bool,
+    /// True where the inverse of the mass matrix is written, whole or packed.
+    pub inverts: bool,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -64,6 +66,7 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     solves: false,
+    inverts: false,
     prescribes: false,
     derivatives: None,
     doc: &[],
@@ -94,11 +97,6 @@ impl Function {
     pub fn formulations(&self) -> Vec<Formulation> {
         let candidates = self.candidates.iter();
         candidates.map(|candidate| candidate.formulation).collect()
-    }
-
-    /// True where the inverse of the mass matrix is written, whole or packed.
-    pub(super) fn inverts(&self) -> bool {
-        self.name.starts_with("mass_matrix_inverse")
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.

@@ -193,7 +193,7 @@ impl Request {
 
     /// True where the inverse of the mass matrix is written.
     pub fn inverts(&self) -> bool {
-        self.functions().any(Function::inverts)
+        self.functions().any(|function| function.inverts)
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.
