@@ -144,7 +144,7 @@ impl Derivative {
                 "How the outputs of `{of}` change along a direction: its derivatives times the change of each variable."
             ),
             DerivativeKind::Reverse => format!(
-                "The multiplier times the derivatives of `{of}`: the gradient of the sum of its output's entries, each times its multiplier."
+                "The gradient of the sum of the entries of `{of}`, each times its multiplier."
             ),
             DerivativeKind::Hessian => format!(
                 "The second derivatives of the sum of the entries of `{of}`, each times its multiplier. They are symmetric: `{places}` holds the row and column of each on and below the diagonal that the tree does not make zero. Rows and columns count the entries of the variables in this order:"
