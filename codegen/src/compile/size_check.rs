@@ -101,14 +101,35 @@ fn check_second(tree: &Tree, request: &Request) -> Result<(), Error> {
     let values = request.values();
     let derived = values.derive(tree, functions::Formulation::Recursive, &Plan::plain(tree));
     let name = request.text();
-    bound(
-        &format!(
-            "`{name}` (ask for fewer variables, or for `vjp` and its differences) has {n_variables} variables and builds about"
-        ),
-        SLOPES * derived.graph.len() * n_variables,
-        "operations",
-        limits::SECOND,
-    )
+    let what = format!("`{name}`, by {n_variables} variables, builds about");
+    let found = SLOPES * derived.graph.len() * n_variables;
+    let checked = bound(&what, found, "operations", limits::SECOND);
+    checked.map_err(|error| {
+        advised(
+            error,
+            "ask for fewer variables, or for `vjp` and its differences",
+        )
+    })
+}
+
+/// An error that says what to do about it.
+fn advised(error: Error, own: &'static str) -> Error {
+    match error {
+        Error::TooLarge {
+            what,
+            found,
+            unit,
+            most,
+            ..
+        } => Error::TooLarge {
+            what,
+            found,
+            unit,
+            most,
+            advice: Some(own),
+        },
+        error => error,
+    }
 }
 
 /// Refuses what functions have together.
@@ -135,5 +156,6 @@ fn bound(what: &str, found: usize, unit: &'static str, most: usize) -> Result<()
         found,
         unit,
         most,
+        advice: None,
     })
 }
