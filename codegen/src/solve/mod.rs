@@ -15,7 +15,7 @@ mod projected;
 mod reduced;
 mod solutions;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
@@ -98,10 +98,8 @@ impl Factors {
     pub fn of_rows(tree: &Tree, rows: &[FactorRow]) -> Self {
         let mut speeds = elimination_order(tree);
         speeds.sort_by_key(|own| own.speed);
-        let mut pivots: Vec<Expr> = rows.iter().map(|row| row.pivot).collect();
-        for row in rows {
-            pivots[row.speed.index()] = row.pivot;
-        }
+        let pivots = rows.iter().map(|row| (row.speed, row.pivot));
+        let pivots: BTreeMap<SpeedId, Expr> = pivots.collect();
         let entries = |row: &FactorRow| {
             let entries = row.entries.iter();
             let entries = entries.map(|&(speed, entry)| (speeds[speed.index()], entry));
@@ -110,7 +108,7 @@ impl Factors {
         Self {
             order: rows.iter().map(|row| speeds[row.speed.index()]).collect(),
             couplings: rows.iter().map(entries).collect(),
-            pivots,
+            pivots: pivots.into_values().collect(),
         }
     }
 
