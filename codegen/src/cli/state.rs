@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
-    functions::{Argument, Dimension, Element, MULTIPLIER, Request},
+    functions::{Argument, Dimension, Element, Function, Request},
     id::ParameterId,
     passes::sines,
     tree::Tree,
@@ -77,7 +77,8 @@ impl Reader<'_> {
         let is_of_others = |key: &String| {
             let mut others = others.iter();
             let is_known = all.iter().any(|own| own.name() == key);
-            others.any(|other| other.name() == key) || key.ends_with(MULTIPLIER) && !is_known
+            others.any(|other| other.name() == key)
+                || Function::multipliers().any(|own| own == key) && !is_known
         };
         let keys: Vec<&str> = all.iter().map(|argument| argument.name()).collect();
         let keys = [&keys[..], &[PARAMETERS]].concat();

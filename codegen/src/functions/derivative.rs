@@ -93,7 +93,7 @@ impl Derivative {
             DerivativeKind::Reverse | DerivativeKind::Hessian => {
                 let outputs = of.iter().enumerate();
                 let multiplier = |(place, output): (usize, &Output)| {
-                    Multiplier::of((place, of.len()), &output.name, output.shape, own)
+                    Multiplier::of(place, output.multiplier, output.shape, own)
                 };
                 outputs
                     .map(|output| Argument::Multiplier(multiplier(output)))
@@ -105,22 +105,19 @@ impl Derivative {
     /// What it writes: for each output as many as there are variables, or one for each output, or for each variable, or one packed.
     pub(super) fn outputs(&self, of: &[Output]) -> Vec<Output> {
         let by_all = |output: &Output| {
-            let by = |variable: &Variable| Output {
-                name: format!("d{}_d{}", output.name, variable.name()).into(),
-                shape: Shape {
+            let by = |variable: &Variable| {
+                let shape = Shape {
                     by: variable.dimensions(),
                     ..output.shape
-                },
+                };
+                Output::named(format!("d{}_d{}", output.name, variable.name()), shape)
             };
             self.by.iter().map(by).collect::<Vec<_>>()
         };
-        let along = |output: &Output| Output {
-            name: format!("d{}", output.name).into(),
-            shape: output.shape,
-        };
-        let gradient = |variable: &Variable| Output {
-            name: format!("{}_gradient", variable.name()).into(),
-            shape: Shape::of(variable.dimensions()),
+        let along = |output: &Output| Output::named(format!("d{}", output.name), output.shape);
+        let gradient = |variable: &Variable| {
+            let name = format!("{}_gradient", variable.name());
+            Output::named(name, Shape::of(variable.dimensions()))
         };
         match self.kind {
             DerivativeKind::Whole => of.iter().flat_map(by_all).collect(),

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::{
     argument::Argument,
     candidate::{Candidate, Formulation},
+    multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
     subject::View,
 };
@@ -80,14 +81,34 @@ pub struct Output {
     pub name: Cow<'static, str>,
     /// The array that is written.
     pub shape: Shape,
+    /// What it is multiplied by where its function is differentiated: the argument's name.
+    pub(super) multiplier: &'static str,
 }
 
 impl Output {
-    /// An output with a name of the catalogue.
+    /// The only output of a function, with a name of the catalogue.
     pub(super) const fn new(name: &'static str, shape: Shape) -> Self {
+        Self::of_several(name, MULTIPLIER, shape)
+    }
+
+    /// One of several, which have a multiplier each.
+    pub(super) const fn of_several(
+        name: &'static str,
+        multiplier: &'static str,
+        shape: Shape,
+    ) -> Self {
         Self {
             name: Cow::Borrowed(name),
             shape,
+            multiplier,
+        }
+    }
+
+    /// One with a name that follows from others.
+    pub(super) fn named(name: String, shape: Shape) -> Self {
+        Self {
+            name: name.into(),
+            ..Self::new("", shape)
         }
     }
 }

@@ -147,10 +147,7 @@ impl Request {
                 [_] => part.name(),
                 _ => format!("{}_{}", part.name(), output.name),
             };
-            Output {
-                name: own.into(),
-                shape: output.shape,
-            }
+            Output::named(own, output.shape)
         };
         outputs.iter().map(named).collect()
     }
