@@ -101,35 +101,17 @@ fn check_second(tree: &Tree, request: &Request) -> Result<(), Error> {
     let values = request.values();
     let derived = values.derive(tree, functions::Formulation::Recursive, &Plan::plain(tree));
     let name = request.text();
-    let what = format!("`{name}`, by {n_variables} variables, builds about");
     let found = SLOPES * derived.graph.len() * n_variables;
-    let checked = bound(&what, found, "operations", limits::SECOND);
-    checked.map_err(|error| {
-        advised(
-            error,
-            "ask for fewer variables, or for `vjp` and its differences",
-        )
-    })
-}
-
-/// An error that says what to do about it.
-fn advised(error: Error, own: &'static str) -> Error {
-    match error {
-        Error::TooLarge {
-            what,
-            found,
-            unit,
-            most,
-            ..
-        } => Error::TooLarge {
-            what,
-            found,
-            unit,
-            most,
-            advice: Some(own),
-        },
-        error => error,
+    if found <= limits::SECOND {
+        return Ok(());
     }
+    Err(Error::TooLarge {
+        what: format!("`{name}`, by {n_variables} variables, builds about"),
+        found,
+        unit: "operations",
+        most: limits::SECOND,
+        advice: Some("ask for fewer variables, or for `vjp` and its differences"),
+    })
 }
 
 /// Refuses what functions have together.
