@@ -85,7 +85,7 @@ pub enum Error {
         function: String,
     },
     /// What is asked for would take too much time or memory.
-    #[error("{what} {found} {unit}; expected at most {most}")]
+    #[error("{what} {found} {unit}; expected at most {most}{}", advice.map_or_else(String::new, |advice| format!("; {advice}")))]
     TooLarge {
         /// What it is, with a verb.
         what: String,
@@ -95,6 +95,8 @@ pub enum Error {
         unit: &'static str,
         /// How much is allowed, of [`limits`](crate::limits).
         most: usize,
+        /// What to do about it, where that does not go without saying.
+        advice: Option<&'static str>,
     },
     /// A file could not be read or written.
     #[error("cannot access `{}`", path.display())]

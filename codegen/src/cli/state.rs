@@ -3,12 +3,12 @@
 //! In: its text, the tree, the function. Out: a number for every input the function may read, parameters included. All faults
 //! are reported at once, in the file's own words: `loads[2].force` counts from 0, as the arrays do.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
-    functions::{Argument, Dimension, Element, MULTIPLIER, Request},
+    functions::{Argument, Dimension, Element, Function, Request},
     id::ParameterId,
     passes::sines,
     tree::Tree,
@@ -68,21 +68,15 @@ impl Reader<'_> {
     fn file(&mut self, file: &Map<String, Value>, function: &Request) {
         // Directions and multipliers are the function's: those of others may have other shapes.
         let own = function.arguments();
-        let multipliers = own.iter().copied();
-        let multipliers = multipliers.filter(|one| matches!(one, Argument::Multiplier(_)));
-        let (known, others): (Vec<_>, Vec<_>) = Argument::ALL
-            .into_iter()
-            .partition(|argument| own.contains(argument) || !argument.is_of_product());
-        let all: Vec<Argument> = known.into_iter().chain(multipliers).collect();
-        let is_of_others = |key: &String| {
-            let mut others = others.iter();
-            let is_known = all.iter().any(|own| own.name() == key);
-            others.any(|other| other.name() == key) || key.ends_with(MULTIPLIER) && !is_known
-        };
-        let keys: Vec<&str> = all.iter().map(|argument| argument.name()).collect();
-        let keys = [&keys[..], &[PARAMETERS]].concat();
+        let plain = Argument::ALL.into_iter();
+        let plain = plain.filter(|one| !one.is_of_product());
+        let all: BTreeSet<Argument> = plain.chain(own.iter().copied()).collect();
+        let keys = all.iter().map(|argument| argument.name());
+        let keys: Vec<&str> = keys.chain([PARAMETERS]).collect();
+        let others = Argument::ALL.into_iter().map(Argument::name);
+        let others: BTreeSet<&str> = others.chain(Function::multipliers()).collect();
         let mut asked = file.clone();
-        asked.retain(|key, _| !is_of_others(key));
+        asked.retain(|key, _| keys.contains(&key.as_str()) || !others.contains(key.as_str()));
         self.unknown_keys("the file", &asked, &keys);
         for argument in all {
             match file.get(argument.name()) {

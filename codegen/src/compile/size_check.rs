@@ -101,14 +101,17 @@ fn check_second(tree: &Tree, request: &Request) -> Result<(), Error> {
     let values = request.values();
     let derived = values.derive(tree, functions::Formulation::Recursive, &Plan::plain(tree));
     let name = request.text();
-    bound(
-        &format!(
-            "`{name}` (ask for fewer variables, or for `vjp` and its differences) has {n_variables} variables and builds about"
-        ),
-        SLOPES * derived.graph.len() * n_variables,
-        "operations",
-        limits::SECOND,
-    )
+    let found = SLOPES * derived.graph.len() * n_variables;
+    if found <= limits::SECOND {
+        return Ok(());
+    }
+    Err(Error::TooLarge {
+        what: format!("`{name}`, by {n_variables} variables, builds about"),
+        found,
+        unit: "operations",
+        most: limits::SECOND,
+        advice: Some("ask for fewer variables, or for `vjp` and its differences"),
+    })
 }
 
 /// Refuses what functions have together.
@@ -135,5 +138,6 @@ fn bound(what: &str, found: usize, unit: &'static str, most: usize) -> Result<()
         found,
         unit,
         most,
+        advice: None,
     })
 }

@@ -17,7 +17,8 @@ pub fn colors(places: &[[usize; 2]], n_columns: usize) -> Vec<usize> {
     for column in order {
         let rows = &rows_of[column];
         let is_free = |color: &usize| rows.iter().all(|&row| !taken[row].contains(color));
-        let color = (0..n_columns).find(is_free).unwrap_or(0);
+        let color = (0..n_columns).find(is_free);
+        let color = color.expect("coloring: as many colours as columns");
         for &row in rows {
             taken[row].insert(color);
         }

@@ -93,7 +93,7 @@ impl Derivative {
             DerivativeKind::Reverse | DerivativeKind::Hessian => {
                 let outputs = of.iter().enumerate();
                 let multiplier = |(place, output): (usize, &Output)| {
-                    Multiplier::of((place, of.len()), &output.name, output.shape, own)
+                    Multiplier::of(place, output.multiplier, output.shape, own)
                 };
                 outputs
                     .map(|output| Argument::Multiplier(multiplier(output)))
@@ -105,22 +105,19 @@ impl Derivative {
     /// What it writes: for each output as many as there are variables, or one for each output, or for each variable, or one packed.
     pub(super) fn outputs(&self, of: &[Output]) -> Vec<Output> {
         let by_all = |output: &Output| {
-            let by = |variable: &Variable| Output {
-                name: format!("d{}_d{}", output.name, variable.name()).into(),
-                shape: Shape {
+            let by = |variable: &Variable| {
+                let shape = Shape {
                     by: variable.dimensions(),
                     ..output.shape
-                },
+                };
+                Output::named(format!("d{}_d{}", output.name, variable.name()), shape)
             };
             self.by.iter().map(by).collect::<Vec<_>>()
         };
-        let along = |output: &Output| Output {
-            name: format!("d{}", output.name).into(),
-            shape: output.shape,
-        };
-        let gradient = |variable: &Variable| Output {
-            name: format!("{}_gradient", variable.name()).into(),
-            shape: Shape::of(variable.dimensions()),
+        let along = |output: &Output| Output::named(format!("d{}", output.name), output.shape);
+        let gradient = |variable: &Variable| {
+            let name = format!("{}_gradient", variable.name());
+            Output::named(name, Shape::of(variable.dimensions()))
         };
         match self.kind {
             DerivativeKind::Whole => of.iter().flat_map(by_all).collect(),
@@ -144,7 +141,7 @@ impl Derivative {
                 "How the outputs of `{of}` change along a direction: its derivatives times the change of each variable."
             ),
             DerivativeKind::Reverse => format!(
-                "The multiplier times the derivatives of `{of}`: the gradient of the sum of its output's entries, each times its multiplier."
+                "The gradient of the sum of the entries of `{of}`, each times its multiplier."
             ),
             DerivativeKind::Hessian => format!(
                 "The second derivatives of the sum of the entries of `{of}`, each times its multiplier. They are symmetric: `{places}` holds the row and column of each on and below the diagonal that the tree does not make zero. Rows and columns count the entries of the variables in this order:"
@@ -275,7 +272,8 @@ impl Derivative {
             DerivativeKind::Packed => {
                 let rows = sweep(graph, &values, &seeds);
                 for &[row, column] in places {
-                    derived.extend_by(&rows[row], column..column + 1);
+                    let entry = entry(graph, &rows[row], column);
+                    derived.roots.push(entry);
                 }
             }
             DerivativeKind::Forward => {
@@ -293,7 +291,7 @@ impl Derivative {
                 let weighted = (multipliers, &values[..]);
                 let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
                 let rows = sweep(graph, &gradient, &seeds);
-                let mixing = self.mixing(tree);
+                let mixing = self.mixing(tree, &columns);
                 for &[row, column] in places {
                     let mut sum = entry(graph, &rows[row], column);
                     if mixing.contains(&[row, column]) {
@@ -322,14 +320,13 @@ impl Derivative {
 
     /// The rows and columns of second derivatives, lower triangle, along motions whose order matters: turns about axes of one body.
     /// At constant speeds both are done at once, which to second order is the mean of one after the other and the other way round.
-    fn mixing(&self, tree: &Tree) -> BTreeSet<[usize; 2]> {
+    fn mixing(&self, tree: &Tree, columns: &[Range<usize>]) -> BTreeSet<[usize; 2]> {
         let mut pairs = BTreeSet::new();
-        let mut first = 0;
-        for variable in &self.by {
+        for (variable, columns) in self.by.iter().zip(columns) {
             let turning = tree.bodies.iter().filter(|_| variable.is_motion());
             for body in turning {
                 if let Orientation::AngularVelocity { speeds, .. } = body.joint.orientation {
-                    let places = speeds.map(|speed| first + speed.index());
+                    let places = speeds.map(|speed| columns.start + speed.index());
                     let pair = |(a, b): (usize, usize)| {
                         let (a, b) = (places[a], places[b]);
                         [a.max(b), a.min(b)]
@@ -337,7 +334,6 @@ impl Derivative {
                     pairs.extend([(0, 1), (0, 2), (1, 2)].map(pair));
                 }
             }
-            first += variable.n_entries(tree);
         }
         pairs
     }
@@ -387,7 +383,7 @@ fn gradient(
         .collect()
 }
 
-/// The entry of a row in a column.
+/// The entry of a row in a column, zero where it has none.
 fn entry(graph: &mut ExprGraph, row: &Row, column: usize) -> Expr {
     let place = row.binary_search_by_key(&column, |&(place, _)| place);
     place.map_or_else(|_| graph.zero(), |place| row[place].1)
@@ -395,13 +391,8 @@ fn entry(graph: &mut ExprGraph, row: &Row, column: usize) -> Expr {
 
 impl Derived {
     /// Adds the entries of a row in these columns, zeros among them.
-    fn extend_by(&mut self, row: &Row, columns: std::ops::Range<usize>) {
-        let zero = self.graph.zero();
-        let start = row.partition_point(|&(place, _)| place < columns.start);
-        let mut own = row[start..].iter().peekable();
-        for column in columns {
-            let entry = own.next_if(|&&(place, _)| place == column);
-            self.roots.push(entry.map_or(zero, |&(_, entry)| entry));
-        }
+    fn extend_by(&mut self, row: &Row, columns: Range<usize>) {
+        let entries = columns.map(|column| entry(&mut self.graph, row, column));
+        self.roots.extend(entries);
     }
 }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::{
     argument::Argument,
     candidate::{Candidate, Formulation},
+    multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
     subject::View,
 };
@@ -30,6 +31,8 @@ pub struct Function {
     pub is_default: bool,
     /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
     pub solves: bool,
+    /// True where the inverse of the mass matrix is written, whole or packed.
+    pub inverts: bool,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -64,6 +67,7 @@ pub(super) const PLAIN: Function = Function {
     outputs: &[],
     is_default: false,
     solves: false,
+    inverts: false,
     prescribes: false,
     derivatives: None,
     doc: &[],
@@ -77,14 +81,34 @@ pub struct Output {
     pub name: Cow<'static, str>,
     /// The array that is written.
     pub shape: Shape,
+    /// What it is multiplied by where its function is differentiated: the argument's name.
+    pub(super) multiplier: &'static str,
 }
 
 impl Output {
-    /// An output with a name of the catalogue.
+    /// The only output of a function, with a name of the catalogue.
     pub(super) const fn new(name: &'static str, shape: Shape) -> Self {
+        Self::of_several(name, MULTIPLIER, shape)
+    }
+
+    /// One of several, which have a multiplier each.
+    pub(super) const fn of_several(
+        name: &'static str,
+        multiplier: &'static str,
+        shape: Shape,
+    ) -> Self {
         Self {
             name: Cow::Borrowed(name),
             shape,
+            multiplier,
+        }
+    }
+
+    /// One with a name that follows from others.
+    pub(super) fn named(name: String, shape: Shape) -> Self {
+        Self {
+            name: name.into(),
+            ..Self::new("", shape)
         }
     }
 }
@@ -94,11 +118,6 @@ impl Function {
     pub fn formulations(&self) -> Vec<Formulation> {
         let candidates = self.candidates.iter();
         candidates.map(|candidate| candidate.formulation).collect()
-    }
-
-    /// True where the inverse of the mass matrix is written, whole or packed.
-    pub(super) fn inverts(&self) -> bool {
-        self.name.starts_with("mass_matrix_inverse")
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.

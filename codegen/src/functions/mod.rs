@@ -45,7 +45,7 @@ pub use derivative::{Derivative, DerivativeKind};
 pub use derivative_trait::TRAITS;
 pub use derived::{CompactBlock, Derived, pattern};
 pub use function::{Function, Of, Output, PRESCRIBED};
-pub use multiplier::{MULTIPLIER, Multiplier};
+pub use multiplier::Multiplier;
 pub use packed::{ELIMINATION, Packed};
 pub use parsed::{Parsed, Place};
 pub use part::Part;

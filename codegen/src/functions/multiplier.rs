@@ -16,22 +16,8 @@ pub struct Multiplier {
     own: usize,
 }
 
-/// What it is called where the output is the only one, and with what its name ends elsewhere.
-pub const MULTIPLIER: &str = "multiplier";
-
-/// What it is called otherwise, by the name of the output.
-const NAMES: [(&str, &str); 10] = [
-    ("rotation", "rotation_multiplier"),
-    ("position", "position_multiplier"),
-    ("linear", "linear_multiplier"),
-    ("angular", "angular_multiplier"),
-    ("specific_force", "specific_force_multiplier"),
-    ("angular_velocity", "angular_velocity_multiplier"),
-    ("whole_u_dot", "whole_u_dot_multiplier"),
-    ("whole_tau", "whole_tau_multiplier"),
-    ("force", "force_multiplier"),
-    ("moment", "moment_multiplier"),
-];
+/// What it is called where the output is the only one.
+pub(super) const MULTIPLIER: &str = "multiplier";
 
 /// The constants that hold samples, by shapes that many outputs have.
 const SAMPLED: [(Shape, &str); 4] = [
@@ -42,16 +28,11 @@ const SAMPLED: [(Shape, &str); 4] = [
 ];
 
 impl Multiplier {
-    /// That of the output with this name and shape at a place among `count`; `own` is the length of axes that the function
-    /// decides.
-    pub(super) fn of((place, count): (usize, usize), name: &str, shape: Shape, own: usize) -> Self {
+    /// One with this name, of the output at a place with this shape; `own` is the length of axes that the function decides.
+    pub(super) fn of(place: usize, name: &'static str, shape: Shape, own: usize) -> Self {
         Self {
             place,
-            name: if count == 1 {
-                MULTIPLIER
-            } else {
-                name_for(name)
-            },
+            name,
             shape,
             own,
         }
@@ -106,11 +87,4 @@ impl Multiplier {
     pub(super) fn declared(self) -> Vec<Length> {
         self.shape.declared(|_| Length::Number(self.own))
     }
-}
-
-fn name_for(output: &str) -> &'static str {
-    let mut names = NAMES.iter();
-    let found = names.find(|(name, _)| *name == output);
-    let (_, name) = found.unwrap_or_else(|| unreachable!("functions: `{output}` has a multiplier"));
-    name
 }

@@ -116,16 +116,14 @@ impl Part {
         arguments.chain(own).collect()
     }
 
-    /// The length of the dimensions of its values that its subject decides.
+    /// The length of the dimensions of its values that its subject decides, zero where none is.
     fn own_of_subject(&self) -> usize {
-        let subject = self.subject.as_ref();
-        subject.map_or(0, |subject| {
-            if self.function.writes(Dimension::FrameSpeeds) {
-                subject.n_speeds
-            } else {
-                6 * subject.frames.len()
-            }
-        })
+        let writes = |dimension| self.function.writes(dimension);
+        match &self.subject {
+            Some(subject) if writes(Dimension::FrameSpeeds) => subject.n_speeds,
+            Some(subject) if writes(Dimension::FrameComponents) => 6 * subject.frames.len(),
+            _ => 0,
+        }
     }
 
     /// True where all derivatives are asked for, as the function's composite bodies give them.

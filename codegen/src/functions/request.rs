@@ -99,16 +99,8 @@ impl Request {
 
     /// What it is given besides the parameters: whatever one of its parts is given, in the order of all functions.
     pub fn arguments(&self) -> Vec<Argument> {
-        let is_given = |argument: &Argument| {
-            let mut parts = self.parts.iter();
-            parts.any(|part| part.arguments().contains(argument))
-        };
-        let all = Argument::ALL.into_iter().filter(is_given);
-        let parts = self.parts.iter().flat_map(Part::arguments);
-        let multipliers = parts.filter(|own| matches!(own, Argument::Multiplier(_)));
-        // They are one function's, in the order of its outputs.
-        let multipliers: BTreeSet<Argument> = multipliers.collect();
-        all.chain(multipliers).collect()
+        let all: BTreeSet<Argument> = self.parts.iter().flat_map(Part::arguments).collect();
+        all.into_iter().collect()
     }
 
     /// What it writes, in the order asked for. An output that has the name of another one or of an argument carries the name
@@ -147,10 +139,7 @@ impl Request {
                 [_] => part.name(),
                 _ => format!("{}_{}", part.name(), output.name),
             };
-            Output {
-                name: own.into(),
-                shape: output.shape,
-            }
+            Output::named(own, output.shape)
         };
         outputs.iter().map(named).collect()
     }
@@ -193,7 +182,7 @@ impl Request {
 
     /// True where the inverse of the mass matrix is written.
     pub fn inverts(&self) -> bool {
-        self.functions().any(Function::inverts)
+        self.functions().any(|function| function.inverts)
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.

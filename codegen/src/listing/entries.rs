@@ -62,7 +62,7 @@ impl Entries {
             colors: sparsity.colors.clone().map(|colors| Colors {
                 constant: part.colors_constant(),
                 doc: format!(
-                    "A colour for each column of `{text}`, from 0: two of one colour share no row, so that one direction serves all of it."
+                    "A colour for each column of `{text}`, from 0: two of one colour share no row, so one direction gives all entries of a colour."
                 ),
                 length: part.columns_constant(),
                 colors,

@@ -213,6 +213,7 @@ impl State {
     /// After a call, which keeps what the stack holds from an address on.
     pub(super) fn returned(&mut self, kept: i64) {
         self.stack.retain(|&place, _| place >= kept);
+        self.are_equal = None;
         for register in OF_CALLEE {
             self.set(register, Content::Unknown);
         }

@@ -81,7 +81,7 @@ fn name_in_module(name: &str) -> Option<&str> {
 /// True for a stage of a function of the module.
 fn is_stage(name: &str) -> bool {
     let number = name_in_module(name).and_then(|name| name.rsplit_once("_stage_"));
-    number.is_some_and(|(_, number)| number.bytes().all(|byte| byte.is_ascii_digit()))
+    number.is_some_and(|(_, number)| number.parse::<usize>().is_ok())
 }
 
 /// What is known of a function.

@@ -42,15 +42,19 @@ pub(super) fn carriers(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Carriers
             carriers.add_root(body, root_speeds);
             continue;
         };
-        if let Some(motion) = only_motion(tree, body) {
-            if carry[body] {
-                let along_root = along_root(graph, linkage, body, motion.speed);
-                carriers.add(tree, body, motion.speed, along_root);
-            }
-            if lower == root && !has_rotor(tree, body) {
-                let along_root = along_root(graph, linkage, body, motion.speed);
-                release(graph, tree, body, along_root, &mut carriers);
-            }
+        let Some(motion) = only_motion(tree, body) else {
+            continue;
+        };
+        let gives_way = lower == root && !has_rotor(tree, body);
+        if !carry[body] && !gives_way {
+            continue;
+        }
+        let along_root = along_root(graph, linkage, body, motion.speed);
+        if carry[body] {
+            carriers.add(tree, body, motion.speed, along_root);
+        }
+        if gives_way {
+            release(graph, tree, body, along_root, &mut carriers);
         }
     }
     carriers

@@ -15,12 +15,12 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph, Vector},
     id::{BodyId, BodyMap, SpeedId},
-    solve::{Carriers, FactorRow, Factors},
+    solve::{FactorRow, Factors},
     tree::{Motion, Tree},
 };
 
 /// `M = L^T D L`; what carriers derive of a row is not needed.
-pub(super) fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>, _: &Carriers) -> Factors {
+pub(super) fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Factors {
     let Linkage { tree, passages, .. } = linkage;
     let gains = articulated::gains(graph, linkage);
     let mut gained = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Gained>::new());

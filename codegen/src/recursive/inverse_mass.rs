@@ -30,27 +30,23 @@ pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Ex
 /// `M^-1`.
 pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
-    let ways = [Technique::Articulated, Technique::Carriers].map(|way| plan.uses(way));
-    let mut inverse = match ways {
-        [true, false] => by_articulated_bodies(graph, &linkage),
-        [true, true] => by_rows(graph, &linkage, gains::factors),
-        [false, _] => by_rows(graph, &linkage, of_composite_bodies),
+    let is_articulated = plan.uses(Technique::Articulated);
+    let mut inverse = if is_articulated && !plan.uses(Technique::Carriers) {
+        by_articulated_bodies(graph, &linkage)
+    } else {
+        let carriers = carriers::carriers(graph, &linkage);
+        let factors = if is_articulated {
+            gains::factors(graph, &linkage)
+        } else {
+            of_composite_bodies(graph, &linkage, &carriers)
+        };
+        factors.inverse(graph, tree, &carriers)
     };
     exchange::compliance(graph, &linkage, &mut inverse);
     inverse
 }
 
-/// Row by row of the factors, which branches have by their carriers.
-fn by_rows(
-    graph: &mut ExprGraph,
-    linkage: &Linkage<'_>,
-    factors: fn(&mut ExprGraph, &Linkage<'_>, &Carriers) -> Factors,
-) -> SpeedMatrix {
-    let carriers = carriers::carriers(graph, linkage);
-    let factors = factors(graph, linkage, &carriers);
-    factors.inverse(graph, linkage.tree, &carriers)
-}
-
+/// The factors, which branches have by their carriers.
 fn of_composite_bodies(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,

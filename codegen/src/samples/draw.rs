@@ -31,7 +31,7 @@ const POWERS: [f64; 25] = [
 /// What draws samples of a tree.
 pub(super) struct Sampler<'a> {
     tree: &'a Tree,
-    drawn: Vec<Argument>,
+    drawn: BTreeSet<Argument>,
     /// [`SCALES`], by the notes' equations.
     positions: Derived,
     forces: Derived,
@@ -40,17 +40,15 @@ pub(super) struct Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// Of directions and multipliers those that are asked for have numbers: of a matrix there are many.
     pub(super) fn new(tree: &'a Tree, asked: &BTreeSet<Argument>) -> Self {
-        let all = Argument::ALL.into_iter();
-        let drawn = all.filter(|one| asked.contains(one) || !one.is_of_product());
-        let multipliers = asked.iter().copied();
-        let multipliers = multipliers.filter(|one| matches!(one, Argument::Multiplier(_)));
+        let plain = Argument::ALL.into_iter();
+        let plain = plain.filter(|one| !one.is_of_product());
         let [positions, forces] = SCALES.map(|name| {
             let function = Function::find(name).expect("a function of the catalogue");
             Request::from(function).derive(tree, Formulation::Notes, &Plan::full(tree))
         });
         Self {
             tree,
-            drawn: drawn.chain(multipliers).collect(),
+            drawn: plain.chain(asked.iter().copied()).collect(),
             positions,
             forces,
         }

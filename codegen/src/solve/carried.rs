@@ -1,5 +1,5 @@
-//! `L^T D L` where branches are on carriers: what is eliminated beyond one is left to it as an inertia along the root's motions,
-//! of which every speed on the way there takes its part.
+//! `L^T D L`, speed by speed. Where branches are on carriers, what is eliminated beyond one is left to it as an inertia along the
+//! root's motions, of which every speed on the way there takes its part.
 
 use std::collections::BTreeMap;
 
@@ -17,6 +17,11 @@ use crate::{
 /// An inertia along the six motions of a root.
 type RootInertia = [[Expr; 6]; 6];
 
+/// Factorises a mass matrix.
+pub fn factorise(graph: &mut ExprGraph, tree: &Tree, a: SpeedMatrix) -> Factors {
+    factorise_on_carriers(graph, tree, a, &Carriers::default())
+}
+
 /// Factorises a mass matrix along a tree with carriers.
 pub fn factorise_on_carriers(
     graph: &mut ExprGraph,
@@ -24,7 +29,17 @@ pub fn factorise_on_carriers(
     a: SpeedMatrix,
     carriers: &Carriers,
 ) -> Factors {
-    let order = elimination_order(tree);
+    factorised(graph, tree, a, elimination_order(tree), carriers)
+}
+
+/// Factorises the rows and columns of a mass matrix that belong to the speeds in this order; the pivots of others are zero.
+pub(super) fn factorised(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    a: SpeedMatrix,
+    order: Vec<BodySpeed>,
+    carriers: &Carriers,
+) -> Factors {
     let mut elimination = Elimination {
         tree,
         carriers,

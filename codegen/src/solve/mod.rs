@@ -15,9 +15,9 @@ mod projected;
 mod reduced;
 mod solutions;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-pub use carried::factorise_on_carriers;
+pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
 pub use partitioned::{Partitioned, partitioned};
 
@@ -93,69 +93,13 @@ pub fn subtract(graph: &mut ExprGraph, tree: &Tree, tau: &mut [Expr], needed: &[
     }
 }
 
-/// Factorises a mass matrix.
-pub fn factorise(graph: &mut ExprGraph, tree: &Tree, a: SpeedMatrix) -> Factors {
-    let order = elimination_order(tree);
-    factorised(graph, tree, a, order)
-}
-
-/// Factorises the rows and columns of a mass matrix that belong to the speeds in this order; the pivots of others are zero.
-fn factorised(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    mut a: SpeedMatrix,
-    order: Vec<BodySpeed>,
-) -> Factors {
-    let mut couplings = Vec::with_capacity(order.len());
-    let mut pivots = vec![graph.zero(); tree.n_speeds];
-    for (place, &k) in order.iter().enumerate() {
-        graph.enter(k.body);
-        let pivot = a[k.index()][k.index()];
-        graph.name(pivot, format!("pivot_{}", k.coordinate));
-        pivots[k.index()] = pivot;
-        let inverse = inverse(graph, k, pivot);
-        let coupled: Vec<BodySpeed> = order[place + 1..]
-            .iter()
-            .copied()
-            .filter(|other| !graph.is_zero(a[k.index()][other.index()]))
-            .collect();
-        let mut row = Vec::with_capacity(coupled.len());
-        for (i, &speed) in coupled.iter().enumerate() {
-            graph.enter(k.body);
-            let factor = graph.mul(a[k.index()][speed.index()], inverse);
-            let at = &tree.body(speed.body).identifier;
-            graph.name(
-                factor,
-                format!("l_{}_{at}_{}", k.coordinate, speed.coordinate),
-            );
-            for &other in &coupled[..=i] {
-                // The entry is there because of the outer of its two bodies.
-                graph.enter(other.body);
-                let update = graph.mul(factor, a[k.index()][other.index()]);
-                let entry = graph.sub(a[speed.index()][other.index()], update);
-                a[speed.index()][other.index()] = entry;
-                a[other.index()][speed.index()] = entry;
-            }
-            row.push((speed, factor));
-        }
-        couplings.push(row);
-    }
-    Factors {
-        order,
-        couplings,
-        pivots,
-    }
-}
-
 impl Factors {
     /// Those of a row for every speed, in the order in which they were eliminated.
     pub fn of_rows(tree: &Tree, rows: &[FactorRow]) -> Self {
         let mut speeds = elimination_order(tree);
         speeds.sort_by_key(|own| own.speed);
-        let mut pivots: Vec<Expr> = rows.iter().map(|row| row.pivot).collect();
-        for row in rows {
-            pivots[row.speed.index()] = row.pivot;
-        }
+        let pivots = rows.iter().map(|row| (row.speed, row.pivot));
+        let pivots: BTreeMap<SpeedId, Expr> = pivots.collect();
         let entries = |row: &FactorRow| {
             let entries = row.entries.iter();
             let entries = entries.map(|&(speed, entry)| (speeds[speed.index()], entry));
@@ -164,7 +108,7 @@ impl Factors {
         Self {
             order: rows.iter().map(|row| speeds[row.speed.index()]).collect(),
             couplings: rows.iter().map(entries).collect(),
-            pivots,
+            pivots: pivots.into_values().collect(),
         }
     }
 

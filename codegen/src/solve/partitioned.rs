@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{SpeedMatrix, elimination_order, factorised, subtract};
+use super::{SpeedMatrix, carried::factorised, carriers::Carriers, elimination_order, subtract};
 use crate::{
     expr::{Expr, ExprGraph},
     id::SpeedId,
@@ -36,7 +36,7 @@ pub fn partitioned(
         .iter()
         .map(|own| free.iter().map(|k| a[own.index()][k.index()]).collect())
         .collect();
-    let factors = factorised(graph, tree, a, order);
+    let factors = factorised(graph, tree, a, order, &Carriers::default());
     subtract(graph, tree, &mut tau, needed);
     let accelerations = factors.solve(graph, tau);
     let bodies = tree.speed_bodies();

@@ -79,8 +79,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
     trait_name: Some("CentroidalMomentumMatrix"),
     arguments: &[Argument::Q],
     outputs: &[
-        Output::new("linear", Shape::VECTOR_BY_SPEEDS),
-        Output::new("angular", Shape::VECTOR_BY_SPEEDS),
+        Output::of_several("linear", "linear_multiplier", Shape::VECTOR_BY_SPEEDS),
+        Output::of_several("angular", "angular_multiplier", Shape::VECTOR_BY_SPEEDS),
     ],
     doc: &[
         "Momentum of all bodies about their mass centre for a unit of each speed, a column for each: linear, kg m/s, and angular, kg m^2/s, are these",
@@ -99,8 +99,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
     trait_name: Some("CentroidalMomentumMatrixDotU"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[
-        Output::new("linear", Shape::VECTOR),
-        Output::new("angular", Shape::VECTOR),
+        Output::of_several("linear", "linear_multiplier", Shape::VECTOR),
+        Output::of_several("angular", "angular_multiplier", Shape::VECTOR),
     ],
     doc: &[
         "Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`: inertial components.",

@@ -15,14 +15,14 @@ const OWN_VIEWS: Of = Of::Frame(&[View::Inertial, View::Local]);
 
 /// A vector of the origin, then an angular one.
 const MOTION: &[Output] = &[
-    Output::new("linear", Shape::VECTOR),
-    Output::new("angular", Shape::VECTOR),
+    Output::of_several("linear", "linear_multiplier", Shape::VECTOR),
+    Output::of_several("angular", "angular_multiplier", Shape::VECTOR),
 ];
 
 /// The same for every speed.
 const COLUMNS: &[Output] = &[
-    Output::new("linear", Shape::VECTOR_BY_SPEEDS),
-    Output::new("angular", Shape::VECTOR_BY_SPEEDS),
+    Output::of_several("linear", "linear_multiplier", Shape::VECTOR_BY_SPEEDS),
+    Output::of_several("angular", "angular_multiplier", Shape::VECTOR_BY_SPEEDS),
 ];
 
 pub(super) const POSE: Function = Function {
@@ -31,8 +31,8 @@ pub(super) const POSE: Function = Function {
     trait_name: Some("Pose"),
     arguments: &[Argument::Q],
     outputs: &[
-        Output::new("rotation", Shape::MATRIX),
-        Output::new("position", Shape::VECTOR),
+        Output::of_several("rotation", "rotation_multiplier", Shape::MATRIX),
+        Output::of_several("position", "position_multiplier", Shape::VECTOR),
     ],
     doc: &[
         "Pose of the frame {frame}{from}: the matrix from {base} components to components along the frame's axes, by rows,",
@@ -91,8 +91,12 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
     trait_name: Some("JacobianPacked"),
     arguments: &[Argument::Q],
     outputs: &[
-        Output::new("linear", Shape::VECTOR_BY_FRAME_SPEEDS),
-        Output::new("angular", Shape::VECTOR_BY_FRAME_SPEEDS),
+        Output::of_several("linear", "linear_multiplier", Shape::VECTOR_BY_FRAME_SPEEDS),
+        Output::of_several(
+            "angular",
+            "angular_multiplier",
+            Shape::VECTOR_BY_FRAME_SPEEDS,
+        ),
     ],
     doc: &[
         "The columns of the Jacobian of the frame {frame} {seen}, of the speeds that move it alone: {speeds} says which.",
@@ -167,8 +171,12 @@ pub(super) const IMU: Function = Function {
     trait_name: Some("Imu"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[
-        Output::new("specific_force", Shape::VECTOR),
-        Output::new("angular_velocity", Shape::VECTOR),
+        Output::of_several("specific_force", "specific_force_multiplier", Shape::VECTOR),
+        Output::of_several(
+            "angular_velocity",
+            "angular_velocity_multiplier",
+            Shape::VECTOR,
+        ),
     ],
     doc: &[
         "What an inertial measurement unit at the frame {frame} reads: the acceleration of its origin less gravity, m/s^2, and its angular velocity, rad/s;",

@@ -14,8 +14,8 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
     trait_name: Some("HybridDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Tau],
     outputs: &[
-        Output::new("whole_u_dot", Shape::SPEEDS),
-        Output::new("whole_tau", Shape::SPEEDS),
+        Output::of_several("whole_u_dot", "whole_u_dot_multiplier", Shape::SPEEDS),
+        Output::of_several("whole_tau", "whole_tau_multiplier", Shape::SPEEDS),
     ],
     solves: true,
     prescribes: true,

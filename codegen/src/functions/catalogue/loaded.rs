@@ -51,8 +51,8 @@ pub(super) const JOINT_WRENCHES: Function = Function {
     trait_name: Some("JointWrenches"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[
-        Output::new("force", Shape::BODY_VECTORS),
-        Output::new("moment", Shape::BODY_VECTORS),
+        Output::of_several("force", "force_multiplier", Shape::BODY_VECTORS),
+        Output::of_several("moment", "moment_multiplier", Shape::BODY_VECTORS),
     ],
     doc: &[
         "All that each joint transmits to its body from the lower body, by which bearings and structures are sized: force, N, and moment, N m,",

@@ -49,6 +49,7 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("inverse", Shape::SPEED_MATRIX)],
     solves: true,
+    inverts: true,
     doc: &[
         "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
         "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
@@ -67,6 +68,7 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::INVERSE_PACKED)],
     solves: true,
+    inverts: true,
     doc: &[
         "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
         "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",

@@ -98,6 +98,12 @@ impl Function {
         Self::all().map(|function| function.name).collect()
     }
 
+    /// The names of all multipliers, some more than once.
+    pub fn multipliers() -> impl Iterator<Item = &'static str> {
+        let outputs = Self::all().flat_map(|function| function.outputs);
+        outputs.map(|output| output.multiplier)
+    }
+
     /// The function with this name.
     pub fn find(name: &str) -> Option<&'static Self> {
         Self::all().find(|function| function.name == name)
