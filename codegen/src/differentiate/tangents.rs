@@ -1,9 +1,9 @@
-//! The same as numbers: how the values of roots change, at given inputs.
+//! How the values of roots change with variables, in numbers.
 
 use std::collections::BTreeMap;
 
 use crate::{
-    expr::{Expr, ExprGraph, Input, Node},
+    expr::{Expr, ExprGraph, Input, Node, NodeId, signed},
     number::Number,
 };
 
@@ -14,58 +14,28 @@ type Numbers<N> = Vec<(usize, N)>;
 pub fn tangents<N: Number + PartialEq>(
     graph: &ExprGraph,
     roots: &[Expr],
-    mut input: impl FnMut(Input) -> N,
+    input: impl FnMut(Input) -> N,
     seeds: &BTreeMap<Input, Numbers<N>>,
 ) -> Vec<Numbers<N>> {
     let needed = graph.reachable(roots);
-    let mut values = vec![N::constant(0.0); graph.len()];
-    let mut rows: Vec<Numbers<N>> = vec![Vec::new(); graph.len()];
-    let one = N::constant(1.0);
-    for id in graph.ids().filter(|id| needed[id.index()]) {
-        let of = |expr: Expr| signed(expr, values[expr.node().index()]);
-        let (value, slopes): (N, [Option<(usize, N)>; 2]) = match graph.node(id) {
-            Node::Number(bits) => (N::constant(f64::from_bits(bits)), [None; 2]),
-            Node::Input(given) => {
-                rows[id.index()] = seeds.get(&given).cloned().unwrap_or_default();
-                values[id.index()] = input(given);
-                continue;
-            }
-            Node::Sin(a) => {
-                let (sin, cos) = values[a.index()].sin_cos();
-                (sin, [Some((a.index(), cos)), None])
-            }
-            Node::Cos(a) => {
-                let (sin, cos) = values[a.index()].sin_cos();
-                (cos, [Some((a.index(), -sin)), None])
-            }
-            Node::Abs(a) => {
-                let (own, size) = (values[a.index()], values[a.index()].abs());
-                (size, [Some((a.index(), own / size)), None])
-            }
-            Node::Add(a, b) => {
-                let slope = |term: Expr| Some((term.node().index(), signed(term, one)));
-                (of(a) + of(b), [slope(a), slope(b)])
-            }
-            Node::Mul(a, b) => {
-                let (a, b) = (a.index(), b.index());
-                let product = values[a] * values[b];
-                (product, [Some((a, values[b])), Some((b, values[a]))])
-            }
-            Node::Div(a, b) => {
-                let reciprocal = one / values[b.index()];
-                let quotient = values[a.index()] * reciprocal;
-                let slopes = [(a, reciprocal), (b, -(quotient * reciprocal))];
-                let slopes = slopes.map(|(operand, slope)| Some((operand.index(), slope)));
-                (quotient, slopes)
-            }
-        };
+    let needed: Vec<NodeId> = graph.ids().filter(|id| needed[id.index()]).collect();
+    let nodes: Vec<Expr> = needed.iter().copied().map(Expr::of).collect();
+    let mut values = vec![N::constant(f64::NAN); graph.len()];
+    for (id, value) in needed.iter().zip(graph.evaluate(&nodes, input)) {
         values[id.index()] = value;
-        let slopes = slopes.into_iter().flatten();
-        let slopes = slopes.filter(|(operand, _)| !rows[*operand].is_empty());
-        let row = slopes.fold(Vec::new(), |sum, (operand, slope)| {
-            added(sum, &rows[operand], slope)
-        });
-        rows[id.index()] = row;
+    }
+    let mut rows: Vec<Numbers<N>> = vec![Vec::new(); graph.len()];
+    for id in needed {
+        rows[id.index()] = if let Node::Input(given) = graph.node(id) {
+            seeds.get(&given).cloned().unwrap_or_default()
+        } else {
+            let slopes = slopes(graph.node(id), values[id.index()], &values);
+            let slopes = slopes.into_iter().flatten();
+            let slopes = slopes.filter(|(operand, _)| !rows[operand.index()].is_empty());
+            slopes.fold(Vec::new(), |sum, (operand, slope)| {
+                added(sum, &rows[operand.index()], slope)
+            })
+        };
     }
     let signed_row = |root: &Expr| {
         let row = rows[root.node().index()].iter();
@@ -73,6 +43,29 @@ pub fn tangents<N: Number + PartialEq>(
             .collect()
     };
     roots.iter().map(signed_row).collect()
+}
+
+/// How a node with this value changes with each of its operands.
+fn slopes<N: Number>(node: Node, value: N, values: &[N]) -> [Option<(NodeId, N)>; 2] {
+    let one = N::constant(1.0);
+    match node {
+        Node::Number(_) | Node::Input(_) => [None; 2],
+        Node::Sin(a) => {
+            let (_, cos) = values[a.index()].sin_cos();
+            [Some((a, cos)), None]
+        }
+        Node::Cos(a) => {
+            let (sin, _) = values[a.index()].sin_cos();
+            [Some((a, -sin)), None]
+        }
+        Node::Abs(a) => [Some((a, values[a.index()] / value)), None],
+        Node::Add(a, b) => [a, b].map(|term| Some((term.node(), signed(term, one)))),
+        Node::Mul(a, b) => [Some((a, values[b.index()])), Some((b, values[a.index()]))],
+        Node::Div(a, b) => {
+            let reciprocal = one / values[b.index()];
+            [Some((a, reciprocal)), Some((b, -(value * reciprocal)))]
+        }
+    }
 }
 
 /// The sum of a row and another one times a factor; what becomes zero is left out.
@@ -86,8 +79,4 @@ fn added<N: Number + PartialEq>(sum: Numbers<N>, other: &Numbers<N>, factor: N) 
     let zero = N::constant(0.0);
     both.retain(|_, entry| *entry != zero);
     both.into_iter().collect()
-}
-
-fn signed<N: Number>(expr: Expr, value: N) -> N {
-    if expr.is_negative() { -value } else { value }
 }

@@ -28,6 +28,7 @@ impl ExprGraph {
     }
 }
 
-fn signed<N: Number>(expr: Expr, value: N) -> N {
+/// The value of an expression, of that of its node.
+pub(crate) fn signed<N: Number>(expr: Expr, value: N) -> N {
     if expr.is_negative() { -value } else { value }
 }

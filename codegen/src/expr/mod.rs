@@ -12,6 +12,7 @@ mod graph;
 mod node;
 mod vector;
 
+pub(crate) use evaluate::signed;
 pub use graph::ExprGraph;
 pub use node::{Binding, Expr, Input, Label, Node, NodeId};
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

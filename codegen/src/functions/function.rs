@@ -29,10 +29,8 @@ pub struct Function {
     pub outputs: &'static [Output],
     /// True for a function of the default set.
     pub is_default: bool,
-    /// True where accelerations are solved for along the tree, by factors or by articulated bodies.
-    pub solves: bool,
-    /// True where the inverse of the mass matrix is written, whole or packed.
-    pub inverts: bool,
+    /// What is solved for along the tree, by factors or by articulated bodies.
+    pub solves_for: Option<Unknown>,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -58,6 +56,15 @@ pub enum Of {
     Frames(&'static [View]),
 }
 
+/// What equations of the mass matrix are solved for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unknown {
+    /// Accelerations, of given forces.
+    Accelerations,
+    /// The inverse of the mass matrix, whole or packed.
+    Inverse,
+}
+
 /// What most functions are, where the catalogue does not say otherwise.
 pub(super) const PLAIN: Function = Function {
     of: Of::System,
@@ -66,8 +73,7 @@ pub(super) const PLAIN: Function = Function {
     arguments: &[],
     outputs: &[],
     is_default: false,
-    solves: false,
-    inverts: false,
+    solves_for: None,
     prescribes: false,
     derivatives: None,
     doc: &[],

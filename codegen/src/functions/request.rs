@@ -8,7 +8,7 @@ use super::{
     argument::Argument,
     candidate::Formulation,
     derived::Derived,
-    function::{Function, Output},
+    function::{Function, Output, Unknown},
     packed::Packed,
     part::Part,
     syntax::AT_SIN_COS,
@@ -177,12 +177,14 @@ impl Request {
 
     /// True where accelerations are solved for.
     pub fn solves(&self) -> bool {
-        self.functions().any(|function| function.solves)
+        self.functions()
+            .any(|function| function.solves_for.is_some())
     }
 
     /// True where the inverse of the mass matrix is written.
     pub fn inverts(&self) -> bool {
-        self.functions().any(|function| function.inverts)
+        self.functions()
+            .any(|function| function.solves_for == Some(Unknown::Inverse))
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.
@@ -197,7 +199,7 @@ impl Request {
 
     /// About how many operations a factorisation for it and a solution need.
     pub fn factorising(&self, tree: &Tree) -> usize {
-        let solves = |function: &&Function| function.solves || function.factorises();
+        let solves = |function: &&Function| function.solves_for.is_some() || function.factorises();
         let mut solving = self.functions().filter(solves);
         if solving.all(|function| function.prescribes) {
             solve::operations(tree, &tree.prescribed)
@@ -229,7 +231,10 @@ impl Request {
 
     /// As [`Self::n_numbers`], of the parts that solve.
     pub fn n_solved(&self, tree: &Tree) -> usize {
-        let parts = self.parts.iter().filter(|part| part.function.solves);
+        let parts = self
+            .parts
+            .iter()
+            .filter(|part| part.function.solves_for.is_some());
         parts.map(|part| part.n_numbers(tree)).sum()
     }
 

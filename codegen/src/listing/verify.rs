@@ -1,5 +1,7 @@
 //! What every function of a listing must hold; a breach is a bug of ours.
 
+use std::collections::BTreeMap;
+
 use super::{Code, Entry, Expression, Extent, Facts, Function, Stage, Statement};
 use crate::functions::{Access, Signature};
 
@@ -59,24 +61,70 @@ pub fn verify_facts(facts: &Facts) -> Result<(), Fault> {
 }
 
 /// Checks that names are unique identifiers; that each local is assigned once, before it is read, and is read; that what is
-/// read of arguments is there; and that each place of each output is stored once.
+/// read of arguments is there; and that each place of each output is stored once: by the function, and by its stages together.
 ///
 /// # Errors
 /// The first promise that is broken.
 pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
-    let whole = State::after(facts, &function.signature, &function.code, &[])?;
-    whole.close()?;
-    let stages = &function.stages;
-    (0..stages.len()).try_for_each(|place| verify_stage(facts, &stages[..place], &stages[place]))
+    let Function {
+        signature,
+        code,
+        stages,
+        ..
+    } = function;
+    let whole = State::after(facts, signature, code, &[], unstored(facts, signature))?;
+    check_stored(signature, &whole.close()?)?;
+    if stages.is_empty() {
+        return Ok(());
+    }
+    let mut stored = unstored(facts, signature);
+    for (place, stage) in stages.iter().enumerate() {
+        stored = verify_stage(facts, &stages[..place], stage, stored)?;
+    }
+    check_stored(signature, &stored)
 }
 
-/// What a function's stages store is what it stores itself.
-fn verify_stage(facts: &Facts, before: &[Stage], stage: &Stage) -> Result<(), Fault> {
+/// What is stored after a stage; `stored` is what those before it have stored.
+fn verify_stage<'a>(
+    facts: &Facts,
+    before: &[Stage],
+    stage: &Stage,
+    stored: Stored<'a>,
+) -> Result<Stored<'a>, Fault> {
     check_names(stage.kept.iter().map(|kept| &kept.name))?;
-    let mut state = State::after(facts, &stage.signature, &stage.code, before)?;
+    let mut state = State::after(facts, &stage.signature, &stage.code, before, stored)?;
     let mut kept = stage.kept.iter();
     kept.try_for_each(|kept| state.read(&kept.value))?;
-    state.close_locals()
+    state.close()
+}
+
+/// Which places of each output are stored, by the outputs' names.
+type Stored<'a> = BTreeMap<&'a str, Vec<bool>>;
+
+/// Before the first statement.
+fn unstored<'a>(facts: &Facts, signature: &'a Signature) -> Stored<'a> {
+    let arguments = signature.arguments.iter();
+    let outputs = arguments.filter(|argument| argument.access == Access::Written);
+    outputs
+        .map(|output| {
+            (
+                output.name.as_str(),
+                vec![false; facts.extent(output).size()],
+            )
+        })
+        .collect()
+}
+
+/// Nothing is left to store.
+fn check_stored(signature: &Signature, stored: &Stored<'_>) -> Result<(), Fault> {
+    for argument in &signature.arguments {
+        let places = stored.get(argument.name.as_str());
+        let missing = places.and_then(|places| places.iter().position(|is_stored| !is_stored));
+        if let Some(place) = missing {
+            return Err(Fault::NotStored(argument.name.clone(), place));
+        }
+    }
+    Ok(())
 }
 
 fn check_names<'a>(names: impl Iterator<Item = &'a String>) -> Result<(), Fault> {
@@ -103,47 +151,38 @@ enum Use {
     Read,
 }
 
-struct Argument {
-    extent: Extent,
-    /// Of an output, which places are stored.
-    is_stored: Option<Vec<bool>>,
-}
-
-struct State<'a> {
+struct State<'a, 's> {
     signature: &'a Signature,
     code: &'a Code,
     before: &'a [Stage],
-    arguments: Vec<Argument>,
+    /// Of the arguments.
+    extents: Vec<Extent>,
+    stored: Stored<'s>,
     locals: Vec<Use>,
     arrays: Vec<Use>,
 }
 
-impl<'a> State<'a> {
-    /// After all statements; `before` are the stages before it, where it is one.
+impl<'a, 's> State<'a, 's> {
+    /// After all statements; `before` are the stages before it, where it is one, and `stored` is what these have stored.
     fn after(
         facts: &Facts,
         signature: &'a Signature,
         code: &'a Code,
         before: &'a [Stage],
+        stored: Stored<'s>,
     ) -> Result<Self, Fault> {
         let arguments = &signature.arguments;
         let locals = code.locals.iter().map(|local| &local.name);
         let arrays = code.arrays.iter().map(|array| &array.name);
         let names = arguments.iter().map(|argument| &argument.name);
         check_names(names.chain(locals).chain(arrays))?;
-        let held = arguments.iter().map(|argument| {
-            let extent = facts.extent(argument);
-            let is_stored = match argument.access {
-                Access::Read => None,
-                Access::Written => Some(vec![false; extent.size()]),
-            };
-            Argument { extent, is_stored }
-        });
+        let extents = arguments.iter().map(|argument| facts.extent(argument));
         let mut state = Self {
             signature,
             code,
             before,
-            arguments: held.collect(),
+            extents: extents.collect(),
+            stored,
             locals: vec![Use::Unassigned; code.locals.len()],
             arrays: vec![Use::Unassigned; code.arrays.len()],
         };
@@ -202,9 +241,7 @@ impl<'a> State<'a> {
                 read(&mut self.arrays[id.index()], &array.name)?;
             }
             Expression::Entry(entry) => {
-                let argument = self.arguments.get(entry.argument);
-                let given = argument.filter(|argument| argument.is_stored.is_none());
-                let place = given.and_then(|argument| argument.extent.place(&entry.steps));
+                let place = self.place(entry, Access::Read);
                 place.ok_or_else(|| Fault::Unreadable(entry.clone()))?;
             }
             Expression::Kept(stage, place) => {
@@ -220,41 +257,34 @@ impl<'a> State<'a> {
         operands.try_for_each(|operand| self.read(operand))
     }
 
-    fn store(&mut self, place: &Entry) -> Result<(), Fault> {
-        let argument = self.arguments.get_mut(place.argument);
-        let slot = argument.and_then(|argument| {
-            let stored = argument.is_stored.as_mut()?;
-            stored.get_mut(argument.extent.place(&place.steps)?)
-        });
-        let is_stored = slot.ok_or_else(|| Fault::Unwritable(place.clone()))?;
+    /// The name of the argument with this access, and the place in it.
+    fn place(&self, entry: &Entry, access: Access) -> Option<(&'a str, usize)> {
+        let declared = self.signature.arguments.get(entry.argument)?;
+        let extent = self.extents.get(entry.argument)?;
+        let place = extent.place(&entry.steps)?;
+        (declared.access == access).then_some((declared.name.as_str(), place))
+    }
+
+    fn store(&mut self, entry: &Entry) -> Result<(), Fault> {
+        let place = self.place(entry, Access::Written);
+        let slot = place.and_then(|(name, place)| self.stored.get_mut(name)?.get_mut(place));
+        let is_stored = slot.ok_or_else(|| Fault::Unwritable(entry.clone()))?;
         if std::mem::replace(is_stored, true) {
-            return Err(Fault::StoredTwice(place.clone()));
+            return Err(Fault::StoredTwice(entry.clone()));
         }
         Ok(())
     }
 
-    /// Nothing is left to read or to store.
-    fn close(&self) -> Result<(), Fault> {
-        self.close_locals()?;
-        for (argument, declared) in self.arguments.iter().zip(&self.signature.arguments) {
-            let stored = argument.is_stored.as_ref();
-            let missing = stored.and_then(|stored| stored.iter().position(|stored| !stored));
-            if let Some(place) = missing {
-                return Err(Fault::NotStored(declared.name.clone(), place));
-            }
-        }
-        Ok(())
-    }
-
-    /// Nothing is left to read.
-    fn close_locals(&self) -> Result<(), Fault> {
+    /// Nothing is left to read; what is stored.
+    fn close(self) -> Result<Stored<'s>, Fault> {
         let locals = self.locals.iter().zip(&self.code.locals);
         let locals = locals.map(|(how, local)| (how, &local.name));
         let mut unread = locals.filter(|(how, _)| **how != Use::Read);
         if let Some((_, name)) = unread.next() {
             return Err(Fault::Unread(name.clone()));
         }
-        self.close_arrays()
+        self.close_arrays()?;
+        Ok(self.stored)
     }
 
     /// Of sines and cosines that are taken together, one may be of no use, but not both.

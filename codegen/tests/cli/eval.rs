@@ -367,6 +367,23 @@ fn faults_of_function_model_and_state_are_reported_together() {
 }
 
 #[test]
+fn keys_that_are_no_multipliers_are_unknown() {
+    let model = repository("models/cart_pole.toml");
+    let state = json!({ "q": [0.1, 0.3], "u": [0.5, -0.4], "u_dot": [0.1, 0.2], "tua_multiplier": [0.0, 1.0] });
+    let arguments = [
+        "eval",
+        model.to_str().unwrap(),
+        "--function",
+        "inverse_dynamics",
+        "--state",
+        "-",
+    ];
+    let ran = Project::empty().kane_given(&arguments, &state.to_string());
+    assert_eq!(ran.code, 2, "{ran:?}");
+    assert!(ran.err.contains("`tua_multiplier`"), "{ran:?}");
+}
+
+#[test]
 fn products_are_given_directions_and_multipliers() {
     let model = repository("models/cart_pole.toml");
     let model = model.to_str().unwrap();

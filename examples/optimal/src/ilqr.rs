@@ -2,7 +2,8 @@
 //!
 //! A motion is a state a node and forces between them. Each iteration takes the derivatives `A`, `B` of every step, goes back from the
 //! end with a quadratic model of the cost that is left, which gives new forces and how they answer to the state, and drives the
-//! system with these. Forces stay within their limits: where one holds, the step is that of a quadratic cost between [`limits`](super::limits),
+//! system with these. Forces stay within their limits: where one holds, the step is that of a quadratic cost between
+//! limits ([`bounded_quadratic`](super::bounded_quadratic)),
 //! and there is no answer to the state. States are compared on their manifold, so quaternions are no different.
 
 use kane::discrete::StepDerivatives;
@@ -11,17 +12,17 @@ use kane::manifold::q_minus;
 use kane::{System, view};
 use nalgebra::{SMatrix, SVector};
 
-use super::limits::minimum;
+use super::bounded_quadratic::minimum;
 
 /// A system with `N` speeds, as the optimiser wants it.
-pub trait Driven<const N: usize>:
+pub trait Differentiable<const N: usize>:
     System<f64, U = [f64; N]>
     + ForwardDynamics<f64>
     + ForwardDynamicsAndDerivatives<f64, Matrix = [[f64; N]; N]>
 {
 }
 
-impl<S, const N: usize> Driven<N> for S where
+impl<S, const N: usize> Differentiable<N> for S where
     S: System<f64, U = [f64; N]>
         + ForwardDynamics<f64>
         + ForwardDynamicsAndDerivatives<f64, Matrix = [[f64; N]; N]>
@@ -73,7 +74,7 @@ pub struct Motion<Q, U, const M: usize> {
 
 /// What is optimised.
 #[derive(Debug)]
-pub struct Ilqr<'s, S: Driven<N>, C, const N: usize, const M: usize> {
+pub struct Ilqr<'s, S: Differentiable<N>, C, const N: usize, const M: usize> {
     /// The system.
     pub system: &'s S,
     /// What is to be small.
@@ -92,14 +93,14 @@ pub struct Ilqr<'s, S: Driven<N>, C, const N: usize, const M: usize> {
 
 /// What a backward pass finds for a node: the change of forces, and how they answer to changes of the state.
 struct Answer<const N2: usize, const M: usize> {
-    ahead: SVector<f64, M>,
-    back: SMatrix<f64, M, N2>,
+    feedforward: SVector<f64, M>,
+    feedback: SMatrix<f64, M, N2>,
 }
 
 /// How a step changes with the state and with the forces.
 type Changes<const N2: usize, const M: usize> = (SMatrix<f64, N2, N2>, SMatrix<f64, N2, M>);
 
-impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
+impl<S: Differentiable<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
     fn tau(&self, forces: &SVector<f64, M>) -> [f64; N] {
         let mut tau = [0.0; N];
         for (place, force) in self.actuated.into_iter().zip(forces) {
@@ -114,13 +115,23 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
 
     /// The motion from a state under these forces, as far as limits let them.
     pub fn driven(&self, start: (S::Q, S::U), forces: &[SVector<f64, M>]) -> Motion<S::Q, S::U, M> {
+        self.rolled(start, forces.len(), |node, _, _| forces[node])
+    }
+
+    /// The motion of so many steps, where `forces(node, q, u)` are cut at their limits.
+    fn rolled(
+        &self,
+        start: (S::Q, S::U),
+        n_steps: usize,
+        mut forces: impl FnMut(usize, &S::Q, &S::U) -> SVector<f64, M>,
+    ) -> Motion<S::Q, S::U, M> {
         let mut motion = Motion {
             states: vec![start],
-            forces: Vec::with_capacity(forces.len()),
+            forces: Vec::with_capacity(n_steps),
         };
         let (mut q, mut u) = start;
-        for forces in forces {
-            let forces = self.cut(*forces);
+        for node in 0..n_steps {
+            let forces = self.cut(forces(node, &q, &u));
             (self.step)(self.system, &self.tau(&forces), self.dt, &mut q, &mut u);
             motion.states.push((q, u));
             motion.forces.push(forces);
@@ -128,13 +139,12 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
         motion
     }
 
-    /// Iterates until the cost falls by less than this part of it, or so many times; returns the cost.
+    /// Iterates until the cost falls by less than this part of it, or so many times.
     pub fn optimize<const N2: usize>(
         &self,
         motion: &mut Motion<S::Q, S::U, M>,
         (part, most): (f64, usize),
-    ) -> f64
-    where
+    ) where
         C: Cost<S, N2, M>,
     {
         let mut damping = 0.0;
@@ -147,7 +157,6 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
                 break;
             }
         }
-        cost
     }
 
     /// The cost of a motion.
@@ -202,12 +211,9 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
             (self.linearized)(self.system, &self.tau(forces), self.dt, state, &mut of_step);
             let a = view::step_by_state(&of_step);
             let b: SMatrix<f64, N2, N> = view::step_by_tau(&of_step);
-            (a, b.select_columns(&self.actuated))
+            (a, SMatrix::from_fn(|i, j| b[(i, self.actuated[j])]))
         };
-        let changes = nodes.map(of_node);
-        changes
-            .map(|(a, b)| (a, SMatrix::from_fn(|i, j| b[(i, j)])))
-            .collect()
+        nodes.map(of_node).collect()
     }
 
     /// Goes back from the end; `None` where the cost is not convex by some forces.
@@ -238,15 +244,20 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
                 &(-self.limits - forces),
                 &(self.limits - forces),
             )?;
-            let back = -own.solve(fx);
-            let ahead = own.x;
-            x = of_x + back.transpose() * (ff * ahead + of_f) + fx.transpose() * ahead;
+            let feedback = -own.solve(fx);
+            let feedforward = own.x;
+            x = of_x
+                + feedback.transpose() * (ff * feedforward + of_f)
+                + fx.transpose() * feedforward;
             let half = near.xx
                 + a.transpose() * xx_a
-                + back.transpose() * (ff * back + fx)
-                + fx.transpose() * back;
+                + feedback.transpose() * (ff * feedback + fx)
+                + fx.transpose() * feedback;
             xx = 0.5 * (half + half.transpose());
-            answers.push(Answer { ahead, back });
+            answers.push(Answer {
+                feedforward,
+                feedback,
+            });
         }
         answers.reverse();
         Some(answers)
@@ -259,15 +270,9 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
         answers: &[Answer<N2, M>],
         part: f64,
     ) -> Motion<S::Q, S::U, M> {
-        let start = motion.states[0];
-        let (mut q, mut u) = start;
-        let mut other = Motion {
-            states: vec![start],
-            forces: Vec::with_capacity(answers.len()),
-        };
-        let nodes = motion.states.iter().zip(&motion.forces).zip(answers);
-        for (((q_before, u_before), forces), answer) in nodes {
-            let away = q_minus(self.system, q_before, &q);
+        self.rolled(motion.states[0], answers.len(), |node, q, u| {
+            let (q_before, u_before) = &motion.states[node];
+            let away = q_minus(self.system, q_before, q);
             let away: SVector<f64, N2> = SVector::from_fn(|i, _| {
                 if i < N {
                     away[i]
@@ -275,11 +280,11 @@ impl<S: Driven<N>, C, const N: usize, const M: usize> Ilqr<'_, S, C, N, M> {
                     u[i - N] - u_before[i - N]
                 }
             });
-            let forces = self.cut(forces + part * answer.ahead + answer.back * away);
-            (self.step)(self.system, &self.tau(&forces), self.dt, &mut q, &mut u);
-            other.states.push((q, u));
-            other.forces.push(forces);
-        }
-        other
+            let Answer {
+                feedforward,
+                feedback,
+            } = &answers[node];
+            motion.forces[node] + part * feedforward + feedback * away
+        })
     }
 }

@@ -8,15 +8,15 @@
 //! | [`payload`] | a Panda weighs what it holds |
 //! | [`predictive`] | a Panda plans anew each millisecond |
 //!
-//! They stand on [`ilqr`], trajectories with limits, which asks [`limits`] for each step; on [`riccati`], regulators; and
+//! They stand on [`ilqr`], trajectories with limits, which asks [`bounded_quadratic`] for each step; on [`riccati`], regulators; and
 //! on [`arm`], what reaching is.
 //!
 //! `cargo run --release --package kane-optimal`
 
 pub mod arm;
+pub mod bounded_quadratic;
 pub mod formation;
 pub mod ilqr;
-pub mod limits;
 pub mod payload;
 pub mod predictive;
 pub mod reach;

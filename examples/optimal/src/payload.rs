@@ -27,8 +27,6 @@ pub struct Estimate {
     pub found: [f64; PARAMETERS_LEN],
     /// Standard deviations of these.
     pub sure: [f64; PARAMETERS_LEN],
-    /// How many iterations there were.
-    pub rounds: usize,
 }
 
 /// A state: angles, speeds, accelerations.
@@ -71,7 +69,7 @@ pub fn run(seed: u64) -> Option<Estimate> {
 
     // A kilogram at the tip: with no mass at all its centre would not count.
     let mut estimate = Vector4::new(1.0, 0.0, 0.0, 0.0);
-    for rounds in 1..=20 {
+    for _ in 0..20 {
         let model = arm(estimate.into());
         let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
         for (state, measured) in &measured {
@@ -88,16 +86,12 @@ pub fn run(seed: u64) -> Option<Estimate> {
         let covariance = normal.try_inverse()?;
         let step = covariance * right;
         estimate += step;
-        // Further than the noise lets one see.
-        if step
-            .component_div(&covariance.diagonal().map(f64::sqrt))
-            .norm()
-            < 1e-6
-        {
+        let sure = covariance.diagonal().map(f64::sqrt);
+        // A millionth of what the noise leaves unsure.
+        if step.component_div(&sure).norm() < 1e-6 {
             return Some(Estimate {
                 found: estimate.into(),
-                sure: covariance.diagonal().map(f64::sqrt).into(),
-                rounds,
+                sure: sure.into(),
             });
         }
     }

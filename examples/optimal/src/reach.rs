@@ -55,6 +55,6 @@ pub fn run() -> Motion<[f64; NU], [f64; NU], NU> {
     };
     let start: SVector<f64, NU> = holding;
     let mut motion = ilqr.driven((READY, [0.0; NU]), &[start; N_STEPS]);
-    let _ = ilqr.optimize(&mut motion, (1e-6, 200));
+    ilqr.optimize(&mut motion, (1e-6, 200));
     motion
 }

@@ -71,6 +71,6 @@ pub fn run() -> Motion<[f64; 2], [f64; 2], 1> {
     };
     let hanging = ([0.0, std::f64::consts::PI], [0.0; 2]);
     let mut motion = ilqr.driven(hanging, &[SVector::zeros(); N_STEPS]);
-    let _ = ilqr.optimize(&mut motion, (1e-6, 500));
+    ilqr.optimize(&mut motion, (1e-6, 500));
     motion
 }

@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive, derive_derivatives,
-    function::{Function, Output, PLAIN},
+    function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
 };
@@ -130,7 +130,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
-    solves: true,
+    solves_for: Some(Unknown::Accelerations),
     derivatives: Some(derive_derivatives::forward_dynamics),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",

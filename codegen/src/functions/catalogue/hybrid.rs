@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive_hybrid,
-    function::{Function, Output, PLAIN},
+    function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
 };
@@ -17,7 +17,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         Output::of_several("whole_u_dot", "whole_u_dot_multiplier", Shape::SPEEDS),
         Output::of_several("whole_tau", "whole_tau_multiplier", Shape::SPEEDS),
     ],
-    solves: true,
+    solves_for: Some(Unknown::Accelerations),
     prescribes: true,
     doc: &[
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",

@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive_derivatives, derive_loaded,
-    function::{Function, Output, PLAIN},
+    function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
 };
@@ -32,7 +32,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     trait_name: Some("LoadedForwardDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
-    solves: true,
+    solves_for: Some(Unknown::Accelerations),
     derivatives: Some(derive_derivatives::loaded_forward_dynamics),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",

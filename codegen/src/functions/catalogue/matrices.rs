@@ -4,7 +4,7 @@ use crate::functions::{
     argument::Argument,
     candidate::Candidate,
     derive_coriolis, derive_matrices as derive,
-    function::{Function, Output, PLAIN},
+    function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
 };
@@ -30,7 +30,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     trait_name: Some("MassMatrixSolve"),
     arguments: &[Argument::Q, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
-    solves: true,
+    solves_for: Some(Unknown::Accelerations),
     doc: &[
         "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",
         "For several right-hand sides at once `R` holds several numbers: lanes, one right-hand side each. Also known as solve-M, computeMinverse times a vector.",
@@ -48,8 +48,7 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     trait_name: Some("MassMatrixInverse"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("inverse", Shape::SPEED_MATRIX)],
-    solves: true,
-    inverts: true,
+    solves_for: Some(Unknown::Inverse),
     doc: &[
         "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
         "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
@@ -67,8 +66,7 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
     trait_name: Some("MassMatrixInversePacked"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::INVERSE_PACKED)],
-    solves: true,
-    inverts: true,
+    solves_for: Some(Unknown::Inverse),
     doc: &[
         "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
         "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",

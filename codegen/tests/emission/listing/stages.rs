@@ -180,20 +180,65 @@ fn short_functions_have_no_stages() {
 
 #[test]
 fn what_no_earlier_stage_keeps_cannot_be_read() {
+    let fault = planted(|stages| {
+        let assigned = stages[1].code.statements.iter_mut();
+        let value = assigned.filter_map(|statement| match statement {
+            Statement::Assign { value, .. } => Some(value),
+            _ => None,
+        });
+        for value in value.filter(|value| matches!(value, Expression::Kept(..))) {
+            // The second stage's own.
+            *value = Expression::Kept(1, 0);
+        }
+    });
+    assert!(matches!(fault, Fault::NotKept(1, 0)), "{fault}");
+}
+
+/// What is wrong with a long function after a fault is planted in its stages.
+fn planted(plant: impl FnOnce(&mut [Stage])) -> Fault {
     let module = module_of(&hinges(1_600), &["relative_rotation"]);
     let function = module
         .function("relative_rotation")
         .expect("it is asked for");
     let mut function = function.clone();
-    let assigned = function.stages[1].code.statements.iter_mut();
-    let value = assigned.filter_map(|statement| match statement {
-        Statement::Assign { value, .. } => Some(value),
-        _ => None,
+    plant(&mut function.stages);
+    verify(&module.facts, &function).expect_err("a planted fault")
+}
+
+/// The place of a stage's first store of a number.
+///
+/// What it reads would be missed otherwise.
+fn store_of_number(stage: &Stage) -> usize {
+    let mut statements = stage.code.statements.iter();
+    let is_plain = |statement: &Statement| {
+        let Statement::Store { value, .. } = statement else {
+            return false;
+        };
+        matches!(value, Expression::Number(_))
+    };
+    statements.position(is_plain).expect("such a store")
+}
+
+#[test]
+fn store_that_no_stage_has_is_missed() {
+    let fault = planted(|stages| {
+        let place = store_of_number(&stages[1]);
+        stages[1].code.statements.remove(place);
     });
-    for value in value.filter(|value| matches!(value, Expression::Kept(..))) {
-        // The second stage's own.
-        *value = Expression::Kept(1, 0);
-    }
-    let fault = verify(&module.facts, &function).expect_err("a planted fault");
-    assert!(matches!(fault, Fault::NotKept(1, 0)), "{fault}");
+    let Fault::NotStored(name, _) = &fault else {
+        panic!("{fault}");
+    };
+    assert_eq!(name, "rotation");
+}
+
+#[test]
+fn place_that_two_stages_store_is_refused() {
+    let fault = planted(|stages| {
+        let (before, after) = stages.split_at_mut(1);
+        let store = before[0].code.statements[store_of_number(&before[0])].clone();
+        let own = store_of_number(&after[0]);
+        // In the place of the second stage's own: what is stored once too often is told first.
+        after[0].code.statements[own] = store;
+    });
+    assert!(matches!(fault, Fault::StoredTwice(_)), "{fault}");
 }

@@ -1,6 +1,5 @@
 //! Both kinds of steps, as tests call them.
 
-use kane::Real;
 use kane::discrete::{Change, StepByParameters, StepDerivatives, euler, rk4};
 use kane::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
@@ -15,20 +14,20 @@ pub(crate) enum Scheme {
 
 /// A state, and what drives it for how long.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Driven<Q, U, R = f64> {
+pub(crate) struct Driven<Q, U> {
     pub(crate) q: Q,
     pub(crate) u: U,
     pub(crate) tau: U,
-    pub(crate) dt: R,
+    pub(crate) dt: f64,
 }
 
 impl Scheme {
     pub(crate) const ALL: [Self; 2] = [Self::Euler, Self::Rk4];
 
-    pub(crate) fn step<R: Real, S: ForwardDynamics<R>>(
+    pub(crate) fn step<S: ForwardDynamics<f64>>(
         self,
         system: &S,
-        Driven { q, u, tau, dt }: &Driven<S::Q, S::U, R>,
+        Driven { q, u, tau, dt }: &Driven<S::Q, S::U>,
     ) -> (S::Q, S::U) {
         let (mut q, mut u) = (*q, *u);
         match self {
