@@ -10,7 +10,7 @@ use syn::{
 };
 
 /// Macros whose tokens are text of another program.
-const QUOTES: [&str; 3] = ["quote", "quote_spanned", "parse_quote"];
+pub(crate) const QUOTES: [&str; 3] = ["quote", "quote_spanned", "parse_quote"];
 
 /// A name that a `use` brings.
 #[derive(Debug)]

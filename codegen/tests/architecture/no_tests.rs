@@ -1,19 +1,47 @@
 //! Tests among sources, of which the library's own are not compiled.
 
-use crate::walk::Sources;
+use proc_macro2::{TokenStream, TokenTree};
 
-/// What stands above a test, or what is compiled for tests alone.
-const MARKS: [&str; 3] = ["#[test]", "#[cfg(test)", "#[cfg(all(test"];
+use crate::{imports::QUOTES, walk::Sources};
 
-/// Where there is one, a line each.
+/// How many there are in each file that has any, a line each; text of generated programs is none.
 pub(crate) fn found(sources: &Sources) -> Vec<String> {
     let mut found = Vec::new();
     for (file, text) in &sources.0 {
-        for (place, line) in text.lines().enumerate() {
-            if MARKS.iter().any(|mark| line.trim_start().starts_with(mark)) {
-                found.push(format!("{file}:{}", place + 1));
-            }
+        let tokens: TokenStream = text.parse().unwrap_or_else(|e| panic!("{file}: {e}"));
+        let count = count(tokens);
+        if count > 0 {
+            found.push(format!("{file}: {count}"));
         }
     }
     found
+}
+
+/// How many attributes say that what follows is a test, or compiled for tests alone.
+fn count(tokens: TokenStream) -> usize {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let mut count = 0;
+    for (place, token) in tokens.iter().enumerate() {
+        let TokenTree::Group(group) = token else {
+            continue;
+        };
+        let before: Vec<String> = tokens[..place].iter().map(ToString::to_string).collect();
+        count += match &before[..] {
+            [.., quote, bang] if bang == "!" && QUOTES.contains(&&**quote) => 0,
+            [.., hash] if hash == "#" => usize::from(is_test(group.stream())),
+            _ => self::count(group.stream()),
+        };
+    }
+    count
+}
+
+/// Whether an attribute is `test`, or `cfg` of something with `test` in it.
+fn is_test(attribute: TokenStream) -> bool {
+    let words = attribute.to_string();
+    let mut words = words.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+    match words.next() {
+        Some("test") => true,
+        Some("cfg") => words.any(|word| word == "test"),
+        _ => false,
+    }
 }

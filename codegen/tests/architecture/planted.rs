@@ -199,6 +199,12 @@ fn test_among_sources_is_found() {
             "{test}"
         );
     }
-    let text = "/// #[test]\nfn f() {}\n";
-    assert!(no_tests::found(&sources(&[("a.rs", text)])).is_empty());
+    for text in [
+        "/// #[test]\nfn f() {}\n",
+        "fn f() { quote! { #[test] fn g() {} } }",
+        "#[cfg(feature = \"std\")] fn f() {}",
+    ] {
+        let found = no_tests::found(&sources(&[("a.rs", text)]));
+        assert!(found.is_empty(), "{text}");
+    }
 }
