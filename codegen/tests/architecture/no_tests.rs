@@ -28,7 +28,7 @@ fn count(tokens: TokenStream) -> usize {
         let before: Vec<String> = tokens[..place].iter().map(ToString::to_string).collect();
         count += match &before[..] {
             [.., quote, bang] if bang == "!" && QUOTES.contains(&&**quote) => 0,
-            [.., hash] if hash == "#" => usize::from(is_test(group.stream())),
+            [.., hash] if hash == "#" => usize::from(is_test(&group.stream())),
             _ => self::count(group.stream()),
         };
     }
@@ -36,7 +36,7 @@ fn count(tokens: TokenStream) -> usize {
 }
 
 /// Whether an attribute is `test`, or `cfg` of something with `test` in it.
-fn is_test(attribute: TokenStream) -> bool {
+fn is_test(attribute: &TokenStream) -> bool {
     let words = attribute.to_string();
     let mut words = words.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
     match words.next() {

@@ -220,9 +220,10 @@ fn store_that_no_stage_has_is_missed() {
         verify(&facts, &function)
     };
     // Some of these store what others read too, which is not missed.
-    let missed = stores.take(10).map(without).filter(
-        |found| matches!(found, Err(Fault::NotStored(name, _)) if name == "relative_rotation"),
-    );
+    let missed = stores
+        .take(10)
+        .map(without)
+        .filter(|found| matches!(found, Err(Fault::NotStored(name, _)) if name == "rotations"));
     assert_ne!(missed.count(), 0);
 }
 
