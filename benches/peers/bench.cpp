@@ -50,7 +50,7 @@ struct Runner {
       Eigen::Map<Vector>(q.at(i), nq) = own.q;
       Eigen::Map<Vector>(u.at(i), nv) = own.t * s.u;
       Eigen::Map<Vector>(x.at(i), nv) = own.t * s.x;
-      if (f != FORWARD_DYNAMICS) Eigen::Map<Vector>(x.at(i), nv) += own.c; // they are accelerations
+      if (!is_forward(f)) Eigen::Map<Vector>(x.at(i), nv) += own.c; // they are accelerations
       call(i);
       const Matrix result = to_pinocchio(robot, data, f, s, own, candidate.expand(written)), wanted = expected(robot, data, f, s);
       const double off = (result - wanted).cwiseAbs().maxCoeff() / wanted.cwiseAbs().maxCoeff();

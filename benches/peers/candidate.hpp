@@ -11,15 +11,30 @@ typedef Eigen::MatrixXd Matrix;
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
 
 // As kane/src/lib.rs numbers them.
-enum Function { INVERSE_DYNAMICS, MASS_MATRIX, FORWARD_DYNAMICS, JACOBIAN, CORIOLIS_MATRIX, MASS_MATRIX_INVERSE, REGRESSOR };
-static const Function FUNCTIONS[] = {INVERSE_DYNAMICS, MASS_MATRIX, FORWARD_DYNAMICS, JACOBIAN, CORIOLIS_MATRIX, MASS_MATRIX_INVERSE, REGRESSOR};
-static const char *const NAMES[] = {"inverse_dynamics", "mass_matrix", "forward_dynamics", "jacobian", "coriolis_matrix", "mass_matrix_inverse", "regressor"};
+enum Function {
+  INVERSE_DYNAMICS,
+  MASS_MATRIX,
+  FORWARD_DYNAMICS,
+  JACOBIAN,
+  CORIOLIS_MATRIX,
+  MASS_MATRIX_INVERSE,
+  REGRESSOR,
+  INVERSE_DYNAMICS_DERIVATIVES,
+  FORWARD_DYNAMICS_DERIVATIVES
+};
+static const Function FUNCTIONS[] = {INVERSE_DYNAMICS,    MASS_MATRIX, FORWARD_DYNAMICS,             JACOBIAN,                    CORIOLIS_MATRIX,
+                                     MASS_MATRIX_INVERSE, REGRESSOR,   INVERSE_DYNAMICS_DERIVATIVES, FORWARD_DYNAMICS_DERIVATIVES};
+static const char *const NAMES[] = {"inverse_dynamics",    "mass_matrix", "forward_dynamics",             "jacobian",                    "coriolis_matrix",
+                                    "mass_matrix_inverse", "regressor",   "d_inverse_dynamics_d_q_u_u_dot", "d_forward_dynamics_d_q_u_tau"};
 
 inline bool reads_u(Function f) { return f != MASS_MATRIX && f != JACOBIAN && f != MASS_MATRIX_INVERSE; }
 inline bool reads_x(Function f) { return reads_u(f) && f != CORIOLIS_MATRIX; }
+inline bool is_forward(Function f) { return f == FORWARD_DYNAMICS || f == FORWARD_DYNAMICS_DERIVATIVES; }
+// Three matrices, one below the other: by q, by u, and by u_dot or tau, which is symmetric.
+inline bool is_derivative(Function f) { return f >= INVERSE_DYNAMICS_DERIVATIVES; }
 inline bool is_symmetric(Function f) { return f == MASS_MATRIX || f == MASS_MATRIX_INVERSE; }
 
-// Object, q, u, x, output; x is tau for forward dynamics, else u_dot. As kane/src/lib.rs has it.
+// Object, q, u, x, output; x is tau for forward dynamics and its derivatives, else u_dot. As kane/src/lib.rs has it.
 typedef void (*Call)(void *, const double *, const double *, const double *, double *);
 
 // What a floating base's coordinates and speeds are. Pinocchio's come first: the position, a quaternion (x, y, z, w); the
@@ -52,6 +67,13 @@ inline Matrix symmetric(Matrix m) {
   return m;
 }
 
+// The same of the last of three matrices, of which a triangle is there.
+inline Matrix symmetric_below(Matrix m) {
+  const auto n = m.cols();
+  m.bottomRows(n) = symmetric(m.bottomRows(n));
+  return m;
+}
+
 struct Robot {
   std::string name, urdf, folder; // of compiled C and of the model as MJCF
   Model model;
@@ -59,14 +81,15 @@ struct Robot {
   std::string joint; // that moves the link whose Jacobian is compared
   pin::JointIndex tip() const { return tip_of(model, joint); }
 
-  int rows(Function f) const { return f == JACOBIAN ? 6 : model.nv; }
+  int rows(Function f) const { return f == JACOBIAN ? 6 : is_derivative(f) ? 3 * model.nv : model.nv; }
   int columns(Function f) const { return f == REGRESSOR ? 10 * (model.njoints - 1) : f == INVERSE_DYNAMICS || f == FORWARD_DYNAMICS ? 1 : model.nv; }
 
   // The row and column of the entry of `Candidate::whole`, where angular speeds of a floating base begin at `angular`: that of
-  // the last of these, else of the first speed; of the regressor the column of a moment of mass of the link's body.
+  // the last of these, else of the first speed; of derivatives that by speeds; of the regressor the column of a moment of mass of the link's body.
   std::pair<int, int> entry(Function f, int angular) const {
     const int place = floating ? angular + 2 : 0;
     if (f == JACOBIAN) return {0, place};
+    if (is_derivative(f)) return {model.nv + place, place};
     if (f == REGRESSOR) return {place, 10 * (int(tip()) - 1) + 1};
     return {place, columns(f) == 1 ? 0 : place};
   }

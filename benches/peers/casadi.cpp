@@ -1,7 +1,7 @@
 // casadi MODEL.txt FOLDER JOINT: C from Pinocchio's own templates on CasADi's symbols, one file a function.
 //
 // Of the graph with and without CasADi's elimination of common subexpressions the one with fewer operations is written;
-// of the mass matrix and of its inverse the upper triangle, which is what Pinocchio computes; the Jacobian is that of the link
+// of the mass matrix and of its inverse, as of derivatives by accelerations and forces, the upper triangle, which is what Pinocchio computes; the Jacobian is that of the link
 // that JOINT moves. Prints the operations of each.
 #include <pinocchio/autodiff/casadi.hpp>
 #include <pinocchio/multibody.hpp>
@@ -24,11 +24,13 @@ template <typename Scalar, int Options> struct FewJoints {
 } // namespace pinocchio
 #define JOINTS pin::FewJoints
 #include "model.hpp"
+#include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/frames.hpp>
 #include <pinocchio/algorithm/jacobian.hpp>
 #include <pinocchio/algorithm/regressor.hpp>
+#include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
 #include <algorithm>
@@ -93,7 +95,7 @@ int main(int argc, char **argv) {
   Eigen::Matrix<SX, Eigen::Dynamic, 1> q, v, a, tau;
   const SX sq = symbols("q", model.nq, q), sv = symbols("v", model.nv, v), sa = symbols("a", model.nv, a),
            st = symbols("tau", model.nv, tau);
-  DataOf<SX> inverse(model), matrix(model), forward(model), coriolis(model), inverted(model), regressor(model);
+  DataOf<SX> inverse(model), matrix(model), forward(model), coriolis(model), inverted(model), regressor(model), by(model), forward_by(model);
   write(folder, "inverse_dynamics", {sq, sv, sa}, {sparse(pin::rnea(model, inverse, q, v, a))});
   write(folder, "mass_matrix", {sq}, {sparse(pin::crba(model, matrix, q), true)});
   write(folder, "forward_dynamics", {sq, sv, st}, {sparse(pin::aba(model, forward, q, v, tau))});
@@ -101,4 +103,9 @@ int main(int argc, char **argv) {
   write(folder, "coriolis_matrix", {sq, sv}, {sparse(pin::computeCoriolisMatrix(model, coriolis, q, v))});
   write(folder, "mass_matrix_inverse", {sq}, {sparse(pin::computeMinverse(model, inverted, q), true)});
   write(folder, "regressor", {sq, sv, sa}, {sparse(pin::computeJointTorqueRegressor(model, regressor, q, v, a))});
+  pin::computeRNEADerivatives(model, by, q, v, a);
+  write(folder, "d_inverse_dynamics_d_q_u_u_dot", {sq, sv, sa}, {vertcat(sparse(by.dtau_dq), sparse(by.dtau_dv), sparse(by.M, true))});
+  pin::computeABADerivatives(model, forward_by, q, v, tau);
+  write(folder, "d_forward_dynamics_d_q_u_tau", {sq, sv, st},
+        {vertcat(sparse(forward_by.ddq_dq), sparse(forward_by.ddq_dv), sparse(forward_by.Minv, true))});
 }

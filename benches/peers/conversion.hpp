@@ -16,7 +16,7 @@ inline std::vector<State> random_states(const Robot &robot, Function f, int coun
     s.q = Vector::NullaryExpr(robot.model.nq, [&] { return uniform(3); });
     if (robot.floating) s.q.segment<4>(3).normalize();
     s.u = Vector::NullaryExpr(robot.model.nv, [&] { return uniform(1.5); });
-    s.x = Vector::NullaryExpr(robot.model.nv, [&] { return uniform(f == FORWARD_DYNAMICS ? 10 : 3); });
+    s.x = Vector::NullaryExpr(robot.model.nv, [&] { return uniform(is_forward(f) ? 10 : 3); });
   }
   return states;
 }
@@ -68,8 +68,44 @@ inline Matrix expected(const Robot &robot, Data &data, Function f, const State &
   case CORIOLIS_MATRIX: return pin::computeCoriolisMatrix(model, data, s.q, s.u);
   case MASS_MATRIX_INVERSE: return symmetric(pin::computeMinverse(model, data, s.q));
   case REGRESSOR: return pin::computeJointTorqueRegressor(model, data, s.q, s.u, s.x);
+  case INVERSE_DYNAMICS_DERIVATIVES:
+    pin::computeRNEADerivatives(model, data, s.q, s.u, s.x);
+    return derivatives(data.dtau_dq, data.dtau_dv, data.M);
+  case FORWARD_DYNAMICS_DERIVATIVES:
+    pin::computeABADerivatives(model, data, s.q, s.u, s.x);
+    return derivatives(data.ddq_dq, data.ddq_dv, data.Minv);
   }
   return {};
+}
+
+// A matrix of the size of M with this where forces of the base's origin meet its turning.
+inline Matrix by_turning(int n, const Eigen::Vector3d &turned) {
+  Matrix m = Matrix::Zero(n, n);
+  m.block<3, 3>(0, 3) = pin::skew(turned);
+  return m;
+}
+
+// Derivatives of a candidate, in Pinocchio's displacements and speeds. Of a floating base it has the origin's velocity along
+// inertial axes and the angular velocity in the base's. As the base turns by e in its axes, a vector that is given along
+// inertial axes changes there by its product with e, and a result that is wanted along inertial axes by the opposite.
+inline Matrix derivatives_to_pinocchio(const Robot &robot, Data &data, Function f, const State &s, const Conversion &own, const Matrix &result) {
+  const int n = robot.model.nv;
+  const auto local = [&](int block) -> Matrix { return own.t.transpose() * result.middleRows(block * n, n) * own.t; };
+  Matrix by_q = local(0), by_u = local(1), by_x = local(2);
+  if (!robot.floating) return derivatives(by_q, by_u, by_x);
+  const Vector found = expected(robot, data, is_forward(f) ? FORWARD_DYNAMICS : INVERSE_DYNAMICS, s);
+  const Vector &a = is_forward(f) ? found : s.x, &tau = is_forward(f) ? s.x : found;
+  // u_dot = T (a + w x v): `rate` is w x, `moved` how a changes with v, the others how v, T' u_dot and T' tau change with turns.
+  const Matrix v_by_q = by_turning(n, s.u.head<3>()), whole_by_q = by_turning(n, (a + own.rate * s.u).head<3>()),
+               tau_by_q = by_turning(n, tau.head<3>()), moved = v_by_q - own.rate;
+  if (is_forward(f)) {
+    by_u += moved;
+    by_q += whole_by_q - (by_u + own.rate) * v_by_q - by_x * tau_by_q;
+  } else {
+    by_u -= by_x * moved;
+    by_q += tau_by_q - by_u * v_by_q - by_x * (whole_by_q - own.rate * v_by_q);
+  }
+  return derivatives(by_q, by_u, by_x);
 }
 
 // A candidate's result in Pinocchio's speeds.
@@ -82,6 +118,8 @@ inline Matrix to_pinocchio(const Robot &robot, Data &data, Function f, const Sta
   case JACOBIAN: return result * t;
   case MASS_MATRIX:
   case MASS_MATRIX_INVERSE: return t.transpose() * result * t;
+  case INVERSE_DYNAMICS_DERIVATIVES:
+  case FORWARD_DYNAMICS_DERIVATIVES: return derivatives_to_pinocchio(robot, data, f, s, own, result);
   // C' = T' (C T + M T_dot), M = T M' T'.
   case CORIOLIS_MATRIX: return t.transpose() * result * t + expected(robot, data, MASS_MATRIX, s) * own.rate;
   }

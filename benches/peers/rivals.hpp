@@ -1,11 +1,13 @@
 // Every candidate behind the interface of candidate.hpp.
 #pragma once
 #include "candidate.hpp"
+#include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/frames.hpp>
 #include <pinocchio/algorithm/jacobian.hpp>
 #include <pinocchio/algorithm/regressor.hpp>
+#include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
 #include <dlfcn.h>
@@ -15,6 +17,13 @@
 #include <cstring>
 #include <iostream>
 #include <memory>
+
+// Of the last matrix the upper triangle counts.
+inline Matrix derivatives(const Matrix &by_q, const Matrix &by_u, const Matrix &by_x) {
+  Matrix all(3 * by_q.rows(), by_q.cols());
+  all << by_q, by_u, by_x;
+  return symmetric_below(all);
+}
 
 // Pinocchio's functions in one of its two conventions; they leave their results in `data` or, the Jacobian, in `jacobian`, of
 // which one number is copied. Of the Jacobian there are two ways too: all joints', then that of one; or along its path alone.
@@ -65,11 +74,22 @@ template <pin::Convention convention> struct Pinocchio {
     pin::computeJointTorqueRegressor(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv), In(x, o.model.nv));
     out[0] = o.data.jointTorqueRegressor(o.row, o.column);
   }
+  static void inverse_dynamics_derivatives(void *object, const double *q, const double *u, const double *x, double *out) {
+    auto &o = *static_cast<Pinocchio *>(object);
+    pin::computeRNEADerivatives(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv), In(x, o.model.nv));
+    out[0] = o.data.dtau_dv(o.row - o.model.nv, o.column);
+  }
+  static void forward_dynamics_derivatives(void *object, const double *q, const double *u, const double *x, double *out) {
+    auto &o = *static_cast<Pinocchio *>(object);
+    pin::computeABADerivatives(o.model, o.data, In(q, o.model.nq), In(u, o.model.nv), In(x, o.model.nv));
+    out[0] = o.data.ddq_dv(o.row - o.model.nv, o.column);
+  }
   static Candidate candidate(const Robot &robot, Function f) {
     const auto [row, column] = robot.entry(f, 3);
     const auto tip = robot.tip();
     auto *o = new Pinocchio{robot.model, Data(robot.model), row, column, tip, robot.model.getFrameId(robot.joint), Data::Matrix6x::Zero(6, robot.model.nv)};
-    const Call calls[] = {inverse_dynamics, mass_matrix, forward_dynamics, frame_jacobian, coriolis_matrix, mass_matrix_inverse, regressor};
+    const Call calls[] = {inverse_dynamics,    mass_matrix, forward_dynamics,             frame_jacobian, coriolis_matrix,
+                          mass_matrix_inverse, regressor,   inverse_dynamics_derivatives, forward_dynamics_derivatives};
     return {"Pinocchio", PINOCCHIO, calls[f], o, [o, f](const double *) { return o->result(f); }, 0};
   }
   Matrix result(Function f) const {
@@ -81,6 +101,8 @@ template <pin::Convention convention> struct Pinocchio {
     case CORIOLIS_MATRIX: return data.C;
     case MASS_MATRIX_INVERSE: return symmetric(data.Minv);
     case REGRESSOR: return data.jointTorqueRegressor;
+    case INVERSE_DYNAMICS_DERIVATIVES: return derivatives(data.dtau_dq, data.dtau_dv, data.M);
+    case FORWARD_DYNAMICS_DERIVATIVES: return derivatives(data.ddq_dq, data.ddq_dv, data.Minv);
     }
     return {};
   }
@@ -123,7 +145,7 @@ struct CasADi {
       Matrix m = Matrix::Zero(pattern[0], pattern[1]);
       for (long long j = 0; j < pattern[1]; ++j)
         for (long long k = begins[j]; k < begins[j + 1]; ++k) m(rows[k], j) = out[k];
-      return is_symmetric(f) ? symmetric(m) : m;
+      return is_symmetric(f) ? symmetric(m) : is_derivative(f) ? symmetric_below(m) : m;
     };
     const auto [row, column] = robot.entry(f, 3);
     long long whole = dense ? column * pattern[0] + row : -1;

@@ -26,6 +26,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 "mass_matrix_inverse_packed",
                 "regressor",
                 "regressor_packed",
+                "d(inverse_dynamics)/d(q, u, u_dot)",
+                "d(forward_dynamics)/d(q, u, tau)",
             ]);
         let build = if cfg!(feature = "fma") {
             build.fma()

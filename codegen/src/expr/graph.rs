@@ -1,6 +1,6 @@
 //! The graph: every constructor folds, shares, and keeps signs on references.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use super::node::{Binding, Expr, Input, Label, Node, NodeId};
 use crate::{
@@ -31,6 +31,19 @@ pub struct ExprGraph {
 impl ExprGraph {
     /// What a number may be off by, relative to itself, and still count as one with all its digits.
     const DIGITS_LOST: f64 = 4.0 * f64::EPSILON;
+
+    /// An empty graph with room for so many nodes, which then need not be moved.
+    pub fn with_capacity(n_nodes: usize) -> Self {
+        Self {
+            nodes: Vec::with_capacity(n_nodes),
+            bindings: Vec::with_capacity(n_nodes),
+            scopes: Vec::with_capacity(n_nodes),
+            labels: Vec::with_capacity(n_nodes),
+            written_negative: Vec::with_capacity(n_nodes),
+            known: FxHashMap::with_capacity_and_hasher(n_nodes, FxBuildHasher),
+            ..Self::default()
+        }
+    }
 
     /// From here on new nodes belong to `scope`: a body, or the whole system.
     pub fn enter(&mut self, scope: impl Into<Option<BodyId>>) {
@@ -154,11 +167,6 @@ impl ExprGraph {
         }
     }
 
-    fn as_rounded(&self, expr: Expr) -> Option<Rounded> {
-        let value = self.as_number(expr)?;
-        Some(self.rounded(expr.node(), value))
-    }
-
     /// Zero.
     pub fn zero(&mut self) -> Expr {
         self.number(0.0)
@@ -196,10 +204,13 @@ impl ExprGraph {
 
     /// `a + b`.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
-        match (self.as_rounded(a), self.as_rounded(b)) {
-            (Some(x), Some(y)) => return self.folded(x + y),
-            (Some(x), None) if x.value == 0.0 => return b,
-            (None, Some(y)) if y.value == 0.0 => return a,
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => {
+                let sum = self.rounded(a.node(), x) + self.rounded(b.node(), y);
+                return self.folded(sum);
+            }
+            (Some(0.0), None) => return b,
+            (None, Some(0.0)) => return a,
             _ => {}
         }
         if a.node() == b.node() {
@@ -231,12 +242,15 @@ impl ExprGraph {
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
         let negative = a.is_negative() ^ b.is_negative();
         let (a, b) = (a.abs_sign(), b.abs_sign());
-        match (self.as_rounded(a), self.as_rounded(b)) {
-            (Some(x), Some(y)) => return self.folded(x * y).signed(negative),
-            (Some(x), None) if x.value == 0.0 => return a,
-            (None, Some(y)) if y.value == 0.0 => return b,
-            (Some(x), None) if x.value == 1.0 => return b.signed(negative),
-            (None, Some(y)) if y.value == 1.0 => return a.signed(negative),
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => {
+                let product = self.rounded(a.node(), x) * self.rounded(b.node(), y);
+                return self.folded(product).signed(negative);
+            }
+            (Some(0.0), None) => return a,
+            (None, Some(0.0)) => return b,
+            (Some(1.0), None) => return b.signed(negative),
+            (None, Some(1.0)) => return a.signed(negative),
             _ => {}
         }
         if let Some(merged) = self
@@ -253,12 +267,16 @@ impl ExprGraph {
     /// `a / b`. A value divided by the number zero is kept: it is what IEEE arithmetic makes of it.
     pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
         let negative = a.is_negative() ^ b.is_negative();
-        match (self.as_rounded(a), self.as_rounded(b)) {
+        match (self.as_number(a), self.as_number(b)) {
             // A quotient of an overflow must not hide it.
-            (Some(x), Some(y)) if y.value.is_finite() => return self.folded(x / y),
+            (Some(x), Some(y)) if y.is_finite() => {
+                let quotient = self.rounded(a.node(), x) / self.rounded(b.node(), y);
+                return self.folded(quotient);
+            }
             (Some(_), Some(_)) => return self.number(f64::NAN),
-            (None, Some(y)) if y.value.is_finite() && (1.0 / y.value).is_finite() => {
-                let reciprocal = self.folded(Rounded::exact(1.0) / y);
+            (None, Some(y)) if y.is_finite() && (1.0 / y).is_finite() => {
+                let reciprocal = Rounded::exact(1.0) / self.rounded(b.node(), y);
+                let reciprocal = self.folded(reciprocal);
                 return self.mul(a, reciprocal);
             }
             _ => {}
@@ -304,11 +322,11 @@ impl ExprGraph {
 
     /// `c x + d x = (c + d) x` for numbers c, d; a missing factor is one.
     fn merge_multiples(&mut self, a: Expr, b: Expr) -> Option<Expr> {
-        let ((c, x), (d, y)) = (self.as_multiple(a), self.as_multiple(b));
-        if x != y || self.as_number(Expr::new(x, false)).is_some() {
+        let x = self.without_factor(a);
+        if x != self.without_factor(b) || self.as_number(Expr::new(x, false)).is_some() {
             return None;
         }
-        let sum = self.folded(c + d);
+        let sum = self.folded(self.factor(a) + self.factor(b));
         Some(self.mul(sum, Expr::new(x, false)))
     }
 
@@ -327,15 +345,25 @@ impl ExprGraph {
         }
     }
 
-    /// An expression as a number times a node.
-    fn as_multiple(&self, expr: Expr) -> (Rounded, NodeId) {
-        let signed = |factor: Rounded| if expr.is_negative() { -factor } else { factor };
-        if let Node::Mul(first, second) = self.node(expr.node())
-            && let Some(factor) = self.as_rounded(Expr::new(first, false))
-        {
-            return (signed(factor), second);
+    /// The node that an expression is a number times of.
+    fn without_factor(&self, expr: Expr) -> NodeId {
+        match self.node(expr.node()) {
+            Node::Mul(first, second) if matches!(self.node(first), Node::Number(_)) => second,
+            _ => expr.node(),
         }
-        (signed(Rounded::exact(1.0)), expr.node())
+    }
+
+    /// The number that an expression is times that node.
+    fn factor(&self, expr: Expr) -> Rounded {
+        let factor = match self.node(expr.node()) {
+            Node::Mul(first, _) => {
+                let value = self.as_number(Expr::new(first, false));
+                value.map(|value| self.rounded(first, value))
+            }
+            _ => None,
+        };
+        let factor = factor.unwrap_or(Rounded::exact(1.0));
+        if expr.is_negative() { -factor } else { factor }
     }
 
     /// `c (d x) = (c d) x` where c and d are known before the loop: their product then costs nothing in it.

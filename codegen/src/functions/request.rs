@@ -15,10 +15,14 @@ use super::{
     variable::Variable,
 };
 use crate::{
+    expr::ExprGraph,
     recursive::{Plan, Technique},
     solve,
     tree::Tree,
 };
+
+/// About how many nodes the dynamics of a body are.
+const NODES_PER_BODY: usize = 250;
 
 /// A function to generate.
 #[derive(Clone, Debug)]
@@ -298,7 +302,10 @@ impl Request {
     /// Derives all parts in one graph, where what they share is built once. A part that has a single formulation takes no
     /// notice of `formulation`, and only what needs a plan of `plan`.
     pub fn derive(&self, tree: &Tree, formulation: Formulation, plan: &Plan) -> Derived {
-        let mut derived = Derived::default();
+        let mut derived = Derived {
+            graph: ExprGraph::with_capacity(NODES_PER_BODY * tree.bodies.len()),
+            ..Derived::default()
+        };
         // Second derivatives go over a gradient that is carried back: one that is asked for beside them is the same.
         let back = plan.with(Technique::Reverse, true);
         let is_second = self.is_second_derivative();

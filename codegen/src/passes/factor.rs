@@ -20,7 +20,7 @@ pub fn run(graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
 /// One round, and whether it found anything.
 fn once(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>, bool) {
     let sums = Sums::new(old, roots);
-    let mut graph = ExprGraph::default();
+    let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(old);
     let mut changed = false;
     for id in old.ids().filter(|id| sums.uses[id.index()] > 0) {

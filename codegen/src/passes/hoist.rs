@@ -42,7 +42,7 @@ pub fn run(
     let needed = old.reachable(roots);
     let mut outside = Rebuilt::new(old);
     let mut inside = Rebuilt::new(old);
-    let mut graph = ExprGraph::default();
+    let mut graph = ExprGraph::with_capacity(old.len());
     for id in old.ids().filter(|id| needed[id.index()]) {
         if old.binding(id) != Binding::State {
             preparation.graph.enter(old.scope(id));

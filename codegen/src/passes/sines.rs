@@ -45,7 +45,7 @@ pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec
     let places = places.map(|(place, angle)| (angle.coordinate, place));
     let places: BTreeMap<CoordinateId, usize> = places.collect();
     let needed = old.reachable(roots);
-    let mut graph = ExprGraph::default();
+    let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(old);
     for id in old.ids().filter(|id| needed[id.index()]) {
         graph.enter(old.scope(id));

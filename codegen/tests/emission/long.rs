@@ -13,6 +13,15 @@ fn functions_of_many_angles_declare_their_values_by_few_lets() {
         };
         let source = Source::new("chain.toml", hinges(n_bodies));
         let text = generate(&source, "chain.toml", &options).unwrap().source;
+        for line in text
+            .lines()
+            .filter_map(|line| line.trim().strip_suffix(','))
+        {
+            let is_own = line
+                .split_once(": ")
+                .is_some_and(|(name, value)| name == value);
+            assert!(!is_own, "{line} has a shorter form");
+        }
         // The function, or its stages.
         let functions = text.split("\nfn relative_rotation_stage_").skip(1);
         let whole = text.split("\npub fn relative_rotation<").skip(1);

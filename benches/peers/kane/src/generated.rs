@@ -5,8 +5,9 @@ use std::{ffi::c_void, slice};
 use kane::{
     System,
     functions::{
-        CoriolisMatrix, ForwardDynamics, InverseDynamics, Jacobian, JacobianPacked, MassMatrix,
-        MassMatrixInverse, MassMatrixInversePacked, MassMatrixPacked, Regressor, RegressorPacked,
+        CoriolisMatrix, ForwardDynamics, ForwardDynamicsDerivatives, InverseDynamics,
+        InverseDynamicsDerivatives, Jacobian, JacobianPacked, MassMatrix, MassMatrixInverse,
+        MassMatrixInversePacked, MassMatrixPacked, Regressor, RegressorPacked,
     },
 };
 
@@ -88,7 +89,9 @@ where
         + Jacobian<f64, F>
         + CoriolisMatrix<f64>
         + MassMatrixInverse<f64>
-        + Regressor<f64>,
+        + Regressor<f64>
+        + InverseDynamicsDerivatives<f64>
+        + ForwardDynamicsDerivatives<f64>,
 {
     match function {
         Function::InverseDynamics => inverse_dynamics::<S>,
@@ -98,6 +101,8 @@ where
         Function::CoriolisMatrix => coriolis_matrix::<S>,
         Function::MassMatrixInverse => mass_matrix_inverse::<S>,
         Function::Regressor => regressor::<S>,
+        Function::InverseDynamicsDerivatives => inverse_dynamics_derivatives::<S>,
+        Function::ForwardDynamicsDerivatives => forward_dynamics_derivatives::<S>,
     }
 }
 
@@ -297,5 +302,49 @@ unsafe extern "C" fn regressor<S: Regressor<f64>>(
     // SAFETY: the object is of this type, the arrays are as long as the robot's.
     unsafe {
         (*object.cast::<S>()).regressor(&*q.cast(), &*u.cast(), &*u_dot.cast(), &mut *y.cast());
+    }
+}
+
+unsafe extern "C" fn inverse_dynamics_derivatives<S: InverseDynamicsDerivatives<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    u: *const f64,
+    u_dot: *const f64,
+    by: *mut f64,
+) {
+    let by: *mut S::Matrix = by.cast();
+    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are three matrices.
+    unsafe {
+        let [by_q, by_u, by_u_dot] = [0, 1, 2].map(|block| &mut *by.add(block));
+        (*object.cast::<S>()).d_inverse_dynamics_d_q_u_u_dot(
+            &*q.cast(),
+            &*u.cast(),
+            &*u_dot.cast(),
+            by_q,
+            by_u,
+            by_u_dot,
+        );
+    }
+}
+
+unsafe extern "C" fn forward_dynamics_derivatives<S: ForwardDynamicsDerivatives<f64>>(
+    object: *mut c_void,
+    q: *const f64,
+    u: *const f64,
+    tau: *const f64,
+    by: *mut f64,
+) {
+    let by: *mut S::Matrix = by.cast();
+    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are three matrices.
+    unsafe {
+        let [by_q, by_u, by_tau] = [0, 1, 2].map(|block| &mut *by.add(block));
+        (*object.cast::<S>()).d_forward_dynamics_d_q_u_tau(
+            &*q.cast(),
+            &*u.cast(),
+            &*tau.cast(),
+            by_q,
+            by_u,
+            by_tau,
+        );
     }
 }

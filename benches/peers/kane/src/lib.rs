@@ -1,7 +1,7 @@
 //! What the program of the comparison loads: for each robot and function one C function and what it works on.
 //!
-//! Arrays are as long as the robot's coordinates and speeds. The third, `x`, is `u_dot` for inverse dynamics and the regressor,
-//! `tau` for forward dynamics. Neither library is told that its arguments are finite, and both are called as a user calls them.
+//! Arrays are as long as the robot's coordinates and speeds. The third, `x`, is `u_dot` for inverse dynamics, its
+//! derivatives and the regressor, `tau` for forward dynamics and its derivatives. Neither library is told that its arguments are finite, and both are called as a user calls them.
 
 use std::{
     ffi::{CStr, c_char, c_void},
@@ -45,6 +45,8 @@ enum Function {
     CoriolisMatrix,
     MassMatrixInverse,
     Regressor,
+    InverseDynamicsDerivatives,
+    ForwardDynamicsDerivatives,
 }
 
 impl Function {
@@ -57,6 +59,8 @@ impl Function {
             4 => Some(Self::CoriolisMatrix),
             5 => Some(Self::MassMatrixInverse),
             6 => Some(Self::Regressor),
+            7 => Some(Self::InverseDynamicsDerivatives),
+            8 => Some(Self::ForwardDynamicsDerivatives),
             _ => None,
         }
     }
@@ -71,11 +75,14 @@ impl Function {
             Self::CoriolisMatrix => "coriolis_matrix",
             Self::MassMatrixInverse => "mass_matrix_inverse",
             Self::Regressor => "regressor",
+            Self::InverseDynamicsDerivatives => "d_inverse_dynamics_d_q_u_u_dot",
+            Self::ForwardDynamicsDerivatives => "d_forward_dynamics_d_q_u_tau",
         }
     }
 }
 
-/// A function of a generated robot; matrices row by row, whole, of the Jacobian the linear rows first.
+/// A function of a generated robot; matrices row by row, whole, of the Jacobian the linear rows first, of derivatives those by
+/// `q`, then by `u`, then by `x`.
 ///
 /// # Safety
 /// `robot` is a C string.

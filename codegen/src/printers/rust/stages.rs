@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use syn::{Item, Stmt, parse_quote};
+use syn::{Expr, FieldValue, Item, Member, Stmt, parse_quote};
 
 use super::{
     expression::Writer,
@@ -63,7 +63,8 @@ fn function(facts: &Facts, stages: &[Stage], stage: &Stage) -> Item {
     let writer = Writer::of_stage(facts, stages, stage);
     let fields = stage.kept.iter().map(|kept| {
         let (name, value) = (ident(&kept.name), writer.expression(&kept.value));
-        quote!(#name: #value)
+        let value: FieldValue = parse_quote!(#name: #value);
+        shortened(value)
     });
     let kept = (!stage.kept.is_empty()).then(|| type_of(stage));
     let returned = kept.as_ref().map(|kept| quote!(-> #kept<R>));
@@ -78,6 +79,15 @@ fn function(facts: &Facts, stages: &[Stage], stage: &Stage) -> Item {
     };
     item.block.stmts.splice(..0, statements::of(&writer));
     Item::Fn(item)
+}
+
+/// `x` for `x: x`.
+fn shortened(mut field: FieldValue) -> FieldValue {
+    let is_own = matches!((&field.member, &field.expr), (Member::Named(name), Expr::Path(value)) if value.path.is_ident(name));
+    if is_own {
+        field.colon_token = None;
+    }
+    field
 }
 
 /// The calls of a function's stages, in order.
