@@ -20,6 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             "inverse_dynamics",
             "jacobian(panda_hand_tcp)",
             "coriolis_matrix",
+            "d(inverse_dynamics)/d(q, u, u_dot)",
+            "vjp(forward_dynamics; q, u, tau)",
         ])
         .run()?;
     Build::new("../models/cart_pole.toml")
@@ -27,6 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .functions([
             "forward_dynamics",
             "forward_dynamics+d(forward_dynamics)/d(q, u, tau)",
+            "packed(d(forward_dynamics)/d(q, tau))",
+            "hessian(inverse_dynamics; q, u)",
         ])
         .run()?;
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {

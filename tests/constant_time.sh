@@ -4,7 +4,7 @@
 # Each of the calls stands at a place of its own, so each has a count of its own. Of the states most are random, of both signs
 # and magnitudes from 1e-6 to 1e6; the others are zeros, subnormal numbers, numbers with subnormal products, infinities and
 # NaN. f64, opt-level 3. Fails where two calls of a function differ.
-# Usage: tests/constant_time.sh              the bundled systems, and an arm with functions of frames and matrices
+# Usage: tests/constant_time.sh              the bundled systems, and an arm with functions of frames, matrices and derivatives
 #        tests/constant_time.sh robots       those of tests/robots
 #        tests/constant_time.sh trees [50]   so many random ones
 #        tests/constant_time.sh FILE...      generated modules
@@ -27,7 +27,7 @@ program() {
     local state
     printf '#![allow(warnings)]\n#[path = "%s"]\nmod system;\nuse {std::{array::from_fn, hint::black_box, mem::zeroed}, system::*};\n' "$1"
     cat << 'RUST'
-struct State { q: [f64; NQ], u: [f64; NU], u_dot: [f64; NU], tau: [f64; NU], loads: [kane::Load<f64>; NB], w_rel: [[f64; 3]; NB], point: [f64; 3], force: [f64; 3], moment: [f64; 3] }
+struct State { q: [f64; NQ], u: [f64; NU], u_dot: [f64; NU], tau: [f64; NU], loads: [kane::Load<f64>; NB], w_rel: [[f64; 3]; NB], point: [f64; 3], force: [f64; 3], moment: [f64; 3], q_direction: [f64; NU], u_direction: [f64; NU], u_dot_direction: [f64; NU], multiplier: [f64; NU] }
 
 /// Mostly between 1e-6 and 1e6.
 fn number(bits: &mut u64, state: usize) -> f64 {
@@ -49,6 +49,7 @@ impl State {
             loads: from_fn(|_| kane::Load { force: from_fn(&mut x), moment: from_fn(&mut x) }),
             w_rel: from_fn(|_| from_fn(&mut x)),
             point: from_fn(&mut x), force: from_fn(&mut x), moment: from_fn(&mut x),
+            q_direction: from_fn(&mut x), u_direction: from_fn(&mut x), u_dot_direction: from_fn(&mut x), multiplier: from_fn(&mut x),
         }
     }
 }
@@ -138,7 +139,9 @@ case ${1:-} in
         frames="pose($frame)+jacobian($frame), jacobian($frame, panda_link3), jacobian_packed($frame), point_jacobian($frame)"
         frames+=", velocity($frame, local), acceleration($frame), jacobian_dot_u($frame), generalized_force($frame), imu($frame)"
         frames+=", operational_inverse_inertia($frame, panda_link4)"
-        generate panda --functions "$frames, coriolis_matrix, mass_matrix_dot, mass_matrix_inverse, regressor, base_regressor"
+        derivatives="d(inverse_dynamics)/d(q, u, u_dot), packed(d(forward_dynamics)/d(q)), jvp(inverse_dynamics; q, u, u_dot)"
+        derivatives+=", vjp(forward_dynamics; q, u, tau), hessian(inverse_dynamics; q)"
+        generate panda --functions "$frames, coriolis_matrix, mass_matrix_dot, mass_matrix_inverse, regressor, base_regressor, $derivatives"
         ;;
     robots)
         for name in panda ur5; do generate $name; done

@@ -127,6 +127,8 @@ fn bundled<R: Scalar>(machine: &mut impl Machine) {
         panda::coriolis_matrix(&system, &state.q, &state.u, c);
     });
 
+    panda_derivatives::<R>(machine, &system);
+
     let system = cart_pole::Prepared::<R>::nominal();
     let function = Function {
         name: "cart_pole::forward_dynamics",
@@ -154,6 +156,8 @@ fn bundled<R: Scalar>(machine: &mut impl Machine) {
         *state = regulator::held(&system, black_box(&gains));
     });
 
+    cart_pole_derivatives::<R>(machine, &system);
+
     let system = eight_body::Prepared::<R>::nominal();
     let function = Function {
         name: "eight_body::mass_matrix",
@@ -161,6 +165,56 @@ fn bundled<R: Scalar>(machine: &mut impl Machine) {
     };
     function.at_states(machine, |state: &State<R, _, _>, m| {
         eight_body::mass_matrix(&system, &state.q, m);
+    });
+}
+
+fn panda_derivatives<R: Scalar>(machine: &mut impl Machine, system: &panda::Prepared<R>) {
+    let function = Function {
+        name: "panda::d_inverse_dynamics_d_q_u_u_dot",
+        address: panda::d_inverse_dynamics_d_q_u_u_dot::<R> as *const (),
+    };
+    function.at_states(
+        machine,
+        |state: &State<R, _, _>, rows: &mut [_; 3 * panda::NU]| {
+            if let [by_q, by_u, by_u_dot] = rows.as_chunks_mut::<{ panda::NU }>().0 {
+                let State { q, u, u_dot, .. } = state;
+                panda::d_inverse_dynamics_d_q_u_u_dot(system, q, u, u_dot, by_q, by_u, by_u_dot);
+            }
+        },
+    );
+    let function = Function {
+        name: "panda::vjp_forward_dynamics_q_u_tau",
+        address: panda::vjp_forward_dynamics_q_u_tau::<R> as *const (),
+    };
+    function.at_states(machine, |state: &State<R, _, _>, [by_q, by_u, by_tau]| {
+        let State { q, u, u_dot, tau } = state;
+        panda::vjp_forward_dynamics_q_u_tau(system, q, u, tau, u_dot, by_q, by_u, by_tau);
+    });
+}
+
+fn cart_pole_derivatives<R: Scalar>(
+    machine: &mut impl Machine,
+    system: &cart_pole_steps::Prepared<R>,
+) {
+    let function = Function {
+        name: "cart_pole_steps::d_forward_dynamics_d_q_tau_packed",
+        address: cart_pole_steps::d_forward_dynamics_d_q_tau_packed::<R> as *const (),
+    };
+    function.at_states(machine, |state: &State<R, _, 2>, rows: &mut [_; 4]| {
+        let State { q, u, tau, .. } = state;
+        if let Some(entries) = rows.as_flattened_mut().first_chunk_mut() {
+            cart_pole_steps::d_forward_dynamics_d_q_tau_packed(system, q, u, tau, entries);
+        }
+    });
+    let function = Function {
+        name: "cart_pole_steps::hessian_inverse_dynamics_q_u",
+        address: cart_pole_steps::hessian_inverse_dynamics_q_u::<R> as *const (),
+    };
+    function.at_states(machine, |state: &State<R, _, 2>, rows: &mut [_; 2]| {
+        let State { q, u, u_dot, tau } = state;
+        if let Some(entries) = rows.as_flattened_mut().first_chunk_mut() {
+            cart_pole_steps::hessian_inverse_dynamics_q_u(system, q, u, u_dot, tau, entries);
+        }
     });
 }
 

@@ -149,6 +149,10 @@ fn derivatives_hold() {
         "inverse_dynamics+d(inverse_dynamics)/d(q, u)",
         "d(forward_dynamics)/d(q, u, tau)(sin_cos)",
         "d(jacobian(tool0))/d(q)",
+        "packed(d(forward_dynamics)/d(q))",
+        "jvp(inverse_dynamics; q, u, u_dot)",
+        "vjp(forward_dynamics; q, u, tau)",
+        "hessian(inverse_dynamics; q)",
     ];
     let functions = functions.map(str::to_owned).to_vec();
     assert_functions_hold("ur5", Base::Fixed, Functions::Named(functions));
