@@ -85,14 +85,14 @@ inline Matrix by_turning(int n, const Eigen::Vector3d &turned) {
   return m;
 }
 
-// Derivatives of a candidate, in Pinocchio's displacements and speeds. Of a floating base it has the origin's velocity along
-// inertial axes and the angular velocity in the base's. As the base turns by e in its axes, a vector that is given along
+// Derivatives of a candidate, in Pinocchio's displacements and speeds. Where it has the velocity of a floating base's origin along
+// inertial axes, the angular velocity is in the base's. As the base turns by e in its axes, a vector that is given along
 // inertial axes changes there by its product with e, and a result that is wanted along inertial axes by the opposite.
 inline Matrix derivatives_to_pinocchio(const Robot &robot, Data &data, Function f, const State &s, const Conversion &own, const Matrix &result) {
   const int n = robot.model.nv;
   const auto local = [&](int block) -> Matrix { return own.t.transpose() * result.middleRows(block * n, n) * own.t; };
   Matrix by_q = local(0), by_u = local(1), by_x = local(2);
-  if (!robot.floating) return derivatives(by_q, by_u, by_x);
+  if (own.rate.isZero(0)) return derivatives(by_q, by_u, by_x); // nothing along inertial axes
   const Vector found = expected(robot, data, is_forward(f) ? FORWARD_DYNAMICS : INVERSE_DYNAMICS, s);
   const Vector &a = is_forward(f) ? found : s.x, &tau = is_forward(f) ? s.x : found;
   // u_dot = T (a + w x v): `rate` is w x, `moved` how a changes with v, the others how v, T' u_dot and T' tau change with turns.
