@@ -22,6 +22,7 @@ mod multiply_add;
 mod number;
 mod parameters;
 mod passes;
+mod pinocchio;
 mod products;
 mod reference;
 mod sines;

@@ -15,6 +15,41 @@ impl Matrix {
         Self { n, entries }
     }
 
+    pub fn identity(n: usize) -> Self {
+        let entry = |place: usize| {
+            if place.is_multiple_of(n + 1) {
+                1.0
+            } else {
+                0.0
+            }
+        };
+        Self::new(n, (0..n * n).map(entry).collect())
+    }
+
+    #[must_use]
+    pub fn transposed(&self) -> Self {
+        let entry = |place: usize| self.at(place % self.n, place / self.n);
+        Self::new(self.n, (0..self.n * self.n).map(entry).collect())
+    }
+
+    #[must_use]
+    pub fn product(&self, other: &Self) -> Self {
+        let other = other.transposed();
+        let rows = self.entries.chunks_exact(self.n);
+        let rows = rows.flat_map(|row| other.times(row));
+        Self::new(self.n, rows.collect())
+    }
+
+    /// With another one times a factor.
+    #[must_use]
+    pub fn plus(&self, factor: f64, other: &Self) -> Self {
+        let pairs = self.entries.iter().zip(&other.entries);
+        Self::new(
+            self.n,
+            pairs.map(|(own, other)| own + factor * other).collect(),
+        )
+    }
+
     pub fn at(&self, row: usize, column: usize) -> f64 {
         self.entries[row * self.n + column]
     }
