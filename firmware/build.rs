@@ -1,4 +1,5 @@
-//! Generates the Panda and the cart with its derivatives, as a user's build script would, or random trees, and says how a program for a microcontroller is linked.
+//! Generates the Panda and the cart with its derivatives, as a user's build script would, or random trees, and says how a
+//! program for a microcontroller is linked.
 
 use std::{env, error::Error, fmt::Write as _, fs, path::Path};
 

@@ -34,12 +34,12 @@ pub(crate) fn scaled<R: Real, A: Array<R>>(factor: R, a: &A) -> A {
     scaled
 }
 
-/// No change.
+/// Zeros.
 pub(crate) fn zero<R: Real, A: Array<R>>() -> A {
     A::filled(R::from_f64(0.0))
 }
 
-/// One entry of a change alone.
+/// One at this entry, zeros elsewhere.
 pub(crate) fn unit<R: Real, A: Array<R>>(entry: usize) -> A {
     A::from_fn(|place| R::from_f64(if place == entry { 1.0 } else { 0.0 }))
 }

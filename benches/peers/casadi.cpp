@@ -1,8 +1,8 @@
 // casadi MODEL.txt FOLDER JOINT: C from Pinocchio's own templates on CasADi's symbols, one file a function.
 //
 // Of the graph with and without CasADi's elimination of common subexpressions the one with fewer operations is written;
-// of the mass matrix and of its inverse, as of derivatives by accelerations and forces, the upper triangle, which is what Pinocchio computes; the Jacobian is that of the link
-// that JOINT moves. Prints the operations of each.
+// of the mass matrix and of its inverse, which are derivatives by accelerations and forces too, the upper triangle, as Pinocchio
+// computes it; the Jacobian is that of the link that JOINT moves. Prints the operations of each.
 #include <pinocchio/autodiff/casadi.hpp>
 #include <pinocchio/multibody.hpp>
 

@@ -95,15 +95,15 @@ inline Matrix derivatives_to_pinocchio(const Robot &robot, Data &data, Function 
   if (own.rate.isZero(0)) return derivatives(by_q, by_u, by_x); // nothing along inertial axes
   const Vector found = expected(robot, data, is_forward(f) ? FORWARD_DYNAMICS : INVERSE_DYNAMICS, s);
   const Vector &a = is_forward(f) ? found : s.x, &tau = is_forward(f) ? s.x : found;
-  // u_dot = T (a + w x v): `rate` is w x, `moved` how a changes with v, the others how v, T' u_dot and T' tau change with turns.
+  // u_dot = T (a + w x v): how v, T' u_dot and T' tau change with turns, and a with v, where `rate` is w x.
   const Matrix v_by_q = by_turning(n, s.u.head<3>()), whole_by_q = by_turning(n, (a + own.rate * s.u).head<3>()),
-               tau_by_q = by_turning(n, tau.head<3>()), moved = v_by_q - own.rate;
+               tau_by_q = by_turning(n, tau.head<3>()), a_by_v = v_by_q - own.rate;
   if (is_forward(f)) {
-    by_u += moved;
-    by_q += whole_by_q - (by_u + own.rate) * v_by_q - by_x * tau_by_q;
+    by_q += whole_by_q - by_u * v_by_q - by_x * tau_by_q;
+    by_u += a_by_v;
   } else {
-    by_u -= by_x * moved;
-    by_q += tau_by_q - by_u * v_by_q - by_x * (whole_by_q - own.rate * v_by_q);
+    by_q += tau_by_q - by_u * v_by_q - by_x * whole_by_q;
+    by_u -= by_x * a_by_v;
   }
   return derivatives(by_q, by_u, by_x);
 }

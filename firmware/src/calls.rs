@@ -202,6 +202,7 @@ fn cart_pole_derivatives<R: Scalar>(
     };
     function.at_states(machine, |state: &State<R, _, 2>, rows: &mut [_; 4]| {
         let State { q, u, tau, .. } = state;
+        const { assert!(cart_pole_steps::D_FORWARD_DYNAMICS_D_Q_TAU_PACKED_LEN <= 8) };
         if let Some(entries) = rows.as_flattened_mut().first_chunk_mut() {
             cart_pole_steps::d_forward_dynamics_d_q_tau_packed(system, q, u, tau, entries);
         }
@@ -212,6 +213,7 @@ fn cart_pole_derivatives<R: Scalar>(
     };
     function.at_states(machine, |state: &State<R, _, 2>, rows: &mut [_; 2]| {
         let State { q, u, u_dot, tau } = state;
+        const { assert!(cart_pole_steps::HESSIAN_INVERSE_DYNAMICS_Q_U_LEN <= 4) };
         if let Some(entries) = rows.as_flattened_mut().first_chunk_mut() {
             cart_pole_steps::hessian_inverse_dynamics_q_u(system, q, u, u_dot, tau, entries);
         }

@@ -14,7 +14,7 @@ pub struct Change<U> {
 }
 
 impl<U> Change<U> {
-    /// None.
+    /// No change.
     pub(super) fn zero<R: Real>() -> Self
     where
         U: Array<R>,
@@ -85,7 +85,7 @@ impl<M: Copy> StepDerivatives<M> {
         }
     }
 
-    /// Overwrites all columns, where `after(variable, place)` is the change after the step for one of that entry.
+    /// Overwrites all columns, where `after(variable, place)` is the change after the step as that entry grows by one.
     pub(super) fn set_columns<R: Real, U: Array<R>>(
         &mut self,
         after: impl Fn(Variable, usize) -> Change<U>,
@@ -116,7 +116,7 @@ pub struct StepByParameters<M> {
 }
 
 impl<M> StepByParameters<M> {
-    /// Overwrites all columns, where `after(place)` is the change after the step for one of that value.
+    /// Overwrites all columns, where `after(place)` is the change after the step as that value grows by one.
     pub(super) fn set_columns<R: Real, U: Array<R>, V: Array<R>>(
         &mut self,
         after: impl Fn(usize) -> Change<U>,

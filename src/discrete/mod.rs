@@ -19,8 +19,9 @@
 //! | `adjoint` | what a multiplier becomes, back over the step, times `A` and `B` | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
 //!
 //! The derivatives are those of the step that is computed, to rounding, not of the motion. `forward` and `adjoint` form no matrix:
-//! the gradient of a long motion costs a few times as much as the motion. Nothing is checked or allocated; what matrices there are
-//! stand on the stack, twelve of `NU` by `NU` for `rk4`, three for `euler`.
+//! the gradient of a long motion costs a few times as much as the motion. Nothing is checked or allocated. Matrices
+//! stand on the stack: for `linearized` twelve of `NU` by `NU` in `rk4` and three in `euler`; `by_parameters` adds of `NU` by as many
+//! as there are values four in `rk4`, and has one alone in `euler`.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {

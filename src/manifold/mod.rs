@@ -31,6 +31,7 @@ pub use tangent::TangentMap;
 pub(crate) use turn::of_angles;
 
 use crate::joint::Chart;
+use crate::vector::zero;
 use crate::{Array, Joint, Real, System};
 use turn::{Quaternion, Vector};
 
@@ -145,11 +146,11 @@ pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> 
 /// The direction, rad and m along the axes of `u`, in which [`q_plus`] leads from `q` to `q_other`.
 ///
 /// Orientations are joined by the shorter turn, of at most half a revolution, also where quaternions differ in their sign. Lengths of
-/// quaternions do not matter.
+/// quaternions do not matter, unless their product is below 1e-30.
 #[must_use]
 pub fn q_minus<R: Real, S: System<R>>(system: &S, q: &S::Q, q_other: &S::Q) -> S::U {
     let _ = system;
-    let mut direction = S::U::filled(R::from_f64(0.0));
+    let mut direction: S::U = zero();
     for (place, speed) in rates::<R, S>() {
         put(
             &mut direction,

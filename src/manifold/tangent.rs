@@ -3,6 +3,7 @@
 
 use super::turn::{self, Matrix, Vector};
 use super::turnings;
+use crate::vector::unit;
 use crate::{Array, Real, System};
 
 /// A linear map of directions, rad and m along the axes of `u`: a derivative of [`q_plus`](super::q_plus) or
@@ -93,10 +94,6 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
     /// The map as a matrix, `[[R; NU]; NU]`, by rows.
     #[must_use]
     pub fn matrix<M: Array<S::U>>(&self) -> M {
-        let zero = R::from_f64(0.0);
-        M::from_fn(|row| {
-            let unit = S::U::from_fn(|place| if place == row { R::from_f64(1.0) } else { zero });
-            self.transposed_times(&unit)
-        })
+        M::from_fn(|row| self.transposed_times(&unit(row)))
     }
 }

@@ -6,8 +6,7 @@ use std::mem;
 
 use clap::Args;
 use kane_codegen::{
-    diagnostic::nearest,
-    functions::{Function, Parsed, RequestError, split},
+    functions::{Function, Parsed, RequestError, advice, split},
     options::{ALL, Formulation, Functions, Options},
     recursive::Technique,
 };
@@ -151,13 +150,9 @@ pub(crate) fn request(text: &str) -> Result<Parsed, Failures> {
     })
 }
 
-/// Why a function cannot be had, with the name that was probably meant.
+/// Why a function cannot be had, and what to do.
 fn unknown_function(name: &str) -> Failures {
-    let known = Function::names();
-    let help = match nearest(name, &known) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the functions are {}", known.join(", ")),
-    };
+    let help = advice(name, &Function::names());
     Failures::message(format!("`{}` is no function; {help}", name.escape_debug()))
 }
 

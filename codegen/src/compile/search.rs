@@ -274,7 +274,7 @@ impl Search<'_> {
         }
     }
 
-    /// Where accelerations are solved for, and `L^T D L` would not alone need twice as much.
+    /// Where something is solved for, and `L^T D L` would not alone need twice as much.
     fn factors_have_a_chance(&self) -> bool {
         self.function.solves() && self.function.factorising(self.tree) <= 2 * self.least
     }

@@ -1,9 +1,9 @@
 //! Functions that a `kane.toml` names, each of which is known.
 
 use crate::{
-    description::toml_reader::{Reader, Table, list, span},
-    diagnostic::{Diagnostic, Spanned, nearest},
-    functions::{Parsed, RequestError},
+    description::toml_reader::{Reader, Table, span},
+    diagnostic::{Diagnostic, Spanned},
+    functions::{Parsed, RequestError, advice},
     options::{ALL, Functions},
 };
 
@@ -137,11 +137,8 @@ pub(super) fn request_fault(
         "{what} names `{}`{whole}, which is no function",
         part.escape_debug()
     ));
-    let help = match nearest(&part, known) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the functions are {}", list(known)),
-    };
-    Some(fault.at(name.span, "unknown function").help(help))
+    let fault = fault.at(name.span, "unknown function");
+    Some(fault.help(advice(&part, known)))
 }
 
 /// What is wrong with a request of known functions, with its place in the text where that stands there as it is.

@@ -28,7 +28,7 @@ impl ExprGraph {
     }
 }
 
-/// The value of an expression, of that of its node.
+/// An expression's value, from its node's.
 pub(crate) fn signed<N: Number>(expr: Expr, value: N) -> N {
     if expr.is_negative() { -value } else { value }
 }

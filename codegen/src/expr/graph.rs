@@ -345,7 +345,7 @@ impl ExprGraph {
         }
     }
 
-    /// The node that an expression is a number times of.
+    /// The expression's node without its numeric factor.
     fn without_factor(&self, expr: Expr) -> NodeId {
         match self.node(expr.node()) {
             Node::Mul(first, second) if matches!(self.node(first), Node::Number(_)) => second,
@@ -353,7 +353,7 @@ impl ExprGraph {
         }
     }
 
-    /// The number that an expression is times that node.
+    /// Its numeric factor, one where there is none.
     fn factor(&self, expr: Expr) -> Rounded {
         let factor = match self.node(expr.node()) {
             Node::Mul(first, _) => {

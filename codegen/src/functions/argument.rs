@@ -105,7 +105,7 @@ impl Row {
 }
 
 impl Argument {
-    /// All but multipliers, in the order in which functions are given them, which is that of arguments; multipliers come last, in
+    /// All but multipliers, in the order in which functions are given them, which is that of the variants; multipliers come last, in
     /// the order of the outputs.
     pub const ALL: [Self; 15] = [
         Self::Q,

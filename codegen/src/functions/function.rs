@@ -30,7 +30,7 @@ pub struct Function {
     /// True for a function of the default set.
     pub is_default: bool,
     /// What is solved for along the tree, by factors or by articulated bodies.
-    pub solves_for: Option<Unknown>,
+    pub(super) solves_for: Option<Unknown>,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -58,7 +58,7 @@ pub enum Of {
 
 /// What equations of the mass matrix are solved for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unknown {
+pub(super) enum Unknown {
     /// Accelerations, of given forces.
     Accelerations,
     /// The inverse of the mass matrix, whole or packed.

@@ -12,7 +12,7 @@ pub struct Multiplier {
     place: usize,
     name: &'static str,
     shape: Shape,
-    /// The length of the axes that the function decides.
+    /// The length of the dimensions that the function decides.
     own: usize,
 }
 
@@ -28,7 +28,7 @@ const SAMPLED: [(Shape, &str); 4] = [
 ];
 
 impl Multiplier {
-    /// One with this name, of the output at a place with this shape; `own` is the length of axes that the function decides.
+    /// One with this name, of the output at a place with this shape; `own` is the length of dimensions that the function decides.
     pub(super) fn of(place: usize, name: &'static str, shape: Shape, own: usize) -> Self {
         Self {
             place,
@@ -58,7 +58,7 @@ impl Multiplier {
         if self.name == MULTIPLIER {
             "multiplies the output, entry by entry, before the sum is differentiated"
         } else {
-            "multiplies the output of that name, entry by entry, before the sum of all outputs is differentiated"
+            "multiplies its output, entry by entry, before the sum of all outputs is differentiated"
         }
     }
 

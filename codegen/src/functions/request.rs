@@ -179,7 +179,7 @@ impl Request {
         lines
     }
 
-    /// True where accelerations are solved for.
+    /// True where accelerations or the inverse of the mass matrix are solved for.
     pub fn solves(&self) -> bool {
         self.functions()
             .any(|function| function.solves_for.is_some())

@@ -73,7 +73,7 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
         ..
     } = function;
     let whole = State::after(facts, signature, code, &[], unstored(facts, signature))?;
-    check_stored(signature, &whole.close()?)?;
+    check_stored(&whole.close()?)?;
     if stages.is_empty() {
         return Ok(());
     }
@@ -81,7 +81,7 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
     for (place, stage) in stages.iter().enumerate() {
         stored = verify_stage(facts, &stages[..place], stage, stored)?;
     }
-    check_stored(signature, &stored)
+    check_stored(&stored)
 }
 
 /// What is stored after a stage; `stored` is what those before it have stored.
@@ -116,12 +116,10 @@ fn unstored<'a>(facts: &Facts, signature: &'a Signature) -> Stored<'a> {
 }
 
 /// Nothing is left to store.
-fn check_stored(signature: &Signature, stored: &Stored<'_>) -> Result<(), Fault> {
-    for argument in &signature.arguments {
-        let places = stored.get(argument.name.as_str());
-        let missing = places.and_then(|places| places.iter().position(|is_stored| !is_stored));
-        if let Some(place) = missing {
-            return Err(Fault::NotStored(argument.name.clone(), place));
+fn check_stored(stored: &Stored<'_>) -> Result<(), Fault> {
+    for (name, places) in stored {
+        if let Some(place) = places.iter().position(|is_stored| !is_stored) {
+            return Err(Fault::NotStored((*name).to_owned(), place));
         }
     }
     Ok(())

@@ -19,7 +19,7 @@ use crate::{
     tree::{Motion, Tree},
 };
 
-/// `M = L^T D L`; what carriers derive of a row is not needed.
+/// `M = L^T D L`, from articulated bodies.
 pub(super) fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Factors {
     let Linkage { tree, passages, .. } = linkage;
     let gains = articulated::gains(graph, linkage);

@@ -101,7 +101,7 @@ fn sources_hold_no_tests() {
     let tests: Vec<String> = tests.collect();
     assert!(
         tests.is_empty(),
-        "tests that never run; they stand in `tests` and `codegen/tests`:\n{}",
+        "tests that never run; move them to `tests` or `codegen/tests`:\n{}",
         tests.concat()
     );
 }

@@ -25,9 +25,11 @@ fn count(tokens: TokenStream) -> usize {
         let TokenTree::Group(group) = token else {
             continue;
         };
-        let before: Vec<String> = tokens[..place].iter().map(ToString::to_string).collect();
+        let before = tokens[place.saturating_sub(2)..place].iter();
+        let before: Vec<String> = before.map(ToString::to_string).collect();
         count += match &before[..] {
-            [.., quote, bang] if bang == "!" && QUOTES.contains(&&**quote) => 0,
+            [quote, bang] if bang == "!" && QUOTES.contains(&&**quote) => 0,
+            [hash, bang] if hash == "#" && bang == "!" => usize::from(is_test(&group.stream())),
             [.., hash] if hash == "#" => usize::from(is_test(&group.stream())),
             _ => self::count(group.stream()),
         };

@@ -192,6 +192,7 @@ fn test_among_sources_is_found() {
         "#[cfg(test)]\nmod tests;\n",
         "mod tests {\n    #[test]\n    fn holds() {}\n}\n",
         "#[cfg(all(test, unix))]\nuse a::A;\n",
+        "#![cfg(test)]\nuse a::A;\n",
     ] {
         assert_eq!(
             no_tests::found(&sources(&[("a.rs", test)])).len(),

@@ -382,7 +382,7 @@ fn all_unknown_functions_are_reported_with_what_was_meant() {
     );
     assert_eq!(lines[1], "error: --functions names `bias` twice");
     assert!(lines[2].starts_with(
-        "error: `nonsense_entirely` is no function; the functions are relative_rotation, "
+        "error: `nonsense_entirely` is no function; the functions are `relative_rotation`, "
     ));
 }
 
@@ -398,7 +398,7 @@ fn functions_of_frames_are_among_those_that_may_be_meant() {
         "error: `jacobain` is no function; did you mean `jacobian`?\n"
     );
     let none = ran("nonsense_entirely").err;
-    assert!(none.contains(", operational_inverse_inertia"), "{none}");
+    assert!(none.contains(", `operational_inverse_inertia`"), "{none}");
     let config = system("models/arm.toml", "generated/arm.rs");
     project.write(
         "kane.toml",

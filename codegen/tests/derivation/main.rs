@@ -6,6 +6,7 @@ mod compiled;
 mod counts;
 mod derivative_references;
 mod derivatives;
+mod dictionary;
 mod equivalences;
 mod evaluator;
 mod expr;

@@ -170,3 +170,8 @@ fn multipliers_of_one_name_belong_to_one_place() {
         }
     }
 }
+
+#[test]
+fn arguments_are_listed_in_their_order() {
+    assert!(Argument::ALL.is_sorted());
+}

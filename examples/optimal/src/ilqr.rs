@@ -2,9 +2,9 @@
 //!
 //! A motion is a state a node and forces between them. Each iteration takes the derivatives `A`, `B` of every step, goes back from the
 //! end with a quadratic model of the cost that is left, which gives new forces and how they answer to the state, and drives the
-//! system with these. Forces stay within their limits: where one holds, the step is that of a quadratic cost between
-//! limits ([`bounded_quadratic`](super::bounded_quadratic)),
-//! and there is no answer to the state. States are compared on their manifold, so quaternions are no different.
+//! system with these. Forces stay within their limits: where one holds, the step is that of a quadratic cost between limits
+//! ([`bounded_quadratic`](super::bounded_quadratic)), and there is no answer to the state. States are compared on their manifold,
+//! so quaternions are no different.
 
 use kane::discrete::StepDerivatives;
 use kane::functions::{ForwardDynamics, ForwardDynamicsAndDerivatives};

@@ -42,7 +42,8 @@ impl Matrix {
 
     /// With another one times a factor.
     #[must_use]
-    pub fn plus(&self, factor: f64, other: &Self) -> Self {
+    pub fn plus_scaled(&self, factor: f64, other: &Self) -> Self {
+        assert_eq!(self.n, other.n, "matrices of one size");
         let pairs = self.entries.iter().zip(&other.entries);
         Self::new(
             self.n,

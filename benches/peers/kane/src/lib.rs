@@ -1,7 +1,8 @@
 //! What the program of the comparison loads: for each robot and function one C function and what it works on.
 //!
 //! Arrays are as long as the robot's coordinates and speeds. The third, `x`, is `u_dot` for inverse dynamics, its
-//! derivatives and the regressor, `tau` for forward dynamics and its derivatives. Neither library is told that its arguments are finite, and both are called as a user calls them.
+//! derivatives and the regressor, `tau` for forward dynamics and its derivatives. Neither library is told that its arguments
+//! are finite, and both are called as a user calls them.
 
 use std::{
     ffi::{CStr, c_char, c_void},

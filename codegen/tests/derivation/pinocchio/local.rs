@@ -13,8 +13,6 @@ use super::robot::{Robot, base, cross, sum, vector};
 pub(super) struct Local {
     /// `T`.
     turn: Matrix,
-    /// `w x` of linear speeds.
-    spin: Matrix,
     /// How v changes with displacements.
     v_by_q: Matrix,
     /// How a changes with v.
@@ -32,12 +30,10 @@ impl Local {
         for (row, entries) in r.iter().enumerate() {
             turn.entries[row * n..][..3].copy_from_slice(entries);
         }
-        let spin = crossed(n, 0, vector(&v, 3));
         let v_by_q = crossed(n, 3, vector(&v, 0));
-        let a_by_v = v_by_q.plus(-1.0, &spin);
+        let a_by_v = v_by_q.plus_scaled(-1.0, &crossed(n, 0, vector(&v, 3)));
         Self {
             turn,
-            spin,
             v_by_q,
             a_by_v,
         }
@@ -46,26 +42,23 @@ impl Local {
     /// Of forces, by coordinates, speeds and accelerations; the accelerations are those of the sample.
     pub(super) fn of_forces(&self, sample: &Value, found: [Matrix; 3]) -> [Matrix; 3] {
         let [by_q, by_u, by_a] = found.map(|matrix| self.along_base(&matrix));
-        let n = by_q.n;
-        let tau_by_q = crossed(n, 3, vector(&flat(&sample["inverse_dynamics"]), 0));
-        let moved = self
-            .whole_by_q(sample, "a")
-            .plus(-1.0, &self.spin.product(&self.v_by_q));
-        let by_u = by_u.plus(-1.0, &by_a.product(&self.a_by_v));
-        let by_q = by_q.plus(1.0, &tau_by_q);
-        let by_q = by_q.plus(-1.0, &by_u.product(&self.v_by_q));
-        [by_q.plus(-1.0, &by_a.product(&moved)), by_u, by_a]
+        let tau_by_q = self.turned(sample, "inverse_dynamics");
+        let by_q = by_q.plus_scaled(1.0, &tau_by_q);
+        let by_q = by_q.plus_scaled(-1.0, &by_u.product(&self.v_by_q));
+        let by_q = by_q.plus_scaled(-1.0, &by_a.product(&self.whole_by_q(sample, "a")));
+        let by_u = by_u.plus_scaled(-1.0, &by_a.product(&self.a_by_v));
+        [by_q, by_u, by_a]
     }
 
     /// Of accelerations, by coordinates, speeds and forces; the forces are those of the sample.
     pub(super) fn of_accelerations(&self, sample: &Value, found: [Matrix; 3]) -> [Matrix; 3] {
         let [by_q, by_u, by_tau] = found.map(|matrix| self.along_base(&matrix));
-        let n = by_q.n;
-        let tau_by_q = crossed(n, 3, vector(&flat(&sample["tau"]), 0));
-        let by_u = by_u.plus(1.0, &self.a_by_v);
-        let by_q = by_q.plus(1.0, &self.whole_by_q(sample, "forward_dynamics"));
-        let by_q = by_q.plus(-1.0, &by_u.plus(1.0, &self.spin).product(&self.v_by_q));
-        [by_q.plus(-1.0, &by_tau.product(&tau_by_q)), by_u, by_tau]
+        let whole_by_q = self.whole_by_q(sample, "forward_dynamics");
+        let by_q = by_q.plus_scaled(1.0, &whole_by_q);
+        let by_q = by_q.plus_scaled(-1.0, &by_u.product(&self.v_by_q));
+        let by_q = by_q.plus_scaled(-1.0, &by_tau.product(&self.turned(sample, "tau")));
+        let by_u = by_u.plus_scaled(1.0, &self.a_by_v);
+        [by_q, by_u, by_tau]
     }
 
     /// `T^T m T`.
@@ -73,7 +66,12 @@ impl Local {
         self.turn.transposed().product(&m.product(&self.turn))
     }
 
-    /// How `a + w x v` changes with displacements.
+    /// How forces that are held along inertial axes change with displacements.
+    fn turned(&self, sample: &Value, forces: &str) -> Matrix {
+        crossed(self.turn.n, 3, vector(&flat(&sample[forces]), 0))
+    }
+
+    /// How `a + w x v` that is held along inertial axes changes with displacements.
     fn whole_by_q(&self, sample: &Value, accelerations: &str) -> Matrix {
         let [v, a] = ["v", accelerations].map(|name| flat(&sample[name]));
         let whole = sum(vector(&a, 0), cross(vector(&v, 3), vector(&v, 0)));

@@ -219,7 +219,7 @@ fn store_that_no_stage_has_is_missed() {
         function.stages[1].code.statements.remove(at);
         verify(&facts, &function)
     };
-    // Some of these store what others read too, which is not missed.
+    // Without some of these a local is unread, which is told first.
     let missed = stores
         .take(10)
         .map(without)

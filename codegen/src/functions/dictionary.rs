@@ -1,0 +1,138 @@
+//! What other tools call our functions, for those who look for a name that we do not have.
+
+use super::function::Function;
+use crate::diagnostic::nearest;
+
+/// Our requests, and the names that Pinocchio, MuJoCo, RBDL, Drake and textbooks have for the same, in small letters and digits.
+const NAMES: [(&str, &[&str]); 17] = [
+    (
+        "inverse_dynamics",
+        &[
+            "rnea",
+            "id",
+            "newtoneuler",
+            "mjinverse",
+            "calcinversedynamics",
+        ],
+    ),
+    (
+        "mass_matrix",
+        &[
+            "crba",
+            "compositerigidbodyalgorithm",
+            "inertiamatrix",
+            "jointspaceinertia",
+            "mjfullm",
+            "calcmassmatrix",
+        ],
+    ),
+    (
+        "forward_dynamics",
+        &[
+            "aba",
+            "fd",
+            "articulatedbodyalgorithm",
+            "mjforward",
+            "calcforwarddynamics",
+        ],
+    ),
+    (
+        "bias",
+        &["nle", "nonlineareffects", "qfrcbias", "calcbiasterm"],
+    ),
+    (
+        "gravity_forces",
+        &[
+            "gravity",
+            "gravityterm",
+            "generalizedgravity",
+            "calcgravitygeneralizedforces",
+        ],
+    ),
+    ("coriolis_matrix", &["coriolis", "christoffel"]),
+    (
+        "mass_matrix_inverse",
+        &["minv", "minverse", "inversemassmatrix"],
+    ),
+    (
+        "pose(FRAME)",
+        &[
+            "fk",
+            "forwardkinematics",
+            "framesforwardkinematics",
+            "placement",
+            "transform",
+        ],
+    ),
+    ("velocity(FRAME)", &["framevelocity", "twist"]),
+    (
+        "jacobian(FRAME)",
+        &[
+            "jac",
+            "framejacobian",
+            "jointjacobian",
+            "geometricjacobian",
+            "mjjac",
+            "calcpointjacobian",
+        ],
+    ),
+    (
+        "jacobian_dot_u(FRAME)",
+        &[
+            "jdotv",
+            "jdotqdot",
+            "jacobiandot",
+            "framejacobiantimevariation",
+        ],
+    ),
+    (
+        "center_of_mass",
+        &["com", "centerofmassposition", "calccenterofmass"],
+    ),
+    (
+        "center_of_mass_jacobian",
+        &["jcom", "jacobiancenterofmass", "comjacobian"],
+    ),
+    ("centroidal_momentum_matrix", &["cmm", "ccrba"]),
+    ("regressor", &["jointtorqueregressor", "torqueregressor"]),
+    (
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        &["rneaderivatives", "inversedynamicsderivatives"],
+    ),
+    (
+        "d(forward_dynamics)/d(q, u, tau)",
+        &["abaderivatives", "forwarddynamicsderivatives"],
+    ),
+];
+
+/// Words with which other tools' names begin.
+const BEFORE: [&str; 3] = ["compute", "get", "pinocchio"];
+
+/// Our request for what other tools call so; letters' case and what is no letter or digit do not count.
+pub fn elsewhere(name: &str) -> Option<&'static str> {
+    let word = plain(name);
+    let mut words = vec![&*word];
+    words.extend(BEFORE.iter().filter_map(|before| word.strip_prefix(before)));
+    let own = Function::names().into_iter();
+    let mut own = own.filter(|own| words.contains(&&*plain(own)));
+    let mut others = NAMES.iter();
+    let others = others.find(|(_, names)| names.iter().any(|name| words.contains(name)));
+    own.next().or(others.map(|(request, _)| *request))
+}
+
+fn plain(name: &str) -> String {
+    let letters = name.chars().filter(char::is_ascii_alphanumeric);
+    letters.map(|letter| letter.to_ascii_lowercase()).collect()
+}
+
+/// What to do about a name that is no function, where these are.
+pub fn advice(name: &str, known: &[&str]) -> String {
+    if let Some(request) = elsewhere(name) {
+        format!("here it is called `{request}`")
+    } else if let Some(near) = nearest(name, known) {
+        format!("did you mean `{near}`?")
+    } else {
+        let known: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
+        format!("the functions are {}", known.join(", "))
+    }
+}

@@ -1,0 +1,42 @@
+//! Names that other tools have.
+
+use kane_codegen::functions::{Function, Parsed, advice, elsewhere};
+
+#[test]
+fn names_of_other_tools_lead_to_ours() {
+    for (name, request) in [
+        ("rnea", "inverse_dynamics"),
+        ("CRBA", "mass_matrix"),
+        ("aba", "forward_dynamics"),
+        ("nle", "bias"),
+        ("computeMinverse", "mass_matrix_inverse"),
+        ("mj_jac", "jacobian(FRAME)"),
+        ("computeFrameJacobian", "jacobian(FRAME)"),
+        ("computeCoriolisMatrix", "coriolis_matrix"),
+        ("MassMatrix", "mass_matrix"),
+        (
+            "computeRNEADerivatives",
+            "d(inverse_dynamics)/d(q, u, u_dot)",
+        ),
+    ] {
+        assert_eq!(elsewhere(name), Some(request));
+        Parsed::read(request).expect("a request");
+        assert!(Parsed::read(name).is_err(), "{name} is ours");
+    }
+    assert_eq!(elsewhere("jerk"), None);
+}
+
+#[test]
+fn unknown_names_are_met_with_advice() {
+    let known = Function::names();
+    assert_eq!(
+        advice("rnea", &known),
+        "here it is called `inverse_dynamics`"
+    );
+    assert_eq!(advice("biass", &known), "did you mean `bias`?");
+    let listed = advice("jerk", &known);
+    assert!(
+        listed.starts_with("the functions are `relative_rotation`, "),
+        "{listed}"
+    );
+}
