@@ -52,7 +52,7 @@ mod tile;
 
 use core::marker::PhantomData;
 
-use rows::Shape;
+use rows::Size;
 use tile::{GROUPS, Input, Output};
 
 use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
@@ -116,8 +116,8 @@ impl<L: Lanes> Batch<L> {
         Ok(RowsMut { values, shape })
     }
 
-    fn shape(&self, argument: &'static str, rows: usize) -> Shape {
-        Shape {
+    fn shape(&self, argument: &'static str, rows: usize) -> Size {
+        Size {
             argument,
             rows,
             states: self.states,

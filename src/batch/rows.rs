@@ -7,19 +7,19 @@ use core::fmt;
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a, T> {
     pub(super) values: &'a [T],
-    pub(super) shape: Shape,
+    pub(super) shape: Size,
 }
 
 /// As [`Rows`], to be written: [`Batch::rows_mut`](super::Batch::rows_mut).
 #[derive(Debug)]
 pub struct RowsMut<'a, T> {
     pub(super) values: &'a mut [T],
-    pub(super) shape: Shape,
+    pub(super) shape: Size,
 }
 
 /// How many rows a quantity has, and for which batch.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(super) struct Size {
     pub(super) argument: &'static str,
     pub(super) rows: usize,
     pub(super) states: usize,
@@ -38,7 +38,7 @@ pub struct LengthError {
     pub states: usize,
 }
 
-impl Shape {
+impl Size {
     /// Refuses a slice of another length.
     pub(super) fn check(self, found: usize) -> Result<(), LengthError> {
         if self.rows.checked_mul(self.states) == Some(found) {

@@ -4,7 +4,7 @@
 //! drift over long times.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
-use super::reached::{Moving, move_on};
+use super::reached::{Reached, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
     ForwardDynamicsJvp, ForwardDynamicsVjp,
@@ -41,7 +41,7 @@ fn moved<R: Real, S: System<R>>(
 
 /// What becomes of a change over a step, where accelerations change by `u_dot`.
 fn changed<R: Real, S: System<R>>(
-    moving: &Moving<R, S>,
+    moving: &Reached<R, S>,
     dt: R,
     change: &Change<S::U>,
     u_dot: &S::U,
@@ -72,7 +72,7 @@ pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
         &mut by_u,
         &mut by_tau,
     );
-    let moving = Moving::<R, S>::by(&moved(system, dt, q, u, &u_dot));
+    let moving = Reached::<R, S>::by(&moved(system, dt, q, u, &u_dot));
     derivatives.set_columns(|variable, place| {
         let of_u_dot = match variable {
             Variable::Q => &by_q,
@@ -96,7 +96,7 @@ pub fn by_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsByParameter
     let mut by_values = S::ByParameters::filled(zero());
     system.forward_dynamics(&q, &u, tau, &mut u_dot);
     system.d_forward_dynamics_d_parameters(&q, &u, tau, &mut by_values);
-    let moving = Moving::<R, S>::by(&moved(system, dt, &mut q, &mut u, &u_dot));
+    let moving = Reached::<R, S>::by(&moved(system, dt, &mut q, &mut u, &u_dot));
     derivatives.set_columns(|place| {
         let of_u_dot = column(&by_values, place);
         changed(&moving, dt, &Change::zero(), &of_u_dot)
@@ -114,7 +114,7 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     let (mut u_dot, mut du_dot) = (zero(), zero());
     system.forward_dynamics(q, u, tau, &mut u_dot);
     system.jvp_forward_dynamics_q_u_tau(q, u, tau, &change.q, &change.u, tau_change, &mut du_dot);
-    let moving = Moving::<R, S>::by(&moved(system, dt, q, u, &u_dot));
+    let moving = Reached::<R, S>::by(&moved(system, dt, q, u, &u_dot));
     *change = changed(&moving, dt, change, &du_dot);
 }
 
@@ -132,7 +132,7 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     let mut u_dot = zero();
     system.forward_dynamics(q, u, tau, &mut u_dot);
     let direction = moved(system, dt, &mut { *q }, &mut { *u }, &u_dot);
-    let (of_q, of_direction) = Moving::<R, S>::by(&direction).back(&multiplier.q);
+    let (of_q, of_direction) = Reached::<R, S>::by(&direction).back(&multiplier.q);
     let of_u = plus_scaled(&multiplier.u, dt, &of_direction);
     let (mut q_gradient, mut u_gradient) = (zero(), zero());
     system.vjp_forward_dynamics_q_u_tau(

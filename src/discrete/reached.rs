@@ -11,12 +11,12 @@ pub(super) fn move_on<R: Real, S: System<R>>(system: &S, q: &mut S::Q, direction
 }
 
 /// How what is reached by a direction changes.
-pub(super) struct Moving<R: Real, S: System<R>> {
+pub(super) struct Reached<R: Real, S: System<R>> {
     by_q: TangentMap<R, S>,
     by_direction: TangentMap<R, S>,
 }
 
-impl<R: Real, S: System<R>> Moving<R, S> {
+impl<R: Real, S: System<R>> Reached<R, S> {
     pub(super) fn by(direction: &S::U) -> Self {
         Self {
             by_q: TangentMap::of_q_plus_by_q(direction),

@@ -5,7 +5,7 @@
 //! an orientation `d_dot = w + d × w / 2 + d × (d × w) / 12`, of which the rest is beyond the order of the step.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
-use super::reached::{Moving, move_on};
+use super::reached::{Reached, move_on};
 use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
     ForwardDynamicsJvp, ForwardDynamicsVjp,
@@ -125,8 +125,8 @@ pub fn step<R: Real, S: ForwardDynamics<R>>(
 struct Moved<R: Real, S: System<R>> {
     dt: R,
     stages: Stages<R, S>,
-    to_stages: [Moving<R, S>; 4],
-    to_end: Moving<R, S>,
+    to_stages: [Reached<R, S>; 4],
+    to_end: Reached<R, S>,
 }
 
 impl<R: Real, S: System<R>> Moved<R, S> {
@@ -134,8 +134,8 @@ impl<R: Real, S: System<R>> Moved<R, S> {
         Self {
             dt,
             stages,
-            to_stages: [0, 1, 2, 3].map(|place: usize| Moving::by(&stages[place].d)),
-            to_end: Moving::by(d_after),
+            to_stages: [0, 1, 2, 3].map(|place: usize| Reached::by(&stages[place].d)),
+            to_end: Reached::by(d_after),
         }
     }
 

@@ -8,7 +8,7 @@ use super::{
     function::{Jacobians, Output},
     multiplier::Multiplier,
     shape::Shape,
-    sparsity::{Known, Sparsity, dependences},
+    sparsity::{LazySparsity, Sparsity, dependences},
     variable::Variable,
 };
 use crate::{
@@ -44,7 +44,7 @@ pub struct Derivative {
     /// The variables, in the order asked for.
     pub by: Vec<Variable>,
     /// Which of its entries are not structurally zero.
-    sparsity: Known,
+    sparsity: LazySparsity,
 }
 
 impl Derivative {
@@ -52,7 +52,7 @@ impl Derivative {
         Self {
             kind,
             by,
-            sparsity: Known::default(),
+            sparsity: LazySparsity::default(),
         }
     }
 

@@ -58,22 +58,22 @@ impl Sparsity {
 
 /// A sparsity, once it is asked for. Copies share it, and all are equal: it follows from what they are kept with.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Known(Arc<OnceLock<Sparsity>>);
+pub(super) struct LazySparsity(Arc<OnceLock<Sparsity>>);
 
-impl Known {
+impl LazySparsity {
     /// The one that is known, or what `find` finds.
     pub(super) fn get_or_find(&self, find: impl FnOnce() -> Sparsity) -> &Sparsity {
         self.0.get_or_init(find)
     }
 }
 
-impl PartialEq for Known {
+impl PartialEq for LazySparsity {
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-impl Eq for Known {}
+impl Eq for LazySparsity {}
 
 /// For each root the columns of the variables on which it depends.
 pub(super) fn dependences(

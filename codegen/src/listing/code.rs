@@ -18,7 +18,7 @@ use crate::{
 pub(super) const MOST_ANGLES: usize = 64;
 
 /// What is known of a program's values beside it.
-pub(super) struct Known<'a> {
+pub(super) struct ProgramContext<'a> {
     /// Which operations stand inside others.
     pub(super) groups: &'a Groups,
     /// The names of the values that have a local.
@@ -28,7 +28,7 @@ pub(super) struct Known<'a> {
 }
 
 /// The statements of a program that stores to these places.
-pub(super) fn of(program: &Program, known: &Known<'_>, places: Vec<Entry>) -> Code {
+pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entry>) -> Code {
     let mut writer = Writer {
         program,
         known,
@@ -55,7 +55,7 @@ pub(super) fn of(program: &Program, known: &Known<'_>, places: Vec<Entry>) -> Co
 
 struct Writer<'a> {
     program: &'a Program,
-    known: &'a Known<'a>,
+    known: &'a ProgramContext<'a>,
     /// The local of each value, once it is assigned.
     held: Vec<Option<LocalId>>,
     /// Sines and cosines that were taken together and have no local yet.

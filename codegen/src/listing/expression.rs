@@ -34,7 +34,7 @@ pub enum Expression {
 /// How tightly what is written with signs between operands holds together, loosest first; the same in every language that
 /// writes them so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Binding {
+pub enum Tightness {
     /// Sums and differences.
     Sum,
     /// Products and quotients.
@@ -45,10 +45,10 @@ pub enum Binding {
 
 impl Expression {
     /// How tightly it holds together.
-    pub fn binding(&self) -> Binding {
+    pub fn tightness(&self) -> Tightness {
         match self {
-            Self::Sum(_) | Self::Difference(_) => Binding::Sum,
-            Self::Product(_) | Self::Quotient(_) => Binding::Product,
+            Self::Sum(_) | Self::Difference(_) => Tightness::Sum,
+            Self::Product(_) | Self::Quotient(_) => Tightness::Product,
             Self::Number(_)
             | Self::Local(_)
             | Self::Element(..)
@@ -56,7 +56,7 @@ impl Expression {
             | Self::Kept(..)
             | Self::Negative(_)
             | Self::Absolute(_)
-            | Self::Fused(_) => Binding::Whole,
+            | Self::Fused(_) => Tightness::Whole,
         }
     }
 

@@ -34,7 +34,7 @@ pub use base_parameters::{BaseParameters, BaseTerm};
 pub use constants::{Constant, Data};
 pub use entries::{Colors, Entries};
 pub use entry::{Entry, Member, Step};
-pub use expression::{Binding, Expression};
+pub use expression::{Expression, Tightness};
 pub use extent::Extent;
 pub use facts::{Angle, Body, Facts, Pattern};
 pub use frame_speeds::FrameSpeeds;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{
     Code, Entry, Facts, Function, Member, Step, code,
-    code::Known,
+    code::ProgramContext,
     function::places,
     group::Groups,
     name::{self, Counted},
@@ -99,7 +99,7 @@ impl<'a> Writer<'a> {
         let arguments = signature.arguments.iter();
         let arguments = arguments.map(|argument| argument.name.as_str());
         let names = name::names(program, &groups, self.tree, arguments, counted);
-        let known = Known {
+        let known = ProgramContext {
             groups: &groups,
             names: &names,
             entry: &|input| self.entry(input, signature, given),

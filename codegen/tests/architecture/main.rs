@@ -1,5 +1,5 @@
-//! How the source is laid out: no files that import each other, modules in the order in which they import one another, and
-//! nothing too long to be read at once.
+//! How the source is laid out: no files that import each other, modules in the order in which they import one another, nothing
+//! too long to be read at once, tests where they run and without comparisons that pass over NaN.
 //!
 //! A file imports another one where a path in it names something that stands there: a path of a `use`, or one in the code
 //! whose first name is `crate`, `self`, `super`, or known in the module. What a `use` passes on under its name belongs to the
@@ -15,16 +15,14 @@
 mod imports;
 mod krate;
 mod lengths;
+mod nan;
 mod no_tests;
 mod order;
 mod planted;
 mod resolve;
 mod walk;
 
-use std::{
-    collections::BTreeSet,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use krate::Crate;
 use walk::Sources;
@@ -77,31 +75,37 @@ fn modules_import_from_those_above_them_in_the_list() {
     );
 }
 
+/// What is wrong in each of the folders, a line each.
+fn faults(folders: &[&str], found: impl Fn(&Sources) -> Vec<String>) -> String {
+    let lines = folders.iter().flat_map(|folder| {
+        let found = found(&Sources::read(&repository().join(folder)));
+        found
+            .into_iter()
+            .map(move |one| format!("{folder}/{one}\n"))
+    });
+    lines.collect()
+}
+
 #[test]
 fn files_and_functions_can_be_read_at_once() {
-    let long = FOLDERS.iter().flat_map(|folder| {
-        let sources = Sources::read(&repository().join(folder));
-        let long = lengths::too_long(&sources);
-        long.into_iter().map(move |one| format!("{folder}/{one}\n"))
-    });
-    let long: Vec<String> = long.collect();
-    assert!(long.is_empty(), "too long:\n{}", long.concat());
+    let long = faults(&FOLDERS, lengths::too_long);
+    assert!(long.is_empty(), "too long:\n{long}");
 }
 
 #[test]
 fn sources_hold_no_tests() {
-    let folders: BTreeSet<&str> = CRATES.iter().map(|(folder, _)| *folder).collect();
-    let tests = folders.iter().flat_map(|folder| {
-        let sources = Sources::read(&repository().join(folder));
-        let tests = no_tests::found(&sources);
-        tests
-            .into_iter()
-            .map(move |one| format!("{folder}/{one}\n"))
-    });
-    let tests: Vec<String> = tests.collect();
+    let tests = faults(&["codegen/src", "src"], no_tests::found);
     assert!(
         tests.is_empty(),
-        "tests that never run; move them to `tests` or `codegen/tests`:\n{}",
-        tests.concat()
+        "tests that never run; move them to `tests` or `codegen/tests`:\n{tests}"
+    );
+}
+
+#[test]
+fn tests_pass_over_no_number() {
+    let passing = faults(&["codegen/tests", "tests", "examples"], nan::passed_over);
+    assert!(
+        passing.is_empty(),
+        "passed over where they are NaN; use `compare::larger` or `largest`:\n{passing}"
     );
 }

@@ -1,6 +1,6 @@
 //! Small crates with faults that are found, and without.
 
-use crate::{krate::Crate, lengths, no_tests, order, walk::Sources};
+use crate::{krate::Crate, lengths, nan, no_tests, order, walk::Sources};
 
 fn sources(files: &[(&str, &str)]) -> Sources {
     let files = files.iter();
@@ -207,5 +207,17 @@ fn test_among_sources_is_found() {
     ] {
         let found = no_tests::found(&sources(&[("a.rs", text)]));
         assert!(found.is_empty(), "{text}");
+    }
+}
+
+#[test]
+fn test_that_passes_over_nan_is_found() {
+    let found = |text| nan::passed_over(&sources(&[("a/tests/b.rs", text)]));
+    assert_eq!(
+        found("fn f() { x.fold(0.0, f64::max); }"),
+        ["a/tests/b.rs: `f64::max`"]
+    );
+    for text in ["// f64::max\nfn f() {}", "const MOST: f64 = f64::MAX;"] {
+        assert!(found(text).is_empty(), "{text}");
     }
 }

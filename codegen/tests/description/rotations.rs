@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use kane_codegen::geometry::{IDENTITY, body_fixed_123, cross, length, then, transposed};
 use kane_codegen::tree::{Alignment, orthonormal, snapped, snapped_sin_cos};
+use kane_test_support::compare::largest;
 
 /// Right angles as files have them: with ten digits, and with four.
 const ROUNDED: [f64; 2] = [FRAC_PI_2 - 4.9e-12, FRAC_PI_2 + 3.7e-6];
@@ -78,9 +79,7 @@ fn the_frame_of_an_axis_is_right_handed_and_has_it() {
     ] {
         let (along, _) = Alignment::of(axis, 1e-9);
         let frame = along.rotation;
-        let largest = axis
-            .iter()
-            .fold(0.0, |most: f64, part: &f64| most.max(part.abs()));
+        let largest = largest(&axis);
         let scaled = axis.map(|part| part / largest);
         let size = length(scaled);
         for (entry, part) in frame[along.place].iter().zip(scaled) {

@@ -23,7 +23,7 @@ pub struct Report {
     pub alone: Vec<Complex<f64>>,
     /// The same with the regulator.
     pub held: Vec<Complex<f64>>,
-    /// The largest distance from the formation, rad and m, at the start and at the end.
+    /// The root of the sum of squares of all coordinates' distances from the formation, rad and m, at the start and at the end.
     pub away: [f64; 2],
 }
 
@@ -66,8 +66,8 @@ pub fn run() -> Option<Report> {
         *q += if place % 2 == 0 { 0.15 } else { -0.1 };
     }
     let away = |q: &[f64; NQ]| {
-        let ways = q.iter().zip(&at).map(|(q, at)| (q - at).abs());
-        ways.fold(0.0, f64::max)
+        let ways = q.iter().zip(&at).map(|(q, at)| (q - at).powi(2));
+        ways.sum::<f64>().sqrt()
     };
     let start = away(&q);
     for _ in 0..N_STEPS {

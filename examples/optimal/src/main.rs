@@ -20,14 +20,11 @@ fn main() {
         );
     }
     if let Some(report) = formation::run() {
-        let largest = report
-            .held
-            .iter()
-            .map(|value| value.norm())
-            .fold(0.0, f64::max);
+        let sizes = report.held.iter().map(|value| value.norm());
+        let largest = sizes.max_by(f64::total_cmp).unwrap_or_default();
         let [start, end] = report.away;
         println!(
-            "formation: eigenvalues up to {largest:.4}; {start:.3} m away at first, {end:.1e} m after ten seconds"
+            "formation: eigenvalues up to {largest:.4}; {start:.3} away at first, {end:.1e} after ten seconds, rad and m"
         );
     }
     if let Some(estimate) = payload::run(1) {

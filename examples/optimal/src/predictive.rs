@@ -28,8 +28,8 @@ const AWAY: [f64; 3] = [0.05, 0.25, 0.1];
 pub struct Report {
     /// The distance from the goal after each period, m.
     pub ways: Vec<f64>,
-    /// The greatest part of a drive's torque that was used.
-    pub most: f64,
+    /// The parts of the drives' torques that were used, period by period.
+    pub parts: Vec<f64>,
     /// The joints' speeds at the end, rad/s.
     pub speeds: [f64; NU],
 }
@@ -117,7 +117,7 @@ pub fn run(
     let mut damping = 0.0;
     let mut report = Report {
         ways: Vec::with_capacity(n_periods),
-        most: 0.0,
+        parts: Vec::with_capacity(NU * n_periods),
         speeds: u,
     };
     for _ in 0..n_periods {
@@ -129,7 +129,7 @@ pub fn run(
         });
         let tau = torques[0];
         let parts: SVector<f64, NU> = tau.abs().component_div(&controller.limits);
-        report.most = parts.max().max(report.most);
+        report.parts.extend(&parts);
         rk4::step(&system, &tau.into(), PERIOD, &mut q, &mut u);
         report.ways.push((position(&system, &q) - goal).norm());
     }

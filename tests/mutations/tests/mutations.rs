@@ -6,6 +6,7 @@
 use kane_test_mutations::{
     CART_POLE, DOUBLE_PENDULUM, EIGHT_BODY, Functions, Module, Mutant, PANDA, Random, Tests, UR5,
 };
+use kane_test_support::compare::largest;
 
 /// How many states say that a mutant changes nothing.
 const STATES: u64 = 100;
@@ -38,7 +39,7 @@ fn changed(module: &Module, mutant: &Mutant) -> Vec<&'static str> {
 }
 
 fn differ(right: &[f64], wrong: &[f64]) -> bool {
-    let largest = right.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let largest = largest(right);
     assert!(largest.is_finite(), "a state without values");
     // What is not a number is another one.
     let is_same = |(right, wrong): (&f64, &f64)| (right - wrong).abs() <= ROUNDING * largest;

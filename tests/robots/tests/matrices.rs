@@ -11,7 +11,7 @@ use kane::{
     },
 };
 use kane_test_support::{
-    compare::{relative, relative_to},
+    compare::{larger, relative, relative_to},
     errors::Errors,
     numeric::{Matrix, condition},
 };
@@ -73,7 +73,7 @@ where
         if let Some(expected) = sample.optional("ddq_dtau") {
             let m_p = motion.pinocchio_mass_matrix(&m);
             let found = congruent(&transposed(&motion.t_inverse), &inverse);
-            let tolerance = EXACT * (PER_CONDITION * condition(&m_p)).max(1.0);
+            let tolerance = EXACT * larger(PER_CONDITION * condition(&m_p), 1.0);
             errors.add("ddq_dtau", relative(&found.entries, &expected), tolerance);
         }
         let Some(expected) = sample.optional("coriolis_matrix") else {
@@ -124,7 +124,7 @@ where
         let error = relative(tau.as_ref(), &m.times(x.as_ref()));
         errors.add("mass_matrix_product", error, EXACT);
 
-        let tolerance = EXACT * (PER_CONDITION * condition(&m)).max(1.0);
+        let tolerance = EXACT * larger(PER_CONDITION * condition(&m), 1.0);
         let mut solved = S::U::filled(f64::NAN);
         system.mass_matrix_solve(&q, &tau, &mut solved);
         let error = relative(solved.as_ref(), x.as_ref());

@@ -101,8 +101,8 @@ where
         Function::CoriolisMatrix => coriolis_matrix::<S>,
         Function::MassMatrixInverse => mass_matrix_inverse::<S>,
         Function::Regressor => regressor::<S>,
-        Function::InverseDynamicsDerivatives => inverse_dynamics_derivatives::<S>,
-        Function::ForwardDynamicsDerivatives => forward_dynamics_derivatives::<S>,
+        Function::InverseDynamicsDerivatives => d_inverse_dynamics_d_q_u_u_dot::<S>,
+        Function::ForwardDynamicsDerivatives => d_forward_dynamics_d_q_u_tau::<S>,
     }
 }
 
@@ -153,198 +153,81 @@ fn total<S: System<f64>>(function: Function) -> usize {
     cost.map_or(0, kane::Cost::total)
 }
 
-unsafe extern "C" fn inverse_dynamics<S: InverseDynamics<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    u_dot: *const f64,
-    tau: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe {
-        (*object.cast::<S>()).inverse_dynamics(
-            &*q.cast(),
-            &*u.cast(),
-            &*u_dot.cast(),
-            &mut *tau.cast(),
-        );
-    }
+/// What is given to all, of which each takes the first.
+macro_rules! calls {
+    ($($method:ident: $trait:ident, [$($given:tt)*];)*) => {$(
+        unsafe extern "C" fn $method<S: $trait<f64>>(
+            object: *mut c_void,
+            q: *const f64,
+            u: *const f64,
+            x: *const f64,
+            out: *mut f64,
+        ) {
+            let given = (q, u, x);
+            // SAFETY: the object is of this type, the arrays are as long as the robot's.
+            unsafe { (*object.cast::<S>()).$method($(&*given.$given.cast(),)* &mut *out.cast()) }
+        }
+    )*};
 }
 
-unsafe extern "C" fn mass_matrix<S: MassMatrix<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    _: *const f64,
-    _: *const f64,
-    m: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe { (*object.cast::<S>()).mass_matrix(&*q.cast(), &mut *m.cast()) }
+calls! {
+    inverse_dynamics: InverseDynamics, [0 1 2];
+    forward_dynamics: ForwardDynamics, [0 1 2];
+    regressor: Regressor, [0 1 2];
+    regressor_packed: RegressorPacked, [0 1 2];
+    coriolis_matrix: CoriolisMatrix, [0 1];
+    mass_matrix: MassMatrix, [0];
+    mass_matrix_packed: MassMatrixPacked, [0];
+    mass_matrix_inverse: MassMatrixInverse, [0];
+    mass_matrix_inverse_packed: MassMatrixInversePacked, [0];
 }
 
-unsafe extern "C" fn mass_matrix_packed<S: MassMatrixPacked<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    _: *const f64,
-    _: *const f64,
-    entries: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe { (*object.cast::<S>()).mass_matrix_packed(&*q.cast(), &mut *entries.cast()) }
+/// Functions of a frame, which write two matrices of three rows.
+macro_rules! calls_of_frame {
+    ($($method:ident: $trait:ident, $row:ident;)*) => {$(
+        unsafe extern "C" fn $method<S: $trait<f64, F>, F>(
+            object: *mut c_void,
+            q: *const f64,
+            _: *const f64,
+            _: *const f64,
+            rows: *mut f64,
+        ) {
+            let rows: *mut [S::$row; 3] = rows.cast();
+            // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are six rows.
+            unsafe {
+                let (linear, angular) = (&mut *rows, &mut *rows.add(1));
+                (*object.cast::<S>()).$method(&*q.cast(), linear, angular);
+            }
+        }
+    )*};
 }
 
-unsafe extern "C" fn mass_matrix_inverse_packed<S: MassMatrixInversePacked<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    _: *const f64,
-    _: *const f64,
-    entries: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe { (*object.cast::<S>()).mass_matrix_inverse_packed(&*q.cast(), &mut *entries.cast()) }
+calls_of_frame! {
+    jacobian: Jacobian, U;
+    jacobian_packed: JacobianPacked, Columns;
 }
 
-unsafe extern "C" fn regressor_packed<S: RegressorPacked<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    u_dot: *const f64,
-    entries: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe {
-        (*object.cast::<S>()).regressor_packed(
-            &*q.cast(),
-            &*u.cast(),
-            &*u_dot.cast(),
-            &mut *entries.cast(),
-        );
-    }
+/// Derivatives, which are three matrices.
+macro_rules! calls_of_derivatives {
+    ($($method:ident: $trait:ident;)*) => {$(
+        unsafe extern "C" fn $method<S: $trait<f64>>(
+            object: *mut c_void,
+            q: *const f64,
+            u: *const f64,
+            x: *const f64,
+            by: *mut f64,
+        ) {
+            let by: *mut S::Matrix = by.cast();
+            // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are three matrices.
+            unsafe {
+                let [by_q, by_u, by_x] = [0, 1, 2].map(|block| &mut *by.add(block));
+                (*object.cast::<S>()).$method(&*q.cast(), &*u.cast(), &*x.cast(), by_q, by_u, by_x);
+            }
+        }
+    )*};
 }
 
-unsafe extern "C" fn jacobian_packed<S: JacobianPacked<f64, F>, F>(
-    object: *mut c_void,
-    q: *const f64,
-    _: *const f64,
-    _: *const f64,
-    rows: *mut f64,
-) {
-    let rows: *mut [S::Columns; 3] = rows.cast();
-    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are six rows.
-    unsafe {
-        let (linear, angular) = (&mut *rows, &mut *rows.add(1));
-        (*object.cast::<S>()).jacobian_packed(&*q.cast(), linear, angular);
-    }
-}
-
-unsafe extern "C" fn forward_dynamics<S: ForwardDynamics<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    tau: *const f64,
-    u_dot: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe {
-        (*object.cast::<S>()).forward_dynamics(
-            &*q.cast(),
-            &*u.cast(),
-            &*tau.cast(),
-            &mut *u_dot.cast(),
-        );
-    }
-}
-
-unsafe extern "C" fn jacobian<S: Jacobian<f64, F>, F>(
-    object: *mut c_void,
-    q: *const f64,
-    _: *const f64,
-    _: *const f64,
-    rows: *mut f64,
-) {
-    let rows: *mut [S::U; 3] = rows.cast();
-    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are six rows.
-    unsafe {
-        let (linear, angular) = (&mut *rows, &mut *rows.add(1));
-        (*object.cast::<S>()).jacobian(&*q.cast(), linear, angular);
-    }
-}
-
-unsafe extern "C" fn coriolis_matrix<S: CoriolisMatrix<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    _: *const f64,
-    c: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe { (*object.cast::<S>()).coriolis_matrix(&*q.cast(), &*u.cast(), &mut *c.cast()) }
-}
-
-unsafe extern "C" fn mass_matrix_inverse<S: MassMatrixInverse<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    _: *const f64,
-    _: *const f64,
-    inverse: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe { (*object.cast::<S>()).mass_matrix_inverse(&*q.cast(), &mut *inverse.cast()) }
-}
-
-unsafe extern "C" fn regressor<S: Regressor<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    u_dot: *const f64,
-    y: *mut f64,
-) {
-    // SAFETY: the object is of this type, the arrays are as long as the robot's.
-    unsafe {
-        (*object.cast::<S>()).regressor(&*q.cast(), &*u.cast(), &*u_dot.cast(), &mut *y.cast());
-    }
-}
-
-unsafe extern "C" fn inverse_dynamics_derivatives<S: InverseDynamicsDerivatives<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    u_dot: *const f64,
-    by: *mut f64,
-) {
-    let by: *mut S::Matrix = by.cast();
-    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are three matrices.
-    unsafe {
-        let [by_q, by_u, by_u_dot] = [0, 1, 2].map(|block| &mut *by.add(block));
-        (*object.cast::<S>()).d_inverse_dynamics_d_q_u_u_dot(
-            &*q.cast(),
-            &*u.cast(),
-            &*u_dot.cast(),
-            by_q,
-            by_u,
-            by_u_dot,
-        );
-    }
-}
-
-unsafe extern "C" fn forward_dynamics_derivatives<S: ForwardDynamicsDerivatives<f64>>(
-    object: *mut c_void,
-    q: *const f64,
-    u: *const f64,
-    tau: *const f64,
-    by: *mut f64,
-) {
-    let by: *mut S::Matrix = by.cast();
-    // SAFETY: the object is of this type, the arrays are as long as the robot's, and there are three matrices.
-    unsafe {
-        let [by_q, by_u, by_tau] = [0, 1, 2].map(|block| &mut *by.add(block));
-        (*object.cast::<S>()).d_forward_dynamics_d_q_u_tau(
-            &*q.cast(),
-            &*u.cast(),
-            &*tau.cast(),
-            by_q,
-            by_u,
-            by_tau,
-        );
-    }
+calls_of_derivatives! {
+    d_inverse_dynamics_d_q_u_u_dot: InverseDynamicsDerivatives;
+    d_forward_dynamics_d_q_u_tau: ForwardDynamicsDerivatives;
 }

@@ -3,7 +3,7 @@
 use kane_codegen::report::{self, Comparison, Differences};
 use similar::TextDiff;
 
-use super::side::Known;
+use super::side::Described;
 use crate::cli::Failures;
 
 /// What differs, and between what.
@@ -18,7 +18,7 @@ pub(super) struct Report {
 }
 
 impl Report {
-    pub(super) fn new(names: [&str; 2], [old, new]: [&Known; 2]) -> Result<Self, Failures> {
+    pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
         let [old_name, new_name] = names;
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let diff = TextDiff::from_lines(&old.text, &new.text);

@@ -26,7 +26,7 @@ enum ReadFrom {
 }
 
 /// What is known of it.
-pub(super) struct Known {
+pub(super) struct Described {
     /// Its system.
     pub(super) outline: Outline,
     /// The module's text.
@@ -89,17 +89,17 @@ impl Side {
     }
 
     /// What is known of a module.
-    pub(super) fn of_module(&self) -> Result<Known, Failures> {
+    pub(super) fn of_module(&self) -> Result<Described, Failures> {
         let outline = Outline::of_module(self.source.text())
             .map_err(|error| Failures::message(format!("`{}`: {error}", self.name())))?;
-        Ok(Known {
+        Ok(Described {
             outline,
             text: self.source.text().to_owned(),
         })
     }
 
     /// What is known of a model; `shown` is its path in the banner.
-    pub(super) fn of_model(&self, shown: &str, options: &Options) -> Result<Known, Failures> {
+    pub(super) fn of_model(&self, shown: &str, options: &Options) -> Result<Described, Failures> {
         let include = |path: &str| self.include(path);
         // What is beside a module says nothing that it does not say.
         let mut options = options.clone();
@@ -113,7 +113,7 @@ impl Side {
         })?;
         let description = description::read(&self.source, &options.reading, &include);
         let checked = tree::build_with(&description, &options.changes)?;
-        Ok(Known {
+        Ok(Described {
             outline: Outline::of_model(&description, &checked.tree)?,
             text: generated.source,
         })

@@ -9,7 +9,7 @@ use syn::{
 use super::{syntax, text::ident};
 use crate::{
     functions::Signature,
-    listing::{Binding, Code, Entry, Expression, Facts, Function, LocalId, Member, Stage, Step},
+    listing::{Code, Entry, Expression, Facts, Function, LocalId, Member, Stage, Step, Tightness},
 };
 
 /// What a function's names are known from.
@@ -41,14 +41,14 @@ impl<'a> Writer<'a> {
     }
 
     pub(super) fn expression(&self, expression: &Expression) -> Expr {
-        let infix = |[left, right]: &[Expression; 2], op, bindings: [Binding; 2]| {
+        let infix = |[left, right]: &[Expression; 2], op, bindings: [Tightness; 2]| {
             let [left, right] = [(left, bindings[0]), (right, bindings[1])]
                 .map(|(operand, binding)| self.bound(operand, binding));
             syntax::binary(left, op, right)
         };
         // Right of a sign a sum keeps its parentheses, and a product right of a times, for their association.
-        let in_sum = [Binding::Sum, Binding::Product];
-        let in_product = [Binding::Product, Binding::Whole];
+        let in_sum = [Tightness::Sum, Tightness::Product];
+        let in_product = [Tightness::Product, Tightness::Whole];
         match expression {
             Expression::Number(value) => number(*value),
             Expression::Local(id) => syntax::name(&self.local(*id)),
@@ -62,7 +62,7 @@ impl<'a> Writer<'a> {
                 let kept = syntax::name(&ident(&stage.keeps));
                 syntax::field(kept, &ident(&stage.kept[*place].name))
             }
-            Expression::Negative(a) => syntax::negative(self.bound(a, Binding::Whole)),
+            Expression::Negative(a) => syntax::negative(self.bound(a, Tightness::Whole)),
             Expression::Absolute(a) => self.call("abs", std::slice::from_ref(a)),
             Expression::Sum(both) => infix(both, BinOp::Add(Plus::default()), in_sum),
             Expression::Difference(both) => infix(both, BinOp::Sub(Minus::default()), in_sum),
@@ -73,9 +73,9 @@ impl<'a> Writer<'a> {
     }
 
     /// In parentheses, where it would fall apart.
-    fn bound(&self, expression: &Expression, binding: Binding) -> Expr {
+    fn bound(&self, expression: &Expression, binding: Tightness) -> Expr {
         let expr = self.expression(expression);
-        if expression.binding() < binding {
+        if expression.tightness() < binding {
             syntax::parenthesised(expr)
         } else {
             expr

@@ -1,7 +1,7 @@
 //! Bodies, joints and frames, each made at once of all that belongs to it.
 
 use crate::diagnostic::Spanned;
-use crate::tree::assembly::merging::{Merged, Moving};
+use crate::tree::assembly::merging::{Merged, MovingBody};
 use crate::tree::assembly::placing::Placed;
 use crate::tree::assembly::settled::Settled;
 use crate::tree::body::{Body, Pose};
@@ -48,7 +48,7 @@ impl Pieces<'_> {
         merged.fixed.iter().map(frame).collect()
     }
 
-    fn body(&self, moving: &Moving, coordinates: JointCoordinates) -> Body {
+    fn body(&self, moving: &MovingBody, coordinates: JointCoordinates) -> Body {
         let written = moving.written;
         let parts = std::iter::once(written).chain(moving.fixed.iter().copied());
         Body {

@@ -11,13 +11,13 @@ pub(super) struct Merged {
     /// Of each written body the body of the tree in which it is; `None` is the inertial frame.
     pub(super) hosts: Vec<Option<BodyId>>,
     /// The bodies of the tree.
-    pub(super) bodies: Vec<Moving>,
+    pub(super) bodies: Vec<MovingBody>,
     /// The written bodies that are part of others.
     pub(super) fixed: Vec<usize>,
 }
 
 /// A body of the tree.
-pub(super) struct Moving {
+pub(super) struct MovingBody {
     /// The written body whose joint moves it.
     pub(super) written: usize,
     /// Its lower body; `None` is the inertial frame.
@@ -56,7 +56,7 @@ pub(super) fn merge(outward: &Outward, joints: &[ResolvedJoint]) -> Merged {
         }
     }
     let bodies = moving.into_iter().zip(uppers).zip(fixed_to);
-    let bodies = bodies.map(|(((written, lower), uppers), fixed)| Moving {
+    let bodies = bodies.map(|(((written, lower), uppers), fixed)| MovingBody {
         written,
         lower,
         uppers,

@@ -158,7 +158,7 @@ pub fn angle_rates_undo_relative_angular_velocity(model: &dyn Model, state: &Sta
         });
     }
     for distance in model.evaluate("singularity", state) {
-        least = least.min(distance);
+        least = -larger(-least, -distance);
     }
     least * relative_to(1.0, &model.evaluate("angle_rates", &given), &expected)
 }
