@@ -176,6 +176,17 @@ pub struct Diagnostic {
     pub labels: Vec<(Span, String)>,
     /// What to do about it.
     pub help: Option<String>,
+    /// What it and others like it are told as, on one line.
+    pub kind: Option<Kind>,
+}
+
+/// What several diagnostics have in common, and what this one is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kind {
+    /// What they are, in the plural, as it stands after a number: "joints without `limit`".
+    pub plural: String,
+    /// The name of what this one is about.
+    pub subject: String,
 }
 
 impl Diagnostic {
@@ -186,6 +197,7 @@ impl Diagnostic {
             message: message.into(),
             labels: Vec::new(),
             help: None,
+            kind: None,
         }
     }
 
@@ -216,6 +228,17 @@ impl Diagnostic {
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// The same as one of a kind, of which many are told on one line: `plural` stands after a number, `subject` is the name
+    /// of what this one is about.
+    #[must_use]
+    pub fn one_of(mut self, plural: impl Into<String>, subject: impl Into<String>) -> Self {
+        self.kind = Some(Kind {
+            plural: plural.into(),
+            subject: subject.into(),
+        });
         self
     }
 
