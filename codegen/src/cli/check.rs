@@ -15,18 +15,20 @@ use kane_codegen::{
 use similar::TextDiff;
 
 use super::{
-    Failures, Outcome,
+    Failures, Outcome, Voice,
     job::{self, Target},
-    operations, say,
+    lines::ChangedLines,
+    operations,
     selection::Selection,
     stray,
 };
 
 /// Tell whether generated files are what their models say; write nothing
 ///
-/// Generates in memory and compares. For each file that differs, standard output gets a unified diff and the functions
-/// whose operations changed, were added or were removed; then the command that brings the files up to date, and the functions
-/// that need more operations than `budget` in kane.toml gives them. When all of
+/// Generates in memory and compares. Where every file is up to date, nothing is printed. For each file that differs, standard
+/// output gets how many of its lines changed and in which functions, and the functions whose operations changed, were added or
+/// were removed; with --lines the lines too, as a unified diff. Then come the command that brings the files up to date, and the
+/// functions that need more operations than `budget` in kane.toml gives them. When all of
 /// kane.toml is checked, files that nothing in it produces are reported too: in a folder named `generated` every file but
 /// `mod.rs` and hidden ones, in other folders that hold outputs those that begin as ours do.
 #[derive(Args, Debug)]
@@ -36,7 +38,7 @@ use super::{
     2  bad input, or a file that cannot be read\n\n\
     Examples:\n  \
     kane check\n  \
-    kane check | less\n  \
+    kane check --lines | less\n  \
     kane check models/arm.toml --formulation notes     what would change?")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -45,6 +47,10 @@ pub(crate) struct Arguments {
     /// Changes nothing: accepted so that the arguments of `kane generate` can stand here
     #[arg(long)]
     force: bool,
+
+    /// Show the lines that differ, as a unified diff
+    #[arg(long)]
+    lines: bool,
 }
 
 /// How the file at a path compares with its text.
@@ -61,10 +67,27 @@ enum Found {
     Differs(String),
 }
 
+impl Compared<'_> {
+    /// True where a diff would show what differs.
+    fn has_lines(&self) -> bool {
+        match &self.found {
+            Found::Differs(old) => !differs_in_line_ends(old, self.new),
+            Found::Same | Found::Missing => false,
+        }
+    }
+}
+
 /// Generates everything, then compares everything.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+pub(crate) fn run(
+    arguments: &Arguments,
+    voice: Voice,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
+    if voice.is_verbose() {
+        job::warn(&modules, voice);
+    }
     let mut failures = Failures::default();
     let files = plan.jobs.iter().zip(&modules);
     let files: Vec<Compared<'_>> = files
@@ -80,7 +103,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let mut outcome = Outcome::Done;
     let mut force = if arguments.force { " --force" } else { "" };
     for file in &files {
-        write_file(out, file)?;
+        write_file(out, file, arguments.lines, voice)?;
         match &file.found {
             Found::Same => continue,
             Found::Differs(old) if !signs::is_ours(old.as_bytes()) => force = " --force",
@@ -90,6 +113,9 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     }
     if outcome == Outcome::Differs {
         let command = arguments.selection.command();
+        if !arguments.lines && files.iter().any(Compared::has_lines) {
+            writeln!(out, "to see the lines, add --lines")?;
+        }
         writeln!(out, "to bring this up to date, run: {command}{force}")?;
     }
     for (job, module) in plan.jobs.iter().zip(&modules) {
@@ -139,16 +165,28 @@ fn compare<'a>(target: &Target, generated: &'a Generated) -> Result<Vec<Compared
     Ok(compared)
 }
 
-fn write_file(out: &mut dyn Write, file: &Compared<'_>) -> io::Result<()> {
+fn write_file(
+    out: &mut dyn Write,
+    file: &Compared<'_>,
+    lines: bool,
+    voice: Voice,
+) -> io::Result<()> {
     let path = file.path.display();
     match &file.found {
-        Found::Same => say(format_args!("{path} is up to date")),
-        Found::Missing => {
-            writeln!(out, "{path} is missing")?;
-            write_comparison(out, file, "")?;
-        }
+        Found::Same => voice.detail(format_args!("{path} is up to date")),
+        Found::Missing => writeln!(out, "{path} is missing")?,
         Found::Differs(old) => {
-            write_diff(out, &file.path, old, file.new)?;
+            if differs_in_line_ends(old, file.new) {
+                writeln!(
+                    out,
+                    "{path} has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes"
+                )?;
+            } else {
+                writeln!(out, "{path} differs: {}", ChangedLines::of(old, file.new))?;
+            }
+            if lines && file.has_lines() {
+                write_diff(out, &file.path, old, file.new)?;
+            }
             if report::differs_in_layout_only(old, file.new) {
                 writeln!(
                     out,
@@ -173,14 +211,12 @@ fn find(path: &Path, text: &str) -> Result<Found, Failures> {
     })
 }
 
+fn differs_in_line_ends(old: &str, new: &str) -> bool {
+    old.replace("\r\n", "\n") == new
+}
+
 fn write_diff(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Result<()> {
     let path = path.display();
-    if old.replace("\r\n", "\n") == new {
-        return writeln!(
-            out,
-            "{path} has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes"
-        );
-    }
     let diff = TextDiff::from_lines(old, new);
     // A tab ends the name, so that `patch` reads it right.
     let mut diff = diff.unified_diff();

@@ -10,7 +10,7 @@ use kane_codegen::{
 };
 
 use super::{
-    Failures, Outcome,
+    Failures, Outcome, Voice,
     changes::ReadingArguments,
     job::{self, Target},
 };
@@ -42,7 +42,11 @@ pub(crate) struct Arguments {
 }
 
 /// Reads, checks and writes.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+pub(crate) fn run(
+    arguments: &Arguments,
+    voice: Voice,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
     let model = &arguments.model;
     let output = arguments.output.as_deref();
     let target = output.map_or(Target::StandardOutput, Target::new);
@@ -56,7 +60,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let description = description::read(&job::read(model)?, &reading, &job::include(model));
     let checked = tree::build_with(&description, &Changes::default())?;
     let text = toml::write(&description)?;
-    job::warn(&checked.warnings);
+    voice.warn(&checked.warnings);
     match target {
         Target::StandardOutput => out.write_all(text.as_bytes())?,
         Target::File(path) => {
@@ -66,7 +70,13 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
                 Overwrite::Nothing
             };
             let staged = output::stage(&path, &text, overwrite)?;
-            job::commit(staged, &path)?;
+            let done = if staged.is_up_to_date() {
+                format!("{} is up to date", path.display())
+            } else {
+                format!("wrote {}", path.display())
+            };
+            staged.commit()?;
+            voice.say(done);
             output::sweep(std::iter::once(path.as_path()));
         }
     }

@@ -20,7 +20,9 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, parse, say, state};
+use super::{
+    Failures, Outcome, Voice, changes::ChangesArguments, job, json, options, parse, state,
+};
 
 /// Evaluate one function at a state, and print the numbers as JSON
 ///
@@ -74,7 +76,11 @@ pub(crate) struct Arguments {
 }
 
 /// Evaluates and prints.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+pub(crate) fn run(
+    arguments: &Arguments,
+    voice: Voice,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
     let function = failures.keep(options::request(&arguments.function));
     let changes = &arguments.changes;
@@ -91,7 +97,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     let (Some(function), Some(checked), Some(state)) = (function, checked, state) else {
         unreachable!("eval: what is absent left a failure")
     };
-    job::warn(&checked.warnings);
+    voice.warn(&checked.warnings);
 
     let tree = &checked.tree;
     let function = function.on(tree).map_err(Error::Requests)?;
@@ -113,7 +119,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     });
     let n_infinite = numbers.iter().filter(|number| !number.is_finite()).count();
     if n_infinite > 0 {
-        say(format_args!(
+        voice.say(format_args!(
             "warning: {n_infinite} of {} numbers are not finite; they are shown as null",
             numbers.len()
         ));

@@ -1,16 +1,26 @@
 //! `kane generate`.
 
-use std::{io::Write, path::PathBuf};
+use std::{
+    io::Write,
+    path::{Path, PathBuf},
+    time::Instant,
+};
 
 use clap::Args;
-use kane_codegen::output::{self, Overwrite};
+use kane_codegen::{
+    generate::Generated,
+    output::{self, Overwrite, Staged},
+};
 
 use super::{
-    Failures, Outcome,
+    Failures, Outcome, Voice,
     job::{self, Job, Target},
-    operations, say,
+    operations,
     selection::Selection,
 };
+
+/// Files that the last line names.
+const NAMED: usize = 3;
 
 /// Write the Rust modules of one model, or of everything in kane.toml
 ///
@@ -34,9 +44,19 @@ pub(crate) struct Arguments {
 }
 
 /// Generates everything, then writes everything.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+pub(crate) fn run(
+    arguments: &Arguments,
+    voice: Voice,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "how long it took is told, and stands in no file"
+    )]
+    let start = Instant::now();
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
+    job::warn(&modules, voice);
     let overwrite = if arguments.force {
         Overwrite::Anything
     } else {
@@ -57,20 +77,73 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
     }
     failures.none()?;
     let paths: Vec<PathBuf> = plan.jobs.iter().flat_map(Job::files).collect();
-    for (path, staged) in files {
-        job::commit(staged, &path)?;
-    }
+    let n_files = files.len();
+    let written = commit(files, voice)?;
     output::sweep(paths.iter().map(PathBuf::as_path));
+    if n_files > 0 {
+        let files = told(&written, &paths);
+        let seconds = start.elapsed().as_secs_f64();
+        voice.say(format_args!("{files}; {}, {seconds:.2} s", size(&modules)));
+    }
     for (job, module) in plan.jobs.iter().zip(&modules) {
         let excesses = job.excesses(module);
         if !excesses.is_empty() {
             let lines = operations::text(&excesses);
             let lines = lines.trim_end();
-            say(format_args!(
+            voice.say(format_args!(
                 "warning: {} is over budget\n{lines}",
                 job.target
             ));
         }
     }
     Ok(Outcome::Done)
+}
+
+/// Puts texts in the place of their files; gives those that changed.
+fn commit(files: Vec<(PathBuf, Staged)>, voice: Voice) -> Result<Vec<PathBuf>, Failures> {
+    let mut written = Vec::new();
+    for (path, staged) in files {
+        if staged.is_up_to_date() {
+            voice.detail(format_args!("{} is up to date", path.display()));
+        } else {
+            staged.commit()?;
+            voice.detail(format_args!("wrote {}", path.display()));
+            written.push(path);
+        }
+    }
+    Ok(written)
+}
+
+/// What happened to these files.
+fn told(written: &[PathBuf], all: &[PathBuf]) -> String {
+    let names = |paths: &[PathBuf]| {
+        let shown = paths.iter().take(NAMED);
+        let shown: Vec<String> = shown.map(|path| Path::display(path).to_string()).collect();
+        match paths.len().saturating_sub(NAMED) {
+            0 => shown.join(", "),
+            more => format!("{} and {more} more", shown.join(", ")),
+        }
+    };
+    match (written.len(), all.len() - written.len()) {
+        (0, 1) => format!("{} is up to date", names(all)),
+        (0, count) => format!("all {count} files are up to date"),
+        (_, 0) => format!("wrote {}", names(written)),
+        (_, 1) => format!("wrote {}; 1 file is up to date", names(written)),
+        (_, count) => format!("wrote {}; {count} files are up to date", names(written)),
+    }
+}
+
+/// How much the modules hold.
+fn size(modules: &[Generated]) -> String {
+    let functions = || modules.iter().flat_map(|module| &module.functions);
+    let operations: usize = functions().map(|(_, counted)| counted.total()).sum();
+    let one_or_many = |count: usize, what: &str| match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    };
+    format!(
+        "{}, {}",
+        one_or_many(functions().count(), "function"),
+        one_or_many(operations, "operation")
+    )
 }

@@ -19,7 +19,9 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, parse::one_of};
+use super::{
+    Failures, Outcome, Voice, changes::ChangesArguments, job, json, options, parse::one_of,
+};
 
 /// Show a model's tree, coordinates, partitions, parameters and operation counts
 ///
@@ -70,7 +72,11 @@ pub(crate) struct Arguments {
 }
 
 /// Reads the model and prints what is known of it.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+pub(crate) fn run(
+    arguments: &Arguments,
+    voice: Voice,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
     let changes = &arguments.changes;
     changes.check()?;
     let asked = asked(arguments.functions.as_deref())?;
@@ -80,7 +86,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         &changes.changes(),
         changes.prescribed(),
     )?;
-    job::warn(&checked.warnings);
+    voice.warn(&checked.warnings);
     let tree = &checked.tree;
     let requests = match asked {
         Some(asked) => resolved(&asked, tree)?,

@@ -17,11 +17,10 @@ use kane_codegen::{
     generate::{self, Generated},
     input,
     options::Options,
-    output::Staged,
     tree::{self, Changes, Checked, PrescribedFault},
 };
 
-use super::{Failures, operations::Row, paths, say};
+use super::{Failures, Voice, operations::Row, paths};
 
 /// A model, what to generate from it, and where that goes.
 #[derive(Debug)]
@@ -211,7 +210,7 @@ impl fmt::Display for Target {
     }
 }
 
-/// Generates every module, or says what is wrong with any of them. Warnings are told once for each model.
+/// Generates every module, or says what is wrong with any of them.
 pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
     let mut failures = Failures::default();
     let modules = jobs.iter();
@@ -219,33 +218,18 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
         .filter_map(|job| failures.keep(generate_one(job)))
         .collect();
     failures.none()?;
-    let mut told = Vec::new();
-    for module in &modules {
-        let text = module.warnings.to_string();
-        if !told.contains(&text) {
-            warn(&module.warnings);
-            told.push(text);
-        }
-    }
     Ok(modules)
 }
 
-/// Puts a text in the place of its file, and tells which.
-pub(crate) fn commit(staged: Staged, path: &Path) -> Result<(), Error> {
-    let path = path.display();
-    if staged.is_up_to_date() {
-        say(format_args!("{path} is up to date"));
-    } else {
-        staged.commit()?;
-        say(format_args!("wrote {path}"));
-    }
-    Ok(())
-}
-
-/// Tells the user what should be known about a model.
-pub(crate) fn warn(warnings: &Diagnostics) {
-    if !warnings.is_empty() {
-        say(format_args!("{warnings}\n"));
+/// Tells what should be known about the models, once for each.
+pub(crate) fn warn(modules: &[Generated], voice: Voice) {
+    let mut told = Vec::new();
+    for module in modules {
+        let text = module.warnings.to_string();
+        if !told.contains(&text) {
+            voice.warn(&module.warnings);
+            told.push(text);
+        }
     }
 }
 

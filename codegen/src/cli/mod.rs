@@ -18,6 +18,7 @@ mod failure;
 mod git;
 mod job;
 mod json;
+mod lines;
 mod listed;
 mod operations;
 mod options;
@@ -25,10 +26,10 @@ mod outcome;
 mod parse;
 mod paths;
 mod pipe;
-mod say;
 mod selection;
 mod state;
 mod stray;
+mod voice;
 
 use std::io::Write;
 
@@ -37,7 +38,7 @@ use clap::{Parser, Subcommand};
 pub(crate) use failure::Failures;
 pub(crate) use outcome::{BAD_INPUT, Outcome};
 pub(crate) use pipe::Pipe;
-pub(crate) use say::say;
+pub(crate) use voice::{Voice, say};
 
 /// Compiler from multibody systems to flat, allocation-free Rust.
 #[derive(Debug, Parser)]
@@ -71,7 +72,7 @@ pub(crate) use say::say;
         model = \"models/arm.toml\"\n  \
         output = \"generated/arm.rs\"\n  \
         abi = \"c\"                    # arm_c.rs and arm.h beside it, for programs in C\n  \
-        functions = [\"all\"]          # or names; absent: the default set\n  \
+        functions = [\"all\"]          # or names, \"default\" among them; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
         fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \
         without = [\"regroup\"]        # techniques to leave out that lower the number of operations\n  \
@@ -91,6 +92,9 @@ pub(crate) use say::say;
 pub(crate) struct Arguments {
     #[command(subcommand)]
     command: Command,
+
+    #[command(flatten)]
+    voice: Voice,
 }
 
 #[derive(Debug, Subcommand)]
@@ -106,13 +110,14 @@ enum Command {
 
 /// Does what is asked for; results go to `out`.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let voice = arguments.voice;
     let outcome = match &arguments.command {
-        Command::Generate(arguments) => generate::run(arguments, out)?,
-        Command::Check(arguments) => check::run(arguments, out)?,
-        Command::Diff(arguments) => diff::run(arguments, out)?,
-        Command::Info(arguments) => info::run(arguments, out)?,
-        Command::Eval(arguments) => eval::run(arguments, out)?,
-        Command::Convert(arguments) => convert::run(arguments, out)?,
+        Command::Generate(arguments) => generate::run(arguments, voice, out)?,
+        Command::Check(arguments) => check::run(arguments, voice, out)?,
+        Command::Diff(arguments) => diff::run(arguments, voice, out)?,
+        Command::Info(arguments) => info::run(arguments, voice, out)?,
+        Command::Eval(arguments) => eval::run(arguments, voice, out)?,
+        Command::Convert(arguments) => convert::run(arguments, voice, out)?,
         Command::Verify(arguments) => verify::run(arguments, out)?,
     };
     out.flush()?;

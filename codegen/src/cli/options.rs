@@ -7,7 +7,7 @@ use std::mem;
 use clap::Args;
 use kane_codegen::{
     functions::{Function, Parsed, RequestError, advice, split},
-    options::{ALL, Formulation, Functions, Options},
+    options::{Formulation, Functions, Options, is_set, set_with},
     recursive::Technique,
 };
 
@@ -20,7 +20,7 @@ use super::{
 /// What is generated of a model, and how.
 #[derive(Args, Debug)]
 pub(crate) struct OptionsArguments {
-    /// The functions, with commas between them; `all` for every one of the system
+    /// The functions, with commas between them; `all` for every one of the system, `default` for the default set
     ///
     /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
     /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
@@ -166,17 +166,17 @@ fn functions(lists: &[String]) -> Result<Functions, Failures> {
     let names = names(lists);
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
-        let request = (*name != ALL).then(|| request(name)).transpose();
-        let alone = |request: Parsed| request.alone();
-        match request.map(|request| request.and_then(alone)) {
-            Err(fault) => failures.add(fault),
-            Ok(_) if names[..index].contains(name) => failures.add(Failures::message(format!(
+        let request = (!is_set(name)).then(|| request(name)).transpose();
+        if let Err(fault) = request {
+            failures.add(fault);
+        } else if names[..index].contains(name) {
+            failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"
-            ))),
-            Ok(Some(_)) if names.contains(&ALL) => failures.add(Failures::message(format!(
-                "--functions names `{name}` beside `all`, which has it"
-            ))),
-            Ok(_) => {}
+            )));
+        } else if let Some(set) = set_with(name, &names) {
+            failures.add(Failures::message(format!(
+                "--functions names `{name}` beside `{set}`, which has it"
+            )));
         }
     }
     failures.none()?;

@@ -4,7 +4,7 @@ use crate::{
     description::toml_reader::{Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
     functions::{Parsed, RequestError, advice},
-    options::{ALL, Functions},
+    options::{Functions, is_set, set_with},
 };
 
 /// The functions that a system names, where they stand.
@@ -22,13 +22,13 @@ pub(super) fn read(
     known: &[&str],
 ) -> Option<(Functions, Named)> {
     let Some(item) = system.get("functions") else {
-        return Some((Functions::Default, Named::default()));
+        return Some((Functions::default(), Named::default()));
     };
     let what = system.what("functions");
     let entries = reader.list(item, &what, "names")?;
     if entries.is_empty() {
         let fault = Diagnostic::error(format!("{what} is empty"))
-            .at(span(item), "expected names, or \"all\"");
+            .at(span(item), "expected names, \"default\" or \"all\"");
         reader
             .faults
             .push(fault.help("leave `functions` out for the default set"));
@@ -39,8 +39,9 @@ pub(super) fn read(
         let Some(name) = reader.string(entry, &format!("entry {} of {what}", index + 1)) else {
             continue;
         };
-        let all = name.value == ALL;
-        if let Some(fault) = (!all).then(|| request_fault(&name, &what, known)).flatten() {
+        let is_function = !is_set(&name.value);
+        let fault = is_function.then(|| request_fault(&name, &what, known));
+        if let Some(fault) = fault.flatten() {
             reader.faults.push(fault);
         } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
@@ -53,18 +54,19 @@ pub(super) fn read(
             names.push(name);
         }
     }
-    if let Some(all) = names.iter().find(|name| name.value == ALL) {
-        let is_among_all = |name: &Spanned<String>| {
-            let named = Parsed::read(&name.value).ok();
-            named.is_some_and(|named| named.alone().is_some())
+    let all: Vec<&str> = names.iter().map(|name| name.value.as_str()).collect();
+    for name in &names {
+        let Some(set) = set_with(&name.value, &all) else {
+            continue;
         };
-        for name in names.iter().filter(|name| is_among_all(name)) {
-            let fault = format!("{what} names `{}` beside `all`", name.value);
-            let fault = Diagnostic::error(fault).at(name.span, "one of them");
-            reader
-                .faults
-                .push(fault.at(all.span, "this names them all"));
-        }
+        let fault = format!("{what} names `{}` beside `{set}`", name.value);
+        let fault = Diagnostic::error(fault).at(name.span, "one of them");
+        let mut sets = names.iter().filter(|name| name.value == set);
+        let places = sets.next().map(|set| set.span);
+        reader.faults.push(match places {
+            Some(place) => fault.at(place, "this names them all"),
+            None => fault,
+        });
     }
     let functions = Functions::of(names.iter().map(|name| name.value.clone()));
     let entries = names;

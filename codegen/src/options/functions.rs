@@ -3,11 +3,10 @@
 use crate::functions::{Function, Parsed};
 
 /// The functions to generate.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Functions {
-    /// The default set.
-    #[default]
-    Default,
+    /// The default set, and these.
+    Default(Vec<String>),
     /// All of the system, and these: of frames, or joined.
     All(Vec<String>),
     /// These, in the order written.
@@ -16,24 +15,43 @@ pub enum Functions {
 
 /// What stands for all functions of the system.
 pub const ALL: &str = "all";
+/// What stands for the default set.
+pub const DEFAULT: &str = "default";
+
+impl Default for Functions {
+    fn default() -> Self {
+        Self::Default(Vec::new())
+    }
+}
 
 impl Functions {
-    /// Those of these names, among which `all` may be.
+    /// Those of these names, among which `all` and `default` may be.
     pub fn of(names: impl IntoIterator<Item = String>) -> Self {
-        let (all, others): (Vec<String>, Vec<String>) =
-            names.into_iter().partition(|name| name == ALL);
-        if all.is_empty() {
-            Self::Named(others)
-        } else {
+        let (sets, others): (Vec<String>, Vec<String>) =
+            names.into_iter().partition(|name| is_set(name));
+        let has = |set: &str| sets.iter().any(|name| name == set);
+        if has(ALL) {
             Self::All(others)
+        } else if has(DEFAULT) {
+            Self::Default(others)
+        } else {
+            Self::Named(others)
         }
     }
 
-    /// The names, but for `all`.
+    /// The names, but for `all` and `default`.
     pub fn named(&self) -> &[String] {
         match self {
-            Self::Default => &[],
-            Self::All(names) | Self::Named(names) => names,
+            Self::Default(names) | Self::All(names) | Self::Named(names) => names,
+        }
+    }
+
+    /// True where the set that is asked for, if one is, has the function.
+    pub fn set_has(&self, function: &Function) -> bool {
+        match self {
+            Self::Default(_) => function.is_default,
+            Self::All(_) => true,
+            Self::Named(_) => false,
         }
     }
 
@@ -51,14 +69,29 @@ impl Functions {
 
     /// True where the function is among them.
     pub fn names(&self, function: &Function) -> bool {
-        match self {
-            Self::Default => function.is_default,
-            Self::All(_) => true,
-            Self::Named(names) => names.iter().any(|name| {
-                let named = Parsed::read(name).ok();
-                let named = named.and_then(|named| named.alone());
-                named.is_some_and(|named| named.name == function.name)
-            }),
-        }
+        let is_named = |name: &String| {
+            let named = Parsed::read(name).ok();
+            let named = named.and_then(|named| named.alone());
+            named.is_some_and(|named| named.name == function.name)
+        };
+        self.set_has(function) || self.named().iter().any(is_named)
     }
+}
+
+/// True for a name that stands for several functions.
+pub fn is_set(name: &str) -> bool {
+    [ALL, DEFAULT].contains(&name)
+}
+
+/// The set among these names that has this one already: a set that has another, or a function.
+pub fn set_with<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+    let alone = || Parsed::read(name).ok().and_then(|named| named.alone());
+    let has = |set: &str| match set {
+        ALL if name == DEFAULT => true,
+        _ if set == name || is_set(name) => false,
+        ALL => alone().is_some(),
+        DEFAULT => alone().is_some_and(|function| function.is_default),
+        _ => false,
+    };
+    names.iter().copied().find(|set| has(set))
 }

@@ -18,7 +18,7 @@ use std::{
 };
 
 pub use formulation::Formulation;
-pub use functions::{ALL, Functions};
+pub use functions::{ALL, DEFAULT, Functions, is_set, set_with};
 
 use crate::{
     description::Reading,

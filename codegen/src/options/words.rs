@@ -10,7 +10,7 @@ use crate::{
     tree::Changes,
 };
 
-use super::{ALL, Formulation, Functions, Options};
+use super::{ALL, DEFAULT, Formulation, Functions, Options};
 
 impl Options {
     /// All that can influence the module. What is written beside it cannot.
@@ -51,23 +51,22 @@ impl Options {
     }
 }
 
+/// A set has those that are no more than one of its functions.
 fn functions_in_words(functions: &Functions) -> String {
-    match functions {
-        Functions::Default => "default".to_owned(),
-        Functions::All(_) => {
-            // All have those that are no more than one of the system.
-            let named = functions.requests().into_iter();
-            let others = named.filter(|named| named.alone().is_none());
-            let words = [ALL.to_owned()].into_iter();
-            let words: Vec<String> = words.chain(others.map(|one| one.text())).collect();
-            words.join(", ")
-        }
-        Functions::Named(_) => {
-            let named = functions.requests();
-            let named: Vec<String> = named.iter().map(Parsed::text).collect();
-            named.join(", ")
-        }
-    }
+    let set = match functions {
+        Functions::Default(_) => Some(DEFAULT),
+        Functions::All(_) => Some(ALL),
+        Functions::Named(_) => None,
+    };
+    let is_in_set = |named: &Parsed| {
+        let alone = named.alone();
+        alone.is_some_and(|function| functions.set_has(function))
+    };
+    let named = functions.requests().into_iter();
+    let others = named.filter(|named| !is_in_set(named));
+    let words = set.map(str::to_owned).into_iter();
+    let words: Vec<String> = words.chain(others.map(|one| one.text())).collect();
+    words.join(", ")
 }
 
 /// A part that lists something, in an order of its own; none where the list is empty.

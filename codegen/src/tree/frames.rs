@@ -86,9 +86,11 @@ pub(crate) fn note_merged(frames: &[Frame], bodies: &[Body], findings: &mut Vec<
         })
         .collect();
     if !merged.is_empty() {
-        findings.push(Diagnostic::note(format!(
+        let note = format!(
             "bodies that are fixed are part of what they are fixed to: {}",
             merged.join(", ")
-        )));
+        );
+        let plural = "fixed bodies are part of what they are fixed to";
+        findings.push(Diagnostic::note(note).all_of(plural, merged));
     }
 }

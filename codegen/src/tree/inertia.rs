@@ -54,7 +54,8 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) -
             findings.push(
                 fault
                     .at(span, "the largest exceeds the sum of the others")
-                    .help(help),
+                    .help(help)
+                    .one_of("bodies have principal moments that no rigid body has", name),
             );
         }
     }

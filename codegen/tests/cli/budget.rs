@@ -66,7 +66,7 @@ fn what_is_over_budget_is_written_with_a_warning() {
          total    bias  {total}, of 1 (+{})\n",
         total - 1
     );
-    assert_eq!((ran.code, ran.err), (0, told));
+    assert_eq!((ran.code, ran.told()), (0, told));
 }
 
 #[test]

@@ -8,8 +8,25 @@ use super::project::{Project, model, system};
 fn file_that_is_up_to_date_is_the_same() {
     let project = Project::generated();
     let ran = project.kane(&["check"]);
+    assert_eq!((ran.code, ran.out.as_str(), ran.err.as_str()), (0, "", ""));
+    let ran = project.kane(&["check", "--verbose"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
     assert_eq!(ran.err, "generated/arm.rs is up to date\n");
+}
+
+#[test]
+fn changed_lines_are_told_by_number_and_place_and_shown_where_asked_for() {
+    let project = Project::generated();
+    project.replace("models/arm.toml", "mass = 1.5", "mass = 1.25");
+    let ran = project.kane(&["check"]);
+    insta::assert_snapshot!(ran.out);
+    let shown = project.kane(&["check", "--lines"]);
+    assert!(shown.out.contains("\n@@ -"), "{}", shown.out);
+    assert!(!shown.out.contains("add --lines"), "{}", shown.out);
+    let removed = |line: &&str| line.starts_with('-') && !line.starts_with("---");
+    let removed = shown.out.lines().filter(removed).count();
+    let told = format!("generated/arm.rs differs: {removed} lines removed, ");
+    assert!(ran.out.starts_with(&told), "{told}\n{}", ran.out);
 }
 
 #[test]
@@ -21,9 +38,15 @@ fn change_of_the_model_is_shown_as_a_diff_and_as_operations() {
         "mass_center = [0.0, 0.02, -0.4]",
         "mass_center = [0.0, 0.0, -0.4]",
     );
-    let ran = project.kane(&["check"]);
+    let ran = project.kane(&["check", "--lines"]);
     assert_eq!(ran.code, 1);
     let mut lines = ran.out.lines();
+    let summary = lines.next().unwrap();
+    assert!(
+        summary.starts_with("generated/arm.rs differs: "),
+        "{summary}"
+    );
+    assert!(!summary.ends_with("only numbers changed"), "{summary}");
     assert_eq!(lines.next(), Some("--- generated/arm.rs\tas it is"));
     assert_eq!(lines.next(), Some("+++ generated/arm.rs\tas generated"));
     assert!(lines.next().unwrap().starts_with("@@ -1,"));
@@ -177,7 +200,7 @@ fn file_that_is_not_rust_is_compared_as_text() {
         "pub const NB: usize",
         "pub const NB usize",
     );
-    let ran = project.kane(&["check"]);
+    let ran = project.kane(&["check", "--lines"]);
     assert_eq!(ran.code, 1);
     assert!(
         ran.out

@@ -84,7 +84,7 @@ fn notes_are_told_and_nothing_is_renumbered() {
     assert_eq!((ran.code, ran.out), (0, text));
     assert!(
         ran.err
-            .starts_with("note: the bodies are renumbered outward")
+            .starts_with("note: arm.toml: 2 bodies are renumbered outward: ")
     );
 }
 

@@ -6,7 +6,7 @@ use super::project::{Project, Ran, model, repository};
 
 /// Two arms, the second one edited: what is told of them.
 fn edited(edit: impl Fn(&str) -> String) -> (i32, String) {
-    let ran = told(edit, &["--functions", "mass_matrix,bias"]);
+    let ran = told(edit, &["--functions", "mass_matrix,bias", "--lines"]);
     assert_eq!(ran.code != 0, !ran.out.is_empty(), "{ran:?}");
     // What is said of the model, without the diff of the text.
     let (said, diff) = ran
@@ -122,7 +122,7 @@ fn renumbered_bodies_move_what_is_indexed_by_them() {
     project.write("new.toml", &swapped);
     let ran = project.kane(&["diff", "old.toml", "new.toml"]);
     assert_eq!(ran.code, 1);
-    let said = ran.out.split("--- ").next().unwrap();
+    let said = ran.out.split("generated text (").next().unwrap();
     insta::assert_snapshot!(said, @"
     BREAKING: the places in arrays over bodies changed
       moved    hand  2 -> 1
@@ -229,7 +229,7 @@ fn markdown_has_a_table_a_section_and_folds_the_diff() {
 
 #[test]
 fn long_diff_is_cut_in_markdown_alone() {
-    let arguments = |format| ["--functions", "all", "--format", format];
+    let arguments = |format| ["--functions", "all", "--lines", "--format", format];
     let lines = |format| {
         let ran = told(with_hand, &arguments(format));
         ran.out.lines().count()
@@ -238,6 +238,16 @@ fn long_diff_is_cut_in_markdown_alone() {
     assert!(lines("markdown") < 600);
     let ran = told(with_hand, &arguments("markdown"));
     assert!(ran.out.contains(" more lines\n"));
+}
+
+#[test]
+fn generated_text_is_summed_up_where_lines_are_not_asked_for() {
+    let ran = told(
+        |text| text.replace("mass = 1.5", "mass = 1.7"),
+        &["--functions", "mass_matrix,bias"],
+    );
+    assert_eq!(ran.code, 1);
+    insta::assert_snapshot!(ran.out);
 }
 
 #[test]
@@ -251,7 +261,7 @@ fn modules_are_compared_by_what_they_hold() {
     project.replace("models/arm.toml", "mass = 2.0", "mass = { runtime = 2.0 }");
     project.replace("models/arm.toml", "[\"theta2\"]", "[\"s3\"]");
     assert_eq!(project.kane(&["generate"]).code, 0);
-    let ran = project.kane(&["diff", "old.rs", "generated/arm.rs"]);
+    let ran = project.kane(&["diff", "old.rs", "generated/arm.rs", "--lines"]);
     assert_eq!(ran.code, 1);
     for part in [
         "BREAKING: the places in q changed\n  added    fore_s3      2\n  removed  fore_theta2  2\n",
@@ -276,7 +286,7 @@ fn modules_of_one_model_are_known_as_such() {
         .concat(),
     );
     assert_eq!(ran.code, 0, "{ran:?}");
-    let ran = project.kane(&["diff", "generated/arm.rs", "fused.rs"]);
+    let ran = project.kane(&["diff", "generated/arm.rs", "fused.rs", "--lines"]);
     assert_eq!(ran.code, 1);
     assert!(
         ran.out

@@ -12,7 +12,13 @@ fn everything_in_kane_toml_is_written_and_named() {
     project.write("kane.toml", &both);
     let ran = project.kane(&["generate"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
-    assert_eq!(ran.err, "wrote generated/arm.rs\nwrote src/leg.rs\n");
+    let (files, size) = ran.err.split_once("; ").unwrap();
+    assert_eq!(files, "wrote generated/arm.rs, src/leg.rs");
+    assert!(
+        size.starts_with("6 functions, 160 operations, 0."),
+        "{size}"
+    );
+    assert!(size.ends_with(" s\n"), "{size}");
     assert!(
         project
             .read("generated/arm.rs")
@@ -92,7 +98,7 @@ fn bytes_do_not_depend_on_the_order_of_keys() {
     let body = "name = \"fore\"\nmass = 1.5\n";
     project.replace("models/arm.toml", body, "mass = 1.5\nname = \"fore\"\n");
     assert_eq!(
-        project.kane(&["generate"]).err,
+        project.kane(&["generate"]).told(),
         "generated/arm.rs is up to date\n"
     );
     assert_eq!(project.read("generated/arm.rs"), text);
@@ -103,7 +109,7 @@ fn file_that_is_up_to_date_is_left_alone() {
     let project = Project::generated();
     let before = project.modified("generated/arm.rs");
     assert_eq!(
-        project.kane(&["generate"]).err,
+        project.kane(&["generate"]).told(),
         "generated/arm.rs is up to date\n"
     );
     assert_eq!(project.modified("generated/arm.rs"), before);
@@ -114,7 +120,7 @@ fn model_that_kane_toml_lists_goes_where_that_says() {
     let project = Project::arm();
     let ran = project.kane(&["generate", "models/arm.toml"]);
     assert_eq!(
-        (ran.code, ran.err.as_str()),
+        (ran.code, ran.told().as_str()),
         (0, "wrote generated/arm.rs\n")
     );
     let text = project.read("generated/arm.rs");
@@ -142,7 +148,7 @@ fn output_that_kane_toml_names_keeps_its_functions_and_another_has_the_defaults(
         "--output",
         "./generated/../generated/arm.rs",
     ]);
-    assert!(ran.err.ends_with("arm.rs is up to date\n"), "{ran:?}");
+    assert!(ran.told().ends_with("arm.rs is up to date\n"), "{ran:?}");
     assert_eq!(
         project
             .kane(&["generate", "models/arm.toml", "--output", "other.rs"])
@@ -159,7 +165,7 @@ fn model_without_kane_toml_goes_to_a_file_of_its_name_and_is_shown_by_its_name()
     let project = Project::empty();
     project.write("somewhere/arm.toml", &model("arm", "2.0"));
     let ran = project.kane(&["generate", "somewhere/arm.toml"]);
-    assert_eq!((ran.code, ran.err.as_str()), (0, "wrote arm.rs\n"));
+    assert_eq!((ran.code, ran.told().as_str()), (0, "wrote arm.rs\n"));
     let ran = project.kane(&["check", "somewhere/arm.toml"]);
     assert_eq!(ran.code, 0);
     assert!(
@@ -223,7 +229,7 @@ fn force_overwrites_a_file_without_banner() {
     let project = Project::arm();
     project.write("generated/arm.rs", "fn precious() {}\n");
     assert_eq!(
-        project.kane(&["generate", "--force"]).err,
+        project.kane(&["generate", "--force"]).told(),
         "wrote generated/arm.rs\n"
     );
     assert!(project.read("generated/arm.rs").contains("pub fn bias"));
@@ -456,13 +462,22 @@ fn warnings_and_notes_are_told_and_do_not_stop() {
     );
     let ran = project.kane(&["generate"]);
     assert_eq!(ran.code, 0);
+    assert_eq!(
+        ran.told(),
+        "note: models/arm.toml: 2 bodies are renumbered outward: \
+         body `fore` from 2 to 1, body `upper` from 1 to 2 (all: --verbose)\n\
+         wrote generated/arm.rs\n"
+    );
+    let ran = project.kane(&["generate", "--verbose"]);
     assert!(
         ran.err.contains("note: the bodies are renumbered outward")
-            && ran.err.contains("models/arm.toml:3:16"),
+            && ran.err.contains("models/arm.toml:3:16")
+            && ran.err.contains("\ngenerated/arm.rs is up to date\n"),
         "{}",
         ran.err
     );
-    assert!(ran.err.ends_with("wrote generated/arm.rs\n"));
+    let ran = project.kane(&["generate", "--quiet"]);
+    assert_eq!((ran.code, ran.out.as_str(), ran.err.as_str()), (0, "", ""));
 }
 
 #[test]

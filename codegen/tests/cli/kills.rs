@@ -73,7 +73,9 @@ impl Systems {
 
     fn start(&self) -> Child {
         let mut command = self.project.command();
-        command.arg("generate").stderr(Stdio::piped());
+        command
+            .args(["generate", "--verbose"])
+            .stderr(Stdio::piped());
         command.spawn().unwrap()
     }
 

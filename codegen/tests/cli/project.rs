@@ -21,6 +21,25 @@ pub(crate) struct Ran {
     pub(crate) err: String,
 }
 
+impl Ran {
+    /// What was told, without the counts and the time at the end of the line about files.
+    pub(crate) fn told(&self) -> String {
+        let line = |line: &str| match line.split_once("; ") {
+            Some((files, _)) if line.ends_with(" s") => format!("{}\n", files_alone(files, line)),
+            _ => format!("{line}\n"),
+        };
+        self.err.lines().map(line).collect()
+    }
+}
+
+/// What stands before the counts: files that were written, and how many were not.
+fn files_alone<'a>(written: &'a str, line: &'a str) -> &'a str {
+    match line[written.len() + 2..].split_once("; ") {
+        Some((up_to_date, _)) => &line[..written.len() + 2 + up_to_date.len()],
+        None => written,
+    }
+}
+
 impl From<Output> for Ran {
     fn from(output: Output) -> Self {
         Self {

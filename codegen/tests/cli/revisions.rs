@@ -16,7 +16,7 @@ fn revisions_are_read_from_git() {
         ("models", "HEAD:./arm.toml", "arm.toml"),
         ("models", ":models/arm.toml", "arm.toml"),
     ] {
-        let ran = project.kane_in(folder, &["diff", old, new]);
+        let ran = project.kane_in(folder, &["diff", old, new, "--lines"]);
         assert_eq!(ran.code, 1, "{}", ran.err);
         assert!(ran.out.starts_with(told), "{}", ran.out);
         assert!(
@@ -25,7 +25,12 @@ fn revisions_are_read_from_git() {
         );
     }
     project.commit();
-    let both = ["diff", "HEAD~1:models/arm.toml", "HEAD:models/arm.toml"];
+    let both = [
+        "diff",
+        "HEAD~1:models/arm.toml",
+        "HEAD:models/arm.toml",
+        "--lines",
+    ];
     let ran = project.kane(&both);
     assert!(ran.out.starts_with(told), "{}", ran.out);
     // The functions that kane.toml lists, and no others.
@@ -57,7 +62,7 @@ fn revisions_are_compared_system_by_system() {
     let told = "BREAKING: files that are gone, or in whose arrays the places changed\n  removed  left.rs\n  removed  left_c.rs\n  removed  left.h\n\
         files\n  added    right.rs\n  added    right_c.rs\n  added    right.h\n\
         == HEAD~1:arm.rs -> HEAD:arm.rs\nvalues\n  changed  fore: mass  1.5 -> 1.25\n";
-    let ran = project.kane(&["diff", "HEAD~1", "HEAD"]);
+    let ran = project.kane(&["diff", "HEAD~1", "HEAD", "--lines"]);
     assert_eq!(ran.code, 1, "{}", ran.err);
     assert!(ran.out.starts_with(told), "{}", ran.out);
     assert!(

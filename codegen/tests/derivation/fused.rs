@@ -213,5 +213,5 @@ fn the_order_in_which_functions_are_listed_does_not_matter() {
     let reversed: Vec<&str> = expected.into_iter().rev().collect();
     assert_eq!(names(&reversed), expected);
     assert_eq!(names(&expected), expected);
-    assert!(config::Functions::Default.requests().is_empty());
+    assert!(config::Functions::default().requests().is_empty());
 }

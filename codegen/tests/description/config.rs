@@ -22,7 +22,7 @@ fn what_is_absent_has_its_default() {
     );
     assert_eq!(
         (&arm.options.functions, arm.options.formulation),
-        (&Functions::Default, Formulation::Cheapest)
+        (&Functions::default(), Formulation::Cheapest)
     );
 }
 

@@ -46,7 +46,7 @@ pub(crate) fn named(names: &[&str]) -> Functions {
 
 #[test]
 fn a_pendulum_with_runtime_parameters() {
-    insta::assert_snapshot!(module("pendulum", Functions::Default));
+    insta::assert_snapshot!(module("pendulum", Functions::default()));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use kane_codegen::report::{self, Comparison, Differences};
 use similar::TextDiff;
 
 use super::side::Described;
-use crate::cli::Failures;
+use crate::cli::{Failures, lines::ChangedLines};
 
 /// What differs, and between what.
 pub(super) struct Report {
@@ -15,6 +15,8 @@ pub(super) struct Report {
     pub(super) functions: Comparison,
     /// The unified diff of the texts; empty where they are the same.
     pub(super) diff: String,
+    /// How much of it there is; `None` where the texts are the same.
+    pub(super) lines: Option<ChangedLines>,
 }
 
 impl Report {
@@ -35,6 +37,7 @@ impl Report {
             fingerprints: [old, new].map(|known| known.outline.fingerprint),
             differences: report::differences(&old.outline, &new.outline),
             functions,
+            lines: (!diff.is_empty()).then(|| ChangedLines::of(&old.text, &new.text)),
             diff,
         })
     }

@@ -36,11 +36,11 @@ fn push(sections: &mut Vec<Section>, title: &str, rows: Vec<Row>) {
 }
 
 /// What breaks code, what came, then what differs of every other module under its name.
-pub(super) fn text_of_systems(systems: &Systems) -> String {
+pub(super) fn text_of_systems(systems: &Systems, lines: bool) -> String {
     let mut text: String = files(systems).iter().map(Section::text).collect();
     for report in &systems.changed {
         let [old, new] = &report.names;
-        text.extend([format!("== {old} -> {new}\n"), self::text(report)]);
+        text.extend([format!("== {old} -> {new}\n"), self::text(report, lines)]);
     }
     text
 }
@@ -80,11 +80,16 @@ fn files(systems: &Systems) -> Vec<Section> {
     sections
 }
 
-/// Sections one after the other, then the diff.
-pub(super) fn text(report: &Report) -> String {
+/// Sections one after the other, then how much of the text changed, or the diff.
+pub(super) fn text(report: &Report, lines: bool) -> String {
     let mut text: String = note(report).map(|note| note + "\n").into_iter().collect();
     text.extend(sections(report).iter().map(Section::text));
-    text + &report.diff
+    match &report.lines {
+        None => {}
+        Some(_) if lines => text += &report.diff,
+        Some(changed) => text += &format!("generated text (--lines shows it)\n  {changed}\n"),
+    }
+    text
 }
 
 /// A table a section, then the diff, folded.

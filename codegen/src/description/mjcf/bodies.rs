@@ -169,6 +169,8 @@ fn unsupported(reader: &mut Reader, given: &Attributes<'_>) {
             given.owner
         );
         let warning = Diagnostic::warning(message).at(mocap.span, "fixed");
+        let plural = "bodies that follow motion capture are taken as fixed";
+        let warning = warning.one_of(plural, &*given.owner);
         reader.faults.push(warning);
     }
 }

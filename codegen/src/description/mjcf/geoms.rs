@@ -125,7 +125,11 @@ fn mesh(geom: &Attributes<'_>, moves: Moves) -> Diagnostic {
             .at(place, "not supported")
             .help("give the body an `inertial`, or the geom `mass=\"0\"`"),
         Moves::No => Diagnostic::warning(format!("{message}; its body does not move"))
-            .at(place, "taken without mass"),
+            .at(place, "taken without mass")
+            .one_of(
+                "meshes of bodies that do not move are taken without mass",
+                &**owner,
+            ),
     }
 }
 

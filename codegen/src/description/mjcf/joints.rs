@@ -190,6 +190,7 @@ fn rotating(
             given.what("range")
         );
         let warning = Diagnostic::warning(message).at(given.place("range"), "ignored");
+        let warning = warning.one_of("limits of ball joints are left out", given.what("range"));
         reader.faults.push(warning);
     }
     if let Some(stiffness) = first(reader, given, "stiffness")

@@ -40,6 +40,8 @@ pub(super) fn give(reader: &mut Reader, wishes: &[Wish]) -> Vec<Spanned<String>>
         if let Wish::None(span) = wish {
             let name = invented(&mut used, &mut number);
             let note = Diagnostic::note(format!("a body without a name is called `{name}`"));
+            let plural = "bodies without names are given some";
+            let note = note.one_of(plural, format!("`{name}`"));
             reader.faults.push(note.at(*span, "no name"));
             own.insert(body, Spanned::new(name, *span));
         }

@@ -32,6 +32,7 @@ fn owner(element: Element<'_>, kind: &str) -> String {
 /// A section that is left out as a whole.
 fn left_out(reader: &mut Reader, section: Element<'_>, message: &str) {
     let warning = Diagnostic::warning(message).at(section.span(), "left out");
+    let warning = warning.one_of("sections are left out", format!("`{}`", section.name()));
     reader.faults.push(warning);
 }
 

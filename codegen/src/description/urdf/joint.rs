@@ -148,7 +148,9 @@ fn limits(
     let Some(element) = reader.child(joint, words, "limit") else {
         if is_ranged {
             let warning = Diagnostic::warning(format!("{words} has no `limit`"));
-            let warning = warning.at(joint.span(), "read as without limits");
+            let warning = warning
+                .at(joint.span(), "read as without limits")
+                .one_of("joints have no `limit`", words);
             reader.faults.push(warning);
         }
         return PerCoordinate::Absent;
@@ -184,7 +186,12 @@ fn warn_of_range(reader: &mut Reader, element: Element<'_>, owner: &str) {
     let is_given = |name: &str| element.attribute(name).is_some();
     if !is_given("lower") && !is_given("upper") {
         let warning = format!("{owner} has neither `lower` nor `upper`; both are zero then");
-        let warning = Diagnostic::warning(warning).at(element.span(), "from 0 to 0");
+        let warning = Diagnostic::warning(warning)
+            .at(element.span(), "from 0 to 0")
+            .one_of(
+                "limits have neither `lower` nor `upper`; both are zero then",
+                owner,
+            );
         reader.faults.push(warning);
     }
 }

@@ -84,7 +84,12 @@ impl Reader {
             return;
         }
         let message = format!("unknown {what} `{}` of {owner}", shown(name.value));
-        let mut warning = Diagnostic::warning(message).at(name.span, "ignored");
+        let mut warning = Diagnostic::warning(message)
+            .at(name.span, "ignored")
+            .one_of(
+                format!("unknown {what}s are ignored"),
+                format!("`{}` of {owner}", shown(name.value)),
+            );
         if let Some(near) = nearest(name.value, known) {
             warning = warning.help(format!("did you mean `{near}`?"));
         } else if let [only] = known {
@@ -109,7 +114,11 @@ impl Reader {
             self.faults.push(
                 Diagnostic::warning(message)
                     .at(other.span(), "ignored")
-                    .at(first.span(), "the first one"),
+                    .at(first.span(), "the first one")
+                    .one_of(
+                        "elements are given again; the first one counts",
+                        format!("`{name}` of {owner}"),
+                    ),
             );
         }
         Some(first)

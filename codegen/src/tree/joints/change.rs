@@ -108,9 +108,9 @@ fn locked(
                 free.retain(|known| known.motion != (body, motion));
                 locked.insert((body, motion), value + 0.0);
                 let (kind, shown) = (CoordinateName::NAMES[motion], shown(description, body));
-                findings.push(Diagnostic::note(format!(
-                    "`{kind}` of {shown} is locked at {value:?}"
-                )));
+                let note = format!("`{kind}` of {shown} is locked at {value:?}");
+                let subject = format!("`{kind}` of {shown} at {value:?}");
+                findings.push(Diagnostic::note(note).one_of("motions are locked", subject));
             }
             Err(fault) => findings.push(fault),
         }
@@ -168,9 +168,8 @@ fn removed(
             "the joint of {shown} is both locked and removed"
         )));
     }
-    findings.push(Diagnostic::note(format!(
-        "the joint of {shown} is removed: it is fixed"
-    )));
+    let note = format!("the joint of {shown} is removed: it is fixed");
+    findings.push(Diagnostic::note(note).one_of("joints are removed: they are fixed", shown));
     Some(body)
 }
 

@@ -164,7 +164,8 @@ impl Check<'_> {
             self.findings.push(
                 Diagnostic::warning(message)
                     .at(lower.span, "above the upper limit")
-                    .at(upper.span, "the upper limit"),
+                    .at(upper.span, "the upper limit")
+                    .one_of("joints have limits that are no range", self.name),
             );
         }
         for (what, limit) in [("velocity", limits.velocity), ("effort", limits.effort)] {

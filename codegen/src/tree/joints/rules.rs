@@ -153,7 +153,8 @@ fn singular(body: &WrittenBody, joint: &ResolvedJoint, name: &str) -> Option<Dia
         (
             Diagnostic::warning(format!(
                 "`theta2` of {name} is locked near cos(theta2) = 0, between free `theta1` and `theta3`"
-            )),
+            ))
+            .one_of("joints are nearly singular: `theta2` is locked near cos(theta2) = 0", name),
             "nearly",
         )
     } else {

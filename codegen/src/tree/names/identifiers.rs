@@ -36,7 +36,12 @@ pub(crate) fn identifiers(
                 name.value.escape_debug()
             );
             findings.push(
-                Diagnostic::note(note).at(name.span, "no lower snake case identifier of its own"),
+                Diagnostic::note(note)
+                    .at(name.span, "no lower snake case identifier of its own")
+                    .one_of(
+                        "bodies have other names in generated code",
+                        format!("`{}` is `{identifier}`", name.value.escape_debug()),
+                    ),
             );
         }
         unique.push(identifier);

@@ -82,9 +82,8 @@ pub(crate) fn check_coordinates(tree: &Tree, findings: &mut Vec<Diagnostic>) {
 /// Tells in which order coordinates stand, where joints have names of their own by which a user will look for them.
 pub(crate) fn note_order(tree: &Tree, findings: &mut Vec<Diagnostic>) {
     if tree.bodies.iter().any(|body| body.joint.is_named) {
-        findings.push(Diagnostic::note(format!(
-            "the coordinates, in order, are {}",
-            tree.coordinate_names().join(", ")
-        )));
+        let names = tree.coordinate_names();
+        let note = format!("the coordinates, in order, are {}", names.join(", "));
+        findings.push(Diagnostic::note(note).all_of("coordinates, in order", names));
     }
 }

@@ -200,6 +200,7 @@ pub(crate) fn note_moved(
         "the bodies are renumbered outward: {}",
         moved.join(", ")
     ));
+    let note = note.all_of("bodies are renumbered outward", moved);
     findings.push(note.at(
         array.span,
         "every array, loads included, uses the new order",

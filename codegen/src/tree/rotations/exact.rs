@@ -98,12 +98,17 @@ impl Snapped {
         };
         let changed: Vec<String> = order.iter().flat_map(of_body).collect();
         (!changed.is_empty()).then(|| {
-            Diagnostic::note(format!(
+            let note = Diagnostic::note(format!(
                 "entries of constant rotations and axes nearer than {:?} to 0, 1 or -1 were made exact, which changed none by more than {:.1e}: {}",
                 self.tolerance,
                 self.most,
                 changed.join(", ")
-            ))
+            ));
+            let plural = format!(
+                "constant rotations and axes were made exact, which changed no entry by more than {:.1e}",
+                self.most
+            );
+            note.all_of(plural, changed)
         })
     }
 }

@@ -101,7 +101,7 @@ fn bundled_systems_hold_in_single_precision_with_fewer_optimizations() {
 }
 
 fn assert_robot_holds(name: &str, base: Base) {
-    assert_functions_hold(name, base, Functions::Default);
+    assert_functions_hold(name, base, Functions::default());
 }
 
 fn assert_functions_hold(name: &str, base: Base, functions: Functions) {

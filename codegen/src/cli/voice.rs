@@ -1,0 +1,68 @@
+//! What the user is told beside results, on standard error: little, unless more is asked for.
+
+use std::{
+    fmt,
+    io::{self, Write},
+};
+
+use clap::Args;
+use kane_codegen::diagnostic::{Diagnostics, printable};
+
+/// How much is told.
+#[derive(Args, Clone, Copy, Debug)]
+pub(crate) struct Voice {
+    /// Tell everything: each warning and note at full length, and each file
+    #[arg(long, short, global = true, conflicts_with = "quiet")]
+    verbose: bool,
+
+    /// Tell nothing but errors
+    #[arg(long, short, global = true)]
+    quiet: bool,
+}
+
+impl Voice {
+    /// Tells something.
+    pub(crate) fn say(self, text: impl fmt::Display) {
+        if !self.quiet {
+            say(text);
+        }
+    }
+
+    /// Tells something to those who want to know everything.
+    pub(crate) fn detail(self, text: impl fmt::Display) {
+        if self.verbose {
+            say(text);
+        }
+    }
+
+    /// True where everything is told.
+    pub(crate) fn is_verbose(self) -> bool {
+        self.verbose
+    }
+
+    /// Tells what should be known about a model: a line a kind, or each at full length.
+    pub(crate) fn warn(self, warnings: &Diagnostics) {
+        if warnings.is_empty() {
+            return;
+        }
+        if self.verbose {
+            self.say(format_args!("{warnings}\n"));
+            return;
+        }
+        let brief = warnings.brief();
+        let lines = brief.lines.iter().map(|(_, line)| line.as_str());
+        let lines: Vec<&str> = lines.collect();
+        let more = if brief.is_shortened {
+            " (all: --verbose)"
+        } else {
+            ""
+        };
+        self.say(format_args!("{}{more}", lines.join("\n")));
+    }
+}
+
+/// Tells the user something, whatever was asked for. Where nobody can hear it, it is not worth stopping for.
+pub(crate) fn say(text: impl fmt::Display) {
+    let text = text.to_string();
+    drop(writeln!(io::stderr(), "{}", printable(&text)));
+}

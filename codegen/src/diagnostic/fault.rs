@@ -1,0 +1,116 @@
+//! One fault: how much it matters, what is wrong, where, and what to do.
+
+use super::Span;
+
+/// How much a fault matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The input cannot be used.
+    Error,
+    /// The input can be used, but is probably not what was meant.
+    Warning,
+    /// Something was decided that the user should know.
+    Note,
+}
+
+/// One fault of an input file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// How much it matters.
+    pub severity: Severity,
+    /// What was found and what was expected.
+    pub message: String,
+    /// The places it is about, the main one first, each with a few words; may be empty.
+    pub labels: Vec<(Span, String)>,
+    /// What to do about it.
+    pub help: Option<String>,
+    /// What it and others like it are told as, on one line.
+    pub kind: Option<Kind>,
+}
+
+/// What several diagnostics have in common, and what this one is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kind {
+    /// What they are, in the plural, as it stands after a number: "joints without `limit`".
+    pub plural: String,
+    /// The names of what this one is about.
+    pub subjects: Vec<String>,
+}
+
+impl Diagnostic {
+    /// An error.
+    pub fn error(message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            message: message.into(),
+            labels: Vec::new(),
+            help: None,
+            kind: None,
+        }
+    }
+
+    /// A warning.
+    pub fn warning(message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(message)
+        }
+    }
+
+    /// A note.
+    pub fn note(message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Note,
+            ..Self::error(message)
+        }
+    }
+
+    /// The same with one more place; the first is the main one.
+    #[must_use]
+    pub fn at(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.labels.push((span, label.into()));
+        self
+    }
+
+    /// The same with advice.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The same as one of a kind, of which many are told on one line: `plural` stands after a number, `subject` is the name
+    /// of what this one is about.
+    #[must_use]
+    pub fn one_of(self, plural: impl Into<String>, subject: impl Into<String>) -> Self {
+        self.all_of(plural, [subject.into()])
+    }
+
+    /// The same where it is about several.
+    #[must_use]
+    pub fn all_of(
+        mut self,
+        plural: impl Into<String>,
+        subjects: impl IntoIterator<Item = String>,
+    ) -> Self {
+        self.kind = Some(Kind {
+            plural: plural.into(),
+            subjects: subjects.into_iter().collect(),
+        });
+        self
+    }
+
+    /// The same with its places moved.
+    #[must_use]
+    pub(crate) fn moved(mut self, by: usize) -> Self {
+        for (span, _) in &mut self.labels {
+            *span = Span::from(span.start + by..span.end + by);
+        }
+        self
+    }
+
+    /// True for an error.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+}

@@ -1,0 +1,107 @@
+//! All faults of a file: collected as they are found, then in the order in which they stand there.
+
+use std::fmt;
+
+use super::{Diagnostic, Severity, Source};
+use crate::limits::TOLD;
+
+/// Faults shown by `Display`; the rest are only counted, for a broken file can hold thousands.
+const MOST_SHOWN: usize = 100;
+
+/// The faults of a file as they are found; of very many the first.
+#[derive(Debug, Default)]
+pub struct Faults {
+    told: Vec<Diagnostic>,
+    n_errors: usize,
+    n_others: usize,
+}
+
+impl Faults {
+    /// Adds one.
+    pub fn push(&mut self, fault: Diagnostic) {
+        let count = match fault.severity {
+            Severity::Error => &mut self.n_errors,
+            _ => &mut self.n_others,
+        };
+        *count += 1;
+        // An error among very many warnings is one of the first errors.
+        if *count <= TOLD {
+            self.told.push(fault);
+        }
+    }
+
+    /// How many there are, with those that are not told.
+    pub fn count(&self) -> usize {
+        self.n_errors + self.n_others
+    }
+
+    /// True where no more of this severity are told, and need not be looked for.
+    pub fn is_full(&self, severity: Severity) -> bool {
+        match severity {
+            Severity::Error => self.n_errors >= TOLD,
+            _ => self.n_others >= TOLD,
+        }
+    }
+
+    /// Those that are told, in the order in which they were found.
+    pub fn into_told(self) -> Vec<Diagnostic> {
+        self.told
+    }
+}
+
+/// The faults of one source, in the order in which they stand there.
+#[derive(Clone, Debug)]
+pub struct Diagnostics {
+    source: Source,
+    list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// The faults of `source`, put into the order of their main places; those without a place come first.
+    pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
+        list.sort_by_key(|diagnostic| diagnostic.labels.first().map(|(span, _)| *span));
+        Self { source, list }
+    }
+
+    /// The source that they are about.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The faults.
+    pub fn list(&self) -> &[Diagnostic] {
+        &self.list
+    }
+
+    /// True where there is nothing to report.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// True where at least one is an error.
+    pub fn has_error(&self) -> bool {
+        self.list
+            .iter()
+            .any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    /// All faults, an empty line between two; of more than a hundred, the first hundred.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.list.iter().take(MOST_SHOWN).enumerate() {
+            let space = if index == 0 { "" } else { "\n\n" };
+            write!(f, "{space}{}", diagnostic.render(&self.source))?;
+        }
+        match self.list.len().saturating_sub(MOST_SHOWN) {
+            0 => Ok(()),
+            more => write!(
+                f,
+                "\n\n{}: {more} more faults are not shown",
+                self.source.name()
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Diagnostics {}

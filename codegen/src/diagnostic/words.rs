@@ -1,0 +1,57 @@
+//! Words as they may be shown, and words that are near one another.
+
+use std::borrow::Cow;
+
+/// The text as a terminal may be given it: what would steer it, or turn the direction of writing, becomes `\u{fffd}`; lines end
+/// as they do.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    let steers = |c: char| is_unprintable(c) && c != '\n';
+    if text.contains(steers) {
+        Cow::Owned(text.replace(steers, "\u{fffd}"))
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
+/// True for what must not stand in a name: a line's end would leave a comment, other control characters would steer a terminal,
+/// and a change of writing direction would show other code than is there.
+pub(crate) fn is_unprintable(character: char) -> bool {
+    character.is_control() || matches!(character, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// The candidate that `word` was probably meant to be, if one is near enough.
+pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    // A very long word is near nothing, and the distance costs its square.
+    if lower.len() > 100 {
+        return None;
+    }
+    candidates
+        .iter()
+        .map(|candidate| (edits(&lower, &candidate.to_lowercase()), *candidate))
+        .filter(|(edits, candidate)| *edits <= candidate.chars().count() / 3)
+        .min_by_key(|(edits, _)| *edits)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
+fn edits(from: &str, to: &str) -> usize {
+    let from: Vec<char> = from.chars().collect();
+    let to: Vec<char> = to.chars().collect();
+    let mut rows = vec![vec![0_usize; to.len() + 1]; from.len() + 1];
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[0] = i;
+    }
+    rows[0] = (0..=to.len()).collect();
+    for i in 1..=from.len() {
+        for j in 1..=to.len() {
+            let replaced = rows[i - 1][j - 1] + usize::from(from[i - 1] != to[j - 1]);
+            let mut least = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+            if i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = least;
+        }
+    }
+    rows[from.len()][to.len()]
+}
