@@ -8,7 +8,9 @@ mod counts;
 mod differences;
 mod outline;
 mod partitions;
+mod pattern;
 mod picture;
+mod svg;
 
 pub use crate::listing::Counted;
 pub use compare::{Change, Comparison, compare, counted, differs_in_layout_only};
@@ -16,4 +18,6 @@ pub use counts::{Counts, count};
 pub use differences::{Differences, LayoutChange, ValueChange, differences};
 pub use outline::{Body, Layout, ModuleError, Outline, Values};
 pub use partitions::{Cell, Partitions, partitions};
+pub use pattern::mass_matrix_pattern;
 pub use picture::picture;
+pub use svg::svg;

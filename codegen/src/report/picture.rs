@@ -13,7 +13,25 @@ use crate::{
 ///     |-- 2 shoulder (3 in the model): theta1; theta3 = 0.5
 ///     `-- 3 panel (2 in the model): s2
 /// ```
-pub fn picture(tree: &Tree) -> String {
+/// Where that is wider than `width` columns, a body that alone is carried by another one stands right below it:
+///
+/// ```text
+/// 0 inertial frame
+/// 1 hub: theta1 theta2 theta3 s1 s2 s3
+/// |-- 2 shoulder (3 in the model): theta1; theta3 = 0.5
+/// `-- 3 panel (2 in the model): s2
+/// ```
+pub fn picture(tree: &Tree, width: usize) -> String {
+    let picture = drawn(tree, false);
+    if picture.lines().all(|line| line.chars().count() <= width) {
+        picture
+    } else {
+        drawn(tree, true)
+    }
+}
+
+/// The picture; where it is narrow, only what branches goes further in.
+fn drawn(tree: &Tree, is_narrow: bool) -> String {
     let coordinates = tree.coordinate_names();
     let mut text = String::from("0 inertial frame\n");
     let mut bodies_on = vec![Vec::new(); tree.bodies.len() + 1];
@@ -30,8 +48,10 @@ pub fn picture(tree: &Tree) -> String {
         let Some((body, own_indent)) = open.pop() else {
             return text;
         };
-        let is_last = bodies_on[number(tree.lower(body))].last() == Some(&body);
-        let (branch, below) = if is_last {
+        let beside = &bodies_on[number(tree.lower(body))];
+        let (branch, below) = if is_narrow && beside.len() == 1 {
+            ("", "")
+        } else if beside.last() == Some(&body) {
             ("`-- ", "    ")
         } else {
             ("|-- ", "|   ")
