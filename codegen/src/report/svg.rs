@@ -56,14 +56,18 @@ fn draw_tree(text: &mut String, tree: &Tree, depths: &[usize]) {
     }
     let x = |depth: usize| MARGIN + depth * ROW;
     let y = |row: usize| MARGIN + row * ROW + ROW / 2;
-    node(text, x(0), y(0), "inertial frame");
     for body in tree.body_ids() {
         let (depth, row) = (depths[body.index()], rows[body.index()]);
         let lower = tree.lower(body).map_or(0, |lower| rows[lower.index()]);
         let (from, to) = (x(depth - 1), x(depth));
         line(text, &format!("M{from} {} V{} H{to}", y(lower), y(row)));
-        let name = &tree.body(body).name;
-        node(text, to, y(row), &format!("{} {name}", body.index() + 1));
+    }
+    // Above the lines.
+    node(text, x(0), y(0), "inertial frame");
+    for body in tree.body_ids() {
+        let (depth, row) = (depths[body.index()], rows[body.index()]);
+        let name = format!("{} {}", body.index() + 1, tree.body(body).name);
+        node(text, x(depth), y(row), &name);
     }
 }
 
