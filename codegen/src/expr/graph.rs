@@ -2,7 +2,10 @@
 
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
-use super::node::{Binding, Expr, Input, Label, Node, NodeId};
+use super::{
+    node::{Binding, Expr, Input, Label, Node, NodeId},
+    purpose::Purpose,
+};
 use crate::{
     id::BodyId,
     number::{Number as _, Rounded},
@@ -17,6 +20,7 @@ pub struct ExprGraph {
     nodes: Vec<Node>,
     bindings: Vec<Binding>,
     scopes: Vec<Option<BodyId>>,
+    purposes: Vec<Purpose>,
     labels: Vec<Option<Label>>,
     /// For each node, whether it was its negative that was written.
     written_negative: Vec<bool>,
@@ -25,6 +29,7 @@ pub struct ExprGraph {
     // Only ever looked up, so that nothing depends on hash order.
     known: FxHashMap<Node, NodeId>,
     scope: Option<BodyId>,
+    purpose: Purpose,
     overflowed: bool,
 }
 
@@ -38,6 +43,7 @@ impl ExprGraph {
             nodes: Vec::with_capacity(n_nodes),
             bindings: Vec::with_capacity(n_nodes),
             scopes: Vec::with_capacity(n_nodes),
+            purposes: Vec::with_capacity(n_nodes),
             labels: Vec::with_capacity(n_nodes),
             written_negative: Vec::with_capacity(n_nodes),
             known: FxHashMap::with_capacity_and_hasher(n_nodes, FxBuildHasher),
@@ -48,6 +54,17 @@ impl ExprGraph {
     /// From here on new nodes belong to `scope`: a body, or the whole system.
     pub fn enter(&mut self, scope: impl Into<Option<BodyId>>) {
         self.scope = scope.into();
+    }
+
+    /// From here on new nodes are for this, whichever body they are of.
+    pub fn begin(&mut self, purpose: Purpose) {
+        self.purpose = purpose;
+    }
+
+    /// From here on new nodes belong to the scope of a node of another graph, and are for the same.
+    pub fn enter_like(&mut self, other: &Self, id: NodeId) {
+        self.scope = other.scope(id);
+        self.purpose = other.purpose(id);
     }
 
     /// Number of nodes.
@@ -96,6 +113,11 @@ impl ExprGraph {
         self.scopes[id.index()]
     }
 
+    /// What the node is for.
+    pub fn purpose(&self, id: NodeId) -> Purpose {
+        self.purposes[id.index()]
+    }
+
     /// The node's label.
     pub fn label(&self, id: NodeId) -> Option<&Label> {
         self.labels[id.index()].as_ref()
@@ -132,6 +154,7 @@ impl ExprGraph {
                 negative: expr.is_negative(),
             });
             self.scopes[id.index()] = self.scope;
+            self.purposes[id.index()] = self.purpose;
         }
     }
 
@@ -439,6 +462,7 @@ impl ExprGraph {
             self.product_label(node)
         });
         self.scopes.push(scope);
+        self.purposes.push(self.purpose);
         self.written_negative.push(false);
         self.known.insert(node, id);
         id

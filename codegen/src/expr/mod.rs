@@ -10,9 +10,11 @@ mod dump;
 mod evaluate;
 mod graph;
 mod node;
+mod purpose;
 mod vector;
 
 pub(crate) use evaluate::signed;
 pub use graph::ExprGraph;
 pub use node::{Binding, Expr, Input, Label, Node, NodeId};
+pub use purpose::Purpose;
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

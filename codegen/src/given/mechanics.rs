@@ -6,7 +6,7 @@ use super::{
     numbers::value,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Input},
+    expr::{Expr, ExprGraph, Input, Purpose},
     id::BodyId,
     solve::SpeedMatrix,
     tree::{Joint, Mechanics, Motion, Tree, Value},
@@ -21,6 +21,7 @@ struct Acting<'a> {
 
 /// Calls `f` for every motion, in the scope of its body.
 fn each(graph: &mut ExprGraph, tree: &Tree, mut f: impl FnMut(&mut ExprGraph, &Joint, Acting<'_>)) {
+    graph.begin(Purpose::Mechanics);
     for body in tree.body_ids() {
         each_of(graph, tree, body, &mut f);
     }

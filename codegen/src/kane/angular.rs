@@ -1,7 +1,7 @@
 //! Angular velocities, their partials and derivatives, Eqs. (8)-(20).
 
 use crate::{
-    expr::{Expr, ExprGraph, Input, Matrix, Vector, negated},
+    expr::{Expr, ExprGraph, Input, Matrix, Purpose, Vector, negated},
     given::{
         self, Accelerations,
         orientation::{self, trigonometry},
@@ -51,6 +51,7 @@ pub fn rate_matrix_dot(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matr
 
 /// `w_rel_K = P_K theta_dot_K`, Eq. (8), body components, for every body.
 pub fn relative_velocity(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
+    graph.begin(Purpose::AngularVelocity);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         relative_velocity_of(graph, tree, body)
     })
@@ -71,6 +72,7 @@ pub fn relative_velocity_of(graph: &mut ExprGraph, tree: &Tree, body: BodyId) ->
 ///
 /// Zero for the others. Singular at `cos(theta_2) = 0`.
 pub fn angle_rates(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Vector> {
+    graph.begin(Purpose::Rates);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let joint = &tree.body(body).joint;
@@ -98,6 +100,7 @@ pub fn parameter_rates(graph: &mut ExprGraph, e: [CoordinateId; 4], w: Vector) -
 
 /// The rates of all coordinates, Eqs. (44), (9), or those of Euler parameters.
 pub fn coordinate_rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    graph.begin(Purpose::Rates);
     let mut rates = vec![graph.zero(); tree.n_coordinates];
     let mut set = |coordinate: CoordinateId, rate| rates[coordinate.index()] = rate;
     for body in tree.body_ids() {
@@ -138,6 +141,7 @@ pub fn velocity(
     relative: &BodyMap<Matrix>,
     w_rel: &BodyMap<Vector>,
 ) -> BodyMap<Vector> {
+    graph.begin(Purpose::AngularVelocity);
     BodyMap::outward(tree.bodies.len(), |body, w| {
         graph.enter(body);
         let Some(lower) = tree.lower(body) else {
@@ -152,6 +156,7 @@ pub fn velocity(
 
 /// `W_K = JR_K W_J + [0 .. P_K .. 0]`, Eqs. (15), (16), for every body.
 pub fn partial(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> BodyMap<Row> {
+    graph.begin(Purpose::PartialVelocity);
     BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
         graph.enter(body);
         let own = rate_matrix(graph, tree, body);
@@ -175,6 +180,7 @@ pub fn partial_dot(
     w_rel: &BodyMap<Vector>,
     partial: &BodyMap<Row>,
 ) -> BodyMap<Row> {
+    graph.begin(Purpose::PartialVelocityDot);
     BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
         graph.enter(body);
         let own = rate_matrix_dot(graph, tree, body);
@@ -205,6 +211,7 @@ pub fn acceleration(
     w: &BodyMap<Vector>,
     accelerations: Accelerations<'_>,
 ) -> BodyMap<Vector> {
+    graph.begin(Purpose::Acceleration);
     BodyMap::outward(tree.bodies.len(), |body, alpha| {
         graph.enter(body);
         let turns = tree.body(body).joint.turns();

@@ -2,7 +2,7 @@
 
 use super::{dynamics, energy, orientation, position, velocity};
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector, transpose},
+    expr::{Expr, ExprGraph, Matrix, Purpose, Vector, transpose},
     given::{self, Accelerations},
     id::{BodyMap, SpeedId},
     tree::Tree,
@@ -113,6 +113,7 @@ struct Place {
 }
 
 fn places(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> BodyMap<Place> {
+    graph.begin(Purpose::Momentum);
     let of_all = position(graph, tree);
     let rotations = orientation::absolute(graph, tree, relative);
     let origins = position::origin(graph, tree, relative);

@@ -2,7 +2,7 @@
 
 use super::{orientation, velocity};
 use crate::{
-    expr::{Expr, ExprGraph, Input, Matrix, Symmetric, Vector, negated},
+    expr::{Expr, ExprGraph, Input, Matrix, Purpose, Symmetric, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap, SpeedId},
     partition::Row,
@@ -23,6 +23,7 @@ pub struct Wrench {
 pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     let relative = orientation::relative(graph, tree);
     let partials = velocity::partials(graph, tree, &relative);
+    graph.begin(Purpose::Sums);
     let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids() {
         graph.enter(body);
@@ -58,6 +59,7 @@ pub fn mass_matrix_product(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 
 /// A row of partial velocities times `y_dot`.
 fn times_accelerations(graph: &mut ExprGraph, tree: &Tree, row: &Row) -> Vector {
+    graph.begin(Purpose::Acceleration);
     let mut sum = graph.zero_vector();
     for (speed, column) in row.columns(graph, tree) {
         let acceleration = graph.input(Input::UDot(speed));
@@ -163,6 +165,7 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
 
 /// The loads as wrenches.
 pub fn loads(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
+    graph.begin(Purpose::Loads);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         Wrench {
@@ -178,6 +181,7 @@ fn inertia_and_weight(
     tree: &Tree,
     accelerations: Accelerations<'_>,
 ) -> BodyMap<Wrench> {
+    graph.begin(Purpose::Needed);
     let motion = velocity::accelerations(graph, tree, accelerations);
     let weights = gravity_in_bodies(graph, tree, &motion.rotational.relative);
     BodyMap::outward(tree.bodies.len(), |body, _| {
@@ -217,6 +221,7 @@ pub(super) fn gravity_in_bodies(
     tree: &Tree,
     relative: &BodyMap<Matrix>,
 ) -> BodyMap<Vector> {
+    graph.begin(Purpose::Weight);
     let inertial = given::gravity(graph, tree);
     BodyMap::outward(tree.bodies.len(), |body, gravity: &BodyMap<Vector>| {
         graph.enter(body);
@@ -229,6 +234,7 @@ pub(super) fn gravity_in_bodies(
 
 /// `sum_K V_G_K^T F_K + W_K^T M_K` of any wrenches, one entry a speed.
 fn generalized(graph: &mut ExprGraph, tree: &Tree, wrenches: &BodyMap<Wrench>) -> Vec<Expr> {
+    graph.begin(Purpose::Sums);
     let relative = orientation::relative(graph, tree);
     let partials = velocity::partials(graph, tree, &relative);
     let mut sums = vec![graph.zero(); tree.n_speeds];

@@ -3,7 +3,7 @@
 
 use super::{orientation, position, velocity};
 use crate::{
-    expr::{Expr, ExprGraph, Matrix, Vector, transpose},
+    expr::{Expr, ExprGraph, Matrix, Purpose, Vector, transpose},
     given::{self, mechanics},
     id::BodyMap,
     tree::Tree,
@@ -33,6 +33,7 @@ pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
 
 /// `m_K v_G_K · v_G_K + w_K · I_K w_K`.
 fn twice_kinetic(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
+    graph.begin(Purpose::Energy);
     let rotational = velocity::rotational(graph, tree);
     let v_origin = velocity::origin(graph, tree, &rotational);
     let v = velocity::mass_center(graph, tree, &rotational, &v_origin);
@@ -69,6 +70,7 @@ pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
 
 /// `-m_K g · p_G_K`.
 fn of_weight(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
+    graph.begin(Purpose::Energy);
     let relative = orientation::relative(graph, tree);
     let origins = position::origin(graph, tree, &relative);
     let centers = position::mass_center(graph, tree, &origins);
@@ -110,6 +112,7 @@ fn linear_momenta(
     tree: &Tree,
     rotational: &velocity::Rotational,
 ) -> BodyMap<Vector> {
+    graph.begin(Purpose::Momentum);
     let v_origin = velocity::origin(graph, tree, rotational);
     let v = velocity::mass_center(graph, tree, rotational, &v_origin);
     BodyMap::outward(tree.bodies.len(), |body, _| {

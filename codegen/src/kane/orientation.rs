@@ -1,7 +1,7 @@
 //! Transformation matrices of all bodies, Eqs. (2)-(5).
 
 use crate::{
-    expr::{Expr, ExprGraph, Input, Matrix},
+    expr::{Expr, ExprGraph, Input, Matrix, Purpose},
     given::{self, orientation},
     id::BodyMap,
     tree::{ChartCoordinates, Orientation, Tree},
@@ -9,6 +9,7 @@ use crate::{
 
 /// `JR_K`, Eq. (4), after the constant `A_K`: lower-body components to body components, for every body.
 pub fn relative(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Matrix> {
+    graph.begin(Purpose::Rotation);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let joint = &tree.body(body).joint;
@@ -22,6 +23,7 @@ pub fn relative(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Matrix> {
 
 /// `R_K = JR_K R_J`, Eq. (3): inertial components to body components, for every body.
 pub fn absolute(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> BodyMap<Matrix> {
+    graph.begin(Purpose::Rotation);
     BodyMap::outward(tree.bodies.len(), |body, rotations| {
         graph.enter(body);
         let Some(lower) = tree.lower(body) else {

@@ -1,7 +1,7 @@
 //! Positions, Eqs. (22), (23).
 
 use crate::{
-    expr::{ExprGraph, Matrix, Vector},
+    expr::{ExprGraph, Matrix, Purpose, Vector},
     given,
     id::BodyMap,
     tree::Tree,
@@ -9,6 +9,7 @@ use crate::{
 
 /// `p_O_K = JR_K (p_O_J + q_K + s_K)`, Eq. (22): from the inertial origin, body components, for every body.
 pub fn origin(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> BodyMap<Vector> {
+    graph.begin(Purpose::Position);
     BodyMap::outward(tree.bodies.len(), |body, origins| {
         graph.enter(body);
         let mut position = given::offset(graph, tree.body(body));
@@ -27,6 +28,7 @@ pub fn mass_center(
     tree: &Tree,
     origins: &BodyMap<Vector>,
 ) -> BodyMap<Vector> {
+    graph.begin(Purpose::Position);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let r = given::mass_center(graph, tree.body(body));

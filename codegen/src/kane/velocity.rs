@@ -2,7 +2,7 @@
 
 use super::{angular, orientation};
 use crate::{
-    expr::{ExprGraph, Matrix, Vector, transpose},
+    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
     geometry::IDENTITY,
     given::{self, Accelerations},
     id::BodyMap,
@@ -58,6 +58,7 @@ fn shift_block(graph: &mut ExprGraph, joint: &Joint) -> Block {
 
 /// `v_O_K = LJR_J v_O_J + s_dot_K + tilde(w_J)(q_K + s_K)`, Eq. (25): lower-body components, for every body.
 pub fn origin(graph: &mut ExprGraph, tree: &Tree, rotational: &Rotational) -> BodyMap<Vector> {
+    graph.begin(Purpose::Velocity);
     BodyMap::outward(tree.bodies.len(), |body, v| {
         graph.enter(body);
         let s_dot = shift_velocity(graph, &tree.body(body).joint);
@@ -84,6 +85,7 @@ pub fn mass_center(
     rotational: &Rotational,
     v_origin: &BodyMap<Vector>,
 ) -> BodyMap<Vector> {
+    graph.begin(Purpose::Velocity);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let carried = graph.mul_vector(&rotational.relative[body], v_origin[body]);
@@ -98,6 +100,7 @@ pub fn mass_center(
 /// `V_O_K = LJR_J V_O_J - tilde(q_K + s_K) W_J + [0 .. 1 at N + K .. 0]`, Eqs. (28)-(30), and
 /// `V_G_K = JR_K V_O_K - tilde(r_K) W_K`, Eq. (32), with `W_K` of Eq. (15).
 pub fn partials(graph: &mut ExprGraph, tree: &Tree, relative: &BodyMap<Matrix>) -> Partials {
+    graph.begin(Purpose::PartialVelocity);
     let angular = angular::partial(graph, tree, relative);
     let origin = BodyMap::outward(tree.bodies.len(), |body, rows: &BodyMap<Row>| {
         graph.enter(body);
@@ -138,6 +141,7 @@ pub fn partials_dot(
     rotational: &Rotational,
     partials: &Partials,
 ) -> Partials {
+    graph.begin(Purpose::PartialVelocityDot);
     let Rotational {
         relative, w_rel, ..
     } = rotational;
@@ -202,6 +206,7 @@ pub fn accelerations(
     tree: &Tree,
     accelerations: Accelerations<'_>,
 ) -> BodyAccelerations {
+    graph.begin(Purpose::Acceleration);
     let rotational = rotational(graph, tree);
     let Rotational { relative, w_rel, w } = &rotational;
     let alpha = angular::acceleration(graph, tree, relative, w_rel, w, accelerations);

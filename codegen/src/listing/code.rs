@@ -6,11 +6,13 @@ use std::collections::BTreeMap;
 use super::{
     Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement,
     group::Groups,
+    headings,
     stores::{Stores, is_field},
 };
 use crate::{
     expr::Input,
     program::{Definition, Instruction, Operand, Operation, Program, ValueId},
+    tree::Tree,
 };
 
 /// The most angles that are taken together. Of a hundred and more a compiler makes a loop. Fewer cost time: of values that stand
@@ -23,6 +25,8 @@ pub(super) struct ProgramContext<'a> {
     pub(super) groups: &'a Groups,
     /// The names of the values that have a local.
     pub(super) names: &'a [String],
+    /// Whose bodies they are.
+    pub(super) tree: &'a Tree,
     /// Where inputs stand.
     pub(super) entry: &'a dyn Fn(Input) -> Entry,
 }
@@ -35,6 +39,7 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entr
         held: vec![None; program.values.len()],
         taken: BTreeMap::new(),
         stores: BTreeMap::new(),
+        headings: headings::of(program, known.groups, known.tree),
         code: Code::default(),
     };
     let Stores {
@@ -62,6 +67,8 @@ struct Writer<'a> {
     taken: BTreeMap<ValueId, Expression>,
     /// What is not stored yet.
     stores: BTreeMap<ValueId, Vec<(Entry, Operand)>>,
+    /// What stands before statements that are not written yet.
+    headings: BTreeMap<ValueId, String>,
     code: Code,
 }
 
@@ -70,6 +77,9 @@ impl Writer<'_> {
         match instruction {
             Instruction::Compute { result, operation } => {
                 if self.known.groups.inlined(*result).is_none() {
+                    let heading = self.headings.remove(result);
+                    let heading = heading.map(Statement::Heading);
+                    self.code.statements.extend(heading);
                     self.read_by(*operation);
                     let value = self.operation(*operation);
                     self.assign(*result, value);

@@ -16,6 +16,7 @@ mod facts;
 mod frame_speeds;
 mod function;
 mod group;
+mod headings;
 mod joint;
 mod limits;
 mod local;

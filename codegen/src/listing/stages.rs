@@ -301,6 +301,7 @@ impl<'a> Cut<'a> {
                 let place = self.entry(place);
                 Statement::Store { place, value }
             }
+            Statement::Heading(words) => Statement::Heading(words.clone()),
             Statement::Fence => Statement::Fence,
         }
     }

@@ -57,6 +57,8 @@ pub enum Statement {
         /// The number.
         value: Expression,
     },
+    /// No instruction: words about the statements that follow.
+    Heading(String),
     /// No instruction: stores before it are not joined with those after it, as a compiler does with many zeros.
     Fence,
 }
@@ -88,6 +90,7 @@ impl Statement {
             Self::SinCosArray { .. }
             | Self::StoreSinCos { .. }
             | Self::Store { .. }
+            | Self::Heading(_)
             | Self::Fence => [None; 2],
         };
         pair.into_iter().flatten()
@@ -99,7 +102,7 @@ impl Statement {
             Self::Assign { value, .. } | Self::Store { value, .. } => std::slice::from_ref(value),
             Self::SinCos { angle, .. } => std::slice::from_ref(angle),
             Self::SinCosArray { angles, .. } | Self::StoreSinCos { angles, .. } => angles,
-            Self::Fence => &[],
+            Self::Heading(_) | Self::Fence => &[],
         }
     }
 

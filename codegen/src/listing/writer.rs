@@ -102,6 +102,7 @@ impl<'a> Writer<'a> {
         let known = ProgramContext {
             groups: &groups,
             names: &names,
+            tree: self.tree,
             entry: &|input| self.entry(input, signature, given),
         };
         code::of(program, &known, places)

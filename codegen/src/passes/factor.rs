@@ -24,7 +24,7 @@ fn once(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>, bool) {
     let mut rebuilt = Rebuilt::new(old);
     let mut changed = false;
     for id in old.ids().filter(|id| sums.uses[id.index()] > 0) {
-        graph.enter(old.scope(id));
+        graph.enter_like(old, id);
         let is_head = sums.is_local_sum(id) && !sums.absorbed[id.index()];
         let terms = if is_head { sums.factored(id) } else { None };
         changed |= terms.is_some();

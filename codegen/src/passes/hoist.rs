@@ -45,7 +45,7 @@ pub fn run(
     let mut graph = ExprGraph::with_capacity(old.len());
     for id in old.ids().filter(|id| needed[id.index()]) {
         if old.binding(id) != Binding::State {
-            preparation.graph.enter(old.scope(id));
+            preparation.graph.enter_like(old, id);
             let expr = outside.copy(&mut preparation.graph, old, id);
             preparation.graph.name_like(expr, old, Expr::of(id));
             outside.set(id, expr);
@@ -64,7 +64,7 @@ pub fn run(
         boundary[root.node().index()] = true;
     }
     for id in old.ids().filter(|id| needed[id.index()]) {
-        graph.enter(old.scope(id));
+        graph.enter_like(old, id);
         let expr = match old.binding(id) {
             Binding::Parameters if !boundary[id.index()] => continue,
             Binding::Parameters => {

@@ -48,7 +48,7 @@ pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec
     let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(old);
     for id in old.ids().filter(|id| needed[id.index()]) {
-        graph.enter(old.scope(id));
+        graph.enter_like(old, id);
         let pair = match old.node(id) {
             Node::Sin(angle) | Node::Cos(angle) => {
                 pair(&mut graph, old, &rebuilt, &places, Expr::of(angle))

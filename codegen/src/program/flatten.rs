@@ -81,6 +81,7 @@ impl Flattening<'_> {
         self.program.values.push(ValueFacts {
             definition,
             scope: self.graph.scope(id),
+            purpose: self.graph.purpose(id),
             label,
         });
         ValueId(value)

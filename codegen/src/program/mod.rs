@@ -19,7 +19,10 @@ pub(crate) use name::InputNames;
 pub use name::prepared_fields;
 pub use verify::{VerifyError, verify};
 
-use crate::{expr::Input, id::BodyId};
+use crate::{
+    expr::{Input, Purpose},
+    id::BodyId,
+};
 
 /// A value: what an instruction assigns, or an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,6 +46,8 @@ pub struct ValueFacts {
     pub definition: Definition,
     /// The body that it belongs to.
     pub scope: Option<BodyId>,
+    /// What it is for.
+    pub purpose: Purpose,
     /// The quantity and component, where a reader would know them.
     pub label: Option<String>,
 }

@@ -18,7 +18,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     given::{self, Accelerations, Loads},
     id::{BodyId, BodyMap, SpeedId},
     solve::Partitioned,
@@ -124,6 +124,7 @@ fn met(
         passages,
         ..
     } = linkage;
+    graph.begin(Purpose::Articulated);
     let mut inertias = BodyMap::outward(tree.bodies.len(), |body, _| {
         Inertia::Rigid(links[body].inertia)
     });
@@ -165,6 +166,7 @@ fn recovered(
     side: usize,
 ) -> Partitioned {
     let Linkage { tree, passages, .. } = linkage;
+    graph.begin(Purpose::Accelerations);
     let none = vec![graph.zero(); tree.n_speeds];
     let mut found = Partitioned {
         accelerations: none.clone(),

@@ -13,7 +13,7 @@ use super::{
     rotation::Turn,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     given::{self, Accelerations},
     id::{BodyId, BodyMap},
     kane::center::Momentum,
@@ -96,6 +96,7 @@ struct Weight {
 
 /// All of it, about the origin of the first link on the inertial frame, inertial components.
 fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Weight {
+    graph.begin(Purpose::Momentum);
     let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| Weight {
         mass: links[body].inertia.mass,
         moment: links[body].inertia.moment,

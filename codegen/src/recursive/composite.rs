@@ -12,7 +12,7 @@ use super::{
     speed_matrix,
 };
 use crate::{
-    expr::{ExprGraph, Vector},
+    expr::{ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -32,6 +32,7 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
         passages,
         ..
     } = linkage;
+    graph.begin(Purpose::Composite);
     let mut shortcuts = Shortcuts::new(graph, linkage);
     let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());

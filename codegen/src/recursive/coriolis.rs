@@ -19,7 +19,7 @@ use super::{
     speed_matrix,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -29,6 +29,7 @@ use crate::{
 pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let velocities = velocities(graph, &linkage);
+    graph.begin(Purpose::Column);
     let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
         Moments::of(&linkage.links[body])
     });
@@ -80,6 +81,7 @@ struct Moving {
 }
 
 fn velocities(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Moving> {
+    graph.begin(Purpose::Velocity);
     let tree = linkage.tree;
     BodyMap::outward(tree.bodies.len(), |body, moving: &BodyMap<Moving>| {
         graph.enter(body);

@@ -9,7 +9,7 @@ use super::{
     rotation::Turn,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     given::{self, mechanics},
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
@@ -18,7 +18,9 @@ use crate::{
 /// `1/2 (m_K v_G_K · v_G_K + w_K · I_K w_K)` and that of the rotors of its joint, J, of each body.
 pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
     let links = link::links(graph, tree, &whole(plan));
+    graph.begin(Purpose::Velocity);
     let velocities = link_velocity::velocities(graph, tree, &links);
+    graph.begin(Purpose::Energy);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let (link, velocity) = (&links[body], velocities[body]);
@@ -44,6 +46,7 @@ pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyM
 /// `-m_K g · p_G_K`, zero at the inertial origin, and that of the springs of its joint, J, of each body.
 pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
     let links = link::links(graph, tree, &whole(plan));
+    graph.begin(Purpose::Energy);
     let gravity = given::gravity(graph, tree);
     let depths = BodyMap::outward(tree.bodies.len(), |body, depths: &BodyMap<Depth>| {
         graph.enter(body);

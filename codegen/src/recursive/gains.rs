@@ -13,7 +13,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap, SpeedId},
     solve::{FactorRow, Factors},
     tree::{Motion, Tree},
@@ -23,6 +23,7 @@ use crate::{
 pub(super) fn factors(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Factors {
     let Linkage { tree, passages, .. } = linkage;
     let gains = articulated::gains(graph, linkage);
+    graph.begin(Purpose::Factors);
     let mut gained = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Gained>::new());
     let mut order = Vec::new();
     let mut rows = BTreeMap::new();

@@ -12,7 +12,7 @@ use super::{
     wrench,
 };
 use crate::{
-    expr::{Axis, Expr, ExprGraph, Vector, negated},
+    expr::{Axis, Expr, ExprGraph, Purpose, Vector, negated},
     given,
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
@@ -37,6 +37,7 @@ struct Upward {
 /// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`.
 pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Weight);
     let gravity = given::gravity(graph, tree);
     let upward = BodyMap::outward(tree.bodies.len(), |body, upward: &BodyMap<Upward>| {
         let below = tree.lower(body).map(|lower| upward[lower].a);

@@ -9,7 +9,7 @@ use super::{
     wrench::{self, Wrench},
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     given::{Accelerations, Loads},
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
@@ -75,6 +75,7 @@ pub(super) fn project(
     mut wrenches: BodyMap<Wrench>,
 ) -> Vec<Expr> {
     let Linkage { tree, passages, .. } = linkage;
+    graph.begin(Purpose::Forces);
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);

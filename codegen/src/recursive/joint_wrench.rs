@@ -9,7 +9,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{ExprGraph, Vector},
+    expr::{ExprGraph, Purpose, Vector},
     given::{Accelerations, Loads},
     id::BodyMap,
     tree::Tree,
@@ -21,6 +21,7 @@ pub fn joint_wrenches(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMa
     let plan = plan.with(Technique::Regroup, false);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let mut wrenches = loaded::needed(graph, &linkage, Accelerations::Given, Loads::Given);
+    graph.begin(Purpose::Forces);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut passing = wrenches[body];

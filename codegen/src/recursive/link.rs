@@ -14,7 +14,7 @@ use super::{
     rounding,
 };
 use crate::{
-    expr::{ExprGraph, Matrix, Symmetric, Vector},
+    expr::{ExprGraph, Matrix, Purpose, Symmetric, Vector},
     geometry, given,
     id::{BodyId, BodyMap},
     tree::{Body, Tree},
@@ -47,6 +47,7 @@ pub(super) struct Phased {
 
 /// The links of a plan.
 pub(super) fn links(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Link> {
+    graph.begin(Purpose::Joint);
     let layouts = layout::layouts(graph, tree, plan);
     let alone = BodyMap::outward(tree.bodies.len(), |body, _| {
         alone(graph, tree, body, &layouts[body])

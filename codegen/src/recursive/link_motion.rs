@@ -13,7 +13,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Matrix, Vector, negated},
+    expr::{Axis, ExprGraph, Matrix, Purpose, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap},
     tree::{Joint, Motion},
@@ -44,6 +44,7 @@ pub(super) fn motions(
     let Linkage {
         tree, links, falls, ..
     } = linkage;
+    graph.begin(Purpose::Motion);
     let gravity = given::gravity(graph, tree);
     BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<LinkMotion>| {
         graph.enter(body);
@@ -69,6 +70,7 @@ pub(super) fn inertial_wrenches(
     let Linkage { tree, links, .. } = linkage;
     let by_second = linkage.plan.uses(Technique::SecondMoments);
     let motions = motions(graph, linkage, accelerations);
+    graph.begin(Purpose::Needed);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let (link, motion) = (&links[body], &motions[body]);

@@ -12,7 +12,7 @@ use super::{
     rotation::Turn,
 };
 use crate::{
-    expr::{ExprGraph, Matrix, Vector, transpose},
+    expr::{ExprGraph, Matrix, Purpose, Vector, transpose},
     given,
     id::{BodyId, BodyMap},
     kane::center::Momentum,
@@ -97,6 +97,7 @@ fn arrived(
     let stands = stands(graph, linkage);
     let roots = tree.body_ids().filter(|body| tree.lower(*body).is_none());
     let n_roots = roots.count();
+    graph.begin(Purpose::Momentum);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut arrived = Vec::new();
     for body in tree.body_ids().rev() {
@@ -167,6 +168,7 @@ fn stands(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Option<Stand>
     let Linkage {
         tree, links, plan, ..
     } = linkage;
+    graph.begin(Purpose::Position);
     let mut carried = BodyMap::outward(tree.bodies.len(), |_, _| 0);
     for body in tree.body_ids().rev() {
         if let Some(lower) = tree.lower(body) {

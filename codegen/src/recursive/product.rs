@@ -10,7 +10,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     given::{self, Accelerations},
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
@@ -19,6 +19,7 @@ use crate::{
 /// `A y_dot`, Eq. (42) without rotors.
 pub fn mass_matrix_product(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, plan);
+    graph.begin(Purpose::Accelerations);
     let starts = BodyMap::outward(tree.bodies.len(), |body, starts: &BodyMap<Starting>| {
         graph.enter(body);
         let still = graph.zero_vector();
@@ -32,6 +33,7 @@ pub fn mass_matrix_product(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> V
         graph.name_vector(starting.a, "a");
         starting
     });
+    graph.begin(Purpose::Needed);
     let wrenches = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let (inertia, Starting { alpha, a }) = (&linkage.links[body].inertia, starts[body]);

@@ -17,7 +17,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Axis, Expr, ExprGraph, Vector},
+    expr::{Axis, Expr, ExprGraph, Purpose, Vector},
     given::{self, Accelerations},
     id::{BodyId, BodyMap, SpeedId},
     kane::regressor::{COMPONENTS, PARAMETERS, place},
@@ -30,6 +30,7 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let whole = plan.with(Technique::Regroup, false);
     let linkage = Linkage::of_speeds(graph, tree, &whole);
     let motions = link_motion::motions(graph, &linkage, Accelerations::Given);
+    graph.begin(Purpose::Regressor);
     let mut columns = BodyMap::outward(tree.bodies.len(), |body, _| {
         let link = &linkage.links[body];
         own_columns(graph, tree, body, link, &motions[body], &shared[body])

@@ -9,7 +9,7 @@ use super::{
     elimination_order, inverse,
 };
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Purpose},
     id::BodyId,
     tree::Tree,
 };
@@ -40,6 +40,7 @@ pub(super) fn factorised(
     order: Vec<BodySpeed>,
     carriers: &Carriers,
 ) -> Factors {
+    graph.begin(Purpose::Factors);
     let mut elimination = Elimination {
         tree,
         carriers,

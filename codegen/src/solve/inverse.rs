@@ -7,7 +7,7 @@
 
 use super::{BodySpeed, Carriers, Factors, SpeedMatrix, felt::Felt, inverse, reduced::Reduced};
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Purpose},
     tree::Tree,
 };
 
@@ -15,6 +15,7 @@ impl Factors {
     /// `A^-1`; what is structurally zero is the number zero. What branches feel passes through the carriers that
     /// [`factorise_on_carriers`](super::factorise_on_carriers) was given.
     pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, carriers: &Carriers) -> SpeedMatrix {
+        graph.begin(Purpose::Inverse);
         let n = self.order.len();
         let mut reduced = Reduced::new(self, carriers);
         let mut felt = Felt::new(tree, carriers);

@@ -22,7 +22,7 @@ pub use carriers::{Carriers, RootMotion};
 pub use partitioned::{Partitioned, partitioned};
 
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Purpose},
     id::{BodyId, SpeedId},
     tree::Tree,
 };
@@ -128,6 +128,7 @@ impl Factors {
 
     /// `L^-T b`: the first half of a solution.
     fn eliminated(&self, graph: &mut ExprGraph, mut b: Vec<Expr>) -> Vec<Expr> {
+        graph.begin(Purpose::Solution);
         for (&k, row) in self.order.iter().zip(&self.couplings) {
             for &(speed, factor) in row {
                 graph.enter(speed.body);
@@ -140,6 +141,7 @@ impl Factors {
 
     /// `D^-1 b`.
     fn scaled(&self, graph: &mut ExprGraph, b: &[Expr]) -> Vec<Expr> {
+        graph.begin(Purpose::Solution);
         let mut scaled = b.to_vec();
         for &k in &self.order {
             graph.enter(k.body);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{SpeedMatrix, carried::factorised, carriers::Carriers, elimination_order, subtract};
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Purpose},
     id::SpeedId,
     tree::Tree,
 };
@@ -28,6 +28,7 @@ pub fn partitioned(
     mut tau: Vec<Expr>,
     needed: &[Expr],
 ) -> Partitioned {
+    graph.begin(Purpose::Solution);
     let mut order = elimination_order(tree);
     order.retain(|own| !prescribed.contains(&own.speed));
     // From the inertial frame outward, as accelerations follow.

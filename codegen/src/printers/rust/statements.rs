@@ -2,7 +2,12 @@
 
 use syn::{Stmt, parse_quote};
 
-use super::{declarations::Declarations, expression::Writer, syntax, text::ident};
+use super::{
+    declarations::Declarations,
+    expression::Writer,
+    syntax,
+    text::{comment, ident},
+};
 use crate::listing::{Entry, Expression, LocalId, Statement};
 
 /// All of them.
@@ -13,7 +18,8 @@ pub(super) fn of(writer: &Writer<'_>) -> Vec<Stmt> {
 /// Those that assign locals.
 pub(super) fn without_stores(writer: &Writer<'_>) -> Vec<Stmt> {
     those(writer, |statement| {
-        !matches!(statement, Statement::Store { .. } | Statement::Fence)
+        let is_store = matches!(statement, Statement::Store { .. } | Statement::Fence);
+        !is_store && !matches!(statement, Statement::Heading(_))
     })
 }
 
@@ -87,6 +93,7 @@ fn print(
             let value = writer.expression(value);
             printed.push(syntax::assign(writer.entry(place), value));
         }
+        Statement::Heading(words) => printed.push(comment(words)),
         Statement::Fence => printed.push(parse_quote! {
             core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
         }),

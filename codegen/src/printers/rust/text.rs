@@ -2,21 +2,47 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
-use syn::{File, Item};
+use syn::{File, Item, Stmt, parse_quote};
+
+/// What stands for a comment until it is printed: syntax has none.
+const COMMENT: &str = "kane_comment!(\"";
 
 /// Items as prettyplease prints them, each after an empty line.
 pub(super) fn printed(items: Vec<Item>) -> String {
     let mut text = String::new();
     for item in items {
         text.push('\n');
-        text.push_str(&prettyplease::unparse(&File {
+        let printed = prettyplease::unparse(&File {
             shebang: None,
             frontmatter: None,
             attrs: Vec::new(),
             items: vec![item],
-        }));
+        });
+        text.push_str(&with_comments(printed));
     }
     text
+}
+
+/// A statement that is printed as a comment. The words hold no quote.
+pub(super) fn comment(words: &str) -> Stmt {
+    parse_quote!(kane_comment!(#words);)
+}
+
+/// The text with comments where their statements stand, each on a line of its own.
+fn with_comments(printed: String) -> String {
+    if !printed.contains(COMMENT) {
+        return printed;
+    }
+    let line = |line: &str| {
+        let indent = &line[..line.len() - line.trim_start().len()];
+        let words = line.trim_start().strip_prefix(COMMENT);
+        let words = words.and_then(|rest| rest.strip_suffix("\");\n"));
+        match words {
+            Some(words) => format!("{indent}// {words}\n"),
+            None => line.to_owned(),
+        }
+    };
+    printed.split_inclusive('\n').map(line).collect()
 }
 
 /// Where a module comes from, as comments.

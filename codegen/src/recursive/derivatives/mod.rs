@@ -31,7 +31,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{ExprGraph, Vector},
+    expr::{ExprGraph, Purpose, Vector},
     given::{Accelerations, Loads},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
@@ -59,6 +59,7 @@ pub fn of_inverse_dynamics(
 ) -> Derivatives {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let mut wrenches = loaded::needed(graph, &linkage, accelerations, loads);
+    graph.begin(Purpose::Derivative);
     let ways = ways(graph, &linkage, accelerations);
     let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
         Moments::of(&linkage.links[body])

@@ -2,7 +2,7 @@
 
 use super::reach::{Reach, path};
 use crate::{
-    expr::{Expr, ExprGraph, Vector, transpose},
+    expr::{Expr, ExprGraph, Purpose, Vector, transpose},
     given,
     id::BodyId,
     recursive::{
@@ -24,6 +24,7 @@ pub fn generalized_force(
     frame: NamedFrame,
 ) -> Vec<Expr> {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let path = path(tree, frame);
     let mut coming = Coming {
         wrench: given(graph),
@@ -57,6 +58,7 @@ pub fn local_generalized_force(
     frame: NamedFrame,
 ) -> Vec<Expr> {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let Reach { axes, position } = Reach::of(graph, tree, &links, frame);
     let back = transpose(&axes);
     let wrench = given(graph).map(|v| graph.mul_vector(&back, v));

@@ -5,7 +5,7 @@
 
 use super::reach::{Reach, path};
 use crate::{
-    expr::{ExprGraph, Vector, negated},
+    expr::{ExprGraph, Purpose, Vector, negated},
     given::{self, Accelerations, FrameMotion},
     id::{BodyId, BodyMap},
     recursive::{
@@ -21,6 +21,7 @@ use crate::{
 /// Velocity in the inertial frame, inertial components.
 pub fn velocity(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, frame: NamedFrame) -> FrameMotion {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let mut seen = Moving::of(graph, tree, &links, frame, None);
     seen.walk(graph, tree, &links, frame);
     seen.velocity
@@ -35,6 +36,7 @@ pub fn acceleration(
     accelerations: Accelerations<'static>,
 ) -> FrameMotion {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let mut seen = Moving::of(graph, tree, &links, frame, Some(accelerations));
     seen.walk(graph, tree, &links, frame);
     seen.acceleration
@@ -48,6 +50,7 @@ pub fn local_velocity(
     frame: NamedFrame,
 ) -> FrameMotion {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let mut carried = LinkVelocity::zero(graph);
     for body in path(tree, frame).into_iter().rev() {
         graph.enter(body);
@@ -101,6 +104,7 @@ fn accelerated(
     (accelerations, base): (Accelerations<'static>, Vector),
 ) -> Accelerated {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let mut carried = Thrown {
         accelerations,
         angular: graph.zero_vector(),

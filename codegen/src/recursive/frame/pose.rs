@@ -5,7 +5,7 @@ use super::{
     seen,
 };
 use crate::{
-    expr::{ExprGraph, Matrix, Vector},
+    expr::{ExprGraph, Matrix, Purpose, Vector},
     given::FramePose,
     id::{BodyId, BodyMap},
     recursive::{
@@ -33,6 +33,7 @@ pub fn pose(
         return seen::pose(graph, tree, plan, frame, from);
     }
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let mut carried = Carried::of(graph, tree, &links, frame);
     for (place, body) in path(tree, frame).into_iter().enumerate() {
         graph.enter(body);

@@ -6,7 +6,7 @@
 
 use super::reach::{Reach, path};
 use crate::{
-    expr::{ExprGraph, Matrix, Vector, negated, transpose},
+    expr::{ExprGraph, Matrix, Purpose, Vector, negated, transpose},
     given::{FrameMotion, FramePose},
     id::{BodyId, BodyMap, SpeedId},
     recursive::{
@@ -28,6 +28,7 @@ pub(super) fn pose(
     from: Option<NamedFrame>,
 ) -> FramePose {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let Seen { axes, way } = Seen::of(graph, tree, &links, frame, from);
     FramePose {
         rotation: axes,
@@ -45,6 +46,7 @@ pub fn jacobian(
     from: Option<NamedFrame>,
 ) -> Vec<(SpeedId, FrameMotion)> {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let Seen { axes, mut way } = Seen::of(graph, tree, &links, frame, from);
     if let Some(point) = point {
         graph.enter(tree.frame_body(frame));
@@ -64,6 +66,7 @@ pub fn local_jacobian(
     (frame, point): (NamedFrame, Option<Vector>),
 ) -> Vec<(SpeedId, FrameMotion)> {
     let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Frame);
     let mut walk = Walk::begin(graph, tree, &links, Some(frame));
     for body in path(tree, frame) {
         graph.enter(body);
