@@ -172,6 +172,13 @@ impl ExprGraph {
         }
     }
 
+    /// Labels each component by a text of its own.
+    pub fn name_each(&mut self, v: Vector, texts: [&str; 3]) {
+        for (component, text) in v.into_iter().zip(texts) {
+            self.name(component, text);
+        }
+    }
+
     /// Labels the entries of a matrix `text_xx`, `text_xy`, and so on.
     pub fn name_matrix(&mut self, m: &Matrix, text: &str) {
         for (row, axis) in m.iter().zip(Axis::ALL) {

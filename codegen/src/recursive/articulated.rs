@@ -9,7 +9,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     articulated_inertia::Inertia,
-    inertia,
     linkage::Linkage,
     loaded,
     passage::{Drive, Passenger},
@@ -139,10 +138,11 @@ fn met(
             prescribed,
             met: &mut met,
         };
-        resisting.name(graph);
+        resisting.name(graph, "");
         passages[body].inward_to_joint(graph, &mut resisting);
         if let Some(lower) = tree.lower(body) {
             passages[body].inward_from_joint(graph, &mut resisting);
+            resisting.name(graph, "_on_lower");
             let Resisting {
                 inertia,
                 wrenches: arrived,
@@ -291,19 +291,13 @@ impl Passenger for Resisting<'_> {
 }
 
 impl Resisting<'_> {
-    fn name(&self, graph: &mut ExprGraph) {
+    /// Labels wrenches and inertia, with what tells where they have come.
+    fn name(&self, graph: &mut ExprGraph, at: &str) {
         for wrench in &self.wrenches {
-            graph.name_vector(wrench.force, "f");
-            graph.name_vector(wrench.moment, "n");
+            graph.name_vector(wrench.force, &format!("f{at}"));
+            graph.name_vector(wrench.moment, &format!("n{at}"));
         }
-        match &self.inertia {
-            Inertia::Rigid(composite) => inertia::name(graph, &composite.inertia, "composite"),
-            Inertia::Articulated(own) => {
-                inertia::name(graph, &own.angular, "articulated");
-                graph.name_matrix(&own.coupling, "coupling");
-                inertia::name(graph, &own.linear, "carried");
-            }
-        }
+        self.inertia.name(graph, at);
     }
 
     /// A motion of a joint enters, if there is one: it is eliminated, or where it is prescribed passed by.
@@ -378,6 +372,7 @@ impl Resisting<'_> {
         let own = own.collect();
         self.inertia = Inertia::of_rows(graph, &rows);
         self.wrenches = needed.into_iter().map(Wrench::of_parts).collect();
+        self.name(graph, &format!("_past_{name}"));
         Eliminated {
             place,
             own,

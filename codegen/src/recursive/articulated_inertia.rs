@@ -1,6 +1,9 @@
 //! Articulated inertias: how a link with all that it carries resists, when some of what it carries can move.
 
-use super::{inertia::Composite, rotation::Turn};
+use super::{
+    inertia::{self, Composite},
+    rotation::Turn,
+};
 use crate::expr::{Expr, ExprGraph, Matrix, Symmetric, Vector, transpose};
 
 /// What relates a link's acceleration to the wrench it needs, about its origin: for a rigid body ten numbers, in general 21.
@@ -30,6 +33,20 @@ impl Inertia {
                 coupling: turn.backward_matrix(graph, &own.coupling),
                 linear: turn.backward_symmetric(graph, &own.linear),
             }),
+        }
+    }
+
+    /// Labels the components, with what tells where it has come.
+    pub(super) fn name(&self, graph: &mut ExprGraph, at: &str) {
+        match self {
+            Self::Rigid(composite) => {
+                inertia::name(graph, &composite.inertia, &format!("composite{at}"));
+            }
+            Self::Articulated(own) => {
+                inertia::name(graph, &own.angular, &format!("articulated{at}"));
+                graph.name_matrix(&own.coupling, &format!("coupling{at}"));
+                inertia::name(graph, &own.linear, &format!("carried{at}"));
+            }
         }
     }
 
