@@ -52,9 +52,9 @@ pub enum Error {
     /// Joints whose accelerations cannot be prescribed.
     #[error("{}", in_words(.0))]
     Prescribed(Vec<PrescribedFault>),
-    /// A name of a module with which names in C cannot begin.
+    /// A name of a module that files beside it cannot use.
     #[error(
-        "the module is called `{}`; names in C begin with that: {EXPECTED_NAME}",
+        "the module is called `{}`; files beside it name it: {EXPECTED_NAME}",
         name.escape_debug()
     )]
     ModuleName {

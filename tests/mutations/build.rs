@@ -79,6 +79,8 @@ impl System {
     fn generate(name: &'static str, build: Build) -> Result<Self, Failure> {
         let module = fs::read_to_string(build.name(name).with_tests().run()?)?;
         let tests = fs::read_to_string(out()?.join(format!("{name}_tests.rs")))?;
+        // They stand inside their module, not beside it.
+        let tests = tests.replace(&format!("use super::{name}::*;\n"), "");
         Ok(Self {
             name,
             module,

@@ -69,7 +69,7 @@ fn texts(kind: CompanionKind, given: &Given<'_>, name: &str) -> Result<Vec<Strin
         CompanionKind::Manifest => vec![json::manifest(module)],
         CompanionKind::Tests => {
             let (samples, values) = samples::of(given.tree, given.compiled, module)?;
-            vec![rust::self_tests(module, &samples, &values)]
+            vec![rust::self_tests(module, name, &samples, &values)]
         }
         CompanionKind::Abi(Abi::C) => vec![rust::interface(module, name), c::header(module, name)],
     })

@@ -53,7 +53,7 @@ impl Output {
         let name = name.to_string_lossy().into_owned();
         if !companion::can_be_beside(companions, &name) {
             let fault = Diagnostic::error(format!(
-                "{} is `{}`; names in C begin with the module's",
+                "{} is `{}`; files beside the module name it",
                 system.what("output"),
                 module.value
             ));

@@ -84,9 +84,9 @@ impl CompanionKind {
         }
     }
 
-    /// True where its files know the module by its name, with which names in C begin.
+    /// True where its files name the module.
     fn names_module(self) -> bool {
-        matches!(self, Self::Abi(_))
+        matches!(self, Self::Tests | Self::Abi(_))
     }
 }
 
@@ -99,11 +99,11 @@ pub(crate) fn beside(module: &Path, ending: &str) -> PathBuf {
 
 /// True where files of these kinds can stand beside a module of this name.
 pub fn can_be_beside(kinds: &BTreeSet<CompanionKind>, name: &str) -> bool {
-    !kinds.iter().any(|kind| kind.names_module()) || is_of_c(name)
+    !kinds.iter().any(|kind| kind.names_module()) || is_name(name)
 }
 
-/// True for a name with which those in C can begin.
-fn is_of_c(name: &str) -> bool {
+/// True for a name that a module of Rust can have, and with which names in C can begin.
+fn is_name(name: &str) -> bool {
     let is_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
     name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(is_of_name)

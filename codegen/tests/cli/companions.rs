@@ -258,6 +258,7 @@ fn tests_stand_beside_their_module_and_name_its_functions() {
         .map(|(name, _)| name)
         .collect();
     assert_eq!(names, ["mass_matrix", "q_dot", "bias"]);
+    assert!(tests.contains("\nuse super::arm::*;\n"), "{tests}");
     for name in names {
         assert!(
             tests.contains(&format!("fn {name}_has_its_values(")),

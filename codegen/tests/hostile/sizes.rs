@@ -295,6 +295,7 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
     };
     let tested = Options {
         companions: [CompanionKind::Tests].into(),
+        module: "module".to_owned(),
         ..named("mass_matrix_packed")
     };
     let factorised = Options {
@@ -340,6 +341,7 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
             1200,
             Options {
                 companions: [CompanionKind::Tests].into(),
+                module: "module".to_owned(),
                 ..named("q_dot")
             },
             "the functions, `inverse_dynamics` most of all, have for the tests 5764800 terms; expected at most 4000000",

@@ -18,14 +18,20 @@ use crate::{
     tree::Parameter,
 };
 
-/// The text of the tests.
-pub(crate) fn self_tests(module: &Module, samples: &[Sample], functions: &[Sampled]) -> String {
+/// The text of the tests of the module `name`, which stands beside theirs.
+pub(crate) fn self_tests(
+    module: &Module,
+    name: &str,
+    samples: &[Sample],
+    functions: &[Sampled],
+) -> String {
     let mut text = banner(&module.facts.origin.lines());
-    text.push_str(
-        "// Stands where the module's names are known:\n\
-         //     #[cfg(test)] mod tests { use super::module::*; include!(\"module_tests.rs\"); }\n",
-    );
-    let mut items = states(module, samples);
+    let what =
+        format!("// Tests of the module `{name}`: `mod {name}; #[cfg(test)] mod {name}_tests;`.\n");
+    text.push_str(&what);
+    let name = ident(name);
+    let mut items = vec![parse_quote!(use super::#name::*;)];
+    items.extend(states(module, samples));
     let sampled = module.functions.iter().zip(functions);
     items.extend(sampled.map(|(function, sampled)| values(function, sampled)));
     items.extend(identities(module));

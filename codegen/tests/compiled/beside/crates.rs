@@ -38,6 +38,7 @@ impl Tested {
         let options = Options {
             functions: Functions::All(Vec::new()),
             companions: [CompanionKind::Tests].into(),
+            module: "module".to_owned(),
             ..Options::default()
         };
         let source = Source::new("model.toml", description);
@@ -75,8 +76,7 @@ impl Tested {
         let file = |name: &str| folder.path().join(name);
         fs::write(file("module.rs"), module).unwrap();
         fs::write(file("module_tests.rs"), &self.tests).unwrap();
-        let text =
-            "mod module;\nmod tests { use crate::module::*; include!(\"module_tests.rs\"); }\n";
+        let text = "mod module;\n#[cfg(test)]\nmod module_tests;\n";
         fs::write(file("main.rs"), text).unwrap();
         let kane = format!("kane={}", runtime().display());
         let mut command = rustc(folder.path());
