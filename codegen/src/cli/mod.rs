@@ -6,11 +6,13 @@
 
 // One subcommand each.
 mod check;
+mod completions;
 mod convert;
 mod diff;
 mod eval;
 mod generate;
 mod info;
+mod new;
 mod verify;
 // What they share: which systems, where they stand, what is wrong with them, how it is written.
 mod changes;
@@ -59,6 +61,7 @@ pub(crate) use voice::{Voice, say};
         1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
         2  bad input, or a file that cannot be read or written; nothing was written\n\n\
         Examples:\n  \
+        kane new my_arm panda.urdf                         a package with a control loop\n  \
         kane generate                                      everything in kane.toml\n  \
         kane check                                         is it up to date?\n  \
         kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
@@ -99,6 +102,7 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    New(new::Arguments),
     Generate(generate::Arguments),
     Check(check::Arguments),
     Diff(diff::Arguments),
@@ -106,12 +110,14 @@ enum Command {
     Eval(eval::Arguments),
     Convert(convert::Arguments),
     Verify(verify::Arguments),
+    Completions(completions::Arguments),
 }
 
 /// Does what is asked for; results go to `out`.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let voice = arguments.voice;
     let outcome = match &arguments.command {
+        Command::New(arguments) => new::run(arguments, voice, out)?,
         Command::Generate(arguments) => generate::run(arguments, voice, out)?,
         Command::Check(arguments) => check::run(arguments, voice, out)?,
         Command::Diff(arguments) => diff::run(arguments, voice, out)?,
@@ -119,6 +125,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         Command::Eval(arguments) => eval::run(arguments, voice, out)?,
         Command::Convert(arguments) => convert::run(arguments, voice, out)?,
         Command::Verify(arguments) => verify::run(arguments, out)?,
+        Command::Completions(arguments) => completions::run(arguments, out)?,
     };
     out.flush()?;
     Ok(outcome)

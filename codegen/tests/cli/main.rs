@@ -20,6 +20,7 @@ mod info;
 mod interface;
 #[cfg(unix)]
 mod kills;
+mod new;
 mod prescribed;
 mod project;
 mod requests;

@@ -84,7 +84,7 @@ impl<'a> Run<'a> {
                 let (place, value) = (self.place(place), self.value(value));
                 assert!(self.stored.insert(place, value).is_none());
             }
-            Statement::Fence => {}
+            Statement::Heading(_) | Statement::Fence => {}
             Statement::StoreSinCos { .. } => unreachable!("of the function of sines alone"),
         }
     }

@@ -1,0 +1,28 @@
+//! `kane completions`.
+
+use std::io::Write;
+
+use clap::{Args, CommandFactory as _};
+use clap_complete::Shell;
+
+use super::{Failures, Outcome};
+
+/// Print what a shell needs to complete the arguments of `kane`
+#[derive(Args, Debug)]
+#[command(after_long_help = "Examples:\n  \
+    kane completions bash > ~/.local/share/bash-completion/completions/kane\n  \
+    kane completions fish > ~/.config/fish/completions/kane.fish")]
+pub(crate) struct Arguments {
+    /// The shell
+    #[arg(value_name = "SHELL", value_enum)]
+    shell: Shell,
+}
+
+/// Prints.
+pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+    let mut text = Vec::new();
+    let mut command = super::Arguments::command();
+    clap_complete::generate(arguments.shell, &mut command, "kane", &mut text);
+    out.write_all(&text)?;
+    Ok(Outcome::Done)
+}
