@@ -8,7 +8,7 @@ use kane_codegen::output::{self, Overwrite};
 use super::{
     Failures, Outcome,
     job::{self, Job, Target},
-    operations, say,
+    operations, rounded_angles, say,
     selection::Selection,
 };
 
@@ -37,6 +37,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
+    rounded_angles::tell(&plan.jobs, &modules);
     let overwrite = if arguments.force {
         Overwrite::Anything
     } else {

@@ -19,7 +19,9 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{Failures, Outcome, changes::ChangesArguments, job, json, options, parse::one_of};
+use super::{
+    Failures, Outcome, changes::ChangesArguments, job, json, options, parse::one_of, rounded_angles,
+};
 
 /// Show a model's tree, coordinates, partitions, parameters and operation counts
 ///
@@ -87,7 +89,13 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         None if tree.n_speeds.max(tree.n_parts()) > COUNTED => Vec::new(),
         None => CATALOGUE.iter().map(Request::from).collect(),
     };
-    let without = arguments.without.iter().copied().collect();
+    let without: BTreeSet<Technique> = arguments.without.iter().copied().collect();
+    rounded_angles::tell_of(
+        &arguments.model,
+        changes,
+        arguments.functions.as_deref(),
+        &without,
+    );
     if arguments.json {
         json::write(out, &value(tree, &counts(tree, requests, &without)))?;
     } else {
