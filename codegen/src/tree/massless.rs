@@ -96,13 +96,11 @@ fn name(
     body: usize,
     motions: &[usize],
 ) -> String {
-    match joint_name(description, body).filter(|_| joint.leading.is_some()) {
-        Some(name) => format!("`{}`", name.escape_debug()),
-        None => {
-            let names = motions.iter();
-            let names = names.map(|motion| format!("`{}`", CoordinateName::NAMES[*motion]));
-            let names: Vec<String> = names.collect();
-            format!("{} of {}", names.join(", "), shown(description, body))
-        }
+    if let Some(name) = joint_name(description, body).filter(|_| joint.leading.is_some()) {
+        return format!("`{}`", name.escape_debug());
     }
+    let names = motions.iter();
+    let names = names.map(|motion| format!("`{}`", CoordinateName::NAMES[*motion]));
+    let names: Vec<String> = names.collect();
+    format!("{} of {}", names.join(", "), shown(description, body))
 }

@@ -2,8 +2,8 @@
 //!
 //! In: a [`Description`](crate::description::Description), as the user wrote it. Out: a [`Tree`].
 //! Afterwards: every lower body (parent) has a smaller id than its bodies, every name is unique and
-//! maps to a unique Rust identifier, every number is finite, masses and inertias are those of real
-//! bodies, and every free coordinate moves mass; later stages do not fail on a user's mistake.
+//! maps to a unique Rust identifier, every number is finite, no mass is negative, inertias are as given (a warning tells of
+//! those that no real body has), and every free coordinate moves mass; later stages do not fail on a user's mistake.
 //! Does not: derive anything.
 //!
 //! What a file says is `Written`: [`WrittenBody`](crate::description::WrittenBody),

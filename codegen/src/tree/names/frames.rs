@@ -43,11 +43,12 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
                 known.insert(&name.value, ("frame", name));
             }
         }
-        if let Carrier::Body(Some(body)) = &frame.body {
-            if all_named && !names.contains(body.value.as_str()) {
-                let names: Vec<&str> = written_names(description).collect();
-                findings.push(unknown_body(index + 1, body, &names));
-            }
+        if let Carrier::Body(Some(body)) = &frame.body
+            && all_named
+            && !names.contains(body.value.as_str())
+        {
+            let names: Vec<&str> = written_names(description).collect();
+            findings.push(unknown_body(index + 1, body, &names));
         }
     }
 }

@@ -7,7 +7,7 @@ mod removed;
 use std::{fs, path::Path};
 
 use kane_codegen::{
-    description::{Reading, urdf},
+    description::{self, Reading, no_includes, urdf},
     diagnostic::{Diagnostics, Severity, Source},
     expr::Input,
     functions::{Formulation, Function},
@@ -80,4 +80,27 @@ fn what_counts_as_zero_is_zero_and_a_warning() {
         checked.tree.bodies[2].parts[0].inertia.xy,
         Value::Baked(0.0)
     );
+}
+
+/// The errors of a file, each by its first line.
+fn errors(file: &str, text: &str) -> Vec<String> {
+    let source = Source::new(file, text);
+    let description = description::read(&source, &Reading::default(), &no_includes);
+    let faults = tree::build(&description).unwrap_err();
+    let errors = faults.list().iter().filter(|fault| fault.is_error());
+    errors.map(|fault| fault.message.clone()).collect()
+}
+
+#[test]
+fn what_could_not_be_read_is_not_said_to_have_no_mass() {
+    let text = "<mujoco><default><default class=\"heavy\"><geom type=\"capsule\" size=\"0.1 0.5\"/></default></default>\
+        <worldbody><body name=\"a\" childclass=\"haevy\"><joint axis=\"0 1 0\"/><geom size=\"0.1\" mass=\"0\"/></body></worldbody></mujoco>";
+    assert_eq!(errors("a.xml", text), ["there is no default class `haevy`"]);
+}
+
+#[test]
+fn a_frame_is_not_said_to_be_in_no_body_where_the_bodies_were_not_read() {
+    let text = "name = \"s\"\nlower_bodies = [0]\n[[bodys]]\nname = \"a\"\n[[frame]]\nname = \"tool\"\nbody = \"a\"\n\
+        position = [0, 0, 0]\n";
+    assert_eq!(errors("s.toml", text), ["unknown key `bodys`"]);
 }

@@ -6,7 +6,7 @@ use super::{joint_element, link_element, parse, robot};
 
 /// The errors of a robot, each by its first line.
 fn errors(text: &str) -> Vec<String> {
-    let faults = tree::build(&parse(text, &Reading::default())).unwrap_err();
+    let faults = tree::build(&parse(text, &Reading::default())).expect_err("it is wrong");
     let errors = faults.list().iter();
     let errors = errors.filter(|fault| fault.severity == Severity::Error);
     errors.map(|fault| fault.message.clone()).collect()
@@ -39,7 +39,7 @@ fn several_roots_are_all_that_is_wrong() {
 #[test]
 fn a_base_that_is_free_is_proposed_where_nothing_moves() {
     let description = parse(&robot(&[("j", "fixed", "a", "b", "")]), &Reading::default());
-    let faults = tree::build(&description).unwrap_err();
+    let faults = tree::build(&description).expect_err("nothing moves");
     let help = faults.list()[0].help.as_deref().unwrap_or_default();
     assert!(help.contains("`--base free`"), "{faults}");
 }
