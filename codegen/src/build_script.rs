@@ -132,6 +132,13 @@ impl Build {
         self
     }
 
+    /// Fixes at zero every motion that moves no mass.
+    #[must_use]
+    pub fn remove_massless(mut self) -> Self {
+        self.options.changes.remove_massless = true;
+        self
+    }
+
     /// Prescribes the accelerations of a joint, for `hybrid_dynamics`; the name is that of the joint, or of its body.
     #[must_use]
     pub fn prescribed(mut self, name: impl Into<String>) -> Self {

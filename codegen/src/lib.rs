@@ -71,6 +71,8 @@ pub mod printers;
 pub mod companions;
 // From a description's text to these.
 pub mod generate;
+// What could be saved.
+pub mod rounded_angles;
 // What is asked for of all systems of a repository: `kane.toml`.
 pub mod budget;
 pub mod config;

@@ -47,6 +47,20 @@ pub(crate) struct ChangesArguments {
     #[arg(long, value_name = "JOINT", requires = "model")]
     remove: Vec<String>,
 
+    /// Fix at zero every motion that moves no mass, and say which
+    ///
+    /// A finger without mass, a frame that turns about its own axis: such motions leave mass matrices without an inverse.
+    /// `--remove-massless=false` stands above `remove_massless = true` in `kane.toml`.
+    #[arg(
+        long,
+        value_name = "BOOL",
+        requires = "model",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "true"
+    )]
+    remove_massless: Option<bool>,
+
     /// Prescribe the accelerations of a joint, for `hybrid_dynamics`, which finds its forces. May be repeated
     ///
     /// The name is that of the joint, or of its body.
@@ -124,6 +138,9 @@ impl ChangesArguments {
         if !self.remove.is_empty() {
             changes.remove.clone_from(&self.remove);
         }
+        if let Some(remove_massless) = self.remove_massless {
+            changes.remove_massless = remove_massless;
+        }
         changes
     }
 
@@ -147,6 +164,10 @@ impl ChangesArguments {
         }
         for name in &self.prescribed {
             push("--prescribed", name.clone());
+        }
+        if let Some(remove) = self.remove_massless {
+            let word = if remove { "" } else { "=false" };
+            words.push(format!("--remove-massless{word}"));
         }
         words
     }

@@ -15,7 +15,7 @@ use kane_codegen::{
 use super::{
     Failures, Outcome, Voice,
     job::{self, Job, Target},
-    operations,
+    operations, rounded_angles,
     selection::Selection,
 };
 
@@ -57,6 +57,7 @@ pub(crate) fn run(
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
     job::warn(&modules, voice);
+    rounded_angles::tell(&plan.jobs, &modules, voice);
     let overwrite = if arguments.force {
         Overwrite::Anything
     } else {

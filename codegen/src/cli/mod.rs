@@ -28,6 +28,7 @@ mod outcome;
 mod parse;
 mod paths;
 mod pipe;
+mod rounded_angles;
 mod selection;
 mod state;
 mod stray;
@@ -85,6 +86,7 @@ pub(crate) use voice::{Voice, say};
         snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
         remove = [\"finger_1\"]        # joints to fix at zero\n  \
+        remove_massless = true       # every motion that moves no mass, too\n  \
         prescribed = [\"base\"]        # joints whose accelerations `hybrid_dynamics` is given\n\n  \
         [[system]]\n  \
         model = \"models/panda.urdf\"\n  \

@@ -29,10 +29,13 @@ pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
 pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> Changes {
     let before = Changes::default();
     let removed = names(reader, system, "remove").into_iter();
+    let massless = system.get("remove_massless");
+    let massless = massless.and_then(|item| reader.truth(item, &system.what("remove_massless")));
     Changes {
         snap: snap(reader, system).unwrap_or(before.snap),
         lock: lock(reader, system),
         remove: removed.map(|name| name.value).collect(),
+        remove_massless: massless.unwrap_or_default(),
     }
 }
 

@@ -38,7 +38,7 @@ pub struct System {
     pub budget: Vec<Budget>,
 }
 
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "model",
     "output",
     "manifest",
@@ -54,6 +54,7 @@ const KEYS: [&str; 16] = [
     "snap",
     "lock",
     "remove",
+    "remove_massless",
     "prescribed",
 ];
 

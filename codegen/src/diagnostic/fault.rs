@@ -25,7 +25,7 @@ pub struct Diagnostic {
     /// What to do about it.
     pub help: Option<String>,
     /// What it and others like it are told as, on one line.
-    pub kind: Option<Kind>,
+    pub kind: Option<Box<Kind>>,
 }
 
 /// What several diagnostics have in common, and what this one is about.
@@ -93,10 +93,10 @@ impl Diagnostic {
         plural: impl Into<String>,
         subjects: impl IntoIterator<Item = String>,
     ) -> Self {
-        self.kind = Some(Kind {
+        self.kind = Some(Box::new(Kind {
             plural: plural.into(),
             subjects: subjects.into_iter().collect(),
-        });
+        }));
         self
     }
 

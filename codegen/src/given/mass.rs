@@ -3,8 +3,11 @@
 use super::numbers::{constant, fixed, value, vector};
 use crate::{
     expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
-    tree::{Body, RigidPart, Tree},
+    tree::{Body, RigidPart, Tree, Value},
 };
+
+/// A mass that is zero whatever is set at run time.
+const NO_MASS: Value = Value::Baked(0.0);
 
 /// `m_K`: the mass of a body with all that is fixed to it.
 pub fn mass(graph: &mut ExprGraph, body: &Body) -> Expr {
@@ -46,15 +49,15 @@ pub fn over_total_mass(graph: &mut ExprGraph, tree: &Tree, v: Vector) -> Vector 
 }
 
 /// `r_K`: from the internal origin of a body to its mass centre, internal axes; for a body without mass its own, whatever
-/// is fixed to it.
+/// is fixed to it. Where one part has all the mass, its mass centre as it stands.
 pub fn mass_center(graph: &mut ExprGraph, body: &Body) -> Vector {
-    if let [part] = &body.parts[..] {
-        return fixed(graph, &part.mass_center);
+    let mut heavy = body.parts.iter().filter(|part| part.mass != NO_MASS);
+    match (heavy.next(), heavy.next()) {
+        (None, _) => return fixed(graph, &body.parts[0].mass_center),
+        (Some(only), None) => return fixed(graph, &only.mass_center),
+        (Some(_), Some(_)) => {}
     }
     let mass = mass(graph, body);
-    if graph.is_zero(mass) {
-        return fixed(graph, &body.parts[0].mass_center);
-    }
     let mut moment = graph.zero_vector();
     for part in &body.parts {
         let (mass, center) = (value(graph, part.mass), fixed(graph, &part.mass_center));

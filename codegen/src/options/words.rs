@@ -17,7 +17,13 @@ impl Options {
     pub(crate) fn in_words(&self) -> String {
         let Self {
             reading: Reading { base, chart },
-            changes: Changes { snap, lock, remove },
+            changes:
+                Changes {
+                    snap,
+                    lock,
+                    remove,
+                    remove_massless,
+                },
             prescribed,
             functions,
             formulation,
@@ -41,6 +47,7 @@ impl Options {
         parts.extend(listed("lock", locked.collect()));
         let removed = remove.iter().map(|name| format!("{name:?}"));
         parts.extend(listed("remove", removed.collect()));
+        parts.extend(remove_massless.then(|| "remove_massless: true".to_owned()));
         let prescribed = prescribed.iter().map(|name| format!("{name:?}"));
         parts.extend(listed("prescribed", prescribed.collect()));
         let without = without.iter();

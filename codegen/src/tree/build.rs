@@ -5,9 +5,12 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::tree::assembly::{Settled, assemble};
 use crate::tree::changes::Changes;
 use crate::tree::joints::{self, ResolvedJoint};
-use crate::tree::rotations::{ConstantRotations, exact};
+use crate::tree::rotations::{ConstantRotations, Snapped, exact};
 use crate::tree::system::Tree;
-use crate::tree::{inertia, mobility, names, numbering};
+use crate::tree::{crumbs, inertia, massless, mobility, names, numbering};
+
+/// What rounding alone leaves of a zero in a rotation.
+const ROUNDING: f64 = 1e-15;
 
 /// A tree, and what the user should know about it.
 #[derive(Clone, Debug)]
@@ -67,7 +70,6 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
     let bodies_stand = inertia::check(description, &mut findings);
     let tree = outward.as_ref().zip(joints.as_deref());
     let tree = tree.and_then(|(outward, joints)| {
-        findings.extend(snapped.note(description, &outward.places));
         let settled = Settled {
             description,
             outward,
@@ -75,11 +77,23 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
             rotations: &rotations,
             snap: changes.snap,
         };
-        assemble(settled, &mut findings)
+        let held = changes.remove_massless && bodies_stand;
+        let held = held.then(|| massless::hold(settled, &mut findings));
+        let joints = held.as_deref().unwrap_or(joints);
+        if changes.remove_massless && !motions_stand(description, joints, &mut findings) {
+            return None;
+        }
+        let settled = Settled { joints, ..settled };
+        let tree = assemble(settled, &mut findings)?;
+        if saved(settled, &snapped, &tree) {
+            findings.extend(snapped.note(description, &outward.places));
+        }
+        Some(tree)
     });
-    // Whether anything moves no mass can be judged only where masses and joints are right.
-    if let Some(tree) = tree.as_ref().filter(|_| bodies_stand) {
-        mobility::check(tree, description, &mut findings);
+    // Whether anything moves no mass can be judged only where masses and joints are right, and all of the file was read.
+    let all_read = !description.faults.iter().any(Diagnostic::is_error);
+    if let Some(tree) = tree.as_ref().filter(|_| bodies_stand && all_read) {
+        mobility::check(tree, description, changes, &mut findings);
     }
     if description.bodies.is_empty() && !findings.iter().any(Diagnostic::is_error) {
         findings.push(Diagnostic::error("the system has no bodies"));
@@ -98,7 +112,21 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
     }
 }
 
-/// The joints, if they stand.
+/// Whether fewer numbers are left for what was snapped. Beyond rounding: that a right angle in all digits is one is no news.
+fn saved(settled: Settled<'_>, snapped: &Snapped, tree: &Tree) -> bool {
+    if snapped.is_nothing() || snapped.has_axis() {
+        return !snapped.is_nothing();
+    }
+    let before = Settled {
+        rotations: &exact(settled.description, ROUNDING).0,
+        snap: ROUNDING,
+        ..settled
+    };
+    let before = assemble(before, &mut Vec::new());
+    before.is_none_or(|before| crumbs::entries(tree) < crumbs::entries(&before))
+}
+
+/// The joints, if they stand; motions that may yet be held are not judged.
 fn joints_that_stand(
     description: &Description,
     rotations: &[ConstantRotations],
@@ -115,6 +143,17 @@ fn joints_that_stand(
     }
     let joints = joints::change(description, joints, changes, findings);
     let joints = joints::follow(description, joints, findings);
-    joints::check_motions(description, &joints, findings);
-    stand(findings).then_some(joints)
+    let all_held = changes.remove_massless || motions_stand(description, &joints, findings);
+    (all_held && stand(findings)).then_some(joints)
+}
+
+/// Whether motions can be what they are, once all that is held is held.
+fn motions_stand(
+    description: &Description,
+    joints: &[ResolvedJoint],
+    findings: &mut Vec<Diagnostic>,
+) -> bool {
+    let before = findings.len();
+    joints::check_motions(description, joints, findings);
+    !findings[before..].iter().any(Diagnostic::is_error)
 }

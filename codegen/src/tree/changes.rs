@@ -9,6 +9,8 @@ pub struct Changes {
     pub lock: Vec<(String, f64)>,
     /// Joints to fix where their coordinates are zero, by their names or those of their bodies.
     pub remove: Vec<String>,
+    /// Whether every motion that moves no mass is held at zero.
+    pub remove_massless: bool,
 }
 
 impl Default for Changes {
@@ -18,6 +20,7 @@ impl Default for Changes {
             snap: 1e-9,
             lock: Vec::new(),
             remove: Vec::new(),
+            remove_massless: false,
         }
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! In: a [`Description`](crate::description::Description), as the user wrote it. Out: a [`Tree`].
 //! Afterwards: every lower body (parent) has a smaller id than its bodies, every name is unique and
-//! maps to a unique Rust identifier, every number is finite, masses and inertias are those of real
-//! bodies, and every free coordinate moves mass; later stages do not fail on a user's mistake.
+//! maps to a unique Rust identifier, every number is finite, no mass is negative, inertias are as given (a warning tells of
+//! those that no real body has), and every free coordinate moves mass; later stages do not fail on a user's mistake.
 //! Does not: derive anything.
 //!
 //! What a file says is `Written`: [`WrittenBody`](crate::description::WrittenBody),
@@ -25,10 +25,13 @@ mod value;
 mod assembly;
 mod build;
 mod changes;
+mod crumbs;
 mod inertia;
 mod joints;
+mod massless;
 mod mobility;
 mod names;
+mod negligible;
 mod numbering;
 mod principal;
 mod rotations;
@@ -54,6 +57,6 @@ pub use named::NamedFrame;
 pub use offset::{Offset, Step};
 pub use prescribed::{PrescribedFault, prescribe};
 pub use principal::principal;
-pub use rotations::{Alignment, orthonormal, snapped, snapped_sin_cos};
+pub use rotations::{Alignment, NearlyExact, nearly_exact, orthonormal, snapped, snapped_sin_cos};
 pub use system::Tree;
 pub use value::{Parameter, Value};

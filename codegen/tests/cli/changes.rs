@@ -33,6 +33,7 @@ fn every_command_knows_them() {
             "--snap <",
             "--lock <",
             "--remove <",
+            "--remove-massless[",
             "--prescribed <",
         ] {
             assert!(help.contains(option), "{command} {option}");
@@ -135,4 +136,101 @@ fn command_that_is_printed_has_them() {
         );
         assert!(ran.out.ends_with(&expected), "{}", ran.out);
     }
+}
+
+/// An arm with a finger that has no mass.
+const FINGER: &str = "<robot name=\"arm\"><link name=\"base\"/><link name=\"arm\"><inertial><mass value=\"1\"/>\
+    <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><link name=\"finger\"/>\
+    <joint name=\"elbow\" type=\"continuous\"><parent link=\"base\"/><child link=\"arm\"/></joint>\
+    <joint name=\"grip\" type=\"prismatic\"><parent link=\"arm\"/><child link=\"finger\"/>\
+    <limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint></robot>\n";
+
+#[test]
+fn motions_without_mass_are_removed_wherever_that_is_said() {
+    let project = Project::empty();
+    project.write("arm.urdf", FINGER);
+    let ran = project.kane(&["generate", "arm.urdf", "--output", "arm.rs"]);
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err.contains("error: joint `grip` moves no mass")
+            && ran.err.contains("`--remove-massless`"),
+        "{}",
+        ran.err
+    );
+    let ran = project.kane(&[
+        "generate",
+        "arm.urdf",
+        "--output",
+        "arm.rs",
+        "--remove-massless",
+    ]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(
+        ran.err
+            .contains("held at zero, for it moves no mass: `grip`"),
+        "{}",
+        ran.err
+    );
+    let banner = |project: &Project| project.read("arm.rs").lines().nth(1).unwrap().to_owned();
+    assert!(
+        banner(&project).ends_with("; remove_massless: true."),
+        "{}",
+        banner(&project)
+    );
+    // The command that brings the file up to date has it.
+    project.write("arm.rs", &project.read("arm.rs").replace("let ", "let  "));
+    let ran = project.kane(&[
+        "check",
+        "arm.urdf",
+        "--output",
+        "arm.rs",
+        "--remove-massless",
+    ]);
+    assert_eq!(ran.code, 1, "{}", ran.err);
+    assert!(
+        ran.out
+            .ends_with("run: kane generate arm.urdf --output arm.rs --remove-massless\n"),
+        "{}",
+        ran.out
+    );
+    let config = "[[system]]\nmodel = \"arm.urdf\"\noutput = \"arm.rs\"\nremove_massless = true\n";
+    project.write("kane.toml", config);
+    assert_eq!(project.kane(&["generate"]).code, 0);
+    assert!(
+        banner(&project).ends_with("; remove_massless: true."),
+        "{}",
+        banner(&project)
+    );
+    let ran = project.kane(&["generate", "arm.urdf", "--remove-massless=false"]);
+    assert_eq!(ran.code, 2, "{}", ran.err);
+    let ran = project.kane(&[
+        "info",
+        "arm.urdf",
+        "--remove-massless",
+        "--functions",
+        "q_dot",
+    ]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}
+
+#[test]
+fn rounded_angles_are_told_where_operations_are_counted_and_not_by_check() {
+    let project = Project::empty();
+    let turned = FINGER
+        .replace("<link name=\"finger\"/>", "<link name=\"finger\"><inertial><origin xyz=\"0.1 0.2 0.3\"/><mass value=\"2\"/>\
+            <inertia ixx=\"1\" iyy=\"2\" izz=\"2.5\" ixy=\"0.1\" ixz=\"0\" iyz=\"0\"/></inertial></link>")
+        .replace("<parent link=\"arm\"/>", "<origin rpy=\"1.5708 0 0\"/><parent link=\"arm\"/>");
+    project.write("arm.urdf", &turned);
+    let says = |arguments: &[&str]| {
+        let ran = project.kane(arguments);
+        assert!(ran.code < 2, "{}", ran.err);
+        ran.err
+            .contains("note: rounded right angles cost operations: `--snap 1e-5`")
+    };
+    assert!(says(&["generate", "arm.urdf", "--output", "arm.rs"]));
+    assert!(says(&["info", "arm.urdf"]));
+    assert!(!says(&["check", "arm.urdf", "--output", "arm.rs"]));
+    assert!(!says(&[
+        "generate", "arm.urdf", "--output", "arm.rs", "--snap", "1e-5"
+    ]));
 }

@@ -107,6 +107,7 @@ fn reading_and_changes_are_read_in_an_order_of_their_own() {
             snap: 1e-5,
             lock: vec![("elbow joint".to_owned(), -0.5), ("wrist".to_owned(), 1.0)],
             remove: vec!["finger_2".to_owned(), "finger_1".to_owned()],
+            remove_massless: false,
         }
     );
     assert_eq!(panda.options.prescribed, ["base", "arm base"]);

@@ -157,7 +157,6 @@ mod urdf_file {
         inertia_is_nan
         inertia_without_components
         inertial_without_inertia
-        inertial_without_mass
         joint_without_child
         joint_without_name
         joint_without_parent
@@ -173,6 +172,7 @@ mod urdf_file {
         mass_without_value
         mimic_without_joint
         missing_link
+        misspelt_child
         misspelt_joint_type
         misspelt_link
         no_link
@@ -199,6 +199,8 @@ mod urdf_file {
     }
 
     files! { WARNINGS, is_warned_of:
+        inertial_without_mass
+        robot_with_empty_name
         limit_without_range
         missing_limit
         repeated_elements
@@ -230,9 +232,9 @@ mod urdf_file {
     }
 
     files! { OF_THE_TREE, is_refused_by_the_tree:
-        indefinite_inertia
-        indefinite_product_of_inertia
         link_name_with_line_end
+        massless_joints
+        massless_robot
         massless_tip
         mimic_cycle
         mimic_of_fixed_joint
@@ -242,6 +244,8 @@ mod urdf_file {
     }
 
     files! { WARNINGS_OF_THE_TREE, the_tree_warns_of:
+        indefinite_inertia
+        indefinite_product_of_inertia
         inertia_breaks_the_triangle_inequality
         limit_of_no_range
     }
@@ -287,10 +291,10 @@ files! { FILES, description_is_refused:
     friction_at_run_time
     gravity_is_number
     gravity_too_long
-    indefinite_inertia
     joint_entry_is_number
     joint_is_number
     joint_name_is_number
+    less_than_no_mass
     limit_at_run_time
     limits_is_number
     limits_of_unknown_coordinate

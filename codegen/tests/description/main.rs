@@ -7,6 +7,7 @@ mod invalid;
 mod invalid_mjcf;
 mod listed;
 mod mass;
+mod masses;
 mod mjcf;
 mod mjcf_files;
 mod mjcf_geometry;

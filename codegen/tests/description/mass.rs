@@ -1,13 +1,15 @@
 //! Masses, inertias and joints that are accepted, with and without a warning.
 
+use kane_codegen::expr::ExprGraph;
 use kane_codegen::functions::{Formulation, Function};
+use kane_codegen::given;
 use kane_test_support::models::{body, build, system};
 
 #[test]
 fn impossible_principal_moments_are_a_warning() {
     let text = system("[0]", &[("a", "[\"theta1\"]")]).replace("zz = 0.02", "zz = 0.3");
     insta::assert_snapshot!(build(&text).unwrap().warnings, @r#"
-    warning: `inertia` of body `a` has the principal moments 0.09, 0.11 and 0.3, which no rigid body has
+    warning: `inertia` of body `a` has the principal moments 0.09, 0.11 and 0.3, which no rigid body has; it is computed as given
      --> model.toml:8:18
       |
     8 | inertia = { xx = 0.1, yy = 0.1, zz = 0.3, xy = 0.01, xz = 0.0, yz = 0.0 }
@@ -122,4 +124,36 @@ fn smallest_and_largest_scales_are_systems() {
             build(&text).unwrap_err()
         );
     }
+}
+
+#[test]
+fn the_mass_centre_of_the_only_part_with_mass_stays_as_written() {
+    // 0.7 times this, divided by 0.7, is not this.
+    let arm = body("arm", "[\"theta1\", \"theta2\"]")
+        .replace("mass = 2.0", "mass = 0.7")
+        .replace("0.01, 0.02, -0.5", "0.31, -0.01098, 0.07");
+    let tool = body("tool", "\"fixed\"")
+        .replace("mass = 2.0", "mass = 0.0")
+        .replace(
+            "xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01",
+            "xx = 0, yy = 0, zz = 0, xy = 0",
+        );
+    let text = format!("name = \"s\"\nlower_bodies = [0, 1]\n{arm}{tool}");
+    let tree = build(&text).unwrap().tree;
+    let values = |name: &str| {
+        let function = Function::find(name).unwrap();
+        let plan = kane_codegen::recursive::Plan::full(&tree);
+        let derived = function.derive(&tree, Formulation::Recursive, &plan);
+        derived.graph.evaluate(&derived.roots, |_| 0.0)
+    };
+    // Where all coordinates are zero, it stands where the joint is, and so far from it.
+    let expected = [0.31, -0.01098 + 0.1, 0.07 + 0.3];
+    assert_eq!(values("mass_center_position")[..3], expected);
+    let mut graph = ExprGraph::default();
+    let center = given::mass_center(&mut graph, &tree.bodies[0]);
+    let center = center.map(|component| graph.as_number(component));
+    assert_eq!(center, [Some(0.31), Some(-0.01098), Some(0.07)]);
+    let inertia = given::inertia(&mut graph, &tree.bodies[0]);
+    let moments = inertia.diagonal.map(|moment| graph.as_number(moment));
+    assert_eq!(moments, [Some(0.1), Some(0.1), Some(0.02)]);
 }

@@ -3,9 +3,10 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use kane_codegen::compile::Options;
-use kane_codegen::description::no_includes;
+use kane_codegen::description::{no_includes, urdf};
 use kane_codegen::diagnostic::Source;
 use kane_codegen::generate::{Generated, generate};
+use kane_codegen::rounded_angles;
 use kane_codegen::tree::Changes;
 
 /// An arm of three links whose joints are turned by a right angle, written with these digits.
@@ -99,4 +100,71 @@ fn the_tolerance_stands_in_the_banner() {
         let banner = source.lines().nth(1).unwrap();
         assert!(banner.contains(shown), "{banner}");
     }
+}
+
+/// What is said of rounded angles, of the functions by default.
+fn advice(robot: &str, snap: f64) -> Option<String> {
+    let options = Options {
+        changes: Changes {
+            snap,
+            ..Changes::default()
+        },
+        ..Options::default()
+    };
+    let source = Source::new("arm.urdf", robot);
+    let description = urdf::parse(&source, &options.reading);
+    let note = rounded_angles::note(&description, &options, None)?;
+    Some(note.list()[0].message.clone())
+}
+
+#[test]
+fn what_rounded_right_angles_cost_is_told_with_the_tolerance_that_saves_it() {
+    insta::assert_snapshot!(advice(&arm("1.5708"), 1e-9).unwrap());
+    insta::assert_snapshot!(advice(&arm("1.57079632"), 0.0).unwrap());
+}
+
+#[test]
+fn the_operations_that_are_told_are_those_that_are_needed() {
+    let total = |snap: f64| -> usize {
+        let functions = generated("1.5708", snap).functions;
+        functions
+            .iter()
+            .map(|(_, operations)| operations.total())
+            .sum()
+    };
+    let (before, after) = (total(1e-9), total(1e-5));
+    let told = advice(&arm("1.5708"), 1e-9).unwrap();
+    assert!(
+        told.contains(&format!("({after} in the place of {before})")),
+        "{told}"
+    );
+}
+
+#[test]
+fn nothing_is_told_where_nothing_is_saved() {
+    // Exact already, taken already, and too far off to be a right angle.
+    for (right_angle, snap) in [
+        ("1.5707963267948966", 1e-9),
+        ("1.5708", 1e-5),
+        ("1.56", 1e-9),
+    ] {
+        assert_eq!(
+            advice(&arm(right_angle), snap),
+            None,
+            "{right_angle} {snap}"
+        );
+    }
+    // A ball's inertia is the same about all axes, and its mass centre is where it was.
+    let ball = "<robot name=\"r\"><link name=\"base\"/><link name=\"a\"><inertial><origin xyz=\"0 0 1\" rpy=\"1.5708 0 0\"/>\
+        <mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+        <joint name=\"j\" type=\"continuous\"><parent link=\"base\"/><child link=\"a\"/></joint></robot>";
+    assert_eq!(advice(ball, 1e-9), None);
+    // Of what was made exact there, nothing is said either.
+    let ball = ball.replace("1.5708", "1.57079632679");
+    let options = Options::default();
+    let source = Source::new("ball.urdf", ball);
+    let warnings = generate(&source, "ball.urdf", &options, &no_includes)
+        .unwrap()
+        .warnings;
+    assert!(!warnings.to_string().contains("made exact"), "{warnings}");
 }

@@ -20,6 +20,7 @@ use kane_codegen::{
 
 use super::{
     Failures, Outcome, Voice, changes::ChangesArguments, job, json, options, parse::one_of,
+    rounded_angles,
 };
 
 /// Show a model's tree, coordinates, parameters, the mass matrix's zeros and operation counts
@@ -124,7 +125,14 @@ pub(crate) fn run(
         None if is_large => Vec::new(),
         None => set(if arguments.json { ALL } else { DEFAULT }).collect(),
     };
-    let without = arguments.without.iter().copied().collect();
+    let without: BTreeSet<Technique> = arguments.without.iter().copied().collect();
+    rounded_angles::tell_of(
+        &arguments.model,
+        changes,
+        arguments.functions.as_deref(),
+        &without,
+        voice,
+    );
     let counts = counts(tree, requests, &without);
     if arguments.json {
         json::write(out, &value::value(tree, &counts))?;

@@ -66,7 +66,7 @@ pub(super) fn read<'d>(
         name,
         element: element.span(),
         inertial: match inertial {
-            Some(inertial) => read_inertial(reader, inertial, &words),
+            Some(inertial) => read_inertial(reader, inertial, &words, name),
             None => massless(element.span()),
         },
     }
@@ -82,7 +82,12 @@ fn massless(span: Span) -> Inertial {
     }
 }
 
-fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str) -> Inertial {
+fn read_inertial(
+    reader: &mut Reader,
+    inertial: Element<'_>,
+    link: &str,
+    name: Given<&str>,
+) -> Inertial {
     let owner = format!("`inertial` of {link}");
     let known = Known {
         children: &["origin", "mass", "inertia"],
@@ -90,9 +95,10 @@ fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str) -> Iner
     };
     reader.unknown(inertial, &owner, &known);
     let origin = origin::read(reader, inertial, &owner);
-    let mass = reader
-        .required_child(inertial, &owner, "mass")
-        .and_then(|mass| read_mass(reader, mass, link));
+    let Some(mass) = reader.child(inertial, &owner, "mass") else {
+        return without_mass(reader, inertial, &owner, name);
+    };
+    let mass = read_mass(reader, mass, link);
     let inertia = reader
         .required_child(inertial, &owner, "inertia")
         .map_or([None; 6], |inertia| read_inertia(reader, inertia, link));
@@ -102,6 +108,24 @@ fn read_inertial(reader: &mut Reader, inertial: Element<'_>, link: &str) -> Iner
         inertia,
         rotation: origin.rotation,
     }
+}
+
+/// An `inertial` without `mass` counts for nothing, its inertia included, as with urdfdom and all that stands on it.
+fn without_mass(
+    reader: &mut Reader,
+    inertial: Element<'_>,
+    owner: &str,
+    name: Given<&str>,
+) -> Inertial {
+    let fault = format!("{owner} has no `mass`: mass and inertia count as zero");
+    let fault = Diagnostic::warning(fault)
+        .at(inertial.span(), "`mass` is missing")
+        .one_of(
+            "`inertial` without `mass`, whose inertia counts as zero too",
+            name.map_or("", |name| name.value),
+        );
+    reader.faults.push(fault);
+    massless(inertial.span())
 }
 
 fn read_mass(reader: &mut Reader, mass: Element<'_>, link: &str) -> Given<Scalar> {

@@ -1,5 +1,7 @@
 //! A whole file: links and joints, and the bodies that they become.
 
+use std::path::Path;
+
 use crate::description::urdf::joint::{self, JointElement};
 use crate::description::urdf::link::{self, LinkElement};
 use crate::description::urdf::named::{IGNORED, Names};
@@ -15,6 +17,7 @@ use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 /// The name of the joint by which the root link hangs from the inertial frame, as Pinocchio has it.
 const ROOT_JOINT: &str = "root_joint";
+
 /// True for a file whose root element is `robot`.
 pub fn is_urdf(source: &Source) -> bool {
     root_name(source.text()) == Some("robot")
@@ -80,12 +83,31 @@ fn read(
     reader.faults.push(note);
     let bodies = bodies(reader, robot, reading);
     Some(Description {
-        name: name.map(|name| Spanned::new(name.value.to_owned(), name.span)),
+        name: name.map(|name| named(reader, name, source)),
         gravity: gravity(robot.span()),
         lower_bodies: bodies.lower,
         bodies: bodies.list,
         ..Description::none(source, Vec::new())
     })
+}
+
+/// The robot's name; that of its file where it is empty.
+fn named(reader: &mut Reader, name: Spanned<&str>, source: &Source) -> Spanned<String> {
+    let own = if name.value.is_empty() {
+        let stem = Path::new(source.name()).file_stem();
+        let stem = stem.map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        let warning = format!(
+            "the name of the robot is empty: it is called `{}`, as its file",
+            shown(&stem)
+        );
+        let warning = Diagnostic::warning(warning).at(name.span, "expected a name");
+        let kind = "robots without a name, called as their files";
+        reader.faults.push(warning.one_of(kind, &stem));
+        stem
+    } else {
+        name.value.to_owned()
+    };
+    Spanned::new(own, name.span)
 }
 
 /// The bodies of a robot.
@@ -118,43 +140,50 @@ fn bodies(reader: &mut Reader, robot: Element<'_>, reading: &Reading) -> Written
         reader.faults.push(fault);
     }
     let hung = structure::hang(reader, &links, &joints);
+    let n_roots = hung.joint_of.iter().filter(|joint| joint.is_none()).count();
     let root = Root {
-        name: root_joint_name(&joint_names),
+        names: root_joint_names(&joint_names, n_roots),
         base: reading.base.unwrap_or(Base::Fixed),
         chart,
     };
     assemble(&hung, &links, &joints, &root)
 }
 
-/// The joint by which the root link hangs from the inertial frame.
+/// The joint by which a root link hangs from the inertial frame.
 struct Root {
-    name: String,
+    /// As many as there are links that hang by none: more than one only where the links form no tree.
+    names: Vec<String>,
     base: Base,
     chart: Chart,
 }
 
 impl Root {
-    fn joint(&self, span: Span) -> WrittenJoint {
+    /// Of the root link of this number.
+    fn joint(&self, number: usize, span: Span) -> WrittenJoint {
         let (kind, chart): (_, Optional<Chart>) = match self.base {
             Base::Fixed => (JointKind::Fixed, None),
             Base::Free => (JointKind::Free, Some(Spanned::new(self.chart, span))),
         };
         let kind = Some(Spanned::new(kind, span));
         WrittenJoint {
-            name: Some(Spanned::new(self.name.clone(), span)),
+            name: self
+                .names
+                .get(number)
+                .map(|name| Spanned::new(name.clone(), span)),
             chart,
             ..WrittenJoint::new(kind, [Some(Spanned::new(Scalar::Baked(0.0), span)); 3])
         }
     }
 }
 
-/// `root_joint`, or with the first number that no joint of the file has.
-fn root_joint_name(names: &Names<'_>) -> String {
+/// `root_joint`, and with the first numbers, but for names that joints of the file have.
+fn root_joint_names(names: &Names<'_>, count: usize) -> Vec<String> {
     let numbered = (2_usize..).map(|number| format!("{ROOT_JOINT}_{number}"));
     std::iter::once(ROOT_JOINT.to_owned())
         .chain(numbered)
-        .find(|name| !names.has(name))
-        .unwrap_or_default()
+        .filter(|name| !names.has(name))
+        .take(count)
+        .collect()
 }
 
 /// Bodies in order, or in that of the file where the links do not form a tree.
@@ -165,9 +194,14 @@ fn assemble(
     root: &Root,
 ) -> WrittenBodies {
     let joint_of = |link: usize| hung.joint_of[link].map(|joint| &joints[joint]);
-    let body = |link: usize| {
+    let mut n_roots = 0;
+    let mut body = |link: usize| {
         let joint = joint_of(link).map(|joint| joint.joint.clone());
-        links[link].body(joint.unwrap_or_else(|| root.joint(links[link].span())))
+        let joint = joint.unwrap_or_else(|| {
+            n_roots += 1;
+            root.joint(n_roots - 1, links[link].span())
+        });
+        links[link].body(joint)
     };
     let Some(order) = &hung.order else {
         return WrittenBodies {

@@ -41,12 +41,46 @@ pub(crate) fn change(
         .collect()
 }
 
+/// The joints with these motions, by their bodies and their places among the six, held at zero; what follows one of them is
+/// held where that takes it.
+pub(crate) fn hold(
+    joints: Vec<ResolvedJoint>,
+    held: &BTreeSet<(usize, usize)>,
+) -> Vec<ResolvedJoint> {
+    let joints = joints.into_iter().enumerate();
+    joints
+        .map(|(place, joint)| {
+            let joint = joint.with_motions(|motion, freedom| match freedom {
+                Freedom::Free(_) if held.contains(&(place, motion)) => Freedom::Locked(0.0),
+                Freedom::Follows {
+                    body,
+                    motion,
+                    offset,
+                    ..
+                } if held.contains(&(body, motion)) => Freedom::Locked(offset + 0.0),
+                other => other,
+            });
+            let is_free = |angle: usize| matches!(joint.motions[angle], Freedom::Free(_));
+            if (0..3).all(is_free) {
+                joint
+            } else {
+                by_angles(joint)
+            }
+        })
+        .collect()
+}
+
 /// A joint whose free motions are held at zero.
 fn fixed(joint: ResolvedJoint) -> ResolvedJoint {
     let joint = joint.with_motions(|_, freedom| match freedom {
         Freedom::Free(_) => Freedom::Locked(0.0),
         held => held,
     });
+    by_angles(joint)
+}
+
+/// A joint whose orientation, no longer free, is that of three angles.
+fn by_angles(joint: ResolvedJoint) -> ResolvedJoint {
     ResolvedJoint {
         chart: Chart::Angles,
         speeds: Speeds::Rates,

@@ -10,7 +10,7 @@ mod resolve;
 mod resolved;
 mod rules;
 
-pub(crate) use change::change;
+pub(crate) use change::{change, hold};
 pub(crate) use mimic::follow;
 pub(crate) use resolve::joints;
 pub(crate) use resolved::{Freedom, ResolvedJoint};

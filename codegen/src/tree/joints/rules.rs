@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody};
+use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody, urdf};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::joints::mechanics_rules::mechanics;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
@@ -46,9 +46,15 @@ pub(crate) fn check_motions(
             .iter()
             .take(3)
             .filter_map(|body| body.joint.kind.as_ref());
-        findings.push(joints.fold(fault, |fault, joint| {
+        let fault = joints.fold(fault, |fault, joint| {
             fault.at(joint.span, "no free coordinate")
-        }));
+        });
+        // A TOML says itself how its first body hangs, and so does an MJCF.
+        findings.push(if urdf::is_urdf(&description.source) {
+            fault.help("with `--base free`, or `base = \"free\"` in `kane.toml`, the root link is free to move")
+        } else {
+            fault
+        });
     }
 }
 

@@ -8,7 +8,7 @@ use crate::description::CoordinateName;
 use crate::id::{BodyId, SpeedId};
 use crate::random::Random;
 use crate::tree::mobility::kinematics::{Kinematics, kinematics, rotor};
-use crate::tree::mobility::masses::own;
+use crate::tree::mobility::masses::{debts, own};
 use crate::tree::mobility::rows::{Twist, dot, project_out};
 use crate::tree::mobility::sweep::{IDLE, SHARE};
 use crate::tree::mobility::units::Units;
@@ -20,7 +20,8 @@ pub(crate) fn idle(
     units: &Units,
     random: &mut Random,
 ) -> Vec<Vec<(BodyId, CoordinateName)>> {
-    let Velocities { columns, bounds } = velocities(tree, units, random);
+    let q = state(tree, units, random);
+    let Velocities { columns, bounds } = velocities(tree, units, &q, Weighed::Masses);
     let mut columns: Vec<Vec<f64>> = columns
         .into_iter()
         .zip(&bounds)
@@ -81,7 +82,7 @@ fn shares(idle: usize, pivots: &[usize], upper: &[Vec<f64>]) -> BTreeMap<usize, 
 }
 
 /// The joint and the motion of each speed.
-fn places(tree: &Tree) -> Vec<(BodyId, CoordinateName)> {
+pub(super) fn places(tree: &Tree) -> Vec<(BodyId, CoordinateName)> {
     let mut places = vec![(BodyId::new(0), CoordinateName::Theta1); tree.n_speeds];
     for body in tree.body_ids() {
         for (motion, speed) in tree.body(body).joint.speeds() {
@@ -91,9 +92,18 @@ fn places(tree: &Tree) -> Vec<(BodyId, CoordinateName)> {
     places
 }
 
+/// What is weighed of what moves.
+#[derive(Clone, Copy)]
+pub(super) enum Weighed {
+    /// Masses, principal moments above zero, and rotors.
+    Masses,
+    /// Principal moments below zero.
+    Debts,
+}
+
 /// For each speed what its unit moves, root of mass times velocity, and the most that it could be.
-struct Velocities {
-    columns: Vec<Vec<f64>>,
+pub(super) struct Velocities {
+    pub(super) columns: Vec<Vec<f64>>,
     bounds: Vec<f64>,
 }
 
@@ -106,7 +116,7 @@ struct Moved {
 }
 
 /// Coordinates that `random` chooses: angles all around, translations of the tree's size.
-fn state(tree: &Tree, units: &Units, random: &mut Random) -> Vec<f64> {
+pub(super) fn state(tree: &Tree, units: &Units, random: &mut Random) -> Vec<f64> {
     let mut q = vec![0.0; tree.n_coordinates];
     for body in &tree.bodies {
         for (kind, place) in body.joint.coordinates() {
@@ -121,8 +131,8 @@ fn state(tree: &Tree, units: &Units, random: &mut Random) -> Vec<f64> {
     q
 }
 
-fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
-    let q = state(tree, units, random);
+/// What each speed moves in this state, of what `weighed` says.
+pub(super) fn velocities(tree: &Tree, units: &Units, q: &[f64], weighed: Weighed) -> Velocities {
     let mut columns = vec![Vec::new(); tree.n_speeds];
     let mut bounds = vec![0.0; tree.n_speeds];
     let mut n_rows = 0;
@@ -159,14 +169,21 @@ fn velocities(tree: &Tree, units: &Units, random: &mut Random) -> Velocities {
             } else {
                 entry.shifting += (rate * size).abs();
             }
-            let rotor = rotor(tree, units, joint, motion).sqrt() * rate;
+            let rotor = match weighed {
+                Weighed::Masses => rotor(tree, units, joint, motion).sqrt() * rate,
+                Weighed::Debts => 0.0,
+            };
             let column = &mut columns[speed_of.speed.index()];
             column.resize(n_rows, 0.0);
             column.push(rotor);
             n_rows += 1;
             bounds[speed_of.speed.index()] += rotor * rotor;
         }
-        for row in own(tree, units, body).rows {
+        let rows = match weighed {
+            Weighed::Masses => own(tree, units, body).rows,
+            Weighed::Debts => debts(tree, units, body),
+        };
+        for row in rows {
             let [wx, wy, wz, vx, vy, vz] = row;
             let (turning, shifting) = (
                 dot(&[wx, wy, wz], &[wx, wy, wz]).sqrt(),

@@ -1,13 +1,16 @@
 //! The motions that move no mass, at the state with the fewest.
 
+use std::collections::BTreeSet;
+
 use crate::description::CoordinateName;
 use crate::id::BodyId;
 use crate::random::Random;
-use crate::tree::Tree;
 use crate::tree::mobility::following;
 use crate::tree::mobility::response::moved_along;
 use crate::tree::mobility::sweep::{SweptJoint, inward};
 use crate::tree::mobility::units::Units;
+use crate::tree::system::Tree;
+use crate::tree::value::Parameter;
 
 /// The states that are tried.
 const STATES: u64 = 3;
@@ -39,4 +42,44 @@ pub fn idle_motions(tree: &Tree, most: usize) -> Vec<Vec<(BodyId, CoordinateName
     motions
         .map(|(body, idle)| moved_along(tree, &joints, body, idle))
         .collect()
+}
+
+/// What can be held so that fewer motions move no mass, whatever is set at run time: of each of these motions the coordinate
+/// that stands furthest out; none twice.
+pub(crate) fn holdable(tree: &Tree, most: usize) -> Vec<(BodyId, CoordinateName)> {
+    let mut holdable = Vec::new();
+    let mut known = BTreeSet::new();
+    for motion in idle_motions(&with_drawn_parameters(tree), most) {
+        let is_new = |(body, coordinate): &&(BodyId, CoordinateName)| {
+            !known.contains(&(*body, coordinate.index()))
+        };
+        let outmost = motion.iter().rev().find(is_new);
+        if let Some(&(body, coordinate)) = outmost {
+            known.insert((body, coordinate.index()));
+            holdable.push((body, coordinate));
+        }
+    }
+    holdable
+}
+
+/// The tree with other values, none of them zero, of what is set at run time.
+fn with_drawn_parameters(tree: &Tree) -> Tree {
+    let units = Units::of(tree);
+    let mut random = Random::new(1);
+    let parameters = tree.parameters.iter().map(|parameter| {
+        let unit = match parameter.unit {
+            "kg" => units.mass,
+            "m" => units.length,
+            "kg m^2" => units.mass * units.length * units.length,
+            _ => 1.0,
+        };
+        Parameter {
+            nominal: unit * (0.25 + random.signed().abs()),
+            ..parameter.clone()
+        }
+    });
+    Tree {
+        parameters: parameters.collect(),
+        ..tree.clone()
+    }
 }

@@ -10,6 +10,7 @@
 //! energies, and each with what it could be at most, so that a part in 1e10 in the one is safe from rounding. All
 //! this happens at a few seeded states, and the state with the fewest such columns counts.
 
+mod definite;
 mod following;
 mod idle;
 mod kinematics;
@@ -20,6 +21,7 @@ mod rows;
 mod sweep;
 mod units;
 
+pub(crate) use idle::holdable;
 pub use idle::idle_motions;
-pub(crate) use report::check;
+pub(crate) use report::{check, is_massless};
 pub(crate) use units::Units;

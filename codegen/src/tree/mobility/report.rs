@@ -1,51 +1,184 @@
 //! The motions that move no mass, in the words of the user.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::description::{CoordinateName, Description, JointKind, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::id::BodyId;
 use crate::tree::Tree;
+use crate::tree::body::Inertia;
+use crate::tree::changes::Changes;
+use crate::tree::joint::Orientation;
+use crate::tree::mobility::definite::indefinite;
 use crate::tree::mobility::idle::{Combination, idle_motions};
 use crate::tree::names::shown;
+use crate::tree::value::Value;
 
 /// The most motions that are reported: a tree without any mass has one for every coordinate.
 const MOST_REPORTED: usize = 100;
-/// The most coordinates of one motion that are named.
+/// What takes such motions out.
+const REMOVE: &str = "`--remove-massless`, or `remove_massless = true` in `kane.toml`, fixes at zero all that move none";
+/// The most coordinates of one message that are named.
 const MOST_NAMED: usize = 8;
 
-/// Reports every free coordinate, or combination of free coordinates, that moves no mass.
-pub(crate) fn check(tree: &Tree, description: &Description, findings: &mut Vec<Diagnostic>) {
-    let mut alone: Vec<Combination> = Vec::new();
-    for motion in idle_motions(tree, MOST_REPORTED) {
-        match alone.last_mut() {
-            // Coordinates of one body that are each idle are one finding.
-            Some(last) if motion.len() == 1 && last[0].0 == motion[0].0 => last.extend(motion),
-            _ if motion.len() == 1 => alone.push(motion),
-            _ => findings.push(together(tree, description, &motion)),
-        }
+/// Reports every free coordinate, or combination of free coordinates, that moves no mass: what moves none by itself in one
+/// message, and what moves none with others in one for all that are bound up with one another.
+pub(crate) fn check(
+    tree: &Tree,
+    description: &Description,
+    changes: &Changes,
+    findings: &mut Vec<Diagnostic>,
+) {
+    if is_massless(tree) {
+        findings.push(without_mass(description));
+        return;
     }
-    findings.extend(
-        alone
-            .iter()
-            .map(|motion| separately(tree, description, motion)),
-    );
+    let motions = idle_motions(tree, MOST_REPORTED);
+    let is_all = motions.len() < MOST_REPORTED;
+    let (alone, dependent): (Vec<Combination>, Vec<Combination>) =
+        motions.into_iter().partition(|motion| motion.len() == 1);
+    let told = |fault: Diagnostic, motion: &Combination| {
+        if changes.remove_massless || !can_be_held(tree, motion) {
+            return fault;
+        }
+        let help = fault.help.clone().unwrap_or_default();
+        fault.help(format!("{help}; {REMOVE}"))
+    };
+    for group in bound_up(dependent) {
+        let fault = together(tree, description, &group);
+        findings.push(told(fault, &group.coordinates));
+    }
+    let mut alone: Combination = alone.into_iter().flatten().collect();
+    alone.sort_by_key(|(body, coordinate)| (*body, coordinate.index()));
+    if !alone.is_empty() {
+        let fault = separately(tree, description, &alone, is_all);
+        findings.push(told(fault, &alone));
+    }
+    if let Some(motion) = indefinite(tree) {
+        findings.push(below_zero(tree, description, motion));
+    }
 }
 
-/// Coordinates of one body, of which each by itself moves no mass.
-fn separately(tree: &Tree, description: &Description, motion: &Combination) -> Diagnostic {
+/// True where some motion is more than a single angle of an orientation that is described otherwise.
+fn can_be_held(tree: &Tree, motion: &Combination) -> bool {
+    motion.iter().any(|(body, coordinate)| {
+        let angles = motion
+            .iter()
+            .filter(|(other, other_coordinate)| other == body && other_coordinate.is_angle());
+        let orientation = &tree.body(*body).joint.orientation;
+        let has_rates = matches!(orientation, Orientation::Rates(_));
+        has_rates || !coordinate.is_angle() || angles.count() == 3
+    })
+}
+
+/// True where nothing that moves has a mass, an inertia or a rotor.
+pub(crate) fn is_massless(tree: &Tree) -> bool {
+    let is_zero = |value: Value| tree.nominal(value) == 0.0;
+    tree.bodies.iter().all(|body| {
+        let mut mechanics = body.joint.mechanics.iter();
+        mechanics.all(|own| is_zero(own.armature))
+            && body.parts.iter().all(|part| {
+                let Inertia {
+                    xx,
+                    yy,
+                    zz,
+                    xy,
+                    xz,
+                    yz,
+                } = part.inertia;
+                [part.mass, xx, yy, zz, xy, xz, yz].into_iter().all(is_zero)
+            })
+    })
+}
+
+fn without_mass(description: &Description) -> Diagnostic {
+    let fault = Diagnostic::error(
+        "nothing that moves has a mass or an inertia, so forces would move nothing",
+    );
+    let fault = match &description.name {
+        Some(name) => fault.at(name.span, "no mass in all of this system"),
+        None => fault,
+    };
+    fault.help(
+        "give its bodies masses and inertias: a model that is only to be looked at often has none",
+    )
+}
+
+/// Motions that have coordinates in common, each coordinate once, and how many motions they are.
+struct Group {
+    coordinates: Combination,
+    n_motions: usize,
+}
+
+fn bound_up(motions: Vec<Combination>) -> Vec<Group> {
+    // By the place of each group's first motion; and of each coordinate the group in which it was last seen.
+    let mut groups: BTreeMap<usize, Group> = BTreeMap::new();
+    let mut group_of: BTreeMap<(BodyId, usize), usize> = BTreeMap::new();
+    for (place, motion) in motions.into_iter().enumerate() {
+        let key = |(body, coordinate): &(BodyId, CoordinateName)| (*body, coordinate.index());
+        let bound: BTreeSet<usize> = motion
+            .iter()
+            .filter_map(|one| group_of.get(&key(one)).copied())
+            .collect();
+        let mut group = Group {
+            coordinates: motion,
+            n_motions: 1,
+        };
+        for other in bound.iter().filter_map(|other| groups.remove(other)) {
+            group.coordinates.extend(other.coordinates);
+            group.n_motions += other.n_motions;
+        }
+        group.coordinates.sort_by_key(key);
+        group.coordinates.dedup();
+        group_of.extend(group.coordinates.iter().map(|one| (key(one), place)));
+        groups.insert(place, group);
+    }
+    groups.into_values().collect()
+}
+
+/// Coordinates of which each by itself moves no mass; whether these are all.
+fn separately(
+    tree: &Tree,
+    description: &Description,
+    motion: &Combination,
+    is_all: bool,
+) -> Diagnostic {
+    let is_one_joint = motion.iter().all(|(body, _)| *body == motion[0].0);
     let (verb, them) = if motion.len() == 1 {
         ("moves", "it")
     } else {
         ("move", "them")
     };
+    let join = if is_one_joint { Join::With } else { Join::And };
     let fault = Diagnostic::error(format!(
         "{} {verb} no mass",
-        named(tree, description, motion)
+        named(tree, description, motion, join, is_all)
+    ));
+    let help = if is_one_joint {
+        let chain = beyond(tree, description, motion[0].0);
+        format!(
+            "leave {them} out of the joint, or give {chain} the mass or inertia that would move"
+        )
+    } else {
+        format!("give the bodies beyond {them} mass or inertia")
+    };
+    at_joints(tree, description, motion, fault, "moves no mass").help(help)
+}
+
+/// A motion that would have energy below zero.
+fn below_zero(
+    tree: &Tree,
+    description: &Description,
+    motion: (BodyId, CoordinateName),
+) -> Diagnostic {
+    let motion = vec![motion];
+    let fault = Diagnostic::error(format!(
+        "the mass matrix is positive definite in no state that was tried: {} moves less than no mass",
+        named(tree, description, &motion, Join::With, true)
     ));
     let chain = beyond(tree, description, motion[0].0);
-    let help = format!(
-        "leave {them} out of the joint, or give {chain} the mass or inertia that would move"
-    );
-    at_joints(tree, description, motion, fault, "moves no mass").help(help)
+    let help = format!("correct the inertias below zero that it moves, of {chain}");
+    at_joints(tree, description, &motion, fault, "moves less than no mass").help(help)
 }
 
 /// A body and those beyond it: "body `a`", or "one of body `a`, body `b` and body `c`".
@@ -73,26 +206,46 @@ fn beyond(tree: &Tree, description: &Description, first: BodyId) -> String {
     }
 }
 
-/// Coordinates that move no mass if they move in a certain proportion.
-fn together(tree: &Tree, description: &Description, motion: &Combination) -> Diagnostic {
+/// Coordinates that move no mass if they move in certain proportions.
+fn together(tree: &Tree, description: &Description, group: &Group) -> Diagnostic {
+    let Group {
+        coordinates,
+        n_motions,
+    } = group;
+    let (motions, move_, of_them) = match n_motions {
+        1 => ("a motion".to_owned(), "moves", "one"),
+        _ => (format!("{n_motions} motions"), "move", "as many"),
+    };
     let fault = Diagnostic::error(format!(
-        "a motion of {} moves no mass",
-        named(tree, description, motion)
+        "{motions} of {} {move_} no mass",
+        named(tree, description, coordinates, Join::With, true)
     ));
-    let help =
-        "leave one of them out of its joint, or give a body the mass or inertia that would move";
-    at_joints(
-        tree,
-        description,
-        motion,
-        fault,
-        "moves no mass with the others",
-    )
-    .help(help)
+    let help = format!(
+        "leave {of_them} of them out of {} joint{}, or give a body the mass or inertia that would move",
+        if *n_motions == 1 { "its" } else { "their" },
+        if *n_motions == 1 { "" } else { "s" },
+    );
+    let label = "moves no mass with the others";
+    at_joints(tree, description, coordinates, fault, label).help(help)
 }
 
-/// "`theta1` and `s2` of body `a` together with `s1` of body `b`".
-fn named(tree: &Tree, description: &Description, motion: &Combination) -> String {
+/// How groups of coordinates are joined in a sentence.
+#[derive(Clone, Copy, PartialEq)]
+enum Join {
+    /// They move together.
+    With,
+    /// Each of them moves.
+    And,
+}
+
+/// "`theta1` and `s2` of body `a` together with `s1` of body `b`"; whether these are all that there are.
+fn named(
+    tree: &Tree,
+    description: &Description,
+    motion: &Combination,
+    join: Join,
+    is_all: bool,
+) -> String {
     let mut groups = Vec::new();
     for coordinates in
         motion[..motion.len().min(MOST_NAMED)].chunk_by(|one, other| one.0 == other.0)
@@ -117,9 +270,13 @@ fn named(tree: &Tree, description: &Description, motion: &Combination) -> String
         ));
     }
     if motion.len() > MOST_NAMED {
-        groups.push(format!("{} more", motion.len() - MOST_NAMED));
+        let at_least = if is_all { "" } else { "at least " };
+        groups.push(format!("{at_least}{} more", motion.len() - MOST_NAMED));
     }
-    groups.join(" together with ")
+    match join {
+        Join::With => groups.join(" together with "),
+        Join::And => and(&groups),
+    }
 }
 
 fn at_joints(

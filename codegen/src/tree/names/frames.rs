@@ -1,6 +1,6 @@
 //! Names of frames that only mark places, and of the bodies in which they are fixed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::{Carrier, Description};
 use crate::diagnostic::{Diagnostic, Spanned, nearest};
@@ -15,6 +15,12 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
     for (kind, name) in bodies.clone() {
         known.entry(&name.value).or_insert((kind, name));
     }
+    let names: BTreeSet<&str> = bodies
+        .clone()
+        .map(|(_, name)| name.value.as_str())
+        .collect();
+    // A body whose name is missing, or a list that is not there, is the fault then.
+    let all_named = !names.is_empty() && bodies.count() == description.bodies.len();
     for (index, frame) in description.frames.iter().enumerate() {
         check_one(
             frame.name.as_ref(),
@@ -37,16 +43,23 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
                 known.insert(&name.value, ("frame", name));
             }
         }
-        if let Carrier::Body(Some(body)) = &frame.body {
-            let names: Vec<&str> = bodies
-                .clone()
-                .map(|(_, name)| name.value.as_str())
-                .collect();
-            if !names.contains(&body.value.as_str()) {
-                findings.push(unknown_body(index + 1, body, &names));
-            }
+        if let Carrier::Body(Some(body)) = &frame.body
+            && all_named
+            && !names.contains(body.value.as_str())
+        {
+            let names: Vec<&str> = written_names(description).collect();
+            findings.push(unknown_body(index + 1, body, &names));
         }
     }
+}
+
+/// The names of the bodies, in the order of the file.
+fn written_names(description: &Description) -> impl Iterator<Item = &str> {
+    let names = description
+        .bodies
+        .iter()
+        .filter_map(|body| body.name.as_ref());
+    names.map(|name| name.value.as_str())
 }
 
 fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagnostic {

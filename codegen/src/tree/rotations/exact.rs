@@ -88,6 +88,16 @@ impl Snapped {
         }
     }
 
+    /// True where an axis was changed.
+    pub(crate) fn has_axis(&self) -> bool {
+        self.changed.iter().flatten().any(|what| *what == "axis")
+    }
+
+    /// True where nothing was changed.
+    pub(crate) fn is_nothing(&self) -> bool {
+        self.changed.iter().all(Vec::is_empty)
+    }
+
     /// Tells what was changed, body by body in this order of places in the user's list.
     pub(crate) fn note(&self, description: &Description, order: &[usize]) -> Option<Diagnostic> {
         let of_body = |&place: &usize| {

@@ -7,6 +7,7 @@ use crate::limits::PARAMETERS;
 use crate::tree::body::Inertia;
 use crate::tree::joints::ResolvedJoint;
 use crate::tree::mechanics::Mechanics;
+use crate::tree::negligible::Negligible;
 use crate::tree::value::{Parameter, Value};
 use crate::tree::values::frames::{FrameValues, KnownFrame, of_frame};
 use crate::tree::values::mechanics;
@@ -59,8 +60,9 @@ pub(crate) fn values<'a>(
     let mut parameters = Parameters::default();
     let gravity = parameters.vector(&description.gravity, "gravity", None, "m/s^2")?;
     let mut of_bodies = Vec::with_capacity(description.bodies.len());
+    let negligible = Negligible::of(description);
     for body in bodies {
-        of_bodies.push(of_body(&mut parameters, &body)?);
+        of_bodies.push(of_body(&mut parameters, &body, negligible)?);
         check_count(&parameters, body.written.span, findings)?;
     }
     let mut of_frames = Vec::with_capacity(description.frames.len());
@@ -89,7 +91,11 @@ fn check_count(parameters: &Parameters, place: Span, findings: &mut Vec<Diagnost
     None
 }
 
-fn of_body(parameters: &mut Parameters, body: &HostedBody<'_>) -> Option<BodyValues> {
+fn of_body(
+    parameters: &mut Parameters,
+    body: &HostedBody<'_>,
+    negligible: Negligible,
+) -> Option<BodyValues> {
     let &HostedBody {
         written,
         joint,
@@ -98,9 +104,10 @@ fn of_body(parameters: &mut Parameters, body: &HostedBody<'_>) -> Option<BodyVal
     } = body;
     let name = |quantity: &str| format!("{identifier}_{quantity}");
     let at = &written.joint;
-    let mass = parameters.value(written.mass, name("mass"), host, "kg")?;
+    let mass = parameters.value(negligible.mass(written.mass), name("mass"), host, "kg")?;
     let mass_center = parameters.vector(&written.mass_center, &name("mass_center"), host, "m")?;
-    let inertia = parameters.inertia(&written.inertia, &name("inertia"), host)?;
+    let inertia = negligible.inertia(written.inertia);
+    let inertia = parameters.inertia(&inertia, &name("inertia"), host)?;
     let attachment = parameters.vector(&at.attachment, &name("attachment"), host, "m")?;
     let body_attachment = match &at.body_attachment {
         Some(given) => Some(parameters.vector(given, &name("body_attachment"), host, "m")?),

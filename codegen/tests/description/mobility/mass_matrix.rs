@@ -9,21 +9,21 @@ use kane_test_support::dynamics::State;
 type Matrix = Vec<Vec<f64>>;
 
 /// The mass matrix in a few states.
-pub(super) struct MassMatrices(Vec<Matrix>);
+pub(crate) struct MassMatrices(Vec<Matrix>);
 
 impl MassMatrices {
-    pub(super) fn of(tree: &Tree, seed: u64) -> Self {
+    pub(crate) fn of(tree: &Tree, seed: u64) -> Self {
         Self(matrices(tree, seed))
     }
 
     /// The most that it has in rank.
-    pub(super) fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         let ranks = self.0.iter().map(|m| rank_of_energies(m.clone()));
         ranks.max().unwrap()
     }
 
     /// The most that the rows and columns of these speeds have in rank.
-    pub(super) fn rank_of(&self, speeds: &[usize]) -> usize {
+    pub(crate) fn rank_of(&self, speeds: &[usize]) -> usize {
         let part = |m: &Matrix| -> Matrix {
             let row = |&row: &usize| speeds.iter().map(|&column| m[row][column]).collect();
             speeds.iter().map(row).collect()

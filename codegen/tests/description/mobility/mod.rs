@@ -7,6 +7,6 @@
 )]
 
 mod followers;
-mod mass_matrix;
+pub(crate) mod mass_matrix;
 mod rank;
 mod trees;

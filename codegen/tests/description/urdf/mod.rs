@@ -1,5 +1,6 @@
 //! Reading URDF: what every element becomes.
 
+mod causes;
 mod robots;
 mod text;
 

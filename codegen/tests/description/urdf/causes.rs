@@ -1,0 +1,45 @@
+//! What is wrong is said, and nothing of what only follows from it.
+
+use kane_codegen::{description::Reading, diagnostic::Severity, tree};
+
+use super::{joint_element, link_element, parse, robot};
+
+/// The errors of a robot, each by its first line.
+fn errors(text: &str) -> Vec<String> {
+    let faults = tree::build(&parse(text, &Reading::default())).expect_err("it is wrong");
+    let errors = faults.list().iter();
+    let errors = errors.filter(|fault| fault.severity == Severity::Error);
+    errors.map(|fault| fault.message.clone()).collect()
+}
+
+#[test]
+fn a_misspelt_child_is_all_that_is_wrong() {
+    let text = robot(&[
+        ("one", "continuous", "base", "upper", ""),
+        ("two", "continuous", "upper", "lower", ""),
+    ]);
+    let text = text.replace("child link=\"lower\"", "child link=\"lover\"");
+    assert_eq!(
+        errors(&text),
+        ["`child` of joint `two` is link `lover`, which is not defined"]
+    );
+}
+
+#[test]
+fn several_roots_are_all_that_is_wrong() {
+    let joint = joint_element("root_joint", "continuous", ["a", "b"], "");
+    let links = ["a", "b", "c", "d"].map(link_element).concat();
+    let found = errors(&format!("<robot name=\"r\">{links}{joint}</robot>"));
+    assert!(
+        matches!(&found[..], [only] if only.starts_with("the robot has 3 root links")),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_base_that_is_free_is_proposed_where_nothing_moves() {
+    let description = parse(&robot(&[("j", "fixed", "a", "b", "")]), &Reading::default());
+    let faults = tree::build(&description).expect_err("nothing moves");
+    let help = faults.list()[0].help.as_deref().unwrap_or_default();
+    assert!(help.contains("`--base free`"), "{faults}");
+}
