@@ -1,0 +1,8 @@
+//! What people read: README.md, the pages of `docs`, and what stands beside them. Links lead somewhere, and code does what the
+//! text says: tutorials are run as they are written, step after step, in a fresh folder.
+
+mod blocks;
+mod links;
+mod page;
+mod pictures;
+mod tutorials;
