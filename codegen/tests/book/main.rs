@@ -2,6 +2,7 @@
 //! text says: tutorials are run as they are written, step after step, in a fresh folder.
 
 mod blocks;
+mod dictionary;
 mod links;
 mod page;
 mod pictures;
