@@ -6,4 +6,5 @@ mod dictionary;
 mod links;
 mod page;
 mod pictures;
+mod schemas;
 mod tutorials;

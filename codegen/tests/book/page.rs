@@ -136,7 +136,11 @@ pub(crate) fn parse(path: &str, text: &str) -> Page {
 
 /// What a comment says; nothing of what is no comment.
 fn comment(path: &str, html: &str) -> Option<Use> {
-    let words = html.trim().strip_prefix("<!--")?.strip_suffix("-->")?.trim();
+    let words = html
+        .trim()
+        .strip_prefix("<!--")?
+        .strip_suffix("-->")?
+        .trim();
     if let Some(file) = words.strip_prefix("file: ") {
         return Some(Use::File(file.to_owned()));
     }

@@ -30,7 +30,11 @@ fn program(page: &Page) -> (String, Vec<(usize, String)>) {
             Some(Use::File(path)) => {
                 let folder = Path::new(path).parent().unwrap().display();
                 let folder = format!("./{folder}");
-                write!(script, "mkdir -p {folder}\ncat >{path} <<'END_OF_FILE'\n{text}END_OF_FILE\n").unwrap();
+                write!(
+                    script,
+                    "mkdir -p {folder}\ncat >{path} <<'END_OF_FILE'\n{text}END_OF_FILE\n"
+                )
+                .unwrap();
             }
             Some(Use::Run) => {
                 runs += 1;
@@ -61,7 +65,11 @@ fn replay(path: &str) {
     symlink(&root, folder.path().join("kane")).unwrap();
     let command = Path::new(env!("CARGO_BIN_EXE_kane")).parent().unwrap();
     let paths = env::var_os("PATH").unwrap();
-    let paths = env::join_paths([command.to_owned()].into_iter().chain(env::split_paths(&paths)));
+    let paths = env::join_paths(
+        [command.to_owned()]
+            .into_iter()
+            .chain(env::split_paths(&paths)),
+    );
     // All tutorials compile the runtime once.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     let ran = Command::new("bash")
