@@ -1,11 +1,12 @@
 //! One small trait for each function that a generated module may hold.
 //!
-//! In: `q`, `u`, `u_dot`, `tau`, `loads`, as far as the function needs them, in this order. Out: the last
-//! argument, which is overwritten whole. `self` is the module's `Prepared<R>`. No function fails, panics or
-//! allocates; whatever IEEE arithmetic gives is what comes out. Generic code asks for what it needs, as in
+//! A method is given `q`, `u`, `u_dot`, `tau` and `loads`, as far as the function needs them, in this order. It writes its last
+//! arguments, and overwrites each of them whole. `self` is the module's `Prepared<R>`. No function fails, panics or
+//! allocates; the results are whatever IEEE arithmetic gives. Generic code asks for the functions that it needs, as in
 //! `S: MassMatrix<R> + Bias<R>`.
 //!
-//! `K` is a body, `J` its lower body (parent), 0 the inertial frame; equation numbers are those of the notes.
+//! `K` is a body, `J` its lower body (parent), 0 the inertial frame. The numbers of equations are those of a set of lecture notes, called *the notes* here: J. W. Kamman,
+//! *Multibody Dynamics: Equations of Motion for Unconstrained Systems Using Relative Coordinates with Orientation Angles*.
 //!
 //! | trait | method | output | equation |
 //! | --- | --- | --- | --- |
