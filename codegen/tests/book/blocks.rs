@@ -4,14 +4,11 @@ use std::fs;
 
 use kane_codegen::{config, description::toml, diagnostic::Source, functions::Function, tree};
 
-use crate::{
-    page::{self, Block, Page, Use, repository},
-    tutorials,
-};
+use crate::page::{self, Block, Page, REPLAYED, Use, repository};
 
 /// What is wrong with a block's language and comment; none if a test looks at it.
 fn untested(page: &Page, block: &Block) -> Option<String> {
-    let replayed = tutorials::REPLAYED.contains(&&*page.path);
+    let replayed = REPLAYED.contains(&&*page.path);
     let why = match (&*block.language, &block.used) {
         ("text", None) | ("sh", Some(Use::NotRun)) => return None,
         (_, Some(Use::File(_) | Use::Run | Use::Output)) if replayed => return None,

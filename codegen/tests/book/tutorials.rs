@@ -3,19 +3,7 @@
 
 use std::{env, fmt::Write as _, fs, os::unix::fs::symlink, path::Path, process::Command};
 
-use crate::page::{self, Page, Use, repository};
-
-/// The pages with a test below.
-pub(crate) const REPLAYED: [&str; 8] = [
-    "README.md",
-    "docs/start.md",
-    "docs/tutorials/arm.md",
-    "docs/tutorials/c.md",
-    "docs/tutorials/continuous_integration.md",
-    "docs/tutorials/floating.md",
-    "docs/tutorials/microcontroller.md",
-    "docs/tutorials/spacecraft.md",
-];
+use crate::page::{self, Page, REPLAYED, Use, repository};
 
 /// What stands between what two blocks print.
 const MARK: &str = "---- end of a block ----";
