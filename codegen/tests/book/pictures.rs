@@ -24,7 +24,7 @@ fn the_bars_have_the_numbers_of_the_table() {
     }
 }
 
-/// The time, ns, of independent calls of a function, and what CasADi and Pinocchio take for one of ours.
+/// The time, ns, of independent calls of a function, and how many times as long `CasADi` and Pinocchio take.
 fn measured(robot: &str, function: &str) -> [String; 3] {
     let page = fs::read_to_string(repository("benches/peers/README.md")).unwrap();
     let start = format!("| {robot} | {function} | independent |");
