@@ -1,7 +1,7 @@
 //! [`Array`]: what generic code may ask of the fixed-size arrays in a system's signatures.
 //!
-//! A system's sizes are associated types, not const-generic parameters: stable Rust cannot compute one
-//! array length from another, and nothing here needs a turbofish this way.
+//! The sizes of a system are associated types and no const-generic parameters. Stable Rust cannot compute one array length from another, and
+//! with associated types no call needs a turbofish.
 
 use core::fmt::Debug;
 use core::ops::{Index, IndexMut};

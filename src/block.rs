@@ -1,9 +1,8 @@
 //! [`Block`]: where the compact columns of a partial velocity matrix belong.
 //!
-//! In: the columns and the pattern of one function, such as
-//! [`PartialVelocity`](crate::functions::PartialVelocity). Out: one body's dense `3 x NU` matrix. Blocks
-//! that are structurally zero (Eqs. 16 and 30) are neither computed nor stored; a dense matrix is for
-//! checks and for other libraries, not for the control loop.
+//! It takes the columns and the pattern of one function, such as [`PartialVelocity`](crate::functions::PartialVelocity), and gives one body's dense
+//! `3 x NU` matrix. Blocks that are always zero (Eqs. 16 and 30) are neither computed nor stored. Use a dense matrix for checks and for other libraries, not in the
+//! control loop.
 
 use crate::Real;
 

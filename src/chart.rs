@@ -1,8 +1,8 @@
-//! States in another chart: angles to Euler parameters and back, rates to angular velocities and back.
+//! Conversion of states between angles and quaternions: angles to Euler parameters and back, rates to angular velocities and back.
 //!
-//! In: a state of one system. Out: the same motion as a state of another, generated from the same model in another
-//! chart. For hosts (feature `std`): what is generated for the loop needs no arc tangent. Orientations are exact to
-//! rounding; near `cos(theta_2) = 0`, where angles are singular, their rates lose as many digits as any use of them does.
+//! It takes a state of one system and gives the same motion as a state of another system. Both must be generated from the same model, with different charts. It needs
+//! the feature `std`, because it uses an arc tangent; generated functions never do. Orientations are exact up to rounding. Near `cos(theta_2) = 0`, where
+//! angles are singular, the rates of the angles lose digits.
 
 use crate::joint::Chart;
 use crate::manifold::of_angles;

@@ -1,8 +1,8 @@
-//! Forward dynamics that looks before it solves.
+//! Forward dynamics that checks a state before it solves.
 //!
-//! In: a state, and how near to a singularity it may come. Out: `u_dot`, or an error that names the body and
-//! leaves `u_dot` as it was. For scalars that are one number (`f32`, `f64`, newtypes of them), not for
-//! lanes. The solve itself is the unchecked function's: the same bits come out.
+//! It takes a state, and limits that say how near to a singularity the state may be. It gives `u_dot`, or an error that names the body and
+//! leaves `u_dot` unchanged. It works for scalars that are one number (`f32`, `f64`, newtypes of them), not for lanes. The result has the same bits as that of
+//! the unchecked function.
 
 use core::error::Error;
 use core::fmt;

@@ -1,11 +1,12 @@
 //! One small trait for each function that a generated module may hold.
 //!
-//! In: `q`, `u`, `u_dot`, `tau`, `loads`, as far as the function needs them, in this order. Out: the last
-//! argument, which is overwritten whole. `self` is the module's `Prepared<R>`. No function fails, panics or
-//! allocates; whatever IEEE arithmetic gives is what comes out. Generic code asks for what it needs, as in
+//! A method is given `q`, `u`, `u_dot`, `tau` and `loads`, as far as the function needs them, in this order. It writes its last
+//! arguments, and overwrites each of them whole. `self` is the module's `Prepared<R>`. No function fails, panics or
+//! allocates; the results are whatever IEEE arithmetic gives. Generic code asks for the functions that it needs, as in
 //! `S: MassMatrix<R> + Bias<R>`.
 //!
-//! `K` is a body, `J` its lower body (parent), 0 the inertial frame; equation numbers are those of the notes.
+//! `K` is a body, `J` its lower body (parent), 0 the inertial frame. The numbers of equations are those of a set of lecture notes, called *the notes* here: J. W. Kamman,
+//! *Multibody Dynamics: Equations of Motion for Unconstrained Systems Using Relative Coordinates with Orientation Angles*.
 //!
 //! | trait | method | output | equation |
 //! | --- | --- | --- | --- |
@@ -237,10 +238,10 @@ pub trait MassMatrix<R: Real>: System<R> {
 
 /// The entries of the [`MassMatrix`] on and below the diagonal that the tree does not make zero, row after row. Eq. (42).
 ///
-/// Those of two speeds that move no body in common are left out: a quarter of the whole matrix is left of a humanoid's, as
-/// solvers that follow the tree want it. [`unpack`] makes the whole of it.
+/// Entries of two speeds that move no body in common are left out. For a humanoid a quarter of the matrix remains, in the form that
+/// solvers along the tree use. [`unpack`] makes the whole matrix.
 pub trait MassMatrixPacked<R: Real>: System<R> {
-    /// `[R; n]`, one entry a place.
+    /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
     /// The row and the column of each entry, column not above row; ordered by row, within a row by column.
     const PLACES: &'static [[usize; 2]];
@@ -250,7 +251,7 @@ pub trait MassMatrixPacked<R: Real>: System<R> {
 
 /// Writes the whole symmetric matrix whose `entries` stand at these `places`; all others become zero.
 ///
-/// What stands outside the matrix, or has no place, is dropped.
+/// Entries without a place, and places outside the matrix, are ignored.
 pub fn unpack<R: Real, Row: Array<R>>(
     entries: &[R],
     places: &[[usize; 2]],
@@ -292,11 +293,11 @@ function_traits! {
     /// called by its algorithm, ABA.
     ///
     /// Where `M` is singular or indefinite (a body without mass or inertia at the end of the tree, angles at
-    /// their singularity) the result is infinite, NaN or simply wrong, without notice; the twin that
-    /// looks is [`checked::forward_dynamics`](crate::checked::forward_dynamics).
+    /// their singularity) the result is infinite, NaN or simply wrong, without notice.
+    /// [`checked::forward_dynamics`](crate::checked::forward_dynamics) checks first.
     ForwardDynamics: forward_dynamics(q: &Self::Q, u: &Self::U, tau: &Self::U, u_dot: &mut Self::U);
 
-    /// The pivots `D` of `M = Lᵀ D L`, one a speed, in the units of the mass matrix's diagonal.
+    /// The pivots `D` of `M = Lᵀ D L`, one for each speed, in the units of the mass matrix's diagonal.
     ///
     /// All positive exactly where the mass matrix is positive definite.
     ForwardDynamicsPivots: forward_dynamics_pivots(q: &Self::Q, pivots: &mut Self::U);
@@ -337,10 +338,10 @@ function_traits! {
     PotentialEnergies: potential_energies(q: &Self::Q, energies: &mut Self::Scalars);
 }
 
-/// All that each joint transmits to its body from the lower body, by which bearings and structures are sized.
+/// The force and moment that each joint transmits from the lower body to its body. Bearings and structures are sized by them.
 ///
 /// `force`, N, and `moment`, N m, are body components, about the point of the body where its joint sits: its origin, or its
-/// `body_attachment` where it has one. Weight and the loads on all bodies outward of the joint are in it, and so are motors,
+/// `body_attachment` where it has one. They include weight and the loads on all bodies outward of the joint, and motors,
 /// springs and dampers, which act through the joint. Often called joint reactions.
 pub trait JointWrenches<R: Real>: System<R> {
     /// Overwrites `force` and `moment`; meaning, frame and unit are those of [`JointWrenches`].
@@ -355,11 +356,11 @@ pub trait JointWrenches<R: Real>: System<R> {
     );
 }
 
-/// Hybrid dynamics: the accelerations of some speeds are given and their forces found, of the others the reverse, so that
-/// `M u_dot + bias = tau` holds of the whole `u_dot`, rad/s² and m/s², and the whole `tau`, N m and N. Eqs. (41), (43).
+/// Hybrid dynamics: for some speeds the accelerations are given and the forces are found, for the others the reverse.
+/// `M u_dot + bias = tau` holds for the whole `u_dot`, rad/s² and m/s², and the whole `tau`, N m and N. Eqs. (41), (43).
 ///
-/// Which speeds these are is a choice of the generator's options, `prescribed`. What is given is copied; entries of `u_dot` and
-/// `tau` that are found are not read. With all prescribed it is [`InverseDynamics`], with none [`ForwardDynamics`]. Nothing is
+/// The generator's option `prescribed` says which speeds have given accelerations. Given entries are copied; entries of `u_dot` and
+/// `tau` that are found are not read. If all are prescribed it is [`InverseDynamics`], if none is it is [`ForwardDynamics`]. Nothing is
 /// checked, as in [`ForwardDynamics`].
 pub trait HybridDynamics<R: Real>: System<R> {
     /// The `NU` speeds: true where the acceleration is given.
@@ -407,7 +408,7 @@ pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
 }
 
 /// Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`, inertial
-/// components: what [`CentroidalMomentumMatrix`] times `u_dot` leaves of the rates. Often called `A_G_dot u`.
+/// components: the part of the rates that [`CentroidalMomentumMatrix`] times `u_dot` does not give. Often called `A_G_dot u`.
 pub trait CentroidalMomentumMatrixDotU<R: Real>: System<R> {
     /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrixDotU`].
     fn centroidal_momentum_matrix_dot_u(

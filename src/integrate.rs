@@ -1,9 +1,8 @@
 //! Fixed-step integration for control loops: the classic fourth-order Runge-Kutta step.
 //!
-//! In: a state. Out: the state a step later, in place. No allocation, no error estimate, no checks: a
-//! singular state gives whatever [`ForwardDynamics`] gives. The time does not enter; for a law that depends
-//! on it, let the closure count or hold the time. For a tolerance instead of a step there is
-//! the module `simulate`.
+//! It takes a state and gives the state one step later, in place. It does not allocate, estimate an error or check anything: a
+//! singular state gives whatever [`ForwardDynamics`] gives. The time is no argument. If your control law depends on it, let the closure count or hold the
+//! time. The module `simulate` integrates to a tolerance instead of with a fixed step.
 
 use crate::functions::ForwardDynamics;
 use crate::vector::add_scaled;

@@ -1,6 +1,6 @@
-//! [`Joint`] and [`Frame`]: where a joint's coordinates stand, and where what is fixed to a body is.
+//! [`Joint`] and [`Frame`]: the places of a joint's coordinates, and the places of frames that are fixed in bodies.
 //!
-//! Constants of a generated module, for code that holds any system: conversion between charts, tools, logs.
+//! Generated modules hold constants of these types, for code that works with any system: conversion between charts, tools, logs.
 
 use crate::Real;
 

@@ -1,12 +1,63 @@
-// Compiled code does not depend on the README, or its every change would compile all that calls this crate anew.
-#![cfg_attr(
-    all(any(doc, doctest), feature = "cart_pole"),
-    doc = include_str!("../README.md")
-)]
-#![cfg_attr(
-    not(all(any(doc, doctest), feature = "cart_pole")),
-    doc = "Runtime of multibody systems compiled to flat Rust."
-)]
+//! Runtime for robot and multibody dynamics that a compiler wrote as plain Rust.
+//!
+//! The package `kane-codegen` with its command `kane` reads a model in URDF, MJCF or TOML and writes a Rust module: one function for the mass
+//! matrix, one for inverse dynamics, and so on. The functions have no loop, branch, allocation or panic. This crate is what such a module needs, and
+//! what you do with it: integration, batches of states, inverse kinematics, derivatives of a controller's steps.
+//!
+//! # A control loop
+//!
+//! ```sh
+//! kane generate cart_pole.toml --output src/cart_pole.rs
+//! ```
+//!
+//! ```
+//! # mod cart_pole { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/generated/cart_pole.rs")); }
+//! # fn main() {
+//! // At the top of your crate: #[rustfmt::skip] mod cart_pole;
+//! use cart_pole::{NQ, NU, Parameters, Prepared};
+//! use kane::integrate::rk4_step;
+//!
+//! let parameters = Parameters { pole_mass: 0.55 }; // measured today
+//! let system = Prepared::<f64>::new(&parameters);  // once, outside the loop
+//!
+//! let (mut q, mut u): ([f64; NQ], [f64; NU]) = ([0.0, 0.1], [0.0; NU]);
+//! for _ in 0..10_000 {
+//!     // The motor moves the cart alone, toward the side to which the pole falls.
+//!     let tau = [60.0 * q[1] + 12.0 * u[1] + 4.0 * q[0] + 6.0 * u[0], 0.0];
+//!     rk4_step(&system, &tau, 1e-3, &mut q, &mut u); // the simulated plant
+//! }
+//! assert!(q[0].abs() < 0.01 && q[1].abs() < 0.01, "the pole stands, the cart is home");
+//! # }
+//! ```
+//!
+//! This loop needs no feature: with `default-features = false` the crate is `no_std` and has no dependencies.
+//!
+//! # Where to look
+//!
+//! | you want to know | look at |
+//! | --- | --- |
+//! | what a function computes, with shapes, units and axes | [`functions`]: a trait for each |
+//! | units, frames, rotations, signs, order of coordinates | [`conventions`] |
+//! | the sizes and names of a system, in generic code | [`System`] |
+//! | which scalars there are | [`Real`] |
+//! | how to integrate | [`integrate`], or the module `simulate` to a tolerance |
+//! | how to check a state before you solve | [`checked`] |
+//! | many states at once | [`batch`], [`Lanes`] |
+//! | coordinates for given poses | [`inverse_kinematics`] |
+//! | discrete steps with their derivatives, for regulators and planners | [`discrete`], [`manifold`] |
+//! | tests that `kane generate --with-tests` writes | [`self_test`] |
+//!
+//! # Features
+//!
+//! | feature | default | what it adds |
+//! | --- | --- | --- |
+//! | `std` | yes | errors of the standard library, conversion between angles and quaternions |
+//! | `nalgebra` | yes | views of arrays as matrices of nalgebra |
+//! | `eight_body` | yes | a bundled system: eight free bodies |
+//! | `cart_pole` | | a bundled system: a pole on a cart |
+//! | `wide` | | vectors of the crate `wide` as scalars |
+//! | `simulate` | | integration with an adaptive step |
+
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -58,6 +109,30 @@ pub mod simulate;
 #[cfg(feature = "nalgebra")]
 pub mod view;
 
+// What the words of the documentation mean: text alone. The first of two definitions of a link counts, so that the page's own link to a file is not
+// taken here.
+#[cfg(doc)]
+#[doc = "[figures]: #figures"]
+#[doc = ""]
+#[doc = include_str!("../docs/conventions.md")]
+#[doc = "\n# Figures\n\nAttachment, translation, mass centre:\n"]
+#[doc = include_str!("../docs/pictures/attachment.svg")]
+#[doc = "\nThe three angles:\n"]
+#[doc = include_str!("../docs/pictures/rotation.svg")]
+#[doc = "\nComponents of a vector along the axes of two bodies:\n"]
+#[doc = include_str!("../docs/pictures/matrix.svg")]
+pub mod conventions {}
+
+// The code of pages, compiled and run as tests of this documentation. Compiled code does not depend on them, or their every change would
+// compile all that calls this crate anew.
+#[cfg(all(doctest, feature = "cart_pole", feature = "eight_body"))]
+mod pages {
+    #[doc = include_str!("../README.md")]
+    mod readme {}
+    #[doc = include_str!("../docs/start.md")]
+    mod start {}
+}
+
 // The bundled systems, one feature each.
 /// A pole on a cart, with the pole's mass as a runtime parameter.
 #[cfg(feature = "cart_pole")]
@@ -69,7 +144,7 @@ pub mod view;
 #[path = "../generated/cart_pole.rs"]
 pub mod cart_pole;
 
-/// The eight-body example of the notes: eight free bodies, 48 speeds, no gravity.
+/// Eight free bodies, 48 speeds, no gravity: the example of the lecture notes that the equations come from.
 #[cfg(feature = "eight_body")]
 #[allow(clippy::pedantic, reason = "generated: nobody wrote these lines, and nobody will polish them")]
 #[rustfmt::skip]

@@ -1,8 +1,7 @@
-//! What must hold for a generated module whatever its system: the checks that `kane generate --with-tests` calls.
+//! Checks that hold for every generated module. The tests that `kane generate --with-tests` writes call them.
 //!
-//! In: a system, a state. Out: nothing, or the [`Mismatch`]: what was found, what was expected. All in `f64`; derivatives along
-//! the motion are central differences, extrapolated once. No check shares anything with the generator but the meaning of
-//! the functions.
+//! A check takes a system and a state, and gives nothing or a [`Mismatch`]: what was found and what was expected. All checks compute in `f64`. Derivatives along
+//! the motion are central differences, extrapolated once. The checks share no code with the generator.
 
 use core::error::Error;
 use core::fmt;

@@ -1,8 +1,8 @@
 //! [`System`]: sizes, names and tree of a multibody system, and the two functions that every system has.
 //!
-//! A generated module implements it for its `Prepared<R>`, which holds whatever depends on the parameters
-//! alone. Every other function has a trait of its own in [`functions`](crate::functions), implemented for
-//! what the module holds.
+//! A generated module implements it for its `Prepared<R>`, which holds everything that depends on the parameters
+//! alone. Every other function has a trait of its own in [`functions`](crate::functions); a module implements the traits of
+//! the functions that it holds.
 
 use crate::{Array, Cost, Frame, Joint, Load, Real};
 

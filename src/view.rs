@@ -1,4 +1,4 @@
-//! The arrays that generated functions take and give, as nalgebra's vectors and matrices.
+//! The arrays that generated functions take and write, as vectors and matrices of nalgebra.
 //!
 //! Vectors are viewed without copying. Generated matrices are arrays of rows, nalgebra's are columns, so
 //! what can be viewed without copying is the transpose; for the mass matrix, which is symmetric, that is the
@@ -15,7 +15,7 @@
 //! assert_eq!(tau, [1.0, -2.0]);
 //! ```
 //!
-//! Of a discrete step [`step_by_state`] makes `A`, [`step_by_tau`] `B`.
+//! [`step_by_state`] makes the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`.
 //!
 //! Without `std`, decompositions and norms need nalgebra's feature `libm`.
 

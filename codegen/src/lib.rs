@@ -1,18 +1,48 @@
-//! Compiler from multibody systems to flat, allocation-free Rust.
+//! Compiler from models of robots and other multibody systems to plain Rust functions for their dynamics.
+//!
+//! Most users run the command `kane`, which this package holds. A build script uses [`build_script::Build`]. A program that generates text itself
+//! calls [`generate`](generate::generate):
+//!
+//! ```
+//! use kane_codegen::{description::no_includes, diagnostic::Source, generate::generate, options::Options};
+//!
+//! let model = r#"
+//!     name = "pendulum"
+//!     gravity = [0.0, 0.0, -9.81]
+//!     lower_bodies = [0]
+//!
+//!     [[body]]
+//!     name = "rod"
+//!     mass = 2.0
+//!     mass_center = [0.0, 0.0, -0.5]
+//!     inertia = { xx = 0.2, yy = 0.2, zz = 0.01, xy = 0.0, xz = 0.0, yz = 0.0 }
+//!     attachment = [0.0, 0.0, 0.0]
+//!     joint = ["theta1"]
+//! "#;
+//! let source = Source::new("pendulum.toml", model);
+//! let generated = generate(&source, "pendulum.toml", &Options::default(), &no_includes)?;
+//! assert!(generated.source.contains("pub fn forward_dynamics<R: kane::Real>("));
+//! # Ok::<(), kane_codegen::error::Error>(())
+//! ```
+//!
+//! # The stages
 //!
 //! ```text
 //! description ──> tree ──> expressions on partitions ──> passes ──> program ──> listing ──> source
 //! ```
 //!
-//! [`generate`](generate::generate) is that line in one screen. `kane` (the command) and
-//! [`build_script`] call it; nothing else does. Follow one quantity: [`functions`] names it and says how it
-//! is derived, [`kane`] and [`recursive`] hold its equations, [`passes`] and [`program`] make them flat, [`listing`] says
-//! statement by statement what is done, and [`printers`] write it down.
+//! | stage | modules |
+//! | --- | --- |
+//! | A model is read, and every fault is collected with its place. | [`description`], [`diagnostic`] |
+//! | All rules are checked; bodies, coordinates and parameters get numbers. | [`tree`] |
+//! | Equations become expressions: literally, and again with sums over bodies re-associated along the tree. | [`kane`], [`recursive`] |
+//! | Each requested function picks the form with fewer operations. | [`functions`], [`compile`] |
+//! | Expressions become straight-line code. | [`passes`], [`program`] |
+//! | The code gets names, and is printed as Rust, C and JSON. | [`listing`], [`printers`] |
 //!
-//! Invariants: a [`Tree`](tree::Tree) obeys every rule a description can break, so nothing after it fails on a
-//! user's mistake; nothing here reads a clock, the environment or a hash order, so the same description gives the
-//! same bytes everywhere; files are touched only by the command line, [`input`], [`output`], [`build_script`] and `object`,
-//! which reads what rustc makes of a module.
+//! Three rules hold everywhere. A [`Tree`](tree::Tree) obeys every rule that a description can break, so no later stage fails because of a user's
+//! mistake. Nothing here reads a clock, the environment or a hash order, so the same description gives the same bytes everywhere.
+//! Only the command line, [`input`], [`output`], [`build_script`] and `object` touch files; `object` reads what rustc makes of a module.
 
 // Each module imports only from those that stand before it.
 

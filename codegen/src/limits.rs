@@ -1,4 +1,4 @@
-//! How large what is given may be, so that every command ends in bounded time and memory: in a minute or so, and 4 GiB.
+//! The largest sizes of inputs. With them every command ends in about a minute and within 4 GiB.
 //!
 //! Whatever is beyond a limit is an error that says what was found and what is allowed. `docs/model.md` lists the limits.
 

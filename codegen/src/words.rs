@@ -1,5 +1,5 @@
-//! Words that a language has for itself, of which generated names keep clear. Names are made once for all languages; these words
-//! are avoided where they are made, so that they read the same in all. What others reserve, their printers escape.
+//! Reserved words of languages, which generated names avoid. Names are made once for all languages, so they
+//! are the same in each. A printer escapes further words that its language reserves.
 
 /// Strict and reserved keywords of Rust up to edition 2024.
 const RUST_KEYWORDS: [&str; 51] = [

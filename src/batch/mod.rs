@@ -1,9 +1,9 @@
-//! Many states at once: structure of arrays in, structure of arrays out, each lane of a vector one state.
+//! Many states at once. All inputs and outputs are arrays of one quantity for all states, and each lane of a vector holds one state.
 //!
-//! A quantity of a batch of `n` states is a slice of rows: all states' first number, then all states' second, and so on,
-//! row by row (`q[0]` of every state, `q[1]` of every state, ...). So `q` has `NQ n` numbers, `tau` has `NU n`, and a mass
-//! matrix `NU NU n`, entry `m[r][c]` in row `NU r + c`. States need no order and no padding; what is left over after the
-//! last full group of lanes is computed with repeated lanes, of which nothing is stored.
+//! A quantity of a batch of `n` states is a slice of rows: first the first number of all states, then the second number of all states, and so on
+//! (`q[0]` of every state, `q[1]` of every state, ...). So `q` has `NQ n` numbers, `tau` has `NU n`, and a mass
+//! matrix has `NU NU n`, with the entry `m[r][c]` in row `NU r + c`. States need no order and no padding. If the last group of lanes is not full, it is computed with
+//! repeated states, and the repeated results are not stored.
 //!
 //! ```
 //! # #[cfg(all(feature = "eight_body", feature = "wide"))] {

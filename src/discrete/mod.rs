@@ -1,27 +1,25 @@
-//! Steps of a digital controller with their derivatives: for linear-quadratic regulators, trajectory optimisation,
-//! estimation.
+//! Steps of a digital controller with their derivatives, for linear-quadratic regulators, trajectory optimization and estimation.
 //!
-//! In: a state, forces `tau` that are held over the step, the time `dt`, s. Out: the state after it, in place. The state stays on its
-//! manifold: coordinates move by [`q_plus`](crate::manifold::q_plus), so changes of a state are `2 NU` numbers in every chart,
-//! of `q` along the axes of `u`, then of `u`. Two kinds of steps, with the same functions:
+//! A step takes a state, forces `tau` that stay constant over the step, and the time `dt` in s. It gives the state after the step, in place. Coordinates move by
+//! [`q_plus`](crate::manifold::q_plus), so quaternions keep length one. A change of a state is therefore `2 NU` numbers for angles and for quaternions: the change of `q` along the
+//! axes of `u`, then the change of `u`. There are two kinds of steps, with the same functions:
 //!
 //! | | [`euler`]: semi-implicit | [`rk4`]: Runge and Kutta |
 //! | --- | --- | --- |
 //! | error of a step | of order `dt²` | of order `dt⁵` |
 //! | evaluations of forward dynamics | 1 | 4 |
 //!
-//! | function | | asks for |
+//! | function | what it computes | functions that the module must have |
 //! | --- | --- | --- |
 //! | `step` | the step | `forward_dynamics` |
-//! | `linearized` | and its derivatives `A`, `B` | `forward_dynamics+d(forward_dynamics)/d(q, u, tau)` |
-//! | `by_parameters` | derivatives by values set at run time | `d(forward_dynamics)/d(parameters)`, and in `euler` `forward_dynamics`, in `rk4` what `linearized` asks for |
-//! | `forward` | what becomes of one change, `A` and `B` times it | `forward_dynamics`, `jvp(forward_dynamics; q, u, tau)` |
-//! | `adjoint` | what a multiplier becomes, back over the step, times `A` and `B` | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
+//! | `linearized` | the step and its derivatives `A`, `B` | `forward_dynamics+d(forward_dynamics)/d(q, u, tau)` |
+//! | `by_parameters` | derivatives by values set at run time | `d(forward_dynamics)/d(parameters)`; `euler` also needs `forward_dynamics`, `rk4` what `linearized` needs |
+//! | `forward` | the step, and `A` and `B` times one change | `forward_dynamics`, `jvp(forward_dynamics; q, u, tau)` |
+//! | `adjoint` | one multiplier times `A` and `B`, backward over the step | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
 //!
-//! The derivatives are those of the step that is computed, to rounding, not of the motion. `forward` and `adjoint` form no matrix:
-//! the gradient of a long motion costs a few times as much as the motion. Nothing is checked or allocated. Matrices
-//! stand on the stack: for `linearized` twelve of `NU` by `NU` in `rk4` and three in `euler`; `by_parameters` adds of `NU` by as many
-//! as there are values four in `rk4`, and has one alone in `euler`.
+//! The derivatives are those of the computed step, up to rounding, and not those of the exact motion. `forward` and `adjoint` build no matrix, so
+//! the gradient of a long motion costs a few times as much as the motion. Nothing is checked or allocated. Matrices are on the stack: `linearized` needs twelve matrices of
+//! `NU` by `NU` in `rk4` and three in `euler`. `by_parameters` works with matrices of `NU` rows and one column for each value: four more in `rk4`, and one in `euler`.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {

@@ -50,7 +50,7 @@ pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
 
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics) by all values set at run time: `"d(forward_dynamics)/d(parameters)"`.
 pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
-    /// `[R; n]`: one number a value.
+    /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
     /// `[[R; n]; NU]`, row by row.
     type ByParameters: Array<Self::Values>;
@@ -86,7 +86,7 @@ pub trait ForwardDynamicsJvp<R: Real>: System<R> {
 
 /// As [`ForwardDynamicsJvp`], along parameters too: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
 pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
-    /// `[R; n]`: one number a value set at run time.
+    /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
     /// Their names.
     const PARAMETER_NAMES: &'static [&'static str];
@@ -125,7 +125,7 @@ pub trait ForwardDynamicsVjp<R: Real>: System<R> {
 
 /// As [`ForwardDynamicsVjp`], by parameters too: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
 pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
-    /// `[R; n]`: one number a value set at run time.
+    /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
     /// Their names.
     const PARAMETER_NAMES: &'static [&'static str];
@@ -184,7 +184,7 @@ pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
 
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics) by all values set at run time: `"d(inverse_dynamics)/d(parameters)"`.
 pub trait InverseDynamicsByParameters<R: Real>: System<R> {
-    /// `[R; n]`: one number a value.
+    /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
     /// `[[R; n]; NU]`, row by row.
     type ByParameters: Array<Self::Values>;
@@ -220,7 +220,7 @@ pub trait InverseDynamicsJvp<R: Real>: System<R> {
 
 /// As [`InverseDynamicsJvp`], along parameters too: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
 pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
-    /// `[R; n]`: one number a value set at run time.
+    /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
     /// Their names.
     const PARAMETER_NAMES: &'static [&'static str];
@@ -259,7 +259,7 @@ pub trait InverseDynamicsVjp<R: Real>: System<R> {
 
 /// As [`InverseDynamicsVjp`], by parameters too: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
 pub trait InverseDynamicsParametersVjp<R: Real>: System<R> {
-    /// `[R; n]`: one number a value set at run time.
+    /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
     /// Their names.
     const PARAMETER_NAMES: &'static [&'static str];

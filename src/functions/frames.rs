@@ -7,18 +7,18 @@ use core::marker::PhantomData;
 
 use crate::{Array, Real, System};
 
-/// A frame's own axes in place of the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
+/// Asks for components along the frame's own axes, not the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Local<F>(PhantomData<F>);
 
-/// A frame as it is seen from another one, along that one's axes: `Jacobian<R, Seen<frames::Tool0, frames::Camera>>`.
+/// Asks for a frame relative to another frame, along the axes of the other: `Jacobian<R, Seen<frames::Tool0, frames::Camera>>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<F, From>(PhantomData<(F, From)>);
 
 /// Pose of the frame `F`.
 ///
 /// `rotation` maps inertial components to components along the frame's axes, by rows; `position` is that of the frame's
-/// origin from the inertial origin, inertial components, m. For [`Seen`] the other frame stands for the inertial one.
+/// origin from the inertial origin, inertial components, m. For [`Seen`] the other frame takes the place of the inertial frame.
 /// Often called the frame placement, or forward kinematics.
 pub trait Pose<R: Real, F>: System<R> {
     /// Writes the pose at `q`.
@@ -111,12 +111,12 @@ pub trait GeneralizedForce<R: Real, F>: System<R> {
 
 /// `J M⁻¹ Jᵀ` of the [`Jacobian`] of the frame `F`, or of several, `(F, G)`: the accelerations that unit wrenches on them cause.
 ///
-/// Symmetric, six rows a frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). Of several contacts it is often called the
-/// Delassus matrix, of one frame the inverse of the operational-space inertia.
+/// Symmetric, with six rows for each frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). For several contacts it is often called the
+/// Delassus matrix, for one frame the inverse of the operational-space inertia.
 pub trait OperationalInverseInertia<R: Real, F>: System<R> {
-    /// `[R; 6]`, or as often six as there are frames.
+    /// `[R; 6]`, or `[R; 6 n]` for `n` frames.
     type Row: Array<R>;
-    /// As many of these.
+    /// As many of these rows.
     type Matrix: Array<Self::Row>;
     /// Writes the matrix at `q`, whole.
     fn operational_inverse_inertia(&self, q: &Self::Q, inverse_inertia: &mut Self::Matrix);

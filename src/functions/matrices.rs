@@ -11,7 +11,7 @@ function_traits! {
 
     /// The accelerations of forces alone, `u_dot = M⁻¹ tau`, rad/s² and m/s²: forward dynamics without bias. Eq. (42).
     ///
-    /// Several right-hand sides are solved for at once where `R` holds several numbers, [`Lanes`](crate::Lanes): each lane
+    /// If `R` holds several numbers ([`Lanes`](crate::Lanes)), several right-hand sides are solved together: each lane
     /// has one of them, and the same `q` or one of its own. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
     MassMatrixSolve: mass_matrix_solve(q: &Self::Q, tau: &Self::U, u_dot: &mut Self::U);
 }
@@ -29,9 +29,9 @@ pub trait MassMatrixInverse<R: Real>: System<R> {
 
 /// The entries of the [`MassMatrixInverse`] on and below the diagonal that the tree does not make zero, row after row.
 ///
-/// Those of two speeds of different trees at the root are left out. [`unpack`](super::unpack) makes the whole of it.
+/// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`](super::unpack) makes the whole matrix.
 pub trait MassMatrixInversePacked<R: Real>: System<R> {
-    /// `[R; n]`, one entry a place.
+    /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
     /// The row and the column of each entry, column not above row; ordered by row, within a row by column.
     const PLACES: &'static [[usize; 2]];
@@ -44,7 +44,7 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
 ///
 /// Rows are eliminated from the leaves inward, in an order of their own. [`solve_factored`] solves with them.
 pub trait MassMatrixFactors<R: Real>: System<R> {
-    /// `[R; n]`, one entry a place.
+    /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
     /// The two speeds of each entry, the higher-numbered first; ordered by that one, then by the other.
     const PLACES: &'static [[usize; 2]];
@@ -58,8 +58,8 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
 /// Coriolis matrix `C`, written whole, `c[row][column]`: `C u` is the [`Bias`](super::Bias) less weight, springs and dampers,
 /// `M_dot = C + Cᵀ`, and `M_dot - 2 C` is skew. Eqs. (15), (20), (32), (33); often called by its effects, centrifugal and Coriolis.
 ///
-/// Of every particle it is `m Vᵀ V_dot`, `V` its partial velocities. Where all speeds are rates of coordinates that is the matrix
-/// of the Christoffel symbols of the first kind; where some are angular velocities it is that which bodies have.
+/// It is the sum of `m Vᵀ V_dot` over all particles, with `V` their partial velocities. If all speeds are rates of coordinates, it is the matrix
+/// that the Christoffel symbols of the first kind give.
 pub trait CoriolisMatrix<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;

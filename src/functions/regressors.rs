@@ -17,8 +17,8 @@ pub trait Regressor<R: Real>: System<R> {
     fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
 }
 
-/// The entries of the [`Regressor`] that the tree does not make zero, column after column: a body has those of the speeds that
-/// move it, and of a speed that translates it without turning, those of its mass and first moment.
+/// The entries of the [`Regressor`] that the tree does not make zero, column after column. A body has entries for the speeds that
+/// move it; for a speed that translates it without turning, only those of its mass and first moment.
 ///
 /// Forces are sums of few entries times the parameters of all bodies, ten a body, one after the other:
 ///
@@ -33,7 +33,7 @@ pub trait Regressor<R: Real>: System<R> {
 /// }
 /// ```
 pub trait RegressorPacked<R: Real>: System<R> {
-    /// `[R; n]`, one entry a place.
+    /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
     /// The column of each entry, ten times the body and the parameter, and its speed; ordered by column, within a column by speed.
     const PLACES: &'static [[usize; 2]];
@@ -62,8 +62,8 @@ pub trait BaseRegressor<R: Real>: System<R> {
 /// three numbers, the speed, its sign and its rate, times its viscous damping, N m s or N s/m, its Coulomb friction, N m or N,
 /// and its rotor inertia, kg m² or kg.
 ///
-/// A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their
-/// multiplier squared, friction times its magnitude. The sign is branch-free, `u / (|u| + 1e-30)`: a half at a speed of `1e-30`,
+/// A coefficient is the sum over all joints that the speed moves. For a joint that follows another, damper and rotor count times the
+/// square of its multiplier, and friction times its magnitude. The sign is branch-free, `u / (|u| + 1e-30)`: a half at a speed of `1e-30`,
 /// zero at zero, without a dead band.
 pub trait JointRegressor<R: Real>: System<R> {
     /// `[[R; 3]; NU]`.

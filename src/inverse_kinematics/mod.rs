@@ -1,13 +1,12 @@
 //! Inverse kinematics: coordinates at which frames are where they are to be.
 //!
-//! In: [`Goal`]s of one or several frames, [`Limits`], and a `q` to begin with. Out: a better `q`, and what [`Remaining`] is
-//! missing. Afterwards: no coordinate is beyond its limit. Nothing allocates or panics, and nothing depends on the feature
-//! `std`. Does not: avoid collisions, or find every solution.
+//! It takes [`Goal`]s of one or several frames, [`Limits`], and a first `q`. It gives a better `q`, and says by [`Remaining`] how far it is from the goals.
+//! No coordinate passes its limits. Nothing allocates or panics, and the feature `std` is not needed. It does not avoid collisions, and it does not find every solution.
 //!
-//! The method is that of damped least squares (Levenberg, Marquardt): a step is the `u`, in unit time, that makes
-//! `|J u - e|² + λ |u|²` least, where `e` is what is missing, by its weights `W`, and the damping `λ` falls with `½ eᵀ W e`.
-//! So steps are short where the goals are far or out of reach, and each squares the error near to them. A joint that would
-//! pass its limit goes to it and is held there, and the others are solved for again.
+//! The method is damped least squares (Levenberg, Marquardt). A step is the `u`, for unit time, that makes
+//! `|J u - e|² + λ |u|²` least. `e` is the error with its weights `W`, and the damping `λ` falls with `½ eᵀ W e`.
+//! So steps are short if the goals are far or out of reach, and near the goals each step squares the error. A joint that would
+//! pass its limit stops at it and is held there, and the step is computed again for the other joints.
 //!
 //! ```
 //! use kane::functions::{Jacobian, Pose};
@@ -27,8 +26,7 @@
 //!     solver.solve(robot, &Goal::<f64, F>::position(position), q, 100)
 //! }
 //! ```
-//! With a generated module, `(Goal::<f64, frames::LeftFoot>::position(..), Goal::<f64, frames::Hand>::pose(..))` asks for two
-//! frames at once.
+//! With a generated module, `(Goal::<f64, frames::LeftFoot>::position(..), Goal::<f64, frames::Hand>::pose(..))` sets goals for two frames together.
 
 mod rotation;
 

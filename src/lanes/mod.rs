@@ -1,4 +1,4 @@
-//! [`Lanes`]: scalars side by side, one a state, and how they come from memory and go back.
+//! [`Lanes`]: vectors of scalars, each of another state, and how they are read from memory and written back.
 
 #[cfg(feature = "wide")]
 mod wide;

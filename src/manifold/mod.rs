@@ -1,14 +1,12 @@
-//! Coordinates as points of a manifold: where a constant motion leads, which one leads somewhere, and how both change.
+//! Coordinates as points of a manifold: how a constant motion changes them, which motion leads from one point to another, and the derivatives of both.
 //!
-//! In: coordinates, and speeds that are held for a unit of time. Where speeds are the rates of coordinates, [`q_plus`] is a
-//! sum and [`q_minus`] a difference. The orientation of a spherical or free joint with a quaternion, or with speeds that are
-//! angular velocities, turns by the rotation vector that these are, along the axes of `u`, those on the body's side
-//! of the joint. So the `NU` numbers of a direction are free of each other, whatever the chart, and differences,
-//! derivatives and gains are over them.
+//! A direction is a vector of `NU` speeds that stay constant for a unit of time. If the speeds are the rates of the coordinates, [`q_plus`] is a
+//! sum and [`q_minus`] a difference. If a spherical or free joint has a quaternion, or speeds that are angular velocities, its orientation turns by the
+//! rotation vector that these three speeds are, along the axes of `u`, which are those on the body's side of the joint. So the `NU` numbers of a direction are independent of each other
+//! for every kind of joint. Differences, derivatives and gains have `NU` entries.
 //!
-//! All of it is arithmetic of [`Real`], without branches on numbers, allocation or an arc tangent of the machine: the same bits everywhere, each
-//! lane as alone, `no_std`. It is no generated text, for nothing in it depends on a model beyond [`System::JOINTS`]. A system
-//! without that table has rates of coordinates for speeds.
+//! All functions use arithmetic of [`Real`] only, without branches on numbers, allocation or an arc tangent of the machine. So the bits are the same everywhere, also in
+//! lanes, and the module is `no_std`. It depends on a model only through [`System::JOINTS`]. A system without this table has rates of coordinates for speeds.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {

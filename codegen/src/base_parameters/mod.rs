@@ -1,10 +1,10 @@
 //! Base inertial parameters: combinations of the bodies' inertial parameters, as few as forces depend on.
 //!
-//! In: a tree. Out: the combinations, in the order of the bodies. Outward, the columns that the regressor has of a body are
-//! compared with those of its lower body: what a joint does not move of an inertia needs as much as if the lower body had it
-//! (Khalil and Kleinfinger 1987), and what no joint below moves needs nothing. Compared are numbers, at seeded states, so that
-//! axes in line, gravity along an axis, and joints that follow others need no rules of their own. Which columns are left holds
-//! for values at run time in general; the factors are those of the nominal ones, with gravity in every direction that may have it.
+//! In: a tree. Out: the combinations, in the order of the bodies. From the inertial frame outward, the regressor's columns of a body are
+//! compared with those of its lower body. A part of an inertia that the joint does not move needs the same forces as if the lower body had it
+//! (Khalil and Kleinfinger 1987), and a part that no joint moves needs no force. The comparison is of numbers at seeded states, so
+//! axes in line, gravity along an axis, and joints that follow others need no rules of their own. The columns that remain are the same
+//! for nearly all values at run time. The factors are those of the nominal values, with gravity in every direction that may have it.
 //! Does not: read masses, or any mass centre.
 
 mod columns;

@@ -3,11 +3,10 @@
 //! In: a generated module and the crate `kane`, as files. Out: of each generated function its size, its stack, its
 //! instructions, and every promise that it breaks, with the instruction.
 //!
-//! What is promised, of every `pub fn` with `#[inline(never)]`, in a scalar that the hardware holds:
-//! - no jump, but to touch a large stack page by page, which depends on no number; so each call executes the same instructions;
-//! - no call but of the runtime's sines and cosines, and of the stages of a long function, which are held to all of this too; so
-//!   no way to panic;
-//! - no memory but what its arguments refer to, its stack and constants, at addresses that no number has a part in.
+//! The promises concern every `pub fn` with `#[inline(never)]`, for a scalar that the hardware computes with:
+//! - It has no jump. One exception: a loop touches a large stack page by page, and its length is fixed. So each call executes the same instructions.
+//! - It calls nothing but the runtime's sines and cosines and the stages of a long function, which keep the same promises. So it cannot panic.
+//! - It uses no memory but that of its arguments, its stack and constants, and no address depends on a number that it computes.
 //!
 //! Needs: `rustc`, and machine code of x86-64 in ELF. Does not: say how long an instruction takes; compile for other
 //! scalars, for vectors, or with the optimizations of a linker, which see more than a function.
