@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::xml::{Document, Element, Known, Reader, shown};
-use crate::description::{Include, too_large};
+use crate::description::{Include, too_large, utf8};
 use crate::diagnostic::{Diagnostic, Source, Span};
 
 /// How deep elements may be nested in a file; MuJoCo's own limit.
@@ -67,7 +67,7 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
                 continue;
             }
             let number = included.from.len();
-            match read(&path) {
+            match read(&path).and_then(utf8) {
                 Ok(text) => {
                     source.append(format!("{folder}{path}"), text);
                     if let Some(fault) = too_large(source) {

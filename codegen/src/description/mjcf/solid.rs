@@ -87,17 +87,28 @@ impl Primitive {
 
     /// The shape where it stands in a body.
     pub(super) fn solid(self, amount: Amount, placement: &Placement) -> Solid {
-        let mass = match amount {
-            Amount::Mass(mass) => mass,
-            Amount::Density(density) => density * self.volume(),
-        };
-        let moments = self.moments().map(|moment| mass * moment);
-        let diagonal = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
-        Solid {
-            mass,
-            center: placement.position,
-            inertia: turned(diagonal, &placement.rotation),
-        }
+        uniform(self.volume(), self.moments(), amount, placement)
+    }
+}
+
+/// A shape of uniform density about the origin and along the axes of its placement, with this volume and these moments for a
+/// mass of one.
+pub(super) fn uniform(
+    volume: f64,
+    moments: Vector,
+    amount: Amount,
+    placement: &Placement,
+) -> Solid {
+    let mass = match amount {
+        Amount::Mass(mass) => mass,
+        Amount::Density(density) => density * volume,
+    };
+    let moments = moments.map(|moment| mass * moment);
+    let diagonal = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
+    Solid {
+        mass,
+        center: placement.position,
+        inertia: turned(diagonal, &placement.rotation),
     }
 }
 
