@@ -12,8 +12,8 @@ pub const MESHES_BYTES: usize = 256 << 20;
 pub const MESH_POINTS: usize = 500_000;
 /// Triangles of a mesh.
 pub const MESH_FACES: usize = 500_000;
-/// Corners that are looked at to cut the polygons of a mesh into triangles.
-pub const MESH_CUTS: usize = 200_000_000;
+/// Steps that the meshes of a model take: points tried at faces of convex hulls, and corners at others of their polygons.
+pub const MESH_STEPS: usize = 300_000_000;
 /// Bytes of a file that is compared with what is generated, or replaced by it.
 pub const OUTPUT_BYTES: usize = 256 << 20;
 /// Entries of a list of a model, its bodies among them.

@@ -7,6 +7,8 @@ mod invalid;
 mod invalid_mjcf;
 mod listed;
 mod mass;
+mod meshes;
+mod meshes_faulty;
 mod mjcf;
 mod mjcf_files;
 mod mjcf_geometry;

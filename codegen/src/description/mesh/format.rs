@@ -1,5 +1,6 @@
 //! Which of the formats a mesh file has.
 
+use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::surface::Surface;
 use crate::description::mesh::{msh, obj, stl};
@@ -34,13 +35,13 @@ impl Format {
     }
 
     /// Reads a file of this format.
-    pub(crate) fn read(self, bytes: &[u8]) -> Result<Surface, Fault> {
+    pub(crate) fn read(self, bytes: &[u8], effort: &mut Effort) -> Result<Surface, Fault> {
         if bytes.is_empty() {
             return Err(Fault::new("is empty"));
         }
         match self {
             Self::Stl => stl::read(bytes),
-            Self::Obj => obj::read(bytes),
+            Self::Obj => obj::read(bytes, effort),
             Self::Msh => msh::read(bytes),
         }
     }

@@ -7,6 +7,8 @@
 
 use robust::{Coord3D, orient3d};
 
+use crate::description::mesh::effort::Effort;
+use crate::description::mesh::fault::Fault;
 use crate::description::mesh::surface::{Face, Point};
 use crate::random::Random;
 
@@ -25,6 +27,7 @@ struct Facet {
 
 struct Hull<'p> {
     points: &'p [Point],
+    effort: &'p mut Effort,
     facets: Vec<Facet>,
     /// The facets that each point sees, and those it saw.
     sees: Vec<Vec<u32>>,
@@ -34,22 +37,26 @@ struct Hull<'p> {
     begins: Vec<u32>,
 }
 
-/// The faces of the convex hull, counter-clockwise seen from outside; `None` where all points lie in a plane.
-pub(super) fn hull(points: &[Point]) -> Option<Vec<Face>> {
-    let first = tetrahedron(points)?;
+/// The faces of the convex hull, counter-clockwise seen from outside.
+pub(super) fn hull(points: &[Point], effort: &mut Effort) -> Result<Vec<Face>, Fault> {
+    let Some(first) = tetrahedron(points) else {
+        let found = "has all its points in a plane, so that it has no convex hull";
+        return Err(Fault::new(found).help("use a thin box in its place"));
+    };
     let mut hull = Hull {
         points,
+        effort,
         facets: Vec::new(),
         sees: vec![Vec::new(); points.len()],
         tried: vec![NONE; points.len()],
         begins: vec![NONE; points.len()],
     };
-    hull.begin(first);
+    hull.begin(first)?;
     for point in order(points) {
-        hull.add(point);
+        hull.add(point)?;
     }
     let alive = hull.facets.iter().filter(|facet| facet.is_alive);
-    Some(alive.map(|facet| facet.corners).collect())
+    Ok(alive.map(|facet| facet.corners).collect())
 }
 
 fn coordinate([x, y, z]: Point) -> Coord3D<f64> {
@@ -125,14 +132,15 @@ fn order(points: &[Point]) -> Vec<u32> {
 
 impl Hull<'_> {
     /// The tetrahedron, of which each face looks away from the fourth point.
-    fn begin(&mut self, [a, b, c, d]: [u32; 4]) {
+    fn begin(&mut self, [a, b, c, d]: [u32; 4]) -> Result<(), Fault> {
         let faces = [[a, b, c], [a, d, b], [b, d, c], [c, d, a]];
         let neighbours = [[1, 2, 3], [3, 2, 0], [1, 3, 0], [2, 1, 0]];
         for (corners, neighbours) in faces.into_iter().zip(neighbours) {
             let all = (0..self.points.len()).map(number);
-            let facet = self.facet(corners, neighbours, all);
+            let facet = self.facet(corners, neighbours, all)?;
             self.facets.push(facet);
         }
+        Ok(())
     }
 
     /// A facet, with those of the candidates that see it.
@@ -141,29 +149,32 @@ impl Hull<'_> {
         corners: Face,
         neighbours: [u32; 3],
         candidates: impl Iterator<Item = u32>,
-    ) -> Facet {
+    ) -> Result<Facet, Fault> {
         let own = number(self.facets.len());
         let mut seen_by = Vec::new();
+        let mut tried = 1;
         for candidate in candidates {
             let index = candidate as usize;
             if self.tried[index] != own {
                 self.tried[index] = own;
+                tried += 1;
                 if side(self.points, corners, candidate) < 0.0 {
                     seen_by.push(candidate);
                     self.sees[index].push(own);
                 }
             }
         }
-        Facet {
+        self.effort.spend(tried)?;
+        Ok(Facet {
             corners,
             neighbours,
             seen_by,
             is_alive: true,
-        }
+        })
     }
 
     /// Replaces what a point sees by facets to the point.
-    fn add(&mut self, point: u32) {
+    fn add(&mut self, point: u32) -> Result<(), Fault> {
         let mut seen = std::mem::take(&mut self.sees[point as usize]);
         seen.retain(|facet| self.facets[*facet as usize].is_alive);
         for facet in &seen {
@@ -176,31 +187,37 @@ impl Hull<'_> {
                 let outer = inner.neighbours[edge];
                 if self.facets[outer as usize].is_alive && (outer as usize) < first {
                     let ends = [inner.corners[edge], inner.corners[(edge + 1) % 3]];
-                    self.connect(ends, *facet, outer, point);
+                    self.connect(ends, *facet, outer, point)?;
                 }
             }
         }
         for index in first..self.facets.len() {
-            let [start, end, _] = self.facets[index].corners;
+            let [_, end, _] = self.facets[index].corners;
             let next = self.begins[end as usize];
             self.facets[index].neighbours[1] = next;
             self.facets[next as usize].neighbours[2] = number(index);
-            debug_assert_ne!(start, end);
         }
         for facet in seen {
             self.facets[facet as usize].seen_by = Vec::new();
         }
+        Ok(())
     }
 
     /// A facet from an edge of the border between `inner`, which goes, and `outer`, which stays, to the point.
-    fn connect(&mut self, [start, end]: [u32; 2], inner: u32, outer: u32, point: u32) {
+    fn connect(
+        &mut self,
+        [start, end]: [u32; 2],
+        inner: u32,
+        outer: u32,
+        point: u32,
+    ) -> Result<(), Fault> {
         let own = number(self.facets.len());
         // Who sees it saw one of the two.
         let inner_seen = std::mem::take(&mut self.facets[inner as usize].seen_by);
         let outer_seen = std::mem::take(&mut self.facets[outer as usize].seen_by);
         let candidates = inner_seen.iter().chain(&outer_seen).copied();
         let candidates = candidates.filter(|candidate| *candidate != point);
-        let facet = self.facet([start, end, point], [outer, NONE, NONE], candidates);
+        let facet = self.facet([start, end, point], [outer, NONE, NONE], candidates)?;
         self.facets.push(facet);
         self.facets[inner as usize].seen_by = inner_seen;
         let across = &mut self.facets[outer as usize];
@@ -211,5 +228,6 @@ impl Hull<'_> {
             }
         }
         self.begins[start as usize] = own;
+        Ok(())
     }
 }

@@ -4,10 +4,11 @@
 //! principal axes and moments. Afterwards: coordinates are finite, every face names points that are there, and the moments
 //! are those of a body. Does not: open files, or know what names a mesh.
 //!
-//! Numbers follow MuJoCo's algorithms step by step, its roundings and tolerances among them, so that masses and inertias are
-//! those that it simulates. What cannot be had is a [`Fault`]: what was found, and what to do.
+//! Numbers follow MuJoCo's algorithms step by step, its rounding of points to single precision among them, so that masses and
+//! inertias are those that it simulates. What cannot be had is a [`Fault`]: what was found, and what to do.
 
 mod closed;
+mod effort;
 mod fault;
 mod format;
 mod hull;
@@ -21,7 +22,9 @@ mod stl_text;
 mod sums;
 mod surface;
 
+pub(crate) use effort::Effort;
 pub(crate) use fault::Fault;
 pub(crate) use format::Format;
+pub(crate) use obj::MOST_CORNERS;
 pub(crate) use shape::{Change, Filling, MeshShape, shape};
 pub(crate) use surface::Surface;

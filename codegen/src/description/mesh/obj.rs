@@ -1,13 +1,19 @@
 //! OBJ: points, and polygons between them. Of several objects the first one that has faces counts, as in MuJoCo; all points do.
 
+use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::polygon;
 use crate::description::mesh::surface::{Face, Point, Surface};
 use crate::limits::{MESH_FACES, MESH_POINTS};
 
+/// A polygon of more corners is left out, as MuJoCo does.
+pub(crate) const MOST_CORNERS: usize = 100;
+
 /// The object of the file that counts.
 #[derive(Default)]
 struct Object {
+    /// Whether polygons had too many corners.
+    leaves_faces_out: bool,
     points: Vec<Point>,
     /// The corners of all polygons, and where each of them ends.
     corners: Vec<u32>,
@@ -15,12 +21,11 @@ struct Object {
 }
 
 /// Reads an OBJ.
-pub(super) fn read(bytes: &[u8]) -> Result<Surface, Fault> {
+pub(super) fn read(bytes: &[u8], effort: &mut Effort) -> Result<Surface, Fault> {
     let text = String::from_utf8_lossy(bytes);
     let mut object = Object::default();
-    let mut left_out = 0;
+    let mut leaves_objects_out = false;
     let mut is_over = false;
-    let mut is_counted = false;
     for (index, line) in text.lines().enumerate() {
         let mut words = line.split_ascii_whitespace();
         let fault = |found: &str| Err(Fault::new(format!("has {found} in line {}", index + 1)));
@@ -31,14 +36,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, Fault> {
                 };
                 object.points.push(point);
             }
-            Some("o" | "g") => {
-                is_over |= !object.ends.is_empty();
-                is_counted = false;
-            }
-            Some("f") if is_over => {
-                left_out += usize::from(!is_counted);
-                is_counted = true;
-            }
+            Some("o" | "g") => is_over |= !object.ends.is_empty(),
+            Some("f") if is_over => leaves_objects_out = true,
             Some("f") => {
                 if !object.face(words) {
                     return fault("a face with a point that is not there");
@@ -51,10 +50,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Surface, Fault> {
             return Err(Fault::new(found).help("simplify the mesh, or give the body an `inertial`"));
         }
     }
-    let faces = object.triangles()?;
+    let faces = object.triangles(effort)?;
+    let leaves_faces_out = object.leaves_faces_out;
     let surface = Surface::new(object.points, faces)?;
     Ok(Surface {
-        left_out,
+        leaves_objects_out,
+        leaves_faces_out,
         ..surface
     })
 }
@@ -88,16 +89,20 @@ impl Object {
             };
             self.corners.push(number);
         }
-        if self.corners.len() < start + 3 {
+        let count = self.corners.len() - start;
+        if count < 3 {
             self.corners.truncate(start);
+        } else if count > MOST_CORNERS {
+            self.corners.truncate(start);
+            self.leaves_faces_out = true;
         } else {
             self.ends.push(self.corners.len());
         }
         true
     }
 
-    fn triangles(&self) -> Result<Vec<Face>, Fault> {
-        let mut cutter = polygon::Cutter::new(&self.points);
+    fn triangles(&self, effort: &mut Effort) -> Result<Vec<Face>, Fault> {
+        let mut cutter = polygon::Cutter::new(&self.points, effort);
         let mut start = 0;
         for (number, end) in self.ends.iter().enumerate() {
             let corners = &self.corners[start..*end];

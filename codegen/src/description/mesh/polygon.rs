@@ -1,24 +1,23 @@
 //! Polygons cut into triangles, in the way of the library by which MuJoCo reads OBJ, in single precision: corners of files lie
 //! in a plane but for rounding, so that another cut is another volume.
 
+use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::surface::{Face, Point};
-use crate::limits::MESH_CUTS;
 
 /// Cuts polygons of the same points.
 pub(super) struct Cutter<'p> {
     points: &'p [Point],
-    /// How many corners were looked at.
-    looks: usize,
+    effort: &'p mut Effort,
     /// The triangles so far.
     pub(super) faces: Vec<Face>,
 }
 
 impl<'p> Cutter<'p> {
-    pub(super) fn new(points: &'p [Point]) -> Self {
+    pub(super) fn new(points: &'p [Point], effort: &'p mut Effort) -> Self {
         Self {
             points,
-            looks: 0,
+            effort,
             faces: Vec::new(),
         }
     }
@@ -60,6 +59,7 @@ impl<'p> Cutter<'p> {
         let mut before = rest.len();
         while rest.len() > 3 && tries > 0 {
             let n = rest.len();
+            self.effort.spend(n)?;
             if first >= n {
                 first -= n;
             }
@@ -77,16 +77,9 @@ impl<'p> Cutter<'p> {
             let mut others = (3..n).map(|k| rest[(first + k) % n]);
             if is_inward || others.any(|other| is_inside([a, b, c], seen(self, other))) {
                 first += 1;
-                self.looks += n;
             } else {
                 self.faces.push(ear);
                 rest.remove((first + 1) % n);
-                self.looks += n;
-            }
-            if self.looks > MESH_CUTS {
-                let found =
-                    "has faces of so many corners that to cut them into triangles takes too long";
-                return Err(Fault::new(found).help("let the program that wrote it write triangles"));
             }
         }
         if let [a, b, c] = *rest {

@@ -1,10 +1,11 @@
-//! Principal axes, by MuJoCo's iteration with its tolerances: it leaves products of inertia below 1e-12 (density one, so kg m² of
-//! no matter) where they are, and axes a millionth of a radian from where they should be. Masses of small meshes depend on it.
+//! Principal axes, by MuJoCo's iteration (Jacobi's, on a quaternion): of a body that has the same moment about several axes it
+//! finds the same ones.
 
 use crate::geometry::{Rotation, Vector};
 
-/// What is left as it is.
-const SMALL: f64 = 1e-12;
+/// What is left as it is, of the largest entry: products of inertia, and differences of moments that have the wrong order.
+const SMALL: f64 = 1e-17;
+const SAME: f64 = 1e-12;
 const MOST_STEPS: usize = 500;
 /// The half of a right angle, as MuJoCo writes its sine and cosine.
 const EIGHTH: f64 = 0.707_106_781_186_548;
@@ -16,6 +17,9 @@ pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
     let matrix = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let mut quaternion = [1.0, 0.0, 0.0, 0.0];
     let mut moments = [xx, yy, zz];
+    let largest = moments
+        .iter()
+        .fold(0.0_f64, |most, entry| entry.abs().max(most));
     for _ in 0..MOST_STEPS {
         let seen = seen(&matrix, &turned_axes(quaternion));
         moments = [seen[0][0], seen[1][1], seen[2][2]];
@@ -28,7 +32,7 @@ pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
             (1, 2, 0)
         };
         let product = seen[row][column];
-        if product.abs() < SMALL {
+        if product.abs() <= SMALL * largest {
             break;
         }
         let tau = (seen[column][column] - seen[row][row]) / (2.0 * product);
@@ -39,10 +43,8 @@ pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
             -1.0 / (root - tau)
         };
         let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
-        if cosine > 1.0 - SMALL {
-            break;
-        }
-        let half = (0.5 - 0.5 * cosine).sqrt();
+        // The sine of half the angle, without the loss of `1 - cosine`.
+        let half = tangent.abs() * cosine / (2.0 * (1.0 + cosine)).sqrt();
         // About y the second axis turns to the first.
         let half = if (tau >= 0.0) == (axis == 1) {
             half
@@ -54,7 +56,7 @@ pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
         quaternion = unit(product_of(quaternion, unit(step)));
     }
     for lead in [0, 1, 0] {
-        if moments[lead] + SMALL < moments[lead + 1] {
+        if moments[lead] + SAME * largest < moments[lead + 1] {
             moments.swap(lead, lead + 1);
             let mut step = [EIGHTH, 0.0, 0.0, 0.0];
             step[(lead + 2) % 3 + 1] = EIGHTH;

@@ -1,5 +1,6 @@
 //! What a mesh weighs: volume, mass centre, principal axes and moments.
 
+use crate::description::mesh::effort::Effort;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::sums::{self, LEAST, Weight};
 use crate::description::mesh::surface::{Face, Surface};
@@ -37,6 +38,8 @@ pub(crate) struct MeshShape {
     pub(crate) volume: f64,
     /// The mass centre, m.
     pub(crate) center: Vector,
+    /// About the mass centre, for a mass of one: xx, yy, zz, xy, xz, yz, m².
+    pub(crate) inertia: [f64; 6],
     /// From the mesh's axes to the principal ones, that of the largest moment first.
     pub(crate) axes: Rotation,
     /// About the principal axes, for a mass of one, m².
@@ -51,13 +54,14 @@ pub(crate) fn shape(
     filling: Filling,
     change: &Change,
     most_corners: Option<usize>,
+    effort: &mut Effort,
 ) -> Result<MeshShape, Fault> {
     let points: Vec<Vector> = surface.points.iter().map(|p| p.map(f64::from)).collect();
     if filling == Filling::Exact {
         closed::check(surface, &points)?;
     }
     let hull = if filling == Filling::Convex || surface.faces.is_empty() {
-        hull_of(surface, most_corners)?
+        hull_of(surface, most_corners, effort)?
     } else {
         Vec::new()
     };
@@ -87,13 +91,12 @@ pub(crate) fn shape(
     weigh(&points, &faces, &filled, filling)
 }
 
-fn hull_of(surface: &Surface, most_corners: Option<usize>) -> Result<Vec<Face>, Fault> {
-    let Some(hull) = hull::hull(&surface.points) else {
-        return Err(
-            Fault::new("has all its points in a plane, so that it has no convex hull")
-                .help("use a thin box in its place"),
-        );
-    };
+fn hull_of(
+    surface: &Surface,
+    most_corners: Option<usize>,
+    effort: &mut Effort,
+) -> Result<Vec<Face>, Fault> {
+    let hull = hull::hull(&surface.points, effort)?;
     let mut corners: Vec<u32> = hull.iter().flatten().copied().collect();
     corners.sort_unstable();
     corners.dedup();
@@ -124,37 +127,53 @@ fn weigh(
     // So that what is no number is none, too.
     if !(area >= LEAST) {
         return Err(Fault::new(format!(
-            "has a surface of {area:e} m²; expected more"
+            "has a surface of {} m²; expected more",
+            told(area)
         )));
     }
     let (volume, center) = sums::center(points, filled, apex, weight);
     if volume < 0.0 {
-        let found = format!("has a volume of {volume:e} m³: its faces look inward");
+        let found = format!("has a volume of {} m³: its faces look inward", told(volume));
         return Err(Fault::new(found).help("turn the faces round, or write `inertia=\"convex\"`"));
     }
     if !(volume >= LEAST) {
-        let found = format!("has a volume of {volume:e} m³; expected more");
-        return Err(Fault::new(found).help("write `inertia=\"shell\"` for a surface"));
+        let found = format!("has a volume of {} m³; expected more", told(volume));
+        return Err(
+            Fault::new(found).help("check the `scale`; write `inertia=\"shell\"` for a surface")
+        );
     }
     let sums = sums::moments(points, filled, center, weight);
-    let (moments, axes) = principal::axes(sums.inertia);
-    let moments = moments.map(|moment| moment / sums.total);
+    let inertia = sums.inertia.map(|entry| entry / sums.total);
+    let (moments, axes) = principal::axes(inertia);
     let [a, b, c] = moments;
     // But for rounding none is more than the two others.
     let is_real = |moment: f64| moment > 0.0 && moment <= (a + b + c) * (0.5 + 1e-7);
     if ![a, b, c].into_iter().all(is_real) {
         let found = format!(
-            "has principal moments {a:e}, {b:e} and {c:e} m² for a mass of one, which no body has"
+            "has principal moments {}, {} and {} m² for a mass of one, which no body has",
+            told(a),
+            told(b),
+            told(c)
         );
         return Err(Fault::new(found).help("close the surface, or write `inertia=\"convex\"`"));
     }
     Ok(MeshShape {
         volume: sums.total,
         center,
+        inertia,
         axes,
         moments,
         bounds: bounds(points, center, &axes),
     })
+}
+
+/// A number to read: that it is zero, or how large about.
+fn told(number: f64) -> String {
+    if number == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{number:.2e}")
+    }
 }
 
 /// The least and largest coordinates along these axes.

@@ -76,8 +76,7 @@ fn joined(corners: &[Point]) -> Result<Surface, Fault> {
         let mut face: Face = [0; 3];
         for (corner, number) in triangle.iter().zip(&mut face) {
             if corner.iter().any(|entry| entry.abs() > LARGEST) {
-                let found =
-                    format!("has a coordinate beyond {LARGEST}, the largest that an STL may have");
+                let found = "has a coordinate beyond 2^30, the largest that an STL may have";
                 return Err(Fault::new(found));
             }
             let next = u32::try_from(points.len()).unwrap_or(u32::MAX);

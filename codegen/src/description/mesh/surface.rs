@@ -15,8 +15,10 @@ pub(crate) struct Surface {
     pub(super) points: Vec<Point>,
     /// None at all where the mesh is the convex hull of its points.
     pub(super) faces: Vec<Face>,
-    /// Objects of the file that are left out: MuJoCo takes the first alone.
-    pub(crate) left_out: usize,
+    /// Whether objects of the file are left out: MuJoCo takes the first alone.
+    pub(crate) leaves_objects_out: bool,
+    /// Whether faces of more than [`MOST_CORNERS`](super::MOST_CORNERS) are, which MuJoCo leaves out.
+    pub(crate) leaves_faces_out: bool,
 }
 
 impl Surface {
@@ -47,7 +49,9 @@ impl Surface {
         for (number, face) in faces.iter().enumerate() {
             if let Some(bad) = face.iter().find(|point| **point as usize >= n_points) {
                 let found = format!(
-                    "has face {number} with point {bad}; its points are 0 to {}",
+                    "has face {number} with point {}; its points are 0 to {}",
+                    // That of an MSH may be below zero.
+                    bad.cast_signed(),
                     n_points - 1
                 );
                 return Err(Fault::new(found));
@@ -56,7 +60,8 @@ impl Surface {
         Ok(Self {
             points,
             faces,
-            left_out: 0,
+            leaves_objects_out: false,
+            leaves_faces_out: false,
         })
     }
 }

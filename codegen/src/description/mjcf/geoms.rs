@@ -104,7 +104,7 @@ fn at_rest(geom: &Attributes<'_>) -> Diagnostic {
 
 fn too_small(geom: &Attributes<'_>, volume: f64) -> Diagnostic {
     let message = format!(
-        "the mesh of {} has a volume of {volume:e} m³; as in MuJoCo it gets no mass with less than {LEAST:e}",
+        "the mesh of {} has a volume of {volume:.2e} m³; as in MuJoCo it gets no mass with less than {LEAST:e}",
         geom.owner
     );
     let warning = Diagnostic::warning(message).at(geom.place("mass"), "taken without mass");
@@ -156,7 +156,7 @@ fn of_mesh(
     if kind == GeomType::Mesh {
         let frame = Placement {
             position: mesh.center,
-            rotation: mesh.axes,
+            rotation: IDENTITY,
         };
         if let Amount::Mass(_) = amount
             && mesh.volume <= LEAST
@@ -166,7 +166,7 @@ fn of_mesh(
         }
         return Some(uniform(
             mesh.volume,
-            mesh.moments,
+            mesh.inertia,
             amount,
             &place.then(&frame),
         ));

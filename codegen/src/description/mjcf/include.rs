@@ -31,6 +31,8 @@ pub(super) struct Included {
 pub(super) struct Files<'s> {
     documents: Vec<Option<Document<'s>>>,
     files: BTreeMap<usize, usize>,
+    /// The place of each file's first byte, and its folder from the main file's.
+    folders: Vec<(usize, String)>,
 }
 
 /// Reads all files that the source's file includes, and appends them to it.
@@ -159,6 +161,17 @@ fn normal(path: &str) -> String {
 impl<'s> Files<'s> {
     /// The files of a source that [`load`] filled.
     pub(super) fn parse(source: &'s Source, included: Included) -> Self {
+        let mut folders: Vec<(usize, String)> = source
+            .files()
+            .map(|file| (file.base(), String::new()))
+            .collect();
+        for (path, number) in &included.paths {
+            if let (Some((folder, _)), Some(place)) =
+                (path.rsplit_once('/'), folders.get_mut(*number))
+            {
+                folder.clone_into(&mut place.1);
+            }
+        }
         let files = source.files().zip(included.usable);
         let documents = files.map(|(file, usable)| {
             // What is wrong with the others was said as they were loaded.
@@ -169,7 +182,19 @@ impl<'s> Files<'s> {
         Self {
             documents: documents.collect(),
             files: included.files,
+            folders,
         }
+    }
+
+    /// The folder of the file in which a place lies, from the main file's; empty for that itself.
+    pub(super) fn folder(&self, place: Span) -> &str {
+        let after = self
+            .folders
+            .partition_point(|(base, _)| *base <= place.start);
+        let file = after
+            .checked_sub(1)
+            .and_then(|index| self.folders.get(index));
+        file.map_or("", |(_, folder)| folder)
     }
 
     /// The root element of the main file.

@@ -1,9 +1,10 @@
 //! `mesh`: where its points and faces come from, and what happens to them.
 
 use std::cell::Cell;
+use std::io;
 
 use crate::description::Include;
-use crate::description::mesh::{self, Change, Fault, Filling, Format, MeshShape, Surface};
+use crate::description::mesh::{self, Change, Effort, Fault, Filling, Format, MeshShape, Surface};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::xml::{Reader, shown};
@@ -23,6 +24,8 @@ const WITHOUT: &str = "give the body an `inertial`, or the geom `mass=\"0\"`";
 /// A mesh that is to be read, and why.
 pub(super) struct Reading<'r> {
     pub(super) mesh: &'r Attributes<'r>,
+    /// The folder of the file that names it, from the main file's.
+    pub(super) folder: &'r str,
     /// The place of a plugin that makes it.
     pub(super) plugin: Option<Span>,
     /// The geom whose mass follows from it.
@@ -31,6 +34,8 @@ pub(super) struct Reading<'r> {
     pub(super) include: Include<'r>,
     /// Bytes of the mesh files so far.
     pub(super) bytes: &'r Cell<usize>,
+    /// The work that is left for meshes.
+    pub(super) effort: &'r Cell<Effort>,
 }
 
 /// What a mesh weighs; `None` where that cannot be had.
@@ -44,21 +49,41 @@ pub(super) fn shape(reader: &mut Reader, reading: &Reading<'_>) -> Option<MeshSh
     let change = change(reader, mesh)?;
     let most_corners = most_corners(reader, mesh)?;
     let surface = surface(reader, reading)?;
-    if surface.left_out > 0 {
-        let message = format!(
-            "{} has {} more objects in its file; as in MuJoCo the first one alone has mass",
-            mesh.owner, surface.left_out
-        );
-        let warning = Diagnostic::warning(message).at(mesh.place("file"), "read up to the second");
-        let warning = warning.one_of("meshes whose files hold several objects", &*mesh.owner);
-        reader.faults.push(warning);
-    }
-    match mesh::shape(&surface, filling, &change, most_corners) {
+    tell_left_out(reader, mesh, &surface);
+    let mut effort = reading.effort.get();
+    let shape = mesh::shape(&surface, filling, &change, most_corners, &mut effort);
+    reading.effort.set(effort);
+    match shape {
         Ok(shape) => Some(shape),
         Err(fault) => {
             reader.faults.push(reading.fault(&fault));
             None
         }
+    }
+}
+
+/// Warns of what MuJoCo leaves out of a file.
+fn tell_left_out(reader: &mut Reader, mesh: &Attributes<'_>, surface: &Surface) {
+    let mut tell = |message: String, label: &str, plural: &str| {
+        let warning = Diagnostic::warning(message).at(mesh.place("file"), label);
+        reader.faults.push(warning.one_of(plural, &*mesh.owner));
+    };
+    if surface.leaves_objects_out {
+        let message = format!(
+            "{} has several objects in its file; as in MuJoCo the first one alone has mass",
+            mesh.owner
+        );
+        let plural = "meshes whose files hold several objects";
+        tell(message, "read up to the second", plural);
+    }
+    if surface.leaves_faces_out {
+        let message = format!(
+            "{} has a face of more than {} corners; as in MuJoCo it is left out",
+            mesh.owner,
+            mesh::MOST_CORNERS
+        );
+        let plural = "meshes with faces of too many corners";
+        tell(message, "it has holes", plural);
     }
 }
 
@@ -197,7 +222,7 @@ fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Opti
         let message = format!("the mesh file `{seen}` is of no kind that can be read");
         return refuse(message, "write the mesh as STL, OBJ or MSH");
     };
-    let bytes = match (reading.include)(&path) {
+    let bytes = match reading.bytes_of(&path, file.value) {
         Ok(bytes) => bytes,
         Err(error) => {
             let message = format!("the mesh file `{seen}` cannot be read: {error}");
@@ -221,7 +246,10 @@ fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Opti
         let warning = warning.one_of("mesh files outside of the model's folder", seen);
         reader.faults.push(warning);
     }
-    match format.read(&bytes) {
+    let mut effort = reading.effort.get();
+    let surface = format.read(&bytes, &mut effort);
+    reading.effort.set(effort);
+    match surface {
         Ok(surface) => Some(surface),
         Err(fault) => {
             reader.faults.push(reading.fault(&fault));
@@ -294,6 +322,18 @@ fn triples<T: Copy + std::str::FromStr>(
 }
 
 impl Reading<'_> {
+    /// The bytes of a file, which may also stand beside the included file that names it.
+    fn bytes_of(&self, path: &str, file: &str) -> io::Result<Vec<u8>> {
+        let found = (self.include)(path);
+        match found {
+            Err(_) if !self.folder.is_empty() && !is_absolute(file) => {
+                let beside = format!("{}/{}", self.folder, file.replace('\\', "/"));
+                (self.include)(&beside).or(found)
+            }
+            found => found,
+        }
+    }
+
     /// What is wrong with the mesh, said where it is used.
     fn fault(&self, fault: &Fault) -> Diagnostic {
         let file = self.mesh.text("file").filter(|file| !file.value.is_empty());

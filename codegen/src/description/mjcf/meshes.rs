@@ -4,7 +4,7 @@ use std::cell::{Cell, OnceCell};
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::description::mesh::MeshShape;
+use crate::description::mesh::{Effort, MeshShape};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::{Class, Defaults, ElementKind};
 use crate::description::mjcf::include::Files;
@@ -23,10 +23,13 @@ pub(super) struct Meshes<'d> {
     include: Include<'d>,
     /// Bytes of the files that were read.
     bytes: Cell<usize>,
+    effort: Cell<Effort>,
 }
 
 struct Mesh<'d> {
     given: Attributes<'d>,
+    /// The folder of the file that names it, from the main file's.
+    folder: &'d str,
     /// The place of a plugin that makes it.
     plugin: Option<Span>,
     /// The place of a second one of this name.
@@ -76,6 +79,7 @@ impl<'d> Meshes<'d> {
             let mut inside = files.children(element).into_iter();
             let plugin = inside.find(|child| child.name() == "plugin");
             let mesh = Mesh {
+                folder: files.folder(element.span()),
                 given,
                 plugin: plugin.map(Element::span),
                 again: None,
@@ -87,6 +91,7 @@ impl<'d> Meshes<'d> {
             list,
             include,
             bytes: Cell::new(0),
+            effort: Cell::new(Effort::new()),
         }
     }
 
@@ -126,11 +131,13 @@ impl<'d> Meshes<'d> {
             }
             let reading = Reading {
                 mesh: &mesh.given,
+                folder: mesh.folder,
                 plugin: mesh.plugin,
                 geom,
                 settings,
                 include: self.include,
                 bytes: &self.bytes,
+                effort: &self.effort,
             };
             mesh_asset::shape(reader, &reading)
         })

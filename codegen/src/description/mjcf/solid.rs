@@ -87,15 +87,21 @@ impl Primitive {
 
     /// The shape where it stands in a body.
     pub(super) fn solid(self, amount: Amount, placement: &Placement) -> Solid {
-        uniform(self.volume(), self.moments(), amount, placement)
+        let [xx, yy, zz] = self.moments();
+        uniform(
+            self.volume(),
+            [xx, yy, zz, 0.0, 0.0, 0.0],
+            amount,
+            placement,
+        )
     }
 }
 
-/// A shape of uniform density about the origin and along the axes of its placement, with this volume and these moments for a
-/// mass of one.
+/// A shape of uniform density with this volume, and this inertia for a mass of one about the origin and along the axes of its
+/// placement.
 pub(super) fn uniform(
     volume: f64,
-    moments: Vector,
+    inertia: Tensor,
     amount: Amount,
     placement: &Placement,
 ) -> Solid {
@@ -103,12 +109,10 @@ pub(super) fn uniform(
         Amount::Mass(mass) => mass,
         Amount::Density(density) => density * volume,
     };
-    let moments = moments.map(|moment| mass * moment);
-    let diagonal = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
     Solid {
         mass,
         center: placement.position,
-        inertia: turned(diagonal, &placement.rotation),
+        inertia: turned(inertia.map(|entry| mass * entry), &placement.rotation),
     }
 }
 
