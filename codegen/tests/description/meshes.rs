@@ -6,6 +6,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -217,7 +218,7 @@ fn hull_of_points_of_a_sphere_nears_the_ball() {
         let z = 1.0 - (2.0 * f64::from(i) + 1.0) / f64::from(count);
         let (sine, cosine) = libm::sincos(2.399_963_229_728_653 * f64::from(i));
         let radius = (1.0 - z * z).sqrt();
-        points.push_str(&format!(" {} {} {z}", radius * cosine, radius * sine));
+        write!(points, " {} {} {z}", radius * cosine, radius * sine).unwrap();
     }
     let mesh = format!("<mesh name=\"ball\" vertex=\"{points}\"/>");
     let body = only(&model(
@@ -248,7 +249,7 @@ fn hull_of_a_grid_is_the_box_around_it() {
     for x in 0..9 {
         for y in 0..7 {
             for z in 0..5 {
-                points.push_str(&format!("{x} {y} {z} {x} {y} {z} "));
+                write!(points, "{x} {y} {z} {x} {y} {z} ").unwrap();
             }
         }
     }

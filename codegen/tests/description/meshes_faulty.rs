@@ -5,6 +5,7 @@
 )]
 
 use kane_codegen::description::Description;
+use kane_codegen::limits;
 
 use crate::meshes::{described, described_with, model};
 use crate::mjcf_support::{faults, number};
@@ -134,6 +135,19 @@ fn broken_msh() {
         of_file("m.msh", &[header([5, 0, 0, 1]), points, face].concat()),
     ];
     insta::assert_snapshot!(told.join("\n"));
+}
+
+#[test]
+fn meshes_of_too_many_points_are_refused() {
+    let count = limits::MESH_POINTS + 1;
+    let mut bytes = i32::try_from(count).unwrap().to_le_bytes().to_vec();
+    bytes.resize(16 + 12 * count, 0);
+    let expected = "error: the mesh file `m.msh` has 500001 points; expected at most 500000
+  simplify the mesh, or give the body an `inertial`";
+    assert_eq!(of_file("m.msh", &bytes), expected);
+    let lines = "v 0 0 0\n".repeat(count);
+    let told = of_file("m.obj", lines.as_bytes());
+    assert!(told.contains("more than 500000 points"), "{told}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::description::mesh::surface::Surface;
 use crate::geometry::Vector;
 
 /// Faces with a smaller area have no direction, m².
-const SMALL: f64 = 3.162_277_660_168_379_4e-8;
+const SMALL: f64 = 3.162_277_660_168_379e-8;
 
 /// Refuses a surface of which an edge is passed twice in the same direction.
 pub(super) fn check(surface: &Surface, points: &[Vector]) -> Result<(), Fault> {

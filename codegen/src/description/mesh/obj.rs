@@ -38,10 +38,8 @@ pub(super) fn read(bytes: &[u8], effort: &mut Effort) -> Result<Surface, Fault> 
             }
             Some("o" | "g") => is_over |= !object.ends.is_empty(),
             Some("f") if is_over => leaves_objects_out = true,
-            Some("f") => {
-                if !object.face(words) {
-                    return fault("a face with a point that is not there");
-                }
+            Some("f") if !object.face(words) => {
+                return fault("a face with a point that is not there");
             }
             _ => {}
         }

@@ -7,8 +7,8 @@ use crate::geometry::{Rotation, Vector};
 const SMALL: f64 = 1e-17;
 const SAME: f64 = 1e-12;
 const MOST_STEPS: usize = 500;
-/// The half of a right angle, as MuJoCo writes its sine and cosine.
-const EIGHTH: f64 = 0.707_106_781_186_548;
+/// Sine and cosine of the half of a right angle.
+const EIGHTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 type Quaternion = [f64; 4];
 

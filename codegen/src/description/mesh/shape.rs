@@ -53,7 +53,7 @@ pub(crate) fn shape(
     surface: &Surface,
     filling: Filling,
     change: &Change,
-    most_corners: Option<usize>,
+    most_corners: usize,
     effort: &mut Effort,
 ) -> Result<MeshShape, Fault> {
     let points: Vec<Vector> = surface.points.iter().map(|p| p.map(f64::from)).collect();
@@ -93,23 +93,23 @@ pub(crate) fn shape(
 
 fn hull_of(
     surface: &Surface,
-    most_corners: Option<usize>,
+    most_corners: usize,
     effort: &mut Effort,
 ) -> Result<Vec<Face>, Fault> {
     let hull = hull::hull(&surface.points, effort)?;
     let mut corners: Vec<u32> = hull.iter().flatten().copied().collect();
     corners.sort_unstable();
     corners.dedup();
-    match most_corners {
-        Some(most) if corners.len() > most => {
-            let found = format!(
-                "has a convex hull of {} points, of which `maxhullvert` lets {most} count; a part of a hull is not supported",
-                corners.len()
-            );
-            Err(Fault::new(found).help("leave `maxhullvert` out, or give the body an `inertial`"))
-        }
-        _ => Ok(hull),
+    if corners.len() > most_corners {
+        let found = format!(
+            "has a convex hull of {} points, of which `maxhullvert` lets {most_corners} count; a part of a hull is not supported",
+            corners.len()
+        );
+        return Err(
+            Fault::new(found).help("leave `maxhullvert` out, or give the body an `inertial`")
+        );
     }
+    Ok(hull)
 }
 
 fn weigh(
@@ -124,8 +124,7 @@ fn weigh(
         Filling::Shell => Weight::Area,
     };
     let (area, apex) = sums::surface(points, faces);
-    // So that what is no number is none, too.
-    if !(area >= LEAST) {
+    if area.is_nan() || area < LEAST {
         return Err(Fault::new(format!(
             "has a surface of {} m²; expected more",
             told(area)
@@ -136,7 +135,7 @@ fn weigh(
         let found = format!("has a volume of {} m³: its faces look inward", told(volume));
         return Err(Fault::new(found).help("turn the faces round, or write `inertia=\"convex\"`"));
     }
-    if !(volume >= LEAST) {
+    if volume.is_nan() || volume < LEAST {
         let found = format!("has a volume of {} m³; expected more", told(volume));
         return Err(
             Fault::new(found).help("check the `scale`; write `inertia=\"shell\"` for a surface")
@@ -171,6 +170,8 @@ fn weigh(
 fn told(number: f64) -> String {
     if number == 0.0 {
         "0".to_owned()
+    } else if (1e-2..1e4).contains(&number.abs()) {
+        format!("{number:.3}")
     } else {
         format!("{number:.2e}")
     }

@@ -16,7 +16,7 @@ pub(super) fn fitted(
 ) -> Option<(Primitive, Placement)> {
     let (size, center) = if to_bounds {
         let [low, high] = mesh.bounds;
-        let middle: Vector = [0, 1, 2].map(|i| (low[i] + high[i]) / 2.0);
+        let middle: Vector = [0, 1, 2].map(|i| f64::midpoint(low[i], high[i]));
         let half: Vector = [0, 1, 2].map(|i| high[i] - middle[i]);
         let offset = apply(&transposed(&mesh.axes), middle);
         (bounding(kind, half), sum(mesh.center, offset))
@@ -57,10 +57,10 @@ fn alike(kind: GeomType, half: Vector) -> Vector {
     match kind {
         GeomType::Sphere => [(x + y + z) / 3.0, 0.0, 0.0],
         GeomType::Capsule => {
-            let radius = (x + y) / 2.0;
+            let radius = f64::midpoint(x, y);
             [radius, (z - radius / 2.0).max(0.0), 0.0]
         }
-        GeomType::Cylinder => [(x + y) / 2.0, z, 0.0],
+        GeomType::Cylinder => [f64::midpoint(x, y), z, 0.0],
         _ => half,
     }
 }

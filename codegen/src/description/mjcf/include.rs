@@ -30,7 +30,8 @@ pub(super) struct Included {
 #[derive(Debug)]
 pub(super) struct Files<'s> {
     documents: Vec<Option<Document<'s>>>,
-    files: BTreeMap<usize, usize>,
+    /// The number of the file, by the place of the element that includes it.
+    included: BTreeMap<usize, usize>,
     /// The place of each file's first byte, and its folder from the main file's.
     folders: Vec<(usize, String)>,
 }
@@ -181,7 +182,7 @@ impl<'s> Files<'s> {
         });
         Self {
             documents: documents.collect(),
-            files: included.files,
+            included: included.files,
             folders,
         }
     }
@@ -217,7 +218,7 @@ impl<'s> Files<'s> {
                     open.pop();
                 }
                 Some(child) if child.name() == "include" => {
-                    let file = self.files.get(&child.span().start);
+                    let file = self.included.get(&child.span().start);
                     let root = file.and_then(|file| self.document(*file));
                     open.extend(root.map(Element::children));
                 }

@@ -113,14 +113,14 @@ fn change(reader: &mut Reader, mesh: &Attributes<'_>) -> Option<Change> {
     Some(change)
 }
 
-/// How many points the convex hull may have: `None` inside for any number, `None` outside for a fault.
-fn most_corners(reader: &mut Reader, mesh: &Attributes<'_>) -> Option<Option<usize>> {
+/// How many points the convex hull may have; `None` for a fault.
+fn most_corners(reader: &mut Reader, mesh: &Attributes<'_>) -> Option<usize> {
     let Some(text) = mesh.text("maxhullvert") else {
-        return Some(None);
+        return Some(usize::MAX);
     };
     match text.value.trim().parse::<i32>() {
-        Ok(-1) => Some(None),
-        Ok(most) if most > 3 => Some(usize::try_from(most).ok()),
+        Ok(-1) => Some(usize::MAX),
+        Ok(most) if most > 3 => usize::try_from(most).ok(),
         _ => {
             let message = format!(
                 "{} is `{}`; expected a whole number of more than 3, or -1",
@@ -207,7 +207,7 @@ fn leads_out(path: &str) -> bool {
 
 fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Option<Surface> {
     let path = path(reading.settings, file.value);
-    let seen = shown(&path).to_string();
+    let seen = shown(&path);
     let mut refuse = |message: String, help: &str| {
         let geom = reading.geom;
         let needed = format!("the mass of {} follows from it", geom.owner);
