@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use crate::description::mesh::fault::Fault;
 use crate::description::mesh::stl_text;
 use crate::description::mesh::surface::{Face, Point, Surface};
-use crate::limits::MESH_FACES;
 
 /// Bytes before the first triangle, and of a triangle.
 const HEADER: usize = 84;
@@ -46,9 +45,6 @@ fn binary(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
         );
         return Err(Fault::new(found).help("the file is cut short, or no STL"));
     }
-    if count > MESH_FACES {
-        return Err(too_many(count));
-    }
     let number = |bytes: &[u8]| bytes.try_into().map_or(f32::NAN, f32::from_le_bytes);
     let triangles = body.chunks_exact(TRIANGLE);
     // The first three numbers are the normal, which follows from the corners.
@@ -56,12 +52,6 @@ fn binary(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
     Ok(corners
         .map(|corner| [0, 1, 2].map(|i| number(&corner[4 * i..4 * i + 4])))
         .collect())
-}
-
-/// What is wrong where there are more triangles than may be.
-pub(super) fn too_many(count: usize) -> Fault {
-    Fault::new(format!("has {count} faces; expected at most {MESH_FACES}"))
-        .help("simplify the mesh, or give the body an `inertial`")
 }
 
 /// The triangles, three corners each, between points of which no two are the same.

@@ -1,9 +1,7 @@
 //! STL as text, which MuJoCo does not read.
 
 use crate::description::mesh::fault::Fault;
-use crate::description::mesh::stl::too_many;
 use crate::description::mesh::surface::Point;
-use crate::limits::MESH_FACES;
 
 /// The corners of all triangles.
 pub(super) fn corners(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
@@ -53,9 +51,6 @@ pub(super) fn corners(bytes: &[u8]) -> Result<Vec<Point>, Fault> {
     }
     if !is_closed || open.is_some() {
         return Err(Fault::new("ends before `endsolid`").help("the file is cut short"));
-    }
-    if corners.len() / 3 > MESH_FACES {
-        return Err(too_many(corners.len() / 3));
     }
     Ok(corners)
 }
