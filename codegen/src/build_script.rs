@@ -190,12 +190,10 @@ impl Build {
     )]
     pub fn run_in(&self, folder: &Path) -> Result<PathBuf, Error> {
         // Told before the file is read, so that one that is missing now is looked for again.
-        let read = |path: &Path| {
-            println!("cargo::rerun-if-changed={}", path.display());
-            input::text(path)
-        };
+        let tell = |path: &Path| println!("cargo::rerun-if-changed={}", path.display());
         let name = self.model.to_string_lossy().replace('\\', "/");
-        let text = read(&self.model).map_err(|source| Error::Io {
+        tell(&self.model);
+        let text = input::text(&self.model).map_err(|source| Error::Io {
             path: self.model.clone(),
             source,
         })?;
@@ -204,7 +202,11 @@ impl Build {
             &Source::new(&*name, text),
             &shown_path(&self.model),
             &self.options,
-            &|path| read(&model_folder.join(path)),
+            &|path| {
+                let path = model_folder.join(path);
+                tell(&path);
+                input::named(&path)
+            },
         )?;
         report(&generated.warnings);
         let path = folder.join(&self.file);

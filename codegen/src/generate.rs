@@ -36,7 +36,7 @@ pub struct Generated {
 /// Generates a module from a model in any of the formats.
 ///
 /// `model` is known in diagnostics by its own name, and in the banner by `shown_path`: relative to `kane.toml`, so that
-/// the text is the same in every folder. `include` reads the files that the model includes:
+/// the text is the same in every folder. `include` reads the files that the model names:
 /// [`description::no_includes`] for one that stands alone.
 ///
 /// # Errors

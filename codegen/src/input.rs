@@ -6,9 +6,9 @@ use std::{
     path::Path,
 };
 
-use crate::limits;
+use crate::{description::utf8, limits};
 
-/// The text of a file: a model, what it includes, `kane.toml`, a state.
+/// The text of a file: a model, `kane.toml`, a state.
 ///
 /// # Errors
 /// What the system says; a file that is none, such as a pipe; one that is too large, or not text in UTF-8.
@@ -22,6 +22,22 @@ pub fn text(path: &Path) -> io::Result<String> {
 /// As of [`text`].
 pub fn text_from(from: impl Read) -> io::Result<String> {
     utf8(at_most(from, limits::INPUT_BYTES)?)
+}
+
+/// The bytes of a file that a model names: a model that it includes, or a mesh.
+///
+/// # Errors
+/// As of [`text`], but for what the bytes mean.
+pub fn named(path: &Path) -> io::Result<Vec<u8>> {
+    named_from(open(path)?)
+}
+
+/// The bytes that can be read from here, as [`named`] reads a file's.
+///
+/// # Errors
+/// As of [`named`].
+pub fn named_from(from: impl Read) -> io::Result<Vec<u8>> {
+    at_most(from, limits::MESH_BYTES)
 }
 
 /// The text of a generated file.
@@ -51,13 +67,6 @@ fn open(path: &Path) -> io::Result<File> {
         return Err(io::Error::other("it is no regular file"));
     }
     File::open(path)
-}
-
-fn utf8(bytes: Vec<u8>) -> io::Result<String> {
-    String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        io::Error::other(format!("it is not text in UTF-8, from byte {place} on"))
-    })
 }
 
 fn at_most(from: impl Read, most: usize) -> io::Result<Vec<u8>> {

@@ -4,6 +4,16 @@
 
 /// Bytes of a model with all that it includes, of `kane.toml`, of a state.
 pub const INPUT_BYTES: usize = 16 << 20;
+/// Bytes of a mesh file.
+pub const MESH_BYTES: usize = 32 << 20;
+/// Bytes of all mesh files of a model.
+pub const MESHES_BYTES: usize = 256 << 20;
+/// Points of a mesh.
+pub const MESH_POINTS: usize = 500_000;
+/// Triangles of a mesh.
+pub const MESH_FACES: usize = 500_000;
+/// Steps that the meshes of a model take: points tried at faces of convex hulls, and corners at others of their polygons.
+pub const MESH_STEPS: usize = 300_000_000;
 /// Bytes of a file that is compared with what is generated, or replaced by it.
 pub const OUTPUT_BYTES: usize = 256 << 20;
 /// Entries of a list of a model, its bodies among them.

@@ -16,6 +16,11 @@ impl Random {
         bits ^ (bits >> 31)
     }
 
+    /// A count below another one, which is not zero.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        usize::try_from(self.bits() % (count as u64)).expect("a remainder is small")
+    }
+
     /// A number between -1 and 1.
     pub(crate) fn signed(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0

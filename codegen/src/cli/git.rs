@@ -1,7 +1,8 @@
 //! Files as they are in a git revision, read by the command `git`.
 
 use std::{
-    fmt, io,
+    fmt,
+    io::{self, Read},
     path::{Component, Path, PathBuf},
     process::{Command, Output, Stdio},
 };
@@ -63,18 +64,26 @@ impl Revision {
 
     /// The file's text.
     pub(super) fn read(&self) -> Result<String, Failures> {
+        self.read_by(|from| input::text_from(from))
+    }
+
+    /// What a reader makes of the file.
+    fn read_by<T>(
+        &self,
+        reader: impl FnOnce(&mut dyn Read) -> io::Result<T>,
+    ) -> Result<T, Failures> {
         let object = self.to_string();
         let cannot_run = |error| is_missing(&object, &error);
         let mut blob = command(&["cat-file", "blob", &object]);
         let blob = blob.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut blob = blob.spawn().map_err(cannot_run)?;
         // Of a file that is too large git writes no more than is read.
-        let text = blob
-            .stdout
-            .take()
-            .map_or(Ok(String::new()), input::text_from);
+        let found = match blob.stdout.take() {
+            Some(mut out) => reader(&mut out),
+            None => reader(&mut io::empty()),
+        };
         let output = blob.wait_with_output().map_err(cannot_run)?;
-        let text = text.map_err(|source| Error::Io {
+        let found = found.map_err(|source| Error::Io {
             path: PathBuf::from(&object),
             source,
         })?;
@@ -86,11 +95,11 @@ impl Revision {
                 told.trim()
             )));
         }
-        Ok(text)
+        Ok(found)
     }
 
     /// Reads a file that stands beside this one, in the same revision.
-    pub(super) fn beside(&self, path: &str) -> io::Result<String> {
+    pub(super) fn beside(&self, path: &str) -> io::Result<Vec<u8>> {
         let joined = paths::parent(Path::new(&self.path)).join(path);
         let from_here = self.path.starts_with('.');
         let joined: PathBuf = paths::normal(&joined).iter().collect();
@@ -103,8 +112,8 @@ impl Revision {
                 joined
             },
         };
-        let text = beside.read();
-        text.map_err(|failures| io::Error::other(failures.to_string()))
+        let bytes = beside.read_by(|from| input::named_from(from));
+        bytes.map_err(|failures| io::Error::other(failures.to_string()))
     }
 
     /// Where the file stands among the user's own, if it does.

@@ -242,9 +242,9 @@ pub(crate) fn read(model: &Path) -> Result<Source, Error> {
     Ok(Source::new(model.to_string_lossy(), text))
 }
 
-/// Reads the files that a model includes: their paths are relative to its folder.
-pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<String> {
-    |path| input::text(&paths::parent(model).join(path))
+/// Reads the files that a model names: their paths are relative to its folder.
+pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<Vec<u8>> {
+    |path| input::named(&paths::parent(model).join(path))
 }
 
 /// Reads a model, checks it and prescribes these joints.

@@ -22,6 +22,7 @@ pub mod toml;
 pub mod urdf;
 
 pub(crate) mod cycles;
+mod mesh;
 pub(crate) mod toml_reader;
 pub(crate) mod xml;
 
@@ -30,6 +31,7 @@ pub use coordinate_name::CoordinateName;
 pub use format::read;
 pub use frame::{Carrier, FrameRotation, WrittenFrame};
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};
+pub(crate) use reading::utf8;
 pub use reading::{Base, Include, Reading, no_includes};
 pub(crate) use size::{too_large, too_many};
 pub use system::{Description, Order};

@@ -22,15 +22,27 @@ pub enum Base {
     Free,
 }
 
-/// Reads a file that a model includes, given its path as the model writes it.
-pub type Include<'a> = &'a dyn Fn(&str) -> io::Result<String>;
+/// Reads a file that a model names, one that it includes or a mesh, given its path as the model writes it: the file's bytes,
+/// at most [`MESH_BYTES`](crate::limits::MESH_BYTES).
+pub type Include<'a> = &'a dyn Fn(&str) -> io::Result<Vec<u8>>;
 
 /// Reads no file: for a model that stands alone.
 ///
 /// # Errors
 /// Always.
-pub fn no_includes(_path: &str) -> io::Result<String> {
+pub fn no_includes(_path: &str) -> io::Result<Vec<u8>> {
     Err(io::ErrorKind::Unsupported.into())
+}
+
+/// Bytes that are text.
+///
+/// # Errors
+/// Where they are not UTF-8, from which byte on.
+pub(crate) fn utf8(bytes: Vec<u8>) -> io::Result<String> {
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        io::Error::other(format!("it is not text in UTF-8, from byte {place} on"))
+    })
 }
 
 impl Base {

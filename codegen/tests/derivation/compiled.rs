@@ -29,7 +29,7 @@ pub(crate) fn written(path: &str, reading: &Reading) -> String {
 fn described(path: &str, reading: &Reading) -> Description {
     let path = format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(&path).parent().unwrap();
-    let include = |own: &str| fs::read_to_string(folder.join(own));
+    let include = |own: &str| fs::read(folder.join(own));
     let source = Source::new(path.as_str(), fs::read_to_string(&path).unwrap());
     description::read(&source, reading, &include)
 }

@@ -24,7 +24,7 @@ fn module(source: &Source, reading: Reading, base: &Path) -> String {
         changes: Changes::default(),
         ..Options::default()
     };
-    let include = |path: &str| fs::read_to_string(base.join(path));
+    let include = |path: &str| fs::read(base.join(path));
     let generated = generate(source, "model", &options, &include).unwrap();
     let lines = generated.source.lines();
     let code = lines.skip_while(|line| line.starts_with("// "));
@@ -35,7 +35,7 @@ fn assert_converts(path: &Path, reading: Reading) {
     let base = path.parent().unwrap();
     let name = path.to_string_lossy();
     let source = Source::new(name.clone(), fs::read_to_string(path).unwrap());
-    let include = |path: &str| fs::read_to_string(base.join(path));
+    let include = |path: &str| fs::read(base.join(path));
     let text = toml::write(&description::read(&source, &reading, &include)).unwrap();
     let converted = Source::new("converted.toml", text);
     assert!(

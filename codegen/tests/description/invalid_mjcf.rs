@@ -35,7 +35,8 @@ fn is_refused(name: &str) {
     let path = format!("{name}.xml");
     let source = text(&path).expect("the file is listed because it is there");
     let source = Source::new(path, source);
-    let description = mjcf::parse(&source, &Reading::default(), &text);
+    let include = |path: &str| text(path).map(String::into_bytes);
+    let description = mjcf::parse(&source, &Reading::default(), &include);
     let faults = Diagnostics::new(description.source, description.faults);
     assert!(faults.has_error());
     insta::assert_snapshot!(name, faults);
@@ -74,7 +75,8 @@ files! {
     joint_in_the_world
     joint_type_unknown
     limited_without_range
-    mesh_without_inertial
+    mesh_file_is_missing
+    mesh_is_unknown
     negative_geom_mass
     not_closed
     numbers_with_commas

@@ -8,6 +8,8 @@ mod invalid_mjcf;
 mod listed;
 mod mass;
 mod masses;
+mod meshes;
+mod meshes_faulty;
 mod mjcf;
 mod mjcf_files;
 mod mjcf_geometry;

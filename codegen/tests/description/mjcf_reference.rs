@@ -29,7 +29,7 @@ fn read(name: &str) -> (Description, Value) {
     let folder = folder().join(name);
     let text = fs::read_to_string(folder.join(format!("{name}.xml"))).unwrap();
     let source = Source::new(format!("{name}.xml"), text);
-    let include = |path: &str| fs::read_to_string(folder.join(path));
+    let include = |path: &str| fs::read(folder.join(path));
     let description = mjcf::parse(&source, &Reading::default(), &include);
     let faults = Diagnostics::new(description.source.clone(), description.faults.clone());
     assert!(!faults.has_error(), "{faults}");

@@ -23,7 +23,7 @@ pub(crate) const SAME: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 
 pub(crate) fn parse(text: &str, files: &[(&str, &str)]) -> Description {
     let files: BTreeMap<&str, &str> = files.iter().copied().collect();
     let include = |path: &str| {
-        let text = files.get(path).map(|text| (*text).to_owned());
+        let text = files.get(path).map(|text| text.as_bytes().to_vec());
         text.ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
     };
     mjcf::parse(

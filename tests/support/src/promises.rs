@@ -38,12 +38,12 @@ impl<'t> Files<'t> {
         }
     }
 
-    fn include(&self, path: &str) -> io::Result<String> {
+    fn include(&self, path: &str) -> io::Result<Vec<u8>> {
         let number = path.strip_suffix(".xml").and_then(|path| path.parse().ok());
         let number = number.and_then(|number: usize| number.checked_sub(1));
         let file = number.and_then(|number| self.others.get(number));
         let file = file.ok_or(io::ErrorKind::NotFound)?;
-        Ok((*file).to_owned())
+        Ok(file.as_bytes().to_vec())
     }
 }
 

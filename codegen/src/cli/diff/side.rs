@@ -119,7 +119,7 @@ impl Side {
         })
     }
 
-    fn include(&self, path: &str) -> io::Result<String> {
+    fn include(&self, path: &str) -> io::Result<Vec<u8>> {
         match &self.read_from {
             ReadFrom::File(model) => job::include(model)(path),
             ReadFrom::Revision(revision) => revision.beside(path),

@@ -1,6 +1,7 @@
 //! `kane new`: a package with a model, its module, a control loop, a test and a workflow.
 
 use std::{
+    cell::Cell,
     fs,
     io::Write,
     path::{Path, PathBuf},
@@ -29,8 +30,8 @@ const WORKFLOW: &str = include_str!("github.yml");
 /// Make a package with a model, its generated module, a control loop and a test
 ///
 /// The folder NAME gets `Cargo.toml`, `kane.toml`, the model in `models/`, the generated module with its tests and a control loop in
-/// `src/`, and a workflow for GitHub. `cargo run` and `cargo test` work at once. A model that includes other files is written in
-/// our own format.
+/// `src/`, and a workflow for GitHub. `cargo run` and `cargo test` work at once. A model that needs other files, such as
+/// meshes, is written in our own format.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane new pendulum\n  \
@@ -154,9 +155,14 @@ fn model(path: Option<&Path>, reading: &Reading, name: &str) -> Result<Model, Fa
         });
     };
     let source = job::read(path)?;
-    let description = description::read(&source, reading, &job::include(path));
+    let needs_others = Cell::new(false);
+    let include = |other: &str| {
+        needs_others.set(true);
+        job::include(path)(other)
+    };
+    let description = description::read(&source, reading, &include);
     tree::build_with(&description, &Changes::default())?;
-    if description.source.files().count() > 1 {
+    if needs_others.get() {
         return Ok(Model {
             file: format!("{name}.toml"),
             text: toml::write(&description)?,

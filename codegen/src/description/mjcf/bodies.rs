@@ -294,7 +294,7 @@ fn mass(
         let owner = owner(inside.element, "geom", body);
         let given = geom_attributes(reader, model, inside, &owner);
         if infer {
-            let solid = geoms::solid(reader, &given, settings, &inside.frame, counts);
+            let solid = geoms::solid(reader, &given, model, &inside.frame, counts);
             solids.extend(solid);
         }
     }

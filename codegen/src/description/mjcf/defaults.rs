@@ -21,6 +21,7 @@ pub(super) enum ElementKind {
     Joint,
     Geom,
     Site,
+    Mesh,
     Tendon,
     Equality,
     /// All of them share one default, under whichever name it is written.
@@ -36,7 +37,7 @@ pub(super) struct Class(usize);
 pub(super) struct Defaults<'d> {
     names: BTreeMap<&'d str, (Class, Span)>,
     /// For each class and kind what is given, with what is inherited.
-    classes: Vec<[Attributes<'d>; 6]>,
+    classes: Vec<[Attributes<'d>; 7]>,
 }
 
 impl Class {
@@ -51,6 +52,7 @@ impl ElementKind {
             "joint" => Some(Self::Joint),
             "geom" => Some(Self::Geom),
             "site" => Some(Self::Site),
+            "mesh" => Some(Self::Mesh),
             "tendon" => Some(Self::Tendon),
             "equality" => Some(Self::Equality),
             name if known::ACTUATORS.contains(&name) => Some(Self::Actuator),
@@ -63,6 +65,7 @@ impl ElementKind {
             Self::Joint => &known::JOINT,
             Self::Geom => &known::GEOM,
             Self::Site => &known::SITE,
+            Self::Mesh => &known::MESH,
             Self::Tendon => &known::TENDON,
             Self::Equality => &known::EQUALITY,
             Self::Actuator => &known::ACTUATOR,
@@ -76,7 +79,7 @@ pub(super) fn read<'d>(
     files: &'d Files<'_>,
     sections: &[Element<'d>],
 ) -> Defaults<'d> {
-    let nothing = [(); 6].map(|()| Attributes::none());
+    let nothing = [(); 7].map(|()| Attributes::none());
     let mut defaults = Defaults {
         names: BTreeMap::new(),
         classes: vec![nothing],

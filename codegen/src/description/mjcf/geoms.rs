@@ -1,43 +1,23 @@
 //! `geom`: the mass that a shape adds to its body.
 
 use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::fit::fitted;
+use crate::description::mjcf::geom_type::{GeomType, TYPES};
+use crate::description::mjcf::model::Model;
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::segment::Segment;
-use crate::description::mjcf::settings::{Settings, TRUTH};
-use crate::description::mjcf::solid::{Amount, Primitive, Solid};
+use crate::description::mjcf::settings::{Settings, Switch, TRUTH};
+use crate::description::mjcf::solid::{Amount, Primitive, Solid, uniform};
 use crate::description::xml::Reader;
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::{IDENTITY, length};
 
 /// Density where a geom says nothing, kg/m³.
 const WATER: f64 = 1000.0;
 
-/// What a geom is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum GeomType {
-    Sphere,
-    Capsule,
-    Cylinder,
-    Ellipsoid,
-    Box,
-    /// A plane or a height field: without mass.
-    Surface,
-    /// A mesh or a signed distance field: its shape stands in another file.
-    Mesh,
-}
-
-const TYPES: [(&str, GeomType); 9] = [
-    ("sphere", GeomType::Sphere),
-    ("capsule", GeomType::Capsule),
-    ("cylinder", GeomType::Cylinder),
-    ("ellipsoid", GeomType::Ellipsoid),
-    ("box", GeomType::Box),
-    ("plane", GeomType::Surface),
-    ("hfield", GeomType::Surface),
-    ("mesh", GeomType::Mesh),
-    ("sdf", GeomType::Mesh),
-];
+/// Volume from which on MuJoCo lets a mesh have the mass that its geom gives it, m³ (m² of a shell).
+const LEAST: f64 = 1e-14;
 
 /// Whether it matters what mass a geom has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,10 +31,11 @@ pub(super) enum Moves {
 pub(super) fn solid(
     reader: &mut Reader,
     geom: &Attributes<'_>,
-    settings: &Settings,
+    model: &Model<'_>,
     around: &Placement,
     moves: Moves,
 ) -> Option<Solid> {
+    let settings = &model.settings;
     let group = geom
         .number(reader, "group")
         .map_or(0.0, |group| group.value);
@@ -71,21 +52,14 @@ pub(super) fn solid(
     if kind == GeomType::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
         return None;
     }
-    if kind == GeomType::Mesh || geom.has("mesh") {
-        reader.faults.push(mesh(geom, moves));
+    let is_of_mesh = kind == GeomType::Mesh || geom.has("mesh");
+    if is_of_mesh && moves == Moves::No {
+        reader.faults.push(at_rest(geom));
         return None;
     }
-    if let Some(shell) = geom.keyword(reader, "shellinertia", &TRUTH)
-        && shell.value == TRUTH[0].1
-    {
-        let message = format!(
-            "{} is `true`; the inertia of a shell is not supported",
-            geom.what("shellinertia")
-        );
-        let fault = Diagnostic::error(message).at(shell.span, "not supported");
-        reader
-            .faults
-            .push(fault.help("give the body an `inertial`"));
+    refuse_shell(reader, geom, kind);
+    if is_of_mesh {
+        return of_mesh(reader, geom, model, around, kind, amount);
     }
     let (placement, half) = span_of(reader, geom, settings, kind)?;
     let shape = shape(reader, geom, kind, half)?;
@@ -115,22 +89,102 @@ fn amount(reader: &mut Reader, geom: &Attributes<'_>) -> Amount {
     Amount::Density(WATER)
 }
 
-fn mesh(geom: &Attributes<'_>, moves: Moves) -> Diagnostic {
+/// What a geom has a mesh, and no mass that matters, is told as.
+fn at_rest(geom: &Attributes<'_>) -> Diagnostic {
     let owner = &geom.owner;
+    let message = format!(
+        "the mass of {owner} follows from a mesh, which is not read; its body does not move"
+    );
+    let warning = Diagnostic::warning(message).at(mesh_place(geom), "taken without mass");
+    warning.one_of(
+        "geoms of bodies at rest whose meshes are not read",
+        &**owner,
+    )
+}
+
+fn too_small(geom: &Attributes<'_>, volume: f64) -> Diagnostic {
+    let message = format!(
+        "the mesh of {} has a volume of {volume:.2e} m³; as in MuJoCo it gets no mass with less than {LEAST:e}",
+        geom.owner
+    );
+    let warning = Diagnostic::warning(message).at(geom.place("mass"), "taken without mass");
+    let warning = warning.help("check the `scale` of the mesh, or give the body an `inertial`");
+    warning.one_of("geoms whose meshes are too small for a mass", &*geom.owner)
+}
+
+fn mesh_place(geom: &Attributes<'_>) -> Span {
     let place = ["mesh", "type"].into_iter().find(|name| geom.has(name));
-    let place = place.map_or(geom.span, |name| geom.place(name));
-    let message = format!("the mass of {owner} follows from a mesh, which is not read");
-    match moves {
-        Moves::Yes => Diagnostic::error(message)
-            .at(place, "not supported")
-            .help("give the body an `inertial`, or the geom `mass=\"0\"`"),
-        Moves::No => Diagnostic::warning(format!("{message}; its body does not move"))
-            .at(place, "taken without mass")
-            .one_of(
-                "meshes of bodies that do not move are taken without mass",
-                &**owner,
-            ),
+    place.map_or(geom.span, |name| geom.place(name))
+}
+
+fn refuse_shell(reader: &mut Reader, geom: &Attributes<'_>, kind: GeomType) {
+    let shell = geom.keyword(reader, "shellinertia", &TRUTH);
+    let Some(shell) = shell.filter(|shell| shell.value == TRUTH[0].1) else {
+        return;
+    };
+    let message = format!(
+        "{} is `true`; the inertia of a shell is not supported",
+        geom.what("shellinertia")
+    );
+    let fault = Diagnostic::error(message).at(shell.span, "not supported");
+    reader.faults.push(fault.help(if kind == GeomType::Mesh {
+        "write `inertia=\"shell\"` at the mesh"
+    } else {
+        "give the body an `inertial`"
+    }));
+}
+
+/// The mass of a geom that is a mesh, or a shape that stands for one.
+fn of_mesh(
+    reader: &mut Reader,
+    geom: &Attributes<'_>,
+    model: &Model<'_>,
+    around: &Placement,
+    kind: GeomType,
+    amount: Amount,
+) -> Option<Solid> {
+    let settings = &model.settings;
+    if geom.has("fromto") {
+        let message = format!("{} has `fromto` beside a mesh", geom.owner);
+        let fault = Diagnostic::error(message).at(geom.place("fromto"), "expected `pos`");
+        reader.faults.push(fault);
+        return None;
     }
+    let own = placement(reader, geom, settings);
+    let mesh = model.meshes.shape(reader, geom, settings)?;
+    let place = around.then(&own);
+    if kind == GeomType::Mesh {
+        let frame = Placement {
+            position: mesh.center,
+            rotation: IDENTITY,
+        };
+        if let Amount::Mass(_) = amount
+            && mesh.volume <= LEAST
+        {
+            reader.faults.push(too_small(geom, mesh.volume));
+            return None;
+        }
+        return Some(uniform(
+            mesh.volume,
+            mesh.inertia,
+            amount,
+            &place.then(&frame),
+        ));
+    }
+    let scale = geom
+        .number(reader, "fitscale")
+        .map_or(1.0, |scale| scale.value);
+    let to_bounds = settings.fit_bounds == Switch::On;
+    let Some((shape, frame)) = fitted(kind, &mesh, to_bounds, scale) else {
+        let message = format!(
+            "{} has no size where it is fitted to its mesh; expected more than 0",
+            geom.owner
+        );
+        let fault = Diagnostic::error(message).at(mesh_place(geom), "fitted to this mesh");
+        reader.faults.push(fault.help("choose another `type`"));
+        return None;
+    };
+    Some(shape.solid(amount, &place.then(&frame)))
 }
 
 /// Where a geom stands, and half its length where it leads from one point to another.

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::xml::{Document, Element, Known, Reader, shown};
-use crate::description::{Include, too_large};
+use crate::description::{Include, too_large, utf8};
 use crate::diagnostic::{Diagnostic, Source, Span};
 
 /// How deep elements may be nested in a file; MuJoCo's own limit.
@@ -30,7 +30,10 @@ pub(super) struct Included {
 #[derive(Debug)]
 pub(super) struct Files<'s> {
     documents: Vec<Option<Document<'s>>>,
-    files: BTreeMap<usize, usize>,
+    /// The number of the file, by the place of the element that includes it.
+    included: BTreeMap<usize, usize>,
+    /// The place of each file's first byte, and its folder from the main file's.
+    folders: Vec<(usize, String)>,
 }
 
 /// Reads all files that the source's file includes, and appends them to it.
@@ -67,7 +70,7 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
                 continue;
             }
             let number = included.from.len();
-            match read(&path) {
+            match read(&path).and_then(utf8) {
                 Ok(text) => {
                     source.append(format!("{folder}{path}"), text);
                     if let Some(fault) = too_large(source) {
@@ -159,6 +162,17 @@ fn normal(path: &str) -> String {
 impl<'s> Files<'s> {
     /// The files of a source that [`load`] filled.
     pub(super) fn parse(source: &'s Source, included: Included) -> Self {
+        let mut folders: Vec<(usize, String)> = source
+            .files()
+            .map(|file| (file.base(), String::new()))
+            .collect();
+        for (path, number) in &included.paths {
+            if let (Some((folder, _)), Some(place)) =
+                (path.rsplit_once('/'), folders.get_mut(*number))
+            {
+                folder.clone_into(&mut place.1);
+            }
+        }
         let files = source.files().zip(included.usable);
         let documents = files.map(|(file, usable)| {
             // What is wrong with the others was said as they were loaded.
@@ -168,8 +182,20 @@ impl<'s> Files<'s> {
         });
         Self {
             documents: documents.collect(),
-            files: included.files,
+            included: included.files,
+            folders,
         }
+    }
+
+    /// The folder of the file in which a place lies, from the main file's; empty for that itself.
+    pub(super) fn folder(&self, place: Span) -> &str {
+        let after = self
+            .folders
+            .partition_point(|(base, _)| *base <= place.start);
+        let file = after
+            .checked_sub(1)
+            .and_then(|index| self.folders.get(index));
+        file.map_or("", |(_, folder)| folder)
     }
 
     /// The root element of the main file.
@@ -192,7 +218,7 @@ impl<'s> Files<'s> {
                     open.pop();
                 }
                 Some(child) if child.name() == "include" => {
-                    let file = self.files.get(&child.span().start);
+                    let file = self.included.get(&child.span().start);
                     let root = file.and_then(|file| self.document(*file));
                     open.extend(root.map(Element::children));
                 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::inertial::baked;
+use crate::description::mjcf::meshes::Meshes;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::{bodies, defaults, include, known, others, settings};
 use crate::description::xml::{Element, Known, Reader, shown};
@@ -22,11 +23,20 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
     let included = include::load(&mut reader, &mut source, include);
     let files = Files::parse(&source, included);
     let root = files.root();
-    let description = root.and_then(|root| read(&mut reader, &files, root, &source, reading));
+    let description = root.and_then(|root| {
+        let beside = Beside { reading, include };
+        read(&mut reader, &files, root, &source, &beside)
+    });
     Description {
         faults: once(reader.faults.into_told()),
         ..description.unwrap_or_else(|| Description::none(&source, Vec::new()))
     }
+}
+
+/// What the caller says beside the model.
+struct Beside<'a> {
+    reading: &'a Reading,
+    include: Include<'a>,
 }
 
 /// The description in an element, but for the faults; `None` where it is no model.
@@ -35,7 +45,7 @@ fn read(
     files: &Files<'_>,
     root: Element<'_>,
     source: &Source,
-    reading: &Reading,
+    beside: &Beside<'_>,
 ) -> Option<Description> {
     if root.name() != "mujoco" {
         let found = shown(root.name());
@@ -71,11 +81,13 @@ fn read(
         root.span(),
     );
     let defaults = defaults::read(reader, files, &named("default"));
+    let meshes = Meshes::gather(reader, files, &defaults, &named("asset"), beside.include);
     let model = Model {
         files,
-        reading,
+        reading: beside.reading,
         settings,
         defaults,
+        meshes,
     };
     for section in &sections {
         others::read(reader, &model, *section);

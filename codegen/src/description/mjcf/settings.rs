@@ -25,6 +25,12 @@ pub(super) struct Settings {
     pub(super) total_mass: Option<f64>,
     /// Whether floating bodies get the axes of their inertia.
     pub(super) align_free: Switch,
+    /// The folder of mesh files, beside the model's own; empty where they stand beside the model.
+    pub(super) mesh_folder: String,
+    /// Whether folders in the names of files are left out.
+    pub(super) strip_path: Switch,
+    /// Whether shapes that stand for meshes are as large as these, not as their inertia.
+    pub(super) fit_bounds: Switch,
     /// In inertial components, m/s².
     pub(super) gravity: [Spanned<f64>; 3],
     pub(super) springs: Switch,
@@ -71,6 +77,9 @@ pub(super) fn read<'d>(
         balance: Switch::Off,
         total_mass: None,
         align_free: Switch::Off,
+        mesh_folder: String::new(),
+        strip_path: Switch::Off,
+        fit_bounds: Switch::Off,
         gravity: [0.0, 0.0, -9.81].map(|g| Spanned::new(g, root)),
         springs: Switch::On,
         dampers: Switch::On,
@@ -165,6 +174,25 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
         );
     }
     euler_sequence(reader, attributes, settings);
+    mesh_files(reader, attributes, settings);
+}
+
+/// Where mesh files are, and what of them counts.
+fn mesh_files(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Settings) {
+    // The second one is for meshes alone.
+    for name in ["assetdir", "meshdir"] {
+        if let Some(folder) = attributes.text(name) {
+            folder.value.clone_into(&mut settings.mesh_folder);
+        }
+    }
+    take(
+        &mut settings.strip_path,
+        attributes.keyword(reader, "strippath", &TRUTH),
+    );
+    take(
+        &mut settings.fit_bounds,
+        attributes.keyword(reader, "fitaabb", &TRUTH),
+    );
 }
 
 fn euler_sequence(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Settings) {

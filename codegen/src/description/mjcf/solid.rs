@@ -87,17 +87,32 @@ impl Primitive {
 
     /// The shape where it stands in a body.
     pub(super) fn solid(self, amount: Amount, placement: &Placement) -> Solid {
-        let mass = match amount {
-            Amount::Mass(mass) => mass,
-            Amount::Density(density) => density * self.volume(),
-        };
-        let moments = self.moments().map(|moment| mass * moment);
-        let diagonal = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
-        Solid {
-            mass,
-            center: placement.position,
-            inertia: turned(diagonal, &placement.rotation),
-        }
+        let [xx, yy, zz] = self.moments();
+        uniform(
+            self.volume(),
+            [xx, yy, zz, 0.0, 0.0, 0.0],
+            amount,
+            placement,
+        )
+    }
+}
+
+/// A shape of uniform density with this volume, and this inertia for a mass of one about the origin and along the axes of its
+/// placement.
+pub(super) fn uniform(
+    volume: f64,
+    inertia: Tensor,
+    amount: Amount,
+    placement: &Placement,
+) -> Solid {
+    let mass = match amount {
+        Amount::Mass(mass) => mass,
+        Amount::Density(density) => density * volume,
+    };
+    Solid {
+        mass,
+        center: placement.position,
+        inertia: turned(inertia.map(|entry| mass * entry), &placement.rotation),
     }
 }
 

@@ -115,6 +115,7 @@ pub(in crate::description::mjcf) const GEOM: Known<'static> = Known::attributes(
         "shellinertia",
         "group",
         "mesh",
+        "fitscale",
     ],
     &[
         "adhesion",
@@ -122,7 +123,6 @@ pub(in crate::description::mjcf) const GEOM: Known<'static> = Known::attributes(
         "conaffinity",
         "condim",
         "contype",
-        "fitscale",
         "fluidcoef",
         "fluidshape",
         "friction",

@@ -2,11 +2,13 @@
 //!
 //! As in MuJoCo 4.0, with some of earlier versions. Of other names there is a warning.
 
+mod assets;
 mod bodies;
 mod others;
 mod sections;
 mod settings;
 
+pub(super) use assets::MESH;
 pub(super) use bodies::{BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT, SITE};
 pub(super) use others::{ACTUATOR, EQUALITY, TENDON};
 pub(super) use sections::{

@@ -1,10 +1,11 @@
 //! Elements, by where they stand.
 
 /// Sections of the root.
-pub(in crate::description::mjcf) const SECTIONS: [&str; 10] = [
+pub(in crate::description::mjcf) const SECTIONS: [&str; 11] = [
     "compiler",
     "option",
     "default",
+    "asset",
     "worldbody",
     "actuator",
     "contact",
@@ -15,13 +16,12 @@ pub(in crate::description::mjcf) const SECTIONS: [&str; 10] = [
 ];
 
 /// Sections that say nothing about the dynamics of the tree.
-pub(in crate::description::mjcf) const IGNORED_SECTIONS: [&str; 8] = [
+pub(in crate::description::mjcf) const IGNORED_SECTIONS: [&str; 7] = [
     "size",
     "statistic",
     "visual",
     "extension",
     "custom",
-    "asset",
     "sensor",
     "keyframe",
 ];

@@ -15,21 +15,21 @@ pub(in crate::description::mjcf) const COMPILER: Known<'static> = Known::attribu
         "balanceinertia",
         "settotalmass",
         "alignfree",
+        "assetdir",
+        "meshdir",
+        "strippath",
+        "fitaabb",
     ],
     &[
-        "assetdir",
         "conflict",
         "convexhull",
         "discardvisual",
         "exactmeshinertia",
-        "fitaabb",
         "fusestatic",
-        "meshdir",
         "passthrough",
         "savecanonical",
         "savecompiled",
         "saveinertial",
-        "strippath",
         "texturedir",
         "usethread",
     ],
@@ -110,10 +110,8 @@ pub(in crate::description::mjcf) const FLAG: Known<'static> = Known::attributes(
 pub(in crate::description::mjcf) const DEFAULT: Known<'static> = Known {
     attributes: &["class"],
     children: &[
-        "default", "joint", "geom", "site", "tendon", "equality", "include",
+        "default", "joint", "geom", "site", "mesh", "tendon", "equality", "include",
     ],
     ignored_attributes: &[],
-    ignored_children: &[
-        "mesh", "material", "texture", "camera", "light", "pair", "skin",
-    ],
+    ignored_children: &["material", "texture", "camera", "light", "pair", "skin"],
 };

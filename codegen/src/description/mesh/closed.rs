@@ -1,0 +1,32 @@
+//! Whether faces look the same way: two that share an edge pass it in opposite directions.
+
+use crate::description::mesh::fault::Fault;
+use crate::description::mesh::sums::triangle;
+use crate::description::mesh::surface::Surface;
+use crate::geometry::Vector;
+
+/// Faces with a smaller area have no direction, m².
+const SMALL: f64 = 3.162_277_660_168_379e-8;
+
+/// Refuses a surface of which an edge is passed twice in the same direction.
+pub(super) fn check(surface: &Surface, points: &[Vector]) -> Result<(), Fault> {
+    let mut edges = Vec::with_capacity(3 * surface.faces.len());
+    for [a, b, c] in &surface.faces {
+        let corners = [a, b, c].map(|number| points[*number as usize]);
+        if triangle(corners).area > SMALL {
+            edges.extend([(*a, *b), (*b, *c), (*c, *a)]);
+        }
+    }
+    edges.sort_unstable();
+    let twice = edges.windows(2).find(|pair| pair[0] == pair[1]);
+    match twice {
+        Some(pair) => {
+            let (a, b) = pair[0];
+            let found = format!(
+                "has two faces that pass the edge between its points {a} and {b} in the same direction"
+            );
+            Err(Fault::new(found).help("let all faces look outward, or write `inertia=\"convex\"`"))
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,28 @@
+//! What a geom can be.
+
+/// What a geom is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum GeomType {
+    Sphere,
+    Capsule,
+    Cylinder,
+    Ellipsoid,
+    Box,
+    /// A plane or a height field: without mass.
+    Surface,
+    /// A mesh, or one that is known by the distance from it.
+    Mesh,
+}
+
+/// The names of all.
+pub(super) const TYPES: [(&str, GeomType); 9] = [
+    ("sphere", GeomType::Sphere),
+    ("capsule", GeomType::Capsule),
+    ("cylinder", GeomType::Cylinder),
+    ("ellipsoid", GeomType::Ellipsoid),
+    ("box", GeomType::Box),
+    ("plane", GeomType::Surface),
+    ("hfield", GeomType::Surface),
+    ("mesh", GeomType::Mesh),
+    ("sdf", GeomType::Mesh),
+];
