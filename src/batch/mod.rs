@@ -20,6 +20,28 @@
 //! # Ok::<(), kane::batch::LengthError>(())
 //! ```
 //!
+//! If a program keeps its states for long, keep them in groups: a slice of the arrays that the functions take, `[[L; NQ]]`, of which
+//! each holds [`Lanes::LANES`] states. The methods `.._of_groups` take and write those in place, without reading and writing rows,
+//! which takes about half of a batch's time. [`Batch::to_groups`] and [`Batch::from_groups`] convert. Take rows if other code
+//! (`NumPy`, a recorder, a GPU) wants each number of all states side by side.
+//!
+//! ```
+//! # #[cfg(all(feature = "eight_body", feature = "wide"))] {
+//! use kane::batch::{Batch, Widest};
+//! use kane::eight_body::{NQ, NU, Prepared};
+//!
+//! const N: usize = 10;
+//! let (batch, system) = (Batch::<Widest>::new(N), Prepared::<Widest>::nominal());
+//! let zero = <Widest as kane::Real>::from_f64(0.0);
+//! let mut q = vec![[zero; NQ]; batch.n_groups()];
+//! batch.to_groups(&vec![0.1; NQ * N], &mut q)?;
+//! let (u, u_dot) = (vec![[zero; NU]; q.len()], vec![[zero; NU]; q.len()]);
+//! let mut tau = vec![[zero; NU]; q.len()];
+//! batch.inverse_dynamics_of_groups(&system, &q, &u, &u_dot, &mut tau).unwrap();
+//! # }
+//! # Ok::<(), kane::batch::LengthError>(())
+//! ```
+//!
 //! Every lane has the bits that the same function gives for that state alone. The usual functions are methods of
 //! [`Batch`]; any other is a loop over its groups:
 //!
@@ -47,6 +69,7 @@
 //! ```
 
 mod group;
+mod grouped;
 mod rows;
 mod tile;
 
@@ -59,10 +82,25 @@ use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassM
 use crate::{Array, Lanes, System};
 
 pub use group::Group;
+pub use grouped::GroupsError;
 pub use rows::{LengthError, Rows, RowsMut};
 
 /// The most bytes of a tile's matrices, which stand on the stack.
 const MOST_ON_STACK: usize = 1 << 18;
+
+/// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
+#[cfg(all(feature = "wide", target_feature = "avx512f"))]
+pub type Widest = crate::wide::f64x8;
+/// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
+#[cfg(all(
+    feature = "wide",
+    target_feature = "avx",
+    not(target_feature = "avx512f")
+))]
+pub type Widest = crate::wide::f64x4;
+/// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
+#[cfg(all(feature = "wide", not(target_feature = "avx")))]
+pub type Widest = crate::wide::f64x2;
 
 /// A number of states, computed [`Lanes::LANES`] at a time.
 #[derive(Clone, Copy, Debug)]
