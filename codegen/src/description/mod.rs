@@ -30,7 +30,7 @@ pub use coordinate_name::CoordinateName;
 pub use format::read;
 pub use frame::{Carrier, FrameRotation, WrittenFrame};
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};
-pub use reading::{Base, Include, Reading, no_includes};
+pub use reading::{Base, Include, LeftOut, Reading, no_includes};
 pub(crate) use size::{too_large, too_many};
 pub use system::{Description, Order};
 pub use value::{Given, Limits, Optional, PerCoordinate, Scalar};

@@ -6,8 +6,8 @@
 
 use crate::description::{Description, Scalar, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span};
+use crate::principal::principal;
 use crate::tree::names::shown;
-use crate::tree::principal::principal;
 
 /// How far below zero, relative to the largest, a principal moment may be.
 const NEGATIVE: f64 = 1e-9;

@@ -30,7 +30,6 @@ mod joints;
 mod mobility;
 mod names;
 mod numbering;
-mod principal;
 mod rotations;
 mod values;
 
@@ -40,6 +39,7 @@ mod named;
 mod prescribed;
 
 pub use crate::description::Order;
+pub use crate::principal::principal;
 pub use base_parameter::{BaseParameter, BaseParameters, InertialParameter, N_INERTIAL};
 pub use body::{Body, Inertia, Pose, RigidPart};
 pub use build::{Checked, build, build_with};
@@ -53,7 +53,6 @@ pub use mobility::idle_motions;
 pub use named::NamedFrame;
 pub use offset::{Offset, Step};
 pub use prescribed::{PrescribedFault, prescribe};
-pub use principal::principal;
 pub use rotations::{Alignment, orthonormal, snapped, snapped_sin_cos};
 pub use system::Tree;
 pub use value::{Parameter, Value};

@@ -9,11 +9,13 @@
 //! Nothing here calls itself: however deep a file, the stack does not grow.
 
 mod angles;
+mod around;
 mod attributes;
 mod bodies;
 mod chain;
 mod contents;
 mod defaults;
+mod equalities;
 mod finite;
 mod geoms;
 mod include;
@@ -23,16 +25,20 @@ mod joint_limits;
 mod joint_type;
 mod joints;
 mod known;
+mod leaving;
+mod mocap;
 mod model;
 mod names;
 mod orientation;
 mod others;
 mod parse;
 mod placement;
+mod replicate;
 mod seat;
 mod segment;
 mod settings;
 mod sites;
 mod solid;
+mod ties;
 
 pub use parse::parse;

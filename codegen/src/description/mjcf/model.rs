@@ -3,6 +3,7 @@
 use crate::description::Reading;
 use crate::description::mjcf::defaults::Defaults;
 use crate::description::mjcf::include::Files;
+use crate::description::mjcf::replicate::Copies;
 use crate::description::mjcf::settings::Settings;
 
 /// What the whole file says, beside its bodies.
@@ -12,4 +13,6 @@ pub(super) struct Model<'d> {
     pub(super) reading: &'d Reading,
     pub(super) settings: Settings,
     pub(super) defaults: Defaults<'d>,
+    /// How many elements `replicate` copied.
+    pub(super) copies: Copies,
 }

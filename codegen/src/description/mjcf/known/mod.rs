@@ -7,7 +7,7 @@ mod others;
 mod sections;
 mod settings;
 
-pub(super) use bodies::{BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT, SITE};
+pub(super) use bodies::{BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT, REPLICATE, SITE};
 pub(super) use others::{ACTUATOR, EQUALITY, TENDON};
 pub(super) use sections::{
     ACTUATORS, EQUALITIES, IGNORED_IN_BODY, IGNORED_SECTIONS, IN_BODY, SECTIONS,
