@@ -14,6 +14,7 @@ mod attributes;
 mod bodies;
 mod chain;
 mod contents;
+mod copies;
 mod defaults;
 mod equalities;
 mod finite;

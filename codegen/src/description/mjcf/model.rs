@@ -1,9 +1,9 @@
 //! What a whole file says, beside its bodies.
 
 use crate::description::Reading;
+use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::defaults::Defaults;
 use crate::description::mjcf::include::Files;
-use crate::description::mjcf::replicate::Copies;
 use crate::description::mjcf::settings::Settings;
 
 /// What the whole file says, beside its bodies.

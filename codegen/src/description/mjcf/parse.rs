@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::replicate::Copies;
 use crate::description::mjcf::{bodies, defaults, equalities, include, known, others, settings};
 use crate::description::xml::{Element, Known, Mended, Reader, shown};
 use crate::description::{Description, Include, Reading};

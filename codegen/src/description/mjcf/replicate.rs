@@ -1,6 +1,5 @@
 //! `replicate`: copies of elements, each moved further, with numbers behind their names.
 
-use std::cell::Cell;
 use std::rc::Rc;
 
 use crate::description::mjcf::angles::euler;
@@ -11,31 +10,9 @@ use crate::description::mjcf::model::Model;
 use crate::description::mjcf::placement::Placement;
 use crate::description::too_many;
 use crate::description::xml::{Element, Reader};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry::Vector;
-use crate::limits::{BODIES, XML_NODES};
-
-/// How many elements were copied so far.
-#[derive(Debug, Default)]
-pub(super) struct Copies(Cell<u32>);
-
-impl Copies {
-    /// Counts an element that is copied; false where there are too many, which is told once.
-    pub(super) fn count(&self, reader: &mut Reader, span: Span) -> bool {
-        let count = self.0.get();
-        if count > XML_NODES {
-            return false;
-        }
-        self.0.set(count + 1);
-        if count == XML_NODES {
-            let message = format!("`replicate` makes more than {XML_NODES} elements");
-            reader
-                .faults
-                .push(Diagnostic::error(message).at(span, "one too many"));
-        }
-        count < XML_NODES
-    }
-}
+use crate::limits::BODIES;
 
 /// What is around each copy of the elements in a `replicate`.
 pub(super) fn copies<'d>(
