@@ -111,6 +111,14 @@ impl Build {
         self
     }
 
+    /// Leaves out of an MJCF what cannot be had, with a warning: `equalities`, `fluid`, `tendons` or `gravcomp`, or the equality
+    /// of this name.
+    #[must_use]
+    pub fn leave_out(mut self, what: impl Into<String>) -> Self {
+        self.options.reading.leave_out.insert(what.into());
+        self
+    }
+
     /// Snaps entries of constant rotations to 0, 1 and -1 where they are as near as `tolerance`, in place of 1e-9.
     #[must_use]
     pub fn snap(mut self, tolerance: f64) -> Self {

@@ -51,6 +51,7 @@ pub mod geometry;
 pub mod id;
 pub mod limits;
 pub mod number;
+mod principal;
 mod random;
 pub mod threads;
 // What languages reserve.

@@ -102,5 +102,6 @@ fn reading(choice: usize, has_choice: bool) -> Reading {
     Reading {
         base: (has_choice && choice & 1 != 0).then_some(Base::Free),
         chart: (has_choice && choice & 2 != 0).then_some(Chart::Angles),
+        ..Reading::default()
     }
 }

@@ -21,6 +21,14 @@ pub(crate) struct ReadingArguments {
     /// How orientations of free and ball joints of a URDF or MJCF are described [default: quaternion]
     #[arg(long, value_name = "CHART", requires = "model", value_parser = one_of(Chart::NAMED))]
     chart: Option<Chart>,
+
+    /// Leave out of an MJCF what cannot be had, with a warning: equalities, fluid, tendons, gravcomp, or the name of an
+    /// equality; with commas between them
+    ///
+    /// `equalities` are all that are active, `connect`, `weld` and so on those of a kind; `fluid` is the forces that `density` and
+    /// `viscosity` make; `tendons` the stiffness, damping, armature and friction of tendons.
+    #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
+    leave_out: Vec<String>,
 }
 
 /// How a model is read, and what is changed of it.
@@ -74,6 +82,11 @@ impl ReadingArguments {
         Reading {
             base: self.base.or(before.base),
             chart: self.chart.or(before.chart),
+            leave_out: if self.leave_out.is_empty() {
+                before.leave_out
+            } else {
+                self.leave_out.iter().cloned().collect()
+            },
         }
     }
 
@@ -85,7 +98,11 @@ impl ReadingArguments {
             .chart
             .map(|chart| ["--chart", name_of(&chart, &Chart::NAMED)]);
         let words = base.into_iter().chain(chart).flatten();
-        words.map(str::to_owned).collect()
+        let mut words: Vec<String> = words.map(str::to_owned).collect();
+        if !self.leave_out.is_empty() {
+            words.extend(["--leave-out".to_owned(), self.leave_out.join(",")]);
+        }
+        words
     }
 }
 

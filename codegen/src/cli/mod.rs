@@ -92,7 +92,11 @@ pub(crate) use voice::{Voice, say};
         model = \"models/panda.urdf\"\n  \
         output = \"generated/panda.rs\"\n  \
         base = \"free\"                # how its root link hangs; absent: fixed\n  \
-        chart = \"angles\"             # of free and ball joints, also of an MJCF; absent: quaternion"
+        chart = \"angles\"             # of free and ball joints, also of an MJCF; absent: quaternion\n\n  \
+        [[system]]\n  \
+        model = \"models/gripper.xml\"\n  \
+        output = \"generated/gripper.rs\"\n  \
+        leave_out = [\"fluid\"]        # what of an MJCF cannot be had: equalities, fluid, tendons, gravcomp, or an equality"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]

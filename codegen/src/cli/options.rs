@@ -134,7 +134,7 @@ impl Asked<'_> {
         if !arguments.without.is_empty() {
             *without = arguments.without.iter().copied().collect();
         }
-        *reading = arguments.changes.reading_above(*reading);
+        *reading = arguments.changes.reading_above(mem::take(reading));
         *changes = arguments.changes.above(mem::take(changes));
         if self.names_prescribed() {
             *prescribed = arguments.changes.prescribed().to_vec();

@@ -19,9 +19,11 @@ pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
     let chart = chart.and_then(|item| {
         reader.choice(item, &system.what("chart"), &Chart::NAMED, "unknown chart")
     });
+    let left_out = names(reader, system, "leave_out").into_iter();
     Reading {
         base: base.map(|base| base.value),
         chart: chart.map(|chart| chart.value),
+        leave_out: left_out.map(|name| name.value).collect(),
     }
 }
 

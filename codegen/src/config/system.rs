@@ -38,7 +38,7 @@ pub struct System {
     pub budget: Vec<Budget>,
 }
 
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "model",
     "output",
     "manifest",
@@ -51,6 +51,7 @@ const KEYS: [&str; 17] = [
     "budget",
     "base",
     "chart",
+    "leave_out",
     "snap",
     "lock",
     "remove",

@@ -13,29 +13,37 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
         return Description::none(&empty, vec![fault]);
     }
     let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
-    let (mut description, base, chart) = match extension.to_ascii_lowercase().as_str() {
-        "urdf" => (urdf::parse(source, reading), None, None),
-        "xml" | "mjcf" if urdf::is_urdf(source) => (urdf::parse(source, reading), None, None),
+    let no_equalities = Some("it has no equalities, tendons or fluids");
+    let (mut description, base, chart, left_out) = match extension.to_ascii_lowercase().as_str() {
+        "urdf" => (urdf::parse(source, reading), None, None, no_equalities),
+        "xml" | "mjcf" if urdf::is_urdf(source) => {
+            (urdf::parse(source, reading), None, None, no_equalities)
+        }
         "xml" | "mjcf" => {
             let base = "an MJCF says itself which of its bodies are free";
-            (mjcf::parse(source, reading, include), Some(base), None)
+            let description = mjcf::parse(source, reading, include);
+            (description, Some(base), None, None)
         }
         _ => {
             let base =
                 "this model says itself by which joints its bodies hang from the inertial frame";
             let chart = "each joint of this model says it itself, with the key `chart`";
-            (toml::parse(source), Some(base), Some(chart))
+            let description = toml::parse(source);
+            (description, Some(base), Some(chart), no_equalities)
         }
     };
     // What the model says itself is not asked for a second time.
     let base = base
         .filter(|_| reading.base.is_some())
-        .map(|why| ("base", "a URDF", why));
+        .map(|why| ("the base", "a URDF", why));
     let chart = chart
         .filter(|_| reading.chart.is_some())
-        .map(|why| ("chart", "a URDF or MJCF", why));
-    for (option, of, why) in base.into_iter().chain(chart) {
-        let fault = format!("the {option} can be chosen for {of} alone: {why}");
+        .map(|why| ("the chart", "a URDF or MJCF", why));
+    let left_out = left_out
+        .filter(|_| !reading.leave_out.is_empty())
+        .map(|why| ("what is left out", "an MJCF", why));
+    for (option, of, why) in base.into_iter().chain(chart).chain(left_out) {
+        let fault = format!("{option} can be chosen for {of} alone: {why}");
         description.faults.push(Diagnostic::error(fault));
     }
     description

@@ -32,7 +32,7 @@ pub use format::read;
 pub use frame::{Carrier, FrameRotation, WrittenFrame};
 pub use joint::{Chart, JointKind, Mimic, Speeds, WrittenJoint};
 pub(crate) use reading::utf8;
-pub use reading::{Base, Include, Reading, no_includes};
+pub use reading::{Base, Include, LeftOut, Reading, no_includes};
 pub(crate) use size::{too_large, too_many};
 pub use system::{Description, Order};
 pub use value::{Given, Limits, Optional, PerCoordinate, Scalar};

@@ -1,16 +1,60 @@
 //! What a caller says beside the model: what a URDF or MJCF leaves open, and how included files are read.
 
+use std::collections::BTreeSet;
 use std::io;
 
 use crate::description::joint::Chart;
 
 /// What a URDF or MJCF leaves to the user.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Reading {
     /// How the root link of a URDF hangs from the inertial frame; absent: fixed.
     pub base: Option<Base>,
     /// How the orientations of free and ball joints are described; absent: by Euler parameters.
     pub chart: Option<Chart>,
+    /// What of an MJCF is left out that cannot be had: names of [`LeftOut`], and of equalities.
+    pub leave_out: BTreeSet<String>,
+}
+
+/// Forces and constraints of an MJCF that can be left out, all of a kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeftOut {
+    /// Equalities that tie bodies, joints or tendons.
+    Equalities,
+    /// Forces of the medium: `density` and `viscosity`.
+    Fluid,
+    /// Stiffness, damping, armature and friction of tendons.
+    Tendons,
+    /// Forces against the weights of bodies: `gravcomp`.
+    Gravcomp,
+}
+
+impl LeftOut {
+    /// All of them, with their names.
+    pub const NAMED: [(&str, Self); 4] = [
+        ("equalities", Self::Equalities),
+        ("fluid", Self::Fluid),
+        ("tendons", Self::Tendons),
+        ("gravcomp", Self::Gravcomp),
+    ];
+
+    /// The name by which the user asks for it.
+    pub fn name(self) -> &'static str {
+        let [equalities, fluid, tendons, gravcomp] = Self::NAMED.map(|(name, _)| name);
+        match self {
+            Self::Equalities => equalities,
+            Self::Fluid => fluid,
+            Self::Tendons => tendons,
+            Self::Gravcomp => gravcomp,
+        }
+    }
+}
+
+impl Reading {
+    /// True where the user leaves out all of this kind.
+    pub fn leaves_out(&self, kind: LeftOut) -> bool {
+        self.leave_out.contains(kind.name())
+    }
 }
 
 /// How the root link of a URDF hangs from the inertial frame.

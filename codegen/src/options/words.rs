@@ -16,7 +16,12 @@ impl Options {
     /// All that can influence the module. What is written beside it cannot.
     pub(crate) fn in_words(&self) -> String {
         let Self {
-            reading: Reading { base, chart },
+            reading:
+                Reading {
+                    base,
+                    chart,
+                    leave_out,
+                },
             changes:
                 Changes {
                     snap,
@@ -42,6 +47,8 @@ impl Options {
         let chart = chart.map(|chart| name_of(&chart, &Chart::NAMED));
         parts.extend(chart.map(|chart| format!("chart: {chart}")));
         // Quoted with their escapes, so that no name leaves the comment or imitates another option.
+        let left_out = leave_out.iter().map(|name| format!("{name:?}"));
+        parts.extend(listed("leave_out", left_out.collect()));
         let locked = lock.iter();
         let locked = locked.map(|(name, value)| format!("{name:?} = {:?}", value + 0.0));
         parts.extend(listed("lock", locked.collect()));

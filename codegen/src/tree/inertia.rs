@@ -7,9 +7,9 @@
 
 use crate::description::{Description, Given, Scalar};
 use crate::diagnostic::{Diagnostic, Span};
+use crate::principal::principal;
 use crate::tree::names::shown;
 use crate::tree::negligible::Negligible;
-use crate::tree::principal::principal;
 
 /// How far below zero, relative to the largest, a principal moment may be.
 const NEGATIVE: f64 = 1e-9;

@@ -33,7 +33,6 @@ mod mobility;
 mod names;
 mod negligible;
 mod numbering;
-mod principal;
 mod rotations;
 mod values;
 
@@ -43,6 +42,7 @@ mod named;
 mod prescribed;
 
 pub use crate::description::Order;
+pub use crate::principal::principal;
 pub use base_parameter::{BaseParameter, BaseParameters, InertialParameter, N_INERTIAL};
 pub use body::{Body, Inertia, Pose, RigidPart};
 pub use build::{Checked, build, build_with};
@@ -56,7 +56,6 @@ pub use mobility::idle_motions;
 pub use named::NamedFrame;
 pub use offset::{Offset, Step};
 pub use prescribed::{PrescribedFault, prescribe};
-pub use principal::principal;
 pub use rotations::{Alignment, NearlyExact, nearly_exact, orthonormal, snapped, snapped_sin_cos};
 pub use system::Tree;
 pub use value::{Parameter, Value};

@@ -30,6 +30,7 @@ fn every_command_knows_them() {
         for option in [
             "--base <",
             "--chart <",
+            "--leave-out <",
             "--snap <",
             "--lock <",
             "--remove <",
@@ -233,4 +234,35 @@ fn rounded_angles_are_told_where_operations_are_counted_and_not_by_check() {
     assert!(!says(&[
         "generate", "arm.urdf", "--output", "arm.rs", "--snap", "1e-5"
     ]));
+}
+
+#[test]
+fn what_an_mjcf_leaves_out_is_warned_of_and_stands_in_the_banner() {
+    let project = Project::arm();
+    project.write(
+        "models/arm.xml",
+        "<mujoco><option density=\"1\"/><worldbody><body name=\"a\"><joint name=\"j\"/><geom size=\"1\"/></body></worldbody>
+<equality><connect name=\"loop\" body1=\"a\" anchor=\"0 0 0\"/></equality></mujoco>",
+    );
+    let generate = ["generate", "models/arm.xml", "--output", "-"];
+    let ran = project.kane(&generate);
+    assert_eq!(ran.code, 2);
+    for option in ["`--leave-out fluid`", "`--leave-out loop`"] {
+        assert!(ran.err.contains(option), "{}", ran.err);
+    }
+    let ran = project.kane(&[&generate[..], &["--leave-out", "loop,fluid"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(
+        ran.err
+            .contains("warning: connect equality `loop` is left out")
+    );
+    let banner = ran.out.lines().nth(1).unwrap_or_default();
+    assert!(
+        banner.contains("leave_out: \"fluid\", \"loop\""),
+        "{banner}"
+    );
+    let ran = project.kane(&["info", "models/arm.toml", "--leave-out", "fluid"]);
+    assert_eq!(ran.code, 2);
+    let fault = "error: what is left out can be chosen for an MJCF alone: ";
+    assert!(ran.err.contains(fault), "{}", ran.err);
 }

@@ -123,7 +123,11 @@ fn robot(name: &str) -> Tree {
 fn file(name: &str) -> (String, Reading) {
     let base = ["solo12", "talos"].contains(&name).then_some(Base::Free);
     let path = format!("tests/robots/{name}/{name}.urdf");
-    (path, Reading { base, chart: None })
+    let reading = Reading {
+        base,
+        ..Reading::default()
+    };
+    (path, reading)
 }
 
 /// Those robots whose regressors are small, for the seconds of elimination.

@@ -70,7 +70,14 @@ fn robots() {
     let mut text = String::new();
     let mut robot = |name: &str, base: Option<Base>, chart: Option<Chart>| {
         let path = format!("tests/robots/{name}/{name}.urdf");
-        let tree = read(&path, &Reading { base, chart });
+        let tree = read(
+            &path,
+            &Reading {
+                base,
+                chart,
+                ..Reading::default()
+            },
+        );
         let chart = match chart {
             Some(Chart::Angles) => ", floating by angles",
             Some(Chart::Quaternion) => ", floating by a quaternion",
@@ -122,7 +129,13 @@ fn of_robots(names: &[&str]) -> String {
     for robot in ["ur5", "panda", "solo12", "talos"] {
         let path = format!("tests/robots/{robot}/{robot}.urdf");
         let base = ["solo12", "talos"].contains(&robot).then_some(Base::Free);
-        let tree = read(&path, &Reading { base, chart: None });
+        let tree = read(
+            &path,
+            &Reading {
+                base,
+                ..Reading::default()
+            },
+        );
         let names = names.iter().map(|name| (*name).to_owned());
         let functions = Functions::Named(names.collect());
         let mut counts = counts(&tree, functions, Formulation::Cheapest);
@@ -207,7 +220,13 @@ fn frames_of_robots() {
     ] {
         let path = format!("tests/robots/{robot}/{robot}.urdf");
         let base = ["solo12", "talos"].contains(&robot).then_some(Base::Free);
-        let tree = read(&path, &Reading { base, chart: None });
+        let tree = read(
+            &path,
+            &Reading {
+                base,
+                ..Reading::default()
+            },
+        );
         let requests = [
             format!("pose({frame})"),
             format!("velocity({frame})"),

@@ -32,7 +32,7 @@ fn models() -> Vec<(&'static str, Tree)> {
     let robot = |path: &'static str, base| {
         let reading = Reading {
             base: Some(base),
-            chart: None,
+            ..Reading::default()
         };
         (path, read(path, &reading))
     };

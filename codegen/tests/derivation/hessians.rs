@@ -217,7 +217,13 @@ fn all_ways_give_the_same_second_derivatives() {
 fn what_would_be_large_is_refused_with_its_size() {
     let base = Some(Base::Free);
     let path = "tests/robots/talos/talos.urdf";
-    let tree = read(path, &Reading { base, chart: None });
+    let tree = read(
+        path,
+        &Reading {
+            base,
+            ..Reading::default()
+        },
+    );
     let refused = |text: &str| {
         let requests = [request(&tree, text)];
         let checked = compile::check_size(&tree, &requests, &Options::default());

@@ -282,7 +282,13 @@ fn counts_of_robots() {
     let mut text = String::new();
     let mut robot = |name: &str, base: Option<Base>, sets: &[(&str, &dyn Fn(usize) -> bool)]| {
         let path = format!("tests/robots/{name}/{name}.urdf");
-        let plain = read(&path, &Reading { base, chart: None });
+        let plain = read(
+            &path,
+            &Reading {
+                base,
+                ..Reading::default()
+            },
+        );
         let forward = count(&plain, "forward_dynamics");
         writeln!(text, "{name}\n    forward dynamics: {forward}").unwrap();
         for (what, is_prescribed) in sets {

@@ -28,7 +28,13 @@ const MODELS: [(&str, Option<Base>); 4] = [
 ];
 
 fn compiled(path: &str, base: Option<Base>, fma: bool) -> Compiled {
-    let tree = read(path, &Reading { base, chart: None });
+    let tree = read(
+        path,
+        &Reading {
+            base,
+            ..Reading::default()
+        },
+    );
     let options = Options {
         fma,
         ..Options::default()

@@ -87,6 +87,7 @@ fn plain_models() -> Vec<Tree> {
             &Reading {
                 base: Some(base),
                 chart,
+                ..Reading::default()
             },
         )
     };

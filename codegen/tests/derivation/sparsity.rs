@@ -104,7 +104,13 @@ fn what_is_left_out_is_zero_and_hardly_anything_else() {
 fn nothing_that_is_kept_of_robots_is_zero() {
     for (robot, base) in [("ur5", None), ("solo12", Some(Base::Free))] {
         let path = format!("tests/robots/{robot}/{robot}.urdf");
-        let tree = read(&path, &Reading { base, chart: None });
+        let tree = read(
+            &path,
+            &Reading {
+                base,
+                ..Reading::default()
+            },
+        );
         for text in [
             "packed(d(inverse_dynamics)/d(q, u, u_dot))",
             "packed(d(forward_dynamics)/d(q, u, tau))",

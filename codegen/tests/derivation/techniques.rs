@@ -27,7 +27,7 @@ fn robot(name: &str, base: Base) -> Tree {
         &format!("tests/robots/{name}/{name}.urdf"),
         &Reading {
             base: Some(base),
-            chart: None,
+            ..Reading::default()
         },
     )
 }

@@ -18,9 +18,9 @@ fn folder(name: &str) -> PathBuf {
 }
 
 /// The module without its banner, which names the model and the options.
-fn module(source: &Source, reading: Reading, base: &Path) -> String {
+fn module(source: &Source, reading: &Reading, base: &Path) -> String {
     let options = Options {
-        reading,
+        reading: reading.clone(),
         changes: Changes::default(),
         ..Options::default()
     };
@@ -31,15 +31,15 @@ fn module(source: &Source, reading: Reading, base: &Path) -> String {
     code.collect::<Vec<_>>().join("\n")
 }
 
-fn assert_converts(path: &Path, reading: Reading) {
+fn assert_converts(path: &Path, reading: &Reading) {
     let base = path.parent().unwrap();
     let name = path.to_string_lossy();
     let source = Source::new(name.clone(), fs::read_to_string(path).unwrap());
     let include = |path: &str| fs::read(base.join(path));
-    let text = toml::write(&description::read(&source, &reading, &include)).unwrap();
+    let text = toml::write(&description::read(&source, reading, &include)).unwrap();
     let converted = Source::new("converted.toml", text);
     assert!(
-        module(&source, reading, base) == module(&converted, Reading::default(), base),
+        module(&source, reading, base) == module(&converted, &Reading::default(), base),
         "{name} {reading:?}"
     );
     let again = description::read(&converted, &Reading::default(), &no_includes);
@@ -50,14 +50,15 @@ fn assert_converts(path: &Path, reading: Reading) {
 fn robots_convert() {
     let path = |name: &str| folder("robots").join(name).join(format!("{name}.urdf"));
     for name in ["cartpole", "double_pendulum_continuous", "ur5", "panda"] {
-        assert_converts(&path(name), Reading::default());
+        assert_converts(&path(name), &Reading::default());
     }
     for (name, chart) in [("panda", Chart::Angles), ("solo12", Chart::Quaternion)] {
         let reading = Reading {
             base: Some(Base::Free),
             chart: Some(chart),
+            ..Reading::default()
         };
-        assert_converts(&path(name), reading);
+        assert_converts(&path(name), &reading);
     }
 }
 
@@ -71,7 +72,7 @@ fn mjcf_models_convert() {
         };
         let path = folder.join(format!("{name}.xml"));
         if path.exists() {
-            assert_converts(&path, Reading::default());
+            assert_converts(&path, &Reading::default());
             n_models += 1;
         }
     }

@@ -48,8 +48,6 @@ files! {
     aligned_free_joint
     axis_is_zero
     ball_with_stiffness
-    bound_inertia_of_full_inertia
-    boundmass_of_a_massless_body
     child_class_unknown
     class_given_twice
     composite
@@ -86,6 +84,7 @@ files! {
     quaternion_is_zero
     range_reversed
     range_without_limited
+    replicate_of_joints
     robot
     several_faults
     shell

@@ -192,3 +192,18 @@ fn no_file_stops_the_program() {
         }
     }
 }
+
+#[test]
+fn copies_of_copies_are_bounded() {
+    let (mut open, mut close) = (String::new(), String::new());
+    for _ in 0..4 {
+        open.push_str("<replicate count=\"10000\">");
+        close.push_str("</replicate>");
+    }
+    let geoms = "<geom size=\"1\"/>".repeat(100);
+    let text = format!("<mujoco><worldbody><body>{open}{geoms}{close}</body></worldbody></mujoco>");
+    let model = parse(&text, &[]);
+    let errors = model.faults.iter().filter(|fault| fault.is_error());
+    let messages: Vec<&str> = errors.map(|fault| fault.message.as_str()).collect();
+    assert_eq!(messages, ["`replicate` makes more than 1000000 elements"]);
+}

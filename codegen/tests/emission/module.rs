@@ -322,6 +322,7 @@ fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
         reading: Reading {
             base: Some(Base::Free),
             chart: Some(Chart::Angles),
+            ..Reading::default()
         },
         ..Options::default()
     };

@@ -8,6 +8,7 @@ macro_rules! mjcf_models {
             adjusted_inertias
             ant
             ball_joint_arm
+            bounded
             cart_with_springs
             cheetah
             extrinsic_angles
@@ -19,6 +20,7 @@ macro_rules! mjcf_models {
             mixed_angles
             no_gravity
             orientations
+            replicated
             several_joints
             sites
             two_link_arm

@@ -1,5 +1,8 @@
 //! `worldbody`: the bodies, depth first, in the order of the file.
 
+use std::rc::Rc;
+
+use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::chain::{Bodies, JointedBody, WrittenBodies};
 use crate::description::mjcf::contents::{Contents, Inside, child_class, gather};
@@ -10,15 +13,18 @@ use crate::description::mjcf::inertial::{self, MassProperties};
 use crate::description::mjcf::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
+use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::orientation::placement;
+use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::sites::{self, Site};
 use crate::description::mjcf::solid::together;
+use crate::description::mjcf::ties::Ties;
 use crate::description::xml::{Element, Reader, shown};
-use crate::description::{WrittenFrame, too_many};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::description::{LeftOut, WrittenFrame, too_many};
+use crate::diagnostic::{Diagnostic, Span};
 use crate::limits::BODIES;
 
 /// A body that is still to be read.
@@ -34,12 +40,19 @@ pub(super) fn read<'d>(
     reader: &mut Reader,
     model: &Model<'d>,
     worlds: &[Element<'d>],
+    ties: &Ties,
 ) -> (WrittenBodies, Vec<WrittenFrame>) {
-    let mut bodies = Bodies::default();
+    let mut bodies = Bodies::new(ties.held());
     let mut marked = Vec::new();
     let mut pending = Vec::new();
     for world in worlds.iter().rev() {
-        let contents = gather(reader, model, *world, "the world", Class::MAIN);
+        let contents = gather(
+            reader,
+            model,
+            *world,
+            "the world",
+            Around::class(Class::MAIN),
+        );
         for inside in contents.joints.iter().chain(&contents.inertials) {
             let message = format!(
                 "the world has a `{}`; expected it in a body",
@@ -49,7 +62,7 @@ pub(super) fn read<'d>(
             reader.faults.push(fault);
         }
         for geom in &contents.geoms {
-            let owner = owner(geom.element, "geom", "the world");
+            let owner = owner(geom, "geom", "the world");
             geom_attributes(reader, model, geom, &owner);
         }
         marked.extend(
@@ -75,7 +88,8 @@ pub(super) fn read<'d>(
         }));
         push(&mut pending, contents.bodies, number, moves);
     }
-    let written = bodies.written(reader, model.settings.total_mass);
+    let mut written = bodies.written(reader, model.settings.total_mass);
+    ties.apply(reader, &mut written.list, &written.references);
     finite::check(reader, &written.list);
     let frames = sites::written(reader, model, &marked, &written.list);
     (written, frames)
@@ -96,10 +110,10 @@ fn push<'d>(
 }
 
 /// The words for an element of a body.
-fn owner(element: Element<'_>, what: &str, body: &str) -> String {
-    match element.attribute("name") {
-        Some(name) if !name.value.is_empty() => format!("{what} `{}`", shown(name.value)),
-        _ => format!("a {what} of {body}"),
+fn owner(inside: &Inside<'_>, what: &str, body: &str) -> String {
+    match inside.name() {
+        Some(name) => format!("{what} `{}`", shown(&name.value)),
+        None => format!("a {what} of {body}"),
     }
 }
 
@@ -111,18 +125,21 @@ fn body<'d>(
     bodies: &mut Bodies,
 ) -> (Contents<'d>, Moves) {
     let element = next.inside.element;
-    let name = element.attribute("name");
-    let name = name.filter(|name| !name.value.is_empty());
-    let owner = match name {
-        Some(name) => format!("body `{}`", shown(name.value)),
+    let name = next.inside.name();
+    let owner = match &name {
+        Some(name) => format!("body `{}`", shown(&name.value)),
         None => "a body without a name".to_owned(),
     };
     let given = Attributes::of(reader, element, &owner, &known::BODY);
-    let class = child_class(reader, model, &given, next.inside.class);
-    let contents = gather(reader, model, element, &owner, class);
+    let around = &next.inside.around;
+    let inner = Around {
+        suffix: Rc::clone(&around.suffix),
+        ..Around::class(child_class(reader, model, &given, around.class))
+    };
+    let contents = gather(reader, model, element, &owner, inner);
     let own = placement(reader, &given, &model.settings);
-    let place = next.inside.frame.then(&own);
-    unsupported(reader, &given);
+    let place = around.frame.then(&own);
+    unsupported(reader, model, &given);
     let joints: Vec<JointElement> = contents
         .joints
         .iter()
@@ -136,10 +153,11 @@ fn body<'d>(
         Moves::Yes
     };
     let wish = match name {
-        Some(name) => Wish::Given(Spanned::new(name.value.to_owned(), name.span)),
+        Some(name) => Wish::Given(name),
         None => Wish::None(element.span()),
     };
-    let mass = mass(reader, model, &contents, element.span(), &owner, moves);
+    let written_at = (element.span(), &own);
+    let mass = mass(reader, model, &contents, written_at, &owner, moves);
     bodies.add(JointedBody {
         joints,
         place,
@@ -151,16 +169,25 @@ fn body<'d>(
     (contents, moves)
 }
 
-fn unsupported(reader: &mut Reader, given: &Attributes<'_>) {
+fn unsupported(reader: &mut Reader, model: &Model<'_>, given: &Attributes<'_>) {
     let lifted = given.number(reader, "gravcomp");
-    if let Some(lifted) = lifted.filter(|lifted| lifted.value != 0.0) {
+    let lifted = lifted.filter(|lifted| lifted.value != 0.0);
+    if let Some(lifted) = lifted
+        && model.reading.leaves_out(LeftOut::Gravcomp)
+    {
+        let message = format!("{} is left out", given.what("gravcomp"));
+        let kind = ("bodies whose `gravcomp` is left out", &*given.owner);
+        left_out(reader, message, lifted.span, kind);
+    } else if let Some(lifted) = lifted {
         let message = format!(
             "{} is {}; a force against gravity is not supported",
             given.what("gravcomp"),
             lifted.value
         );
         let fault = Diagnostic::error(message).at(lifted.span, "expected 0");
-        reader.faults.push(fault);
+        reader
+            .faults
+            .push(fault.help(advice(LeftOut::Gravcomp.name())));
     }
     let mocap = given.keyword(reader, "mocap", &TRUTH);
     if let Some(mocap) = mocap.filter(|mocap| mocap.value == Switch::On) {
@@ -177,25 +204,30 @@ fn unsupported(reader: &mut Reader, given: &Attributes<'_>) {
 
 fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str) -> JointElement {
     let element = inside.element;
-    let owner = owner(element, "joint", body);
+    let owner = owner(inside, "joint", body);
     for child in model.files.children(element) {
         reader.unknown_child(child, &owner, &[]);
     }
     if element.name() == "freejoint" {
         let given = Attributes::of(reader, element, &owner, &known::FREE_JOINT);
-        return joints::read_free(reader, &given, model.reading.chart);
+        let joint = joints::read_free(reader, &given, model.reading.chart);
+        return joint.named(inside.name());
     }
-    let given =
-        model
-            .defaults
-            .attributes(reader, element, &owner, ElementKind::Joint, inside.class);
-    joints::read(
+    let given = model.defaults.attributes(
+        reader,
+        element,
+        &owner,
+        ElementKind::Joint,
+        inside.around.class,
+    );
+    let joint = joints::read(
         reader,
         &given,
         &model.settings,
-        &inside.frame,
+        &inside.around.frame,
         model.reading.chart,
-    )
+    );
+    joint.named(inside.name())
 }
 
 /// A free joint is alone, and joins a body to the world.
@@ -250,9 +282,13 @@ fn geom_attributes<'d>(
             reader.unknown_child(child, owner, &[]);
         }
     }
-    model
-        .defaults
-        .attributes(reader, geom.element, owner, ElementKind::Geom, geom.class)
+    model.defaults.attributes(
+        reader,
+        geom.element,
+        owner,
+        ElementKind::Geom,
+        geom.around.class,
+    )
 }
 
 /// The mass of a body; `None` where it is faulty.
@@ -260,7 +296,7 @@ fn mass(
     reader: &mut Reader,
     model: &Model<'_>,
     contents: &Contents<'_>,
-    span: Span,
+    (span, place): (Span, &Placement),
     body: &str,
     moves: Moves,
 ) -> Option<MassProperties> {
@@ -276,7 +312,12 @@ fn mass(
             continue;
         }
         let given = Attributes::of(reader, inside.element, &owner, &known::INERTIAL);
-        written = Some(inertial::read(reader, &given, settings, &inside.frame));
+        written = Some(inertial::read(
+            reader,
+            &given,
+            settings,
+            &inside.around.frame,
+        ));
     }
     let infer = match settings.from_geoms {
         FromGeoms::Always => true,
@@ -291,16 +332,19 @@ fn mass(
     };
     let mut solids = Vec::new();
     for inside in &contents.geoms {
-        let owner = owner(inside.element, "geom", body);
+        let owner = owner(inside, "geom", body);
         let given = geom_attributes(reader, model, inside, &owner);
         if infer {
-            let solid = geoms::solid(reader, &given, model, &inside.frame, counts);
+            let solid = geoms::solid(reader, &given, model, &inside.around.frame, counts);
             solids.extend(solid);
         }
     }
     let inferred = together(&solids).map(|solid| Some(MassProperties::of(&solid, span)));
     let mass = inferred.or(written);
-    let mut mass = mass.unwrap_or(Some(MassProperties::massless(span)))?;
-    mass.adjust(reader, settings, body);
+    let mut mass = match mass {
+        Some(mass) => mass?,
+        None => MassProperties::bounded(reader, settings, body, place, span),
+    };
+    mass.adjust(settings);
     Some(mass)
 }

@@ -4,15 +4,17 @@ use crate::description::mjcf::inertial::{MassProperties, WrittenMass};
 use crate::description::mjcf::joints::JointElement;
 use crate::description::mjcf::names::{self, Wish};
 use crate::description::mjcf::placement::Placement;
-use crate::description::mjcf::seat::{fixed, joined};
+use crate::description::mjcf::seat::{fixed, held, joined};
+use crate::description::mjcf::ties::Held;
 use crate::description::xml::Reader;
 use crate::description::{Given, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Span, Spanned};
 
 /// The bodies of a model, before they have their names and weights.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Bodies {
     list: Vec<ChainedBody>,
+    held: Held,
 }
 
 /// A body and the joint by which it hangs.
@@ -20,6 +22,8 @@ pub(super) struct Bodies {
 struct ChainedBody {
     span: Span,
     joint: WrittenJoint,
+    /// The joint's coordinate where the model is drawn, rad, m.
+    reference: f64,
     /// The number of its lower body, from 1, or 0 for the world.
     lower: usize,
     wish: Wish,
@@ -53,9 +57,29 @@ pub(super) struct WrittenBodies {
     pub(super) list: Vec<WrittenBody>,
     /// Of each the number of its lower body, from 1, or 0 for the world.
     pub(super) lower: Vec<Given<i64>>,
+    /// Of each its joint's coordinate where the model is drawn, rad, m.
+    pub(super) references: Vec<f64>,
 }
 
 impl Bodies {
+    /// None yet; joints with these names will be held.
+    pub(super) fn new(held: Held) -> Self {
+        Self {
+            list: Vec::new(),
+            held,
+        }
+    }
+
+    /// The joint where it sits, or where it is held.
+    fn seated(&self, element: &JointElement, place: &Placement, span: Span) -> WrittenJoint {
+        let name = element.name.as_ref();
+        let by = name.and_then(|name| self.held.get(&name.value));
+        match by.filter(|_| element.axis.is_some()) {
+            Some(by) => held(element, place, span, *by),
+            None => joined(element, place, span),
+        }
+    }
+
     /// How many there are.
     pub(super) fn count(&self) -> usize {
         self.list.len()
@@ -74,7 +98,8 @@ impl Bodies {
             let name = name.map_or(format!("joint{index}"), |name| name.value.clone());
             self.list.push(ChainedBody {
                 span: element.span,
-                joint: joined(&element, &place, parts.span),
+                joint: self.seated(&element, &place, parts.span),
+                reference: element.reference,
                 lower,
                 wish: Wish::After {
                     body: last,
@@ -86,13 +111,17 @@ impl Bodies {
             lower = self.list.len();
             place = Placement::SAME;
         }
-        let joint = match joints.next() {
-            Some(element) => joined(&element, &place, parts.span),
-            None => fixed(&place, parts.span),
+        let (joint, reference) = match joints.next() {
+            Some(element) => {
+                let joint = self.seated(&element, &place, parts.span);
+                (joint, element.reference)
+            }
+            None => (fixed(&place, parts.span), 0.0),
         };
         self.list.push(ChainedBody {
             span: parts.span,
             joint,
+            reference,
             lower,
             wish: parts.wish,
             weight: Weight::Given(parts.mass.map(Box::new)),
@@ -112,6 +141,7 @@ impl Bodies {
         };
         WrittenBodies {
             lower: self.list.iter().map(lower).collect(),
+            references: self.list.iter().map(|body| body.reference).collect(),
             list: self
                 .list
                 .into_iter()

@@ -1,20 +1,34 @@
 //! What stands in a body, be it inside frames, or in files that are included.
 
+use std::rc::Rc;
+
+use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::orientation::placement;
-use crate::description::mjcf::placement::Placement;
+use crate::description::mjcf::replicate;
 use crate::description::xml::{Element, Reader};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Spanned};
 
-/// An element of a body, and the frame and class around it.
-#[derive(Clone, Copy, Debug)]
+/// An element of a body, and what is around it.
+#[derive(Clone, Debug)]
 pub(super) struct Inside<'d> {
     pub(super) element: Element<'d>,
-    pub(super) frame: Placement,
-    pub(super) class: Class,
+    pub(super) around: Around,
+}
+
+impl Inside<'_> {
+    /// The element's name, if it has one.
+    pub(super) fn name(&self) -> Option<Spanned<String>> {
+        let name = self.element.attribute("name");
+        let name = name.filter(|name| !name.value.is_empty())?;
+        Some(Spanned::new(
+            format!("{}{}", name.value, self.around.suffix),
+            name.span,
+        ))
+    }
 }
 
 /// The elements of a body, in the order of the file.
@@ -27,31 +41,29 @@ pub(super) struct Contents<'d> {
     pub(super) bodies: Vec<Inside<'d>>,
 }
 
-/// Gathers what stands in a body; `class` is that around the body's elements.
+/// Gathers what stands in a body; `class` is that around the body's elements, `suffix` that of the body itself.
 pub(super) fn gather<'d>(
     reader: &mut Reader,
     model: &Model<'d>,
     body: Element<'d>,
     owner: &str,
-    class: Class,
+    around: Around,
 ) -> Contents<'d> {
     let mut contents = Contents::default();
-    let mut open = vec![(
-        model.files.children(body).into_iter(),
-        Placement::SAME,
-        class,
-    )];
-    while let Some((children, frame, class)) = open.last_mut() {
-        let (frame, class) = (*frame, *class);
-        let Some(element) = children.next() else {
+    // Copies share their elements.
+    let children = |element: Element<'d>| Rc::<[Element<'d>]>::from(model.files.children(element));
+    let mut open = vec![(children(body), 0, around)];
+    while let Some((elements, next, around)) = open.last_mut() {
+        let Some(element) = elements.get(*next).copied() else {
             open.pop();
             continue;
         };
-        let inside = Inside {
-            element,
-            frame,
-            class,
-        };
+        *next += 1;
+        let around = around.clone();
+        if !around.suffix.is_empty() && !model.copies.count(reader, element.span()) {
+            break;
+        }
+        let inside = Inside { element, around };
         match element.name() {
             "inertial" => contents.inertials.push(inside),
             "joint" | "freejoint" => contents.joints.push(inside),
@@ -59,16 +71,22 @@ pub(super) fn gather<'d>(
             "site" => contents.sites.push(inside),
             "body" => contents.bodies.push(inside),
             "frame" => {
-                let given = Attributes::of(
-                    reader,
-                    element,
-                    &format!("a frame of {owner}"),
-                    &known::FRAME,
-                );
+                let owner = format!("a frame of {owner}");
+                let given = Attributes::of(reader, element, &owner, &known::FRAME);
                 let inner = placement(reader, &given, &model.settings);
-                let class = child_class(reader, model, &given, class);
-                let children = model.files.children(element).into_iter();
-                open.push((children, frame.then(&inner), class));
+                let around = inside.around;
+                let around = Around {
+                    frame: around.frame.then(&inner),
+                    class: child_class(reader, model, &given, around.class),
+                    ..around
+                };
+                open.push((children(element), 0, around));
+            }
+            "replicate" => {
+                let copies = replicate::copies(reader, model, element, &inside.around, owner);
+                let elements = children(element);
+                let copies = copies.into_iter().rev();
+                open.extend(copies.map(|copy| (Rc::clone(&elements), 0, copy)));
             }
             name if known::IGNORED_IN_BODY.contains(&name) => {}
             name if known::UNSUPPORTED_IN_BODY.contains(&name) => {

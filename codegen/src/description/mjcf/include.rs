@@ -5,8 +5,9 @@
 //! [`DEEPEST`] deep in each file.
 
 use std::collections::BTreeMap;
+use std::io;
 
-use crate::description::xml::{Document, Element, Known, Reader, shown};
+use crate::description::xml::{Document, Element, Known, Mended, Reader, shown};
 use crate::description::{Include, too_large, utf8};
 use crate::diagnostic::{Diagnostic, Source, Span};
 
@@ -22,6 +23,8 @@ pub(super) struct Included {
     from: Vec<Option<(Span, usize)>>,
     /// The number of each file, by its path from the main file's folder.
     paths: BTreeMap<String, usize>,
+    /// The folder of each file, from the main file's, with a stroke behind it.
+    folders: Vec<String>,
     /// True of each file that can be read as elements.
     usable: Vec<bool>,
 }
@@ -45,12 +48,17 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
     };
     included.paths.insert(name, 0);
     included.from.push(None);
+    included.folders.push(String::new());
     loop {
         let index = included.usable.len();
         let Some(file) = source.files().nth(index) else {
             return included;
         };
-        let targets = match Document::parse(file.text(), file.base()) {
+        let mut mended = Mended::of(file.text(), file.base());
+        for warning in mended.warnings.drain(..) {
+            reader.faults.push(warning);
+        }
+        let targets = match Document::parse(&mended, file.base()) {
             Ok(document) => targets(reader, document.root()),
             Err(fault) => {
                 let from = included.from.get(index).copied().flatten();
@@ -62,36 +70,77 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
             }
         };
         included.usable.push(targets.is_some());
-        for (path, path_span, element) in targets.unwrap_or_default() {
-            let place = normal(&path);
-            if let Some(known) = included.paths.get(&place) {
-                let fault = repeated(&included, *known, index, &path, path_span);
-                reader.faults.push(fault);
-                continue;
+        for (written, path_span, element) in targets.unwrap_or_default() {
+            // Beside the main file, or else beside the one that includes it.
+            let beside = included.beside(index, &written);
+            let mut path = written.clone();
+            let mut found = included
+                .find(&path)
+                .map_or_else(|| Found::of(read(&path).and_then(utf8)), Found::Known);
+            if let (Found::Missing(_), Some(other)) = (&found, beside) {
+                let there = included.find(&other);
+                let there =
+                    there.map_or_else(|| Found::of(read(&other).and_then(utf8)), Found::Known);
+                if !matches!(there, Found::Missing(_)) {
+                    (path, found) = (other, there);
+                }
             }
             let number = included.from.len();
-            match read(&path).and_then(utf8) {
-                Ok(text) => {
+            let fault = match found {
+                Found::Known(known) => repeated(&included, known, index, &written, path_span),
+                Found::Text(text) => {
                     source.append(format!("{folder}{path}"), text);
                     if let Some(fault) = too_large(source) {
                         reader.faults.push(fault.at(path_span, "included here"));
                         return Included::default();
                     }
                     included.files.insert(element.start, number);
-                    included.paths.insert(place, number);
+                    included.paths.insert(normal(&path), number);
+                    included.folders.push(folder_of(&path));
                     included.from.push(Some((element, index)));
+                    continue;
                 }
-                Err(error) => {
-                    let message = format!(
-                        "the included file `{}` cannot be read: {error}",
-                        shown(&path)
-                    );
-                    let fault = Diagnostic::error(message).at(path_span, "included here");
-                    reader.faults.push(fault);
+                Found::Missing(error) => {
+                    let written = shown(&written);
+                    let message = format!("the included file `{written}` cannot be read: {error}");
+                    Diagnostic::error(message).at(path_span, "included here")
                 }
-            }
+            };
+            reader.faults.push(fault);
         }
     }
+}
+
+/// What stands at a path.
+enum Found {
+    /// A file with this number, which is read already.
+    Known(usize),
+    Text(String),
+    Missing(io::Error),
+}
+
+impl Found {
+    fn of(text: io::Result<String>) -> Self {
+        text.map_or_else(Self::Missing, Self::Text)
+    }
+}
+
+impl Included {
+    fn find(&self, path: &str) -> Option<usize> {
+        self.paths.get(&normal(path)).copied()
+    }
+
+    /// The path from the main file's folder of what stands beside a file, unless that is the same folder.
+    fn beside(&self, file: usize, path: &str) -> Option<String> {
+        let folder = self.folders.get(file)?;
+        (!folder.is_empty() && !path.starts_with('/')).then(|| format!("{folder}{path}"))
+    }
+}
+
+/// The folder of a file, with a stroke behind it, or nothing.
+fn folder_of(path: &str) -> String {
+    path.rsplit_once('/')
+        .map_or_else(String::new, |(folder, _)| format!("{folder}/"))
 }
 
 /// The path, its place and its element's place of each `include` of a file; `None` where it is nested too deep.
@@ -161,23 +210,18 @@ fn normal(path: &str) -> String {
 
 impl<'s> Files<'s> {
     /// The files of a source that [`load`] filled.
-    pub(super) fn parse(source: &'s Source, included: Included) -> Self {
-        let mut folders: Vec<(usize, String)> = source
-            .files()
-            .map(|file| (file.base(), String::new()))
-            .collect();
-        for (path, number) in &included.paths {
-            if let (Some((folder, _)), Some(place)) =
-                (path.rsplit_once('/'), folders.get_mut(*number))
-            {
-                folder.clone_into(&mut place.1);
-            }
-        }
-        let files = source.files().zip(included.usable);
-        let documents = files.map(|(file, usable)| {
+    pub(super) fn parse(source: &Source, texts: &'s [Mended<'s>], included: Included) -> Self {
+        let folders = source.files().zip(&included.folders);
+        let folders = folders.map(|(file, folder)| {
+            let folder = folder.strip_suffix('/').unwrap_or(folder);
+            (file.base(), folder.to_owned())
+        });
+        let folders = folders.collect();
+        let files = source.files().zip(texts).zip(included.usable);
+        let documents = files.map(|((file, text), usable)| {
             // What is wrong with the others was said as they were loaded.
             usable
-                .then(|| Document::parse(file.text(), file.base()).ok())
+                .then(|| Document::parse(text, file.base()).ok())
                 .flatten()
         });
         Self {

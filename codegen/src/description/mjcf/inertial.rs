@@ -9,6 +9,7 @@ use crate::description::xml::Reader;
 use crate::description::{Given, Optional, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::{IDENTITY, Vector, then};
+use crate::principal::principal;
 
 /// Mass, mass centre and inertia, with their places.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +39,35 @@ impl MassProperties {
             center: [zero; 3],
             inertia: [zero; 6],
             rotation: Spanned::new(IDENTITY, span),
+        }
+    }
+
+    /// Those that `boundmass` raises of a body without any: MuJoCo takes where the body stands in what it is written in for its mass
+    /// centre and axes.
+    pub(super) fn bounded(
+        reader: &mut Reader,
+        settings: &Settings,
+        owner: &str,
+        place: &Placement,
+        span: Span,
+    ) -> Self {
+        let none = Self::massless(span);
+        let Some(least) = settings.least_mass else {
+            return none;
+        };
+        let message = format!(
+            "`boundmass` of `compiler` gives {owner} a mass; its mass centre is as far from its origin as that from its lower body's, as in MuJoCo"
+        );
+        let warning =
+            Diagnostic::warning(message).at(span, "no `inertial`, and no geom with a mass");
+        let warning = warning.at(least.span, "least mass");
+        reader
+            .faults
+            .push(warning.one_of("bodies to which `boundmass` gives a mass", owner));
+        Self {
+            center: place.position.map(|entry| Spanned::new(entry, span)),
+            rotation: Spanned::new(place.rotation, span),
+            ..none
         }
     }
 
@@ -78,18 +108,13 @@ impl MassProperties {
     }
 
     /// Raises the mass and the moments, and evens out the moments, where the settings ask for it.
-    pub(super) fn adjust(&mut self, reader: &mut Reader, settings: &Settings, owner: &str) {
-        if self.mass.value == 0.0 && settings.least_mass > 0.0 {
-            let message = format!(
-                "`boundmass` of `compiler` gives a mass to {owner}, which has no mass centre"
-            );
-            let fault =
-                Diagnostic::error(message).at(self.mass.span, "expected an `inertial`, or geoms");
-            reader.faults.push(fault);
-        }
-        self.mass.value = self.mass.value.max(settings.least_mass);
+    pub(super) fn adjust(&mut self, settings: &Settings) {
+        self.mass.value = self
+            .mass
+            .value
+            .max(settings.least_mass.map_or(0.0, |least| least.value));
         if let Some(least) = settings.least_inertia {
-            self.raise(reader, least, owner);
+            self.raise(least.value);
         }
         let tensor = self.tensor();
         let half = (tensor[0] + tensor[1] + tensor[2]) / 2.0;
@@ -105,20 +130,20 @@ impl MassProperties {
         }
     }
 
-    fn raise(&mut self, reader: &mut Reader, least: Spanned<f64>, owner: &str) {
+    fn raise(&mut self, least: f64) {
         let tensor = self.tensor();
-        if tensor[3..] == [0.0; 3] {
-            for entry in &mut self.inertia[..3] {
-                entry.value = entry.value.max(least.value);
+        if tensor[3..] != [0.0; 3] && !is_positive(shifted(tensor, -least)) {
+            let (moments, axes) = principal(tensor);
+            let moments = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
+            for (entry, moment) in self.inertia.iter_mut().zip(moments) {
+                entry.value = moment;
             }
-        } else if !is_positive(shifted(tensor, -least.value)) {
-            let message = format!(
-                "`boundinertia` of `compiler` changes the inertia of {owner}, which is not given about principal axes"
-            );
-            let fault = Diagnostic::error(message)
-                .at(self.inertia[0].span, "not supported")
-                .at(least.span, "least moment");
-            reader.faults.push(fault);
+            self.rotation.value = then(&self.rotation.value, &axes);
+        }
+        if self.tensor()[3..] == [0.0; 3] {
+            for entry in &mut self.inertia[..3] {
+                entry.value = entry.value.max(least);
+            }
         }
     }
 

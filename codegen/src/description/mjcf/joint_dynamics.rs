@@ -9,7 +9,7 @@ use crate::description::{PerCoordinate, Scalar};
 use crate::diagnostic::{Diagnostic, Spanned};
 
 /// What acts along the coordinates of a joint.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Dynamics {
     pub(super) stiffness: PerCoordinate<Scalar>,
     pub(super) rest: PerCoordinate<Scalar>,

@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::geometry::Vector;
 
 /// A joint as it stands in its body.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct JointElement {
     pub(super) kind: JointType,
     pub(super) span: Span,
@@ -37,6 +37,21 @@ pub(super) struct JointElement {
 }
 
 impl JointElement {
+    /// The joint under the name that it has as a copy, too.
+    pub(super) fn named(self, name: Optional<String>) -> Self {
+        Self { name, ..self }
+    }
+
+    /// The joint as if the model were drawn where its coordinate is this; rad, m.
+    pub(super) fn drawn_at(&self, reference: f64) -> Self {
+        let (sine, cosine) = libm::sincos(reference);
+        Self {
+            reference,
+            reference_turn: [sine, cosine],
+            ..self.clone()
+        }
+    }
+
     /// The joint where it sits in the lower body.
     pub(super) fn written(&self, attachment: [Given<Scalar>; 3]) -> WrittenJoint {
         let kind = match self.kind {

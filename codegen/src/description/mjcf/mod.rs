@@ -9,11 +9,14 @@
 //! Nothing here calls itself: however deep a file, the stack does not grow.
 
 mod angles;
+mod around;
 mod attributes;
 mod bodies;
 mod chain;
 mod contents;
+mod copies;
 mod defaults;
+mod equalities;
 mod finite;
 mod fit;
 mod geom_type;
@@ -25,18 +28,22 @@ mod joint_limits;
 mod joint_type;
 mod joints;
 mod known;
+mod leaving;
 mod mesh_asset;
 mod meshes;
+mod mocap;
 mod model;
 mod names;
 mod orientation;
 mod others;
 mod parse;
 mod placement;
+mod replicate;
 mod seat;
 mod segment;
 mod settings;
 mod sites;
 mod solid;
+mod ties;
 
 pub use parse::parse;

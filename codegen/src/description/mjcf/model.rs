@@ -1,6 +1,7 @@
 //! What a whole file says, beside its bodies.
 
 use crate::description::Reading;
+use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::defaults::Defaults;
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::meshes::Meshes;
@@ -14,4 +15,6 @@ pub(super) struct Model<'d> {
     pub(super) settings: Settings,
     pub(super) defaults: Defaults<'d>,
     pub(super) meshes: Meshes<'d>,
+    /// How many elements `replicate` copied.
+    pub(super) copies: Copies,
 }

@@ -1,12 +1,13 @@
 //! Sections beside the bodies: what of them would change the dynamics is refused, the rest is left out.
 
+use crate::description::LeftOut;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::{Class, ElementKind};
 use crate::description::mjcf::known;
+use crate::description::mjcf::leaving::{self, advice};
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::settings::{Switch, TRUTH};
 use crate::description::xml::{Element, Reader, shown};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Spanned};
 
 /// Looks through a section of the root that makes no bodies.
 pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, section: Element<'d>) {
@@ -14,7 +15,6 @@ pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, section: Element<
     match section.name() {
         "actuator" => actuators(reader, model, section, &children),
         "tendon" => tendons(reader, model, section, &children),
-        "equality" => equalities(reader, model, &children),
         "contact" => contacts(reader, section, &children),
         "deformable" => deformables(reader, &children),
         _ => {}
@@ -38,17 +38,32 @@ fn left_out(reader: &mut Reader, section: Element<'_>, message: &str) {
 
 /// Refuses an element of which one of these coefficients is not zero.
 fn refuse_coefficients(reader: &mut Reader, given: &Attributes<'_>, names: &[&str]) {
+    for (name, bad) in coefficients(reader, given, names) {
+        let fault = Diagnostic::error(not_supported(given, name, bad));
+        reader.faults.push(fault.at(bad.span, "expected 0"));
+    }
+}
+
+/// Those of these coefficients that are not zero.
+fn coefficients<'n>(
+    reader: &mut Reader,
+    given: &Attributes<'_>,
+    names: &[&'n str],
+) -> Vec<(&'n str, Spanned<f64>)> {
+    let mut found = Vec::new();
     for name in names {
         let coefficients = given.up_to(reader, name, 3).unwrap_or_default();
-        if let Some(bad) = coefficients.iter().find(|c| c.value != 0.0) {
-            let message = format!(
-                "{} has {} {}, which acts on the joints and is not supported",
-                given.owner, name, bad.value
-            );
-            let fault = Diagnostic::error(message).at(bad.span, "expected 0");
-            reader.faults.push(fault);
-        }
+        let bad = coefficients.into_iter().find(|c| c.value != 0.0);
+        found.extend(bad.map(|bad| (*name, bad)));
     }
+    found
+}
+
+fn not_supported(given: &Attributes<'_>, name: &str, bad: Spanned<f64>) -> String {
+    format!(
+        "{} has {} {}, which acts on the joints and is not supported",
+        given.owner, name, bad.value
+    )
 }
 
 fn actuators<'d>(
@@ -95,34 +110,23 @@ fn tendons<'d>(
                 Class::MAIN,
             );
             let names = ["stiffness", "damping", "armature", "frictionloss"];
-            refuse_coefficients(reader, &given, &names);
+            for (name, bad) in coefficients(reader, &given, &names) {
+                if model.reading.leaves_out(LeftOut::Tendons) {
+                    let message = format!("{} of {} is left out", name, given.owner);
+                    let kind = ("forces of tendons that are left out", &*given.owner);
+                    leaving::left_out(reader, message, bad.span, kind);
+                } else {
+                    let fault = Diagnostic::error(not_supported(&given, name, bad));
+                    let fault = fault.at(bad.span, "expected 0");
+                    reader
+                        .faults
+                        .push(fault.help(advice(LeftOut::Tendons.name())));
+                }
+            }
         }
     }
     if !children.is_empty() {
         left_out(reader, section, "tendons are left out, with their limits");
-    }
-}
-
-fn equalities<'d>(reader: &mut Reader, model: &Model<'d>, children: &[Element<'d>]) {
-    for element in children {
-        reader.unknown_child(*element, "`equality`", &known::EQUALITIES);
-        if !known::EQUALITIES.contains(&element.name()) {
-            continue;
-        }
-        let owner = owner(*element, &format!("{} equality", element.name()));
-        let given =
-            model
-                .defaults
-                .attributes(reader, *element, &owner, ElementKind::Equality, Class::MAIN);
-        let active = given.keyword(reader, "active", &TRUTH);
-        let active = active.map_or(Switch::On, |active| active.value);
-        if active == Switch::On && model.settings.equalities == Switch::On {
-            let message = format!("{owner} is active; constraints are not supported");
-            let fault = Diagnostic::error(message).at(element.span(), "not supported");
-            reader
-                .faults
-                .push(fault.help("write `active=\"false\"` to leave it out"));
-        }
     }
 }
 

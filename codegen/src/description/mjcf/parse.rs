@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::meshes::Meshes;
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::{bodies, defaults, include, known, others, settings};
-use crate::description::xml::{Element, Known, Reader, shown};
+use crate::description::mjcf::{bodies, defaults, equalities, include, known, others, settings};
+use crate::description::xml::{Element, Known, Mended, Reader, shown};
 use crate::description::{Description, Include, Reading};
 use crate::diagnostic::{Diagnostic, Source, Spanned};
 
@@ -21,7 +22,11 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
     let mut reader = Reader::default();
     let mut source = source.clone();
     let included = include::load(&mut reader, &mut source, include);
-    let files = Files::parse(&source, included);
+    let texts = source.files();
+    let texts: Vec<Mended<'_>> = texts
+        .map(|file| Mended::of(file.text(), file.base()))
+        .collect();
+    let files = Files::parse(&source, &texts, included);
     let root = files.root();
     let description = root.and_then(|root| {
         let beside = Beside { reading, include };
@@ -79,6 +84,7 @@ fn read(
         &named("compiler"),
         &named("option"),
         root.span(),
+        beside.reading,
     );
     let defaults = defaults::read(reader, files, &named("default"));
     let meshes = Meshes::gather(reader, files, &defaults, &named("asset"), beside.include);
@@ -88,12 +94,15 @@ fn read(
         settings,
         defaults,
         meshes,
+        copies: Copies::default(),
     };
     for section in &sections {
         others::read(reader, &model, *section);
     }
-    let (bodies, frames) = bodies::read(reader, &model, &named("worldbody"));
-    let world = named("worldbody").first().map_or(root.span(), |w| w.span());
+    let worlds = named("worldbody");
+    let ties = equalities::read(reader, &model, &named("equality"), &worlds);
+    let (bodies, frames) = bodies::read(reader, &model, &worlds, &ties);
+    let world = worlds.first().map_or(root.span(), |w| w.span());
     Some(Description {
         name: Some(name),
         gravity: model.settings.gravity.map(|entry| Some(baked(entry))),

@@ -31,6 +31,21 @@ pub(super) fn joined(element: &JointElement, place: &Placement, span: Span) -> W
     }
 }
 
+/// The joint as a fixed one, so far from where the body stands; rad, m.
+pub(super) fn held(element: &JointElement, place: &Placement, span: Span, by: f64) -> WrittenJoint {
+    let moved = element.drawn_at(-by);
+    let joined = joined(&moved, place, span);
+    WrittenJoint {
+        name: joined.name,
+        attachment_rotation: joined.attachment_rotation,
+        body_attachment: joined.body_attachment,
+        ..WrittenJoint::new(
+            Some(Spanned::new(JointKind::Fixed, element.span)),
+            joined.attachment,
+        )
+    }
+}
+
 fn seat(element: &JointElement, place: &Placement) -> Placement {
     let anchored = Placement {
         position: place.point(element.anchor),

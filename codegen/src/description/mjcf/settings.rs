@@ -4,7 +4,9 @@ use crate::description::mjcf::angles::{AngleUnit, EulerAxis, XYZ};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::include::Files;
 use crate::description::mjcf::known;
+use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::xml::{Element, Reader, shown};
+use crate::description::{LeftOut, Reading};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 
 /// What holds for the whole model.
@@ -17,7 +19,7 @@ pub(super) struct Settings {
     pub(super) from_geoms: FromGeoms,
     /// Groups of the geoms that count for inertias, the first and the last.
     pub(super) groups: [f64; 2],
-    pub(super) least_mass: f64,
+    pub(super) least_mass: Option<Spanned<f64>>,
     pub(super) least_inertia: Option<Spanned<f64>>,
     /// Whether moments that no body can have are replaced by their mean.
     pub(super) balance: Switch,
@@ -65,6 +67,7 @@ pub(super) fn read<'d>(
     compilers: &[Element<'d>],
     options: &[Element<'d>],
     root: Span,
+    reading: &Reading,
 ) -> Settings {
     let mut settings = Settings {
         angle: AngleUnit::Degree,
@@ -72,7 +75,7 @@ pub(super) fn read<'d>(
         auto_limits: Switch::On,
         from_geoms: FromGeoms::Auto,
         groups: [0.0, 5.0],
-        least_mass: 0.0,
+        least_mass: None,
         least_inertia: None,
         balance: Switch::Off,
         total_mass: None,
@@ -97,7 +100,7 @@ pub(super) fn read<'d>(
     let mut gravity = Switch::On;
     for element in options {
         let attributes = Attributes::of(reader, *element, "`option`", &known::OPTION);
-        option(reader, &attributes, &mut settings);
+        option(reader, &attributes, &mut settings, reading);
         for child in files.children(*element) {
             reader.unknown_child(child, "`option`", &["flag"]);
             if child.name() == "flag" {
@@ -148,10 +151,9 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
         &mut settings.align_free,
         attributes.keyword(reader, "alignfree", &TRUTH),
     );
-    take(
-        &mut settings.least_mass,
-        attributes.number(reader, "boundmass"),
-    );
+    if let Some(least) = attributes.number(reader, "boundmass") {
+        settings.least_mass = Some(least).filter(|least| least.value > 0.0);
+    }
     if let Some(groups) = attributes.vector(reader, "inertiagrouprange") {
         settings.groups = groups;
     }
@@ -212,19 +214,37 @@ fn euler_sequence(reader: &mut Reader, attributes: &Attributes<'_>, settings: &m
     reader.faults.push(fault);
 }
 
-fn option(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Settings) {
+fn option(
+    reader: &mut Reader,
+    attributes: &Attributes<'_>,
+    settings: &mut Settings,
+    reading: &Reading,
+) {
     if let Some(gravity) = attributes.numbers(reader, "gravity") {
         settings.gravity = gravity;
     }
     for name in ["density", "viscosity"] {
         let value = attributes.number(reader, name);
-        if let Some(value) = value.filter(|value| value.value != 0.0) {
+        let Some(value) = value.filter(|value| value.value != 0.0) else {
+            continue;
+        };
+        if reading.leaves_out(LeftOut::Fluid) {
+            let message = format!("`{name}` of `option` is left out, with the forces of the fluid");
+            left_out(
+                reader,
+                message,
+                value.span,
+                ("properties of fluids that are left out", name),
+            );
+        } else {
             let message = format!(
                 "`{name}` of `option` is {}; expected 0, for forces of a fluid are not supported",
                 value.value
             );
             let fault = Diagnostic::error(message).at(value.span, "not supported");
-            reader.faults.push(fault);
+            reader
+                .faults
+                .push(fault.help(advice(LeftOut::Fluid.name())));
         }
     }
 }

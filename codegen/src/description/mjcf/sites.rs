@@ -65,22 +65,26 @@ fn frame<'d>(
 ) -> Option<WrittenFrame> {
     let Site { inside, body } = site;
     let element = inside.element;
-    let name = element.attribute("name");
-    let name = name.filter(|name| !name.value.is_empty())?;
-    let owner = format!("site `{}`", shown(name.value));
+    let name = inside.name()?;
+    let owner = format!("site `{}`", shown(&name.value));
     let defaults = &model.defaults;
-    let given = defaults.attributes(reader, element, &owner, ElementKind::Site, inside.class);
+    let given = defaults.attributes(
+        reader,
+        element,
+        &owner,
+        ElementKind::Site,
+        inside.around.class,
+    );
     let own = if given.has("fromto") {
         middle(reader, &given)?
     } else {
         placement(reader, &given, &model.settings)
     };
-    let place = inside.frame.then(&own);
+    let place = inside.around.frame.then(&own);
     let carrier = match body.checked_sub(1) {
         None => Carrier::Inertial,
         Some(body) => Carrier::Body(bodies.get(body)?.name.clone()),
     };
-    let name = Spanned::new(name.value.to_owned(), name.span);
     let span = element.span();
     Some(WrittenFrame {
         body: carrier,

@@ -6,7 +6,7 @@ use crate::description::urdf::joint::{self, JointElement};
 use crate::description::urdf::link::{self, LinkElement};
 use crate::description::urdf::named::{IGNORED, Names};
 use crate::description::urdf::structure;
-use crate::description::xml::{Document, Element, Known, Reader, root_name, shown};
+use crate::description::xml::{Document, Element, Known, Mended, Reader, root_name, shown};
 use crate::description::{
     Base, Chart, Description, Given, JointKind, Optional, Reading, Scalar, WrittenBody,
     WrittenJoint, too_many,
@@ -26,7 +26,11 @@ pub fn is_urdf(source: &Source) -> bool {
 /// Reads a description; what is wrong stands in [`Description::faults`].
 pub fn parse(source: &Source, reading: &Reading) -> Description {
     let mut reader = Reader::default();
-    let description = match Document::parse(source.text(), 0) {
+    let mut mended = Mended::of(source.text(), 0);
+    for warning in mended.warnings.drain(..) {
+        reader.faults.push(warning);
+    }
+    let description = match Document::parse(&mended, 0) {
         Ok(document) => read(&mut reader, document.root(), source, reading),
         Err(fault) => {
             reader.faults.push(fault);

@@ -4,6 +4,7 @@ use roxmltree::{Node, ParsingOptions};
 
 use crate::description::xml::malformed::malformed;
 use crate::description::xml::markup;
+use crate::description::xml::mend::Mended;
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::limits::XML_NODES;
 
@@ -11,6 +12,7 @@ use crate::limits::XML_NODES;
 #[derive(Debug)]
 pub(crate) struct Document<'t> {
     tree: roxmltree::Document<'t>,
+    mended: &'t Mended<'t>,
     /// Added to every place.
     base: usize,
 }
@@ -19,20 +21,22 @@ pub(crate) struct Document<'t> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element<'d> {
     node: Node<'d, 'd>,
+    mended: &'d Mended<'d>,
     base: usize,
 }
 
 impl<'t> Document<'t> {
     /// Reads a file whose first byte has the place `base`.
-    pub(crate) fn parse(text: &'t str, base: usize) -> Result<Self, Diagnostic> {
-        markup::check(text).map_err(|fault| fault.moved(base))?;
+    pub(crate) fn parse(mended: &'t Mended<'t>, base: usize) -> Result<Self, Diagnostic> {
+        markup::check(mended.written).map_err(|fault| fault.moved(base))?;
+        let text = &*mended.text;
         let options = ParsingOptions {
             nodes_limit: XML_NODES,
             ..ParsingOptions::default()
         };
         match roxmltree::Document::parse_with_options(text, options) {
-            Ok(tree) => Ok(Self { tree, base }),
-            Err(error) => Err(malformed(text, base, &error)),
+            Ok(tree) => Ok(Self { tree, mended, base }),
+            Err(error) => Err(malformed(mended, base, &error)),
         }
     }
 
@@ -40,6 +44,7 @@ impl<'t> Document<'t> {
     pub(crate) fn root(&self) -> Element<'_> {
         Element {
             node: self.tree.root_element(),
+            mended: self.mended,
             base: self.base,
         }
     }
@@ -51,7 +56,8 @@ impl<'d> Element<'d> {
     }
 
     fn place(self, start: usize, end: usize) -> Span {
-        Span::from(self.base + start..self.base + end)
+        let [start, end] = [start, end].map(|at| self.base + self.mended.place(at));
+        Span::from(start..end)
     }
 
     /// The name as it is written, with its prefix.
@@ -76,9 +82,9 @@ impl<'d> Element<'d> {
 
     /// The elements directly inside, in the order of the file.
     pub(crate) fn children(self) -> impl Iterator<Item = Self> + use<'d> {
-        let base = self.base;
+        let (mended, base) = (self.mended, self.base);
         let nodes = self.node.children().filter(Node::is_element);
-        nodes.map(move |node| Self { node, base })
+        nodes.map(move |node| Self { node, mended, base })
     }
 
     /// The elements directly inside that have this name.

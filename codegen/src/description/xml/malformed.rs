@@ -2,11 +2,13 @@
 
 use roxmltree::Error;
 
+use crate::description::xml::mend::Mended;
 use crate::description::xml::prolog::prolog_end;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::limits::XML_NODES;
 
-pub(super) fn malformed(text: &str, base: usize, error: &Error) -> Diagnostic {
+pub(super) fn malformed(mended: &Mended<'_>, base: usize, error: &Error) -> Diagnostic {
+    let text = &*mended.text;
     let position = error.pos();
     let at = match error {
         Error::NoRootNode | Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
@@ -61,7 +63,7 @@ pub(super) fn malformed(text: &str, base: usize, error: &Error) -> Diagnostic {
         // The place is shown already.
         other => other.to_string().replace(&format!(" at {position}"), ""),
     };
-    let start = base + at;
+    let start = base + mended.place(at);
     let fault = Diagnostic::error(format!("not valid XML: {message}"))
         .at(Span::from(start..start + length), "here");
     match help {

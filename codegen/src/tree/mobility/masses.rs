@@ -2,10 +2,10 @@
 
 use crate::geometry::{self, Vector, cross};
 use crate::id::BodyId;
+use crate::principal::principal;
 use crate::tree::body::RigidPart;
 use crate::tree::mobility::rows::{Twist, dot};
 use crate::tree::mobility::units::Units;
-use crate::tree::principal::principal;
 use crate::tree::system::Tree;
 
 /// The mass of a body, and of what is beyond it: rows K whose squares on the twist sum to twice the energy, and bounds of them.

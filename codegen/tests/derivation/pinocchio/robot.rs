@@ -32,7 +32,7 @@ impl Robot {
         let floats = reference["base"] == "floating";
         let reading = Reading {
             base: floats.then_some(Base::Free),
-            chart: None,
+            ..Reading::default()
         };
         let source = Source::new("robot.urdf", text(&format!("{name}.urdf")));
         // Right angles written with ten digits are taken as they are there, too.

@@ -294,6 +294,7 @@ fn root_link_is_fixed_unless_it_is_to_be_free() {
         let reading = Reading {
             base: Some(Base::Free),
             chart: asked,
+            ..Reading::default()
         };
         let root = parse_well(&text, &reading).bodies.remove(0);
         assert_eq!(kind(&root), &JointKind::Free);
@@ -311,7 +312,7 @@ fn root_joint_gives_way_to_joints_of_the_file() {
     ]);
     let reading = Reading {
         base: Some(Base::Free),
-        chart: None,
+        ..Reading::default()
     };
     let root = parse_well(&text, &reading).bodies.remove(0);
     assert_eq!(root.joint.name.expect("it has one").value, "root_joint_3");
@@ -321,8 +322,8 @@ fn root_joint_gives_way_to_joints_of_the_file() {
 fn chart_asked_for_is_that_of_floating_joints_too() {
     let text = robot(&[("j", "floating", "a", "b", "")]);
     let reading = Reading {
-        base: None,
         chart: Some(Chart::Angles),
+        ..Reading::default()
     };
     let body = parse_well(&text, &reading).bodies.remove(1);
     assert_eq!(body.joint.chart.expect("it floats").value, Chart::Angles);

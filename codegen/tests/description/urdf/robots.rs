@@ -22,7 +22,7 @@ fn robot_agrees(name: &str) {
         serde_json::from_str(&text("reference.json")).expect("the reference is JSON");
     let reading = Reading {
         base: (reference["base"] == "floating").then_some(Base::Free),
-        chart: None,
+        ..Reading::default()
     };
     let description = parse_well(&text(&format!("{name}.urdf")), &reading);
     let lower = lower_bodies(&description);

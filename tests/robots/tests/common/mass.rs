@@ -32,7 +32,7 @@ pub(crate) fn masses(name: &str, is_floating: bool) -> Vec<f64> {
     let text = fs::read_to_string(path(name, &file)).expect("the model is there");
     let reading = Reading {
         base: is_floating.then_some(Base::Free),
-        chart: None,
+        ..Reading::default()
     };
     let source = Source::new(file, text);
     let description = description::read(&source, &reading, &description::no_includes);

@@ -31,6 +31,9 @@ pub(in crate::description::mjcf) const FRAME: Known<'static> = Known::attributes
     &["name"],
 );
 
+pub(in crate::description::mjcf) const REPLICATE: Known<'static> =
+    Known::attributes(&["count", "euler", "offset", "sep"], &[]);
+
 pub(in crate::description::mjcf) const INERTIAL: Known<'static> = Known::attributes(
     &[
         "pos",

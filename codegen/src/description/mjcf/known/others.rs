@@ -32,21 +32,17 @@ pub(in crate::description::mjcf) const TENDON: Known<'static> = Known::attribute
 );
 
 pub(in crate::description::mjcf) const EQUALITY: Known<'static> = Known::attributes(
-    &["name", "class", "active"],
+    &[
+        "name", "class", "active", "body1", "body2", "joint1", "joint2", "polycoef", "site1",
+        "site2",
+    ],
     &[
         "anchor",
-        "body1",
-        "body2",
         "cell",
         "flex",
         "geom1",
         "geom2",
-        "joint1",
-        "joint2",
-        "polycoef",
         "relpose",
-        "site1",
-        "site2",
         "solimp",
         "solref",
         "tendon1",

@@ -1,0 +1,180 @@
+//! `equality`: linear ones between joints tie these; of the others those with motion capture are left out, and what the user
+//! leaves out; the rest is refused.
+
+use crate::description::LeftOut;
+use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::defaults::{Class, ElementKind};
+use crate::description::mjcf::known;
+use crate::description::mjcf::leaving::{advice, left_out};
+use crate::description::mjcf::mocap::Mocap;
+use crate::description::mjcf::model::Model;
+use crate::description::mjcf::settings::{Switch, TRUTH};
+use crate::description::mjcf::ties::{Equation, Ties};
+use crate::description::xml::{Element, Reader, shown};
+use crate::diagnostic::{Diagnostic, Spanned};
+
+/// What words call several of them.
+const PLURAL: &str = "equalities that are left out";
+
+/// Reads the sections: how joints are tied.
+pub(super) fn read<'d>(
+    reader: &mut Reader,
+    model: &Model<'d>,
+    sections: &[Element<'d>],
+    worlds: &[Element<'d>],
+) -> Ties {
+    let mut ties = Ties::default();
+    let mut mocap = None;
+    for element in sections.iter().flat_map(|s| model.files.children(*s)) {
+        reader.unknown_child(element, "`equality`", &known::EQUALITIES);
+        if !known::EQUALITIES.contains(&element.name()) {
+            continue;
+        }
+        let equality = Equality::of(reader, model, element);
+        if let Some(name) = equality.name {
+            ties.equalities.insert(name.to_owned());
+        }
+        if !equality.active || model.settings.equalities == Switch::Off {
+            continue;
+        }
+        if equality.is_left_out(model) {
+            let message = format!("{} is left out", equality.owner);
+            equality.leave_out(reader, message);
+        } else if element.name() == "joint" {
+            equality.tie(reader, &mut ties);
+        } else {
+            let mocap = mocap.get_or_insert_with(|| Mocap::of(model.files, worlds));
+            if equality.follows(mocap) {
+                let message = format!(
+                    "{} with a body that follows motion capture is left out",
+                    equality.owner
+                );
+                equality.leave_out(reader, message);
+            } else {
+                let message = format!("{} is active", equality.owner);
+                equality.refuse(reader, &message, "constraints like this are not supported");
+            }
+        }
+    }
+    check_names(reader, model, &ties);
+    ties
+}
+
+/// Every name by which something is to be left out is one.
+fn check_names(reader: &mut Reader, model: &Model<'_>, ties: &Ties) {
+    let kinds = LeftOut::NAMED.iter().map(|(name, _)| *name);
+    let kinds: Vec<&str> = kinds.chain(known::EQUALITIES).collect();
+    for name in &model.reading.leave_out {
+        if !kinds.contains(&name.as_str()) && !ties.equalities.contains(name) {
+            let message = format!("there is no equality `{}` to leave out", shown(name));
+            let list = LeftOut::NAMED
+                .map(|(name, _)| format!("`{name}`"))
+                .join(", ");
+            let fault = Diagnostic::error(message);
+            reader.faults.push(fault.help(format!(
+                "what can be left out are {list}, the kinds of equalities, and single ones by their names"
+            )));
+        }
+    }
+}
+
+/// An equality.
+struct Equality<'d> {
+    element: Element<'d>,
+    given: Attributes<'d>,
+    owner: String,
+    name: Option<&'d str>,
+    active: bool,
+}
+
+impl<'d> Equality<'d> {
+    fn of(reader: &mut Reader, model: &Model<'d>, element: Element<'d>) -> Self {
+        let kind = element.name();
+        let name = element.attribute("name").map(|name| name.value);
+        let name = name.filter(|name| !name.is_empty());
+        let owner = match name {
+            Some(name) => format!("{kind} equality `{}`", shown(name)),
+            None => format!("a {kind} equality"),
+        };
+        let given =
+            model
+                .defaults
+                .attributes(reader, element, &owner, ElementKind::Equality, Class::MAIN);
+        let active = given.keyword(reader, "active", &TRUTH);
+        Self {
+            active: active.is_none_or(|active| active.value == Switch::On),
+            element,
+            given,
+            owner,
+            name,
+        }
+    }
+
+    fn is_left_out(&self, model: &Model<'_>) -> bool {
+        let reading = model.reading;
+        let named = |name: &str| reading.leave_out.contains(name);
+        reading.leaves_out(LeftOut::Equalities)
+            || named(self.element.name())
+            || self.name.is_some_and(named)
+    }
+
+    fn leave_out(&self, reader: &mut Reader, message: String) {
+        let name = self.name.unwrap_or(self.element.name());
+        let span = self.element.span();
+        left_out(reader, message, span, (PLURAL, name));
+    }
+
+    fn refuse(&self, reader: &mut Reader, message: &str, label: &str) {
+        let fault = Diagnostic::error(format!("{message}; {label}"));
+        let fault = fault.at(self.element.span(), "not supported");
+        let help = advice(self.name.unwrap_or(self.element.name()));
+        reader.faults.push(fault.help(help));
+    }
+
+    /// True where one of the two ends is a body that follows motion capture.
+    fn follows(&self, mocap: &Mocap<'_>) -> bool {
+        let is = |name: &str, known: &dyn Fn(&str) -> bool| {
+            self.given.text(name).is_some_and(|text| known(text.value))
+        };
+        let body = |name: &str| mocap.has_body(name);
+        let site = |name: &str| mocap.has_site(name);
+        is("body1", &body) || is("body2", &body) || is("site1", &site) || is("site2", &site)
+    }
+
+    /// Ties joints, where the equality is linear.
+    fn tie(&self, reader: &mut Reader, ties: &mut Ties) {
+        let Some(joint) = self.given.text("joint1") else {
+            let message = format!("{} has no attribute `joint1`", self.owner);
+            let fault = Diagnostic::error(message).at(self.element.span(), "`joint1` is missing");
+            reader.faults.push(fault);
+            return;
+        };
+        let coefficients = self.given.up_to(reader, "polycoef", 5);
+        if coefficients.is_none() && self.given.has("polycoef") {
+            return;
+        }
+        // What is not given keeps its value: joints that move alike.
+        let mut polynomial = [0.0, 1.0, 0.0, 0.0, 0.0];
+        for (place, given) in polynomial.iter_mut().zip(coefficients.unwrap_or_default()) {
+            *place = given.value;
+        }
+        let leader = self.given.text("joint2");
+        if leader.is_some() && polynomial[2..] != [0.0; 3] {
+            let message = format!("{} is active and not linear", self.owner);
+            self.refuse(reader, &message, "such constraints are not supported");
+            return;
+        }
+        let owned = |name: Spanned<&str>| Spanned::new(name.value.to_owned(), name.span);
+        ties.add(
+            reader,
+            Equation {
+                joint: owned(joint),
+                leader: leader.map(owned),
+                shift: polynomial[0],
+                factor: polynomial[1],
+                owner: self.owner.clone(),
+                span: self.element.span(),
+            },
+        );
+    }
+}

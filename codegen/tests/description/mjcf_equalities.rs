@@ -1,0 +1,220 @@
+//! Equalities of MJCF: joints that they tie move as MuJoCo's do on the states that obey them; others are refused, or left out.
+#![allow(
+    clippy::unwrap_used,
+    reason = "the tests' own functions, which clippy takes for others"
+)]
+
+use std::{collections::BTreeMap, fs};
+
+use kane_codegen::{
+    description::{Description, JointKind, Reading, mjcf, no_includes},
+    diagnostic::{Severity, Source},
+    expr::Input,
+    functions::{Argument, Formulation, Parsed},
+    recursive::Plan,
+    tree::{self, Tree},
+};
+use kane_test_support::{
+    compare::{Tolerance, assert_close},
+    json::flat,
+};
+use serde_json::Value;
+
+use crate::mjcf_support::{faults, number, parse};
+
+fn leaving_out(text: &str, names: &[&str]) -> Description {
+    let reading = Reading {
+        leave_out: names.iter().map(|name| (*name).to_owned()).collect(),
+        ..Reading::default()
+    };
+    mjcf::parse(&Source::new("model.xml", text), &reading, &no_includes)
+}
+
+fn file(name: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/mjcf_equalities");
+    fs::read_to_string(format!("{folder}/{name}")).unwrap()
+}
+
+/// Two hinges and a slide, and these equalities.
+fn tied(equalities: &str) -> String {
+    format!(
+        "<mujoco><worldbody>
+  <body name=\"m\" mocap=\"true\"><site name=\"s\"/></body>
+  <body name=\"one\"><joint name=\"a\" ref=\"90\"/><geom size=\"1\"/></body>
+  <body name=\"two\"><joint name=\"b\"/><geom size=\"1\" pos=\"1 0 0\"/></body>
+  <body name=\"three\"><joint name=\"c\" type=\"slide\" ref=\"0.5\"/><geom size=\"1\"/></body>
+</worldbody><equality>{equalities}</equality></mujoco>"
+    )
+}
+
+fn errors(description: &Description) -> Vec<&str> {
+    let faults = description.faults.iter();
+    let errors = faults.filter(|fault| fault.is_error());
+    errors.map(|fault| fault.message.as_str()).collect()
+}
+
+/// Of each joint that follows: itself, its leader, factor and offset.
+fn mimics(description: &Description) -> Vec<(&str, &str, f64, f64)> {
+    let joints = description.bodies.iter().map(|body| &body.joint);
+    let mimics = joints.filter_map(|joint| {
+        let mimic = &joint.mimic.as_ref()?.value;
+        let name = &joint.name.as_ref()?.value;
+        Some((&**name, &*mimic.joint.value, mimic.multiplier, mimic.offset))
+    });
+    mimics.collect()
+}
+
+fn evaluate(tree: &Tree, function: &str, inputs: &BTreeMap<Input, f64>) -> Vec<f64> {
+    let request = Parsed::read(function).unwrap().on(tree).unwrap();
+    let derived = request.derive(tree, Formulation::Recursive, &Plan::full(tree));
+    derived
+        .graph
+        .evaluate(&derived.roots, |given| inputs[&given])
+}
+
+#[test]
+fn tied_joints_move_as_mujocos_on_the_states_that_obey_the_equalities() {
+    let description = leaving_out(&file("tied.xml"), &["fluid", "tendons", "loop"]);
+    assert_eq!(errors(&description), [""; 0], "{}", faults(&description));
+    let tree = tree::build(&description).unwrap().tree;
+    assert_eq!(tree.n_speeds, 2);
+    let states: Value = serde_json::from_str(&file("reference.json")).unwrap();
+    let states = states.as_array().unwrap();
+    assert_eq!(states.len(), 4);
+    for state in states {
+        let mut inputs = BTreeMap::new();
+        inputs.extend(Argument::Q.inputs(&tree).zip(flat(&state["q"])));
+        inputs.extend(Argument::U.inputs(&tree).zip(flat(&state["u"])));
+        for function in ["mass_matrix", "bias"] {
+            let found = evaluate(&tree, function, &inputs);
+            let tolerance = Tolerance::relative_beyond(1.0, 1e-12);
+            assert_close(function, &found, &flat(&state[function]), tolerance);
+        }
+    }
+}
+
+#[test]
+fn displacements_are_counted_from_where_the_model_is_drawn() {
+    let right = std::f64::consts::FRAC_PI_2;
+    let text = tied(
+        "<joint joint1=\"a\" joint2=\"c\" polycoef=\"0.25 2\"/><joint joint1=\"b\" joint2=\"c\"/>",
+    );
+    let model = parse(&text, &[]);
+    assert_eq!(errors(&model), [""; 0]);
+    let expected = [("a", "c", 2.0, right + 0.25 - 1.0), ("b", "c", 1.0, -0.5)];
+    assert_eq!(mimics(&model), expected);
+    let notes = model.faults.iter().filter(|f| f.severity == Severity::Note);
+    assert_eq!(notes.count(), 2);
+}
+
+#[test]
+fn second_equality_of_a_joint_ties_the_other_one() {
+    let text = tied(
+        "<joint joint1=\"b\" joint2=\"a\"/><joint joint1=\"b\" joint2=\"c\" polycoef=\"1 4\"/>",
+    );
+    let model = parse(&text, &[]);
+    let right = std::f64::consts::FRAC_PI_2;
+    let expected = [("b", "a", 1.0, -right), ("c", "b", 0.25, 0.5 - 0.25)];
+    assert_eq!(mimics(&model), expected);
+    let held = tied("<joint joint1=\"b\" joint2=\"a\"/><joint joint1=\"b\"/>");
+    let model = parse(&held, &[]);
+    assert_eq!(
+        errors(&model),
+        ["a joint equality ties joint `b`, which is tied already"]
+    );
+}
+
+#[test]
+fn joint_alone_is_held_and_what_follows_it_too() {
+    let text = tied(
+        "<joint joint1=\"c\" joint2=\"b\" polycoef=\"0 3\"/><joint joint1=\"b\" polycoef=\"0.1 5\"/>",
+    );
+    let model = parse(&text, &[]);
+    assert_eq!(errors(&model), [""; 0]);
+    let [_, one, two, three] = &model.bodies[..] else {
+        unreachable!("there are four")
+    };
+    let kind =
+        |body: &kane_codegen::description::WrittenBody| body.joint.kind.clone().unwrap().value;
+    assert_eq!(kind(one), JointKind::Revolute);
+    assert_eq!(
+        (kind(two), kind(three)),
+        (JointKind::Fixed, JointKind::Fixed)
+    );
+    // From where it is drawn, whatever its coordinate is there.
+    assert_close(
+        "slide",
+        &[number(three.joint.attachment[2])],
+        &[3.0 * 0.1],
+        Tolerance::relative_beyond(1.0, 1e-15),
+    );
+    let turn = two.joint.attachment_rotation.unwrap().value;
+    assert_eq!(turn[0][1], libm::sin(0.1));
+}
+
+#[test]
+fn ends_that_are_no_hinge_or_slide_are_refused() {
+    let ball = tied("<joint joint1=\"b\" joint2=\"d\"/><joint joint1=\"x\"/>").replace(
+        "</worldbody>",
+        "<body><joint name=\"d\" type=\"ball\"/><geom size=\"1\"/></body></worldbody>",
+    );
+    assert_eq!(
+        errors(&parse(&ball, &[])),
+        [
+            "a joint equality ties `d`, which is no hinge and no slide",
+            "a joint equality ties `x`, which is no joint"
+        ]
+    );
+}
+
+#[test]
+fn ties_to_motion_capture_are_left_out_with_a_warning() {
+    for end in [
+        "weld body1=\"m\" body2=\"one\"",
+        "weld body1=\"one\" body2=\"m\"",
+        "connect site1=\"s\" site2=\"t\"",
+    ] {
+        let model = parse(&tied(&format!("<{end}/>")), &[]);
+        assert_eq!(errors(&model), [""; 0], "{end}");
+        let warnings = model.faults.iter();
+        let warned = warnings.filter(|fault| fault.message.ends_with("motion capture is left out"));
+        assert_eq!(warned.count(), 1, "{end}");
+    }
+    let model = parse(&tied("<weld body1=\"one\" body2=\"two\"/>"), &[]);
+    assert_eq!(errors(&model).len(), 1);
+}
+
+#[test]
+fn user_leaves_out_all_equalities_a_kind_or_one() {
+    let text = tied(
+        "<connect name=\"x\" body1=\"one\"/><connect body1=\"two\"/><joint joint1=\"a\" joint2=\"b\"/>",
+    );
+    for (names, n_errors, n_mimics) in [
+        (&[][..], 2, 1),
+        (&["x"][..], 1, 1),
+        (&["connect"][..], 0, 1),
+        (&["equalities"][..], 0, 0),
+    ] {
+        let model = leaving_out(&text, names);
+        assert_eq!(errors(&model).len(), n_errors, "{names:?}");
+        assert_eq!(mimics(&model).len(), n_mimics, "{names:?}");
+    }
+    let model = leaving_out(&text, &["connect", "y"]);
+    assert_eq!(errors(&model), ["there is no equality `y` to leave out"]);
+}
+
+#[test]
+fn user_leaves_out_forces_that_cannot_be_had() {
+    let text = "<mujoco><option density=\"1\" viscosity=\"2\"/><worldbody>
+        <body name=\"a\" gravcomp=\"1\"><joint name=\"j\"/><geom size=\"1\"/></body></worldbody>
+      <tendon><fixed><joint joint=\"j\" coef=\"1\"/></fixed><fixed stiffness=\"1\" damping=\"2\"/></tendon></mujoco>";
+    for (name, n_errors) in [("fluid", 3), ("tendons", 3), ("gravcomp", 4)] {
+        let model = leaving_out(text, &[name]);
+        assert_eq!(errors(&model).len(), n_errors, "{name}");
+    }
+    let model = leaving_out(text, &["fluid", "tendons", "gravcomp"]);
+    assert_eq!(errors(&model), [""; 0]);
+    let warnings = model.faults.iter();
+    let told = warnings.filter(|fault| fault.severity == Severity::Warning && fault.kind.is_some());
+    assert_eq!(told.count(), 5);
+}
