@@ -90,17 +90,17 @@ const MOST_ON_STACK: usize = 1 << 18;
 
 /// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
 #[cfg(all(feature = "wide", target_feature = "avx512f"))]
-pub type Widest = crate::wide::f64x8;
+pub type Widest = ::wide::f64x8;
 /// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
 #[cfg(all(
     feature = "wide",
     target_feature = "avx",
     not(target_feature = "avx512f")
 ))]
-pub type Widest = crate::wide::f64x4;
+pub type Widest = ::wide::f64x4;
 /// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
 #[cfg(all(feature = "wide", not(target_feature = "avx")))]
-pub type Widest = crate::wide::f64x2;
+pub type Widest = ::wide::f64x2;
 
 /// A number of states, computed [`Lanes::LANES`] at a time.
 #[derive(Clone, Copy, Debug)]

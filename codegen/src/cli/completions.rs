@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use clap::{Args, CommandFactory as _};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
 use super::{Failures, Outcome};
@@ -18,10 +18,13 @@ pub(crate) struct Arguments {
     shell: Shell,
 }
 
-/// Prints.
-pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
+/// Prints what completes this command.
+pub(crate) fn run(
+    arguments: &Arguments,
+    mut command: Command,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failures> {
     let mut text = Vec::new();
-    let mut command = super::Arguments::command();
     clap_complete::generate(arguments.shell, &mut command, "kane", &mut text);
     out.write_all(&text)?;
     Ok(Outcome::Done)

@@ -36,7 +36,7 @@ mod voice;
 
 use std::io::Write;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 pub(crate) use failure::Failures;
 pub(crate) use outcome::{BAD_INPUT, Outcome};
@@ -131,7 +131,7 @@ pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome,
         Command::Eval(arguments) => eval::run(arguments, voice, out)?,
         Command::Convert(arguments) => convert::run(arguments, voice, out)?,
         Command::Verify(arguments) => verify::run(arguments, out)?,
-        Command::Completions(arguments) => completions::run(arguments, out)?,
+        Command::Completions(arguments) => completions::run(arguments, Arguments::command(), out)?,
     };
     out.flush()?;
     Ok(outcome)

@@ -30,6 +30,8 @@ pub struct ExprGraph {
     known: FxHashMap<Node, NodeId>,
     scope: Option<BodyId>,
     purpose: Purpose,
+    /// True while labels are hints.
+    hints: bool,
     overflowed: bool,
 }
 
@@ -139,8 +141,20 @@ impl ExprGraph {
         self.written_negative[expr.node().index()] = written ^ expr.is_negative();
         if let Some(label) = other.label(original.node()) {
             let same = label.negative == original.is_negative();
-            self.name(if same { expr } else { -expr }, label.text.clone());
+            let (expr, text) = (if same { expr } else { -expr }, label.text.clone());
+            if label.is_hint {
+                self.hint(|graph| graph.name(expr, text));
+            } else {
+                self.name(expr, text);
+            }
         }
+    }
+
+    /// Labels what has no label by hints: passes treat it as if it had none.
+    pub fn hint(&mut self, label: impl FnOnce(&mut Self)) {
+        self.hints = true;
+        label(self);
+        self.hints = false;
     }
 
     /// Labels an operation that has no label yet, and moves it into the current scope, whose quantity it is. A number or
@@ -148,11 +162,22 @@ impl ExprGraph {
     pub fn name(&mut self, expr: Expr, text: impl Into<String>) {
         let id = expr.node();
         let is_leaf = matches!(self.node(id), Node::Number(_) | Node::Input(_));
-        if !is_leaf && self.label(id).is_none() && self.scope <= self.scope(id) {
-            self.labels[id.index()] = Some(Label {
-                text: text.into(),
-                negative: expr.is_negative(),
-            });
+        let label = Label {
+            text: text.into(),
+            negative: expr.is_negative(),
+            is_hint: self.hints,
+        };
+        if self.hints {
+            let own = &mut self.labels[id.index()];
+            if !is_leaf && own.is_none() && self.scope == self.scopes[id.index()] {
+                *own = Some(label);
+                self.purposes[id.index()] = self.purpose;
+            }
+            return;
+        }
+        let is_free = self.label(id).is_none_or(|label| label.is_hint);
+        if !is_leaf && is_free && self.scope <= self.scope(id) {
+            self.labels[id.index()] = Some(label);
             self.scopes[id.index()] = self.scope;
             self.purposes[id.index()] = self.purpose;
         }
@@ -435,6 +460,7 @@ impl ExprGraph {
         Some(Label {
             text: format!("{}_{}", a.text, b.text),
             negative: a.negative ^ b.negative,
+            is_hint: a.is_hint || b.is_hint,
         })
     }
 

@@ -87,6 +87,8 @@ pub struct Label {
     pub text: String,
     /// True where the quantity is the negative of the node.
     pub negative: bool,
+    /// True for a name that is good to have, but costs no operation: where the value falls away, so does the name.
+    pub is_hint: bool,
 }
 
 impl NodeId {

@@ -84,7 +84,8 @@ impl<'a> Sums<'a> {
     /// there, and would if it were joined to what does not.
     fn is_private(&self, id: NodeId) -> bool {
         let in_loop = self.graph.binding(id) == Binding::State;
-        in_loop && self.uses[id.index()] == 1 && self.graph.label(id).is_none()
+        let is_free = self.graph.label(id).is_none_or(|label| label.is_hint);
+        in_loop && self.uses[id.index()] == 1 && is_free
     }
 
     /// True for a sum that takes no product of another body's: there one body is joined to another.

@@ -142,7 +142,7 @@ fn met(
         passages[body].inward_to_joint(graph, &mut resisting);
         if let Some(lower) = tree.lower(body) {
             passages[body].inward_from_joint(graph, &mut resisting);
-            resisting.name(graph, "_on_lower");
+            graph.hint(|graph| resisting.name(graph, "_on_lower"));
             let Resisting {
                 inertia,
                 wrenches: arrived,
@@ -372,7 +372,7 @@ impl Resisting<'_> {
         let own = own.collect();
         self.inertia = Inertia::of_rows(graph, &rows);
         self.wrenches = needed.into_iter().map(Wrench::of_parts).collect();
-        self.name(graph, &format!("_past_{name}"));
+        graph.hint(|graph| self.name(graph, &format!("_past_{name}")));
         Eliminated {
             place,
             own,

@@ -57,8 +57,10 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
-            inertia::name(graph, &composite.inertia, "composite_on_lower");
-            graph.name_vector(composite.moment, "composite_on_lower");
+            graph.hint(|graph| {
+                inertia::name(graph, &composite.inertia, "composite_on_lower");
+                graph.name_vector(composite.moment, "composite_on_lower");
+            });
             graph.enter(lower);
             composites[lower] = composites[lower].plus(graph, &composite);
             columns[lower].extend(arrived);

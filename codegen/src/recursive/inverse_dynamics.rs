@@ -87,8 +87,10 @@ pub(super) fn project(
         passages[body].inward(graph, &mut acting);
         let wrench = acting.wrench;
         if let Some(lower) = tree.lower(body) {
-            graph.name_vector(wrench.force, "f_on_lower");
-            graph.name_vector(wrench.moment, "n_on_lower");
+            graph.hint(|graph| {
+                graph.name_vector(wrench.force, "f_on_lower");
+                graph.name_vector(wrench.moment, "n_on_lower");
+            });
             graph.enter(lower);
             wrenches[lower] = wrenches[lower].plus(graph, &wrench);
         }

@@ -79,10 +79,12 @@ pub(super) fn inertial_wrenches(
         let turned = graph.mul_vector(&motion.u, inertia.moment);
         let lever = graph.cross(inertia.moment, motion.a);
         let spin = euler(graph, link, motion, by_second);
-        graph.name_vector(carried, "f_of_a");
-        graph.name_vector(turned, "f_of_turn");
-        graph.name_vector(lever, "n_of_a");
-        graph.name_vector(spin, "n_of_turn");
+        graph.hint(|graph| {
+            graph.name_vector(carried, "f_of_a");
+            graph.name_vector(turned, "f_of_turn");
+            graph.name_vector(lever, "n_of_a");
+            graph.name_vector(spin, "n_of_turn");
+        });
         Wrench {
             force: graph.add_vectors(carried, turned),
             moment: graph.add_vectors(spin, lever),
@@ -147,8 +149,10 @@ impl<'a> Moving<'a> {
         let (along_b, along_c) = (graph.mul(w[c], rate), graph.mul(w[b], rate));
         for (own, [of_rate, of_lower]) in [(b, [along_b, alpha[b]]), (c, [along_c, alpha[c]])] {
             let axis = Axis::ALL[own].letter();
-            graph.name(of_rate, format!("alpha_of_rate_{axis}"));
-            graph.name(of_lower, format!("alpha_of_lower_{axis}"));
+            graph.hint(|graph| {
+                graph.name(of_rate, format!("alpha_of_rate_{axis}"));
+                graph.name(of_lower, format!("alpha_of_lower_{axis}"));
+            });
         }
         alpha[b] = graph.add(alpha[b], along_b);
         alpha[c] = graph.sub(alpha[c], along_c);
@@ -176,12 +180,12 @@ impl LinkMotion {
     /// The motion with these velocities and accelerations.
     pub(super) fn new(graph: &mut ExprGraph, w: Vector, alpha: Vector, a: Vector) -> Self {
         let squares = w.map(|component| graph.mul(component, component));
-        graph.name_each(squares, ["w_xx", "w_yy", "w_zz"]);
+        graph.hint(|graph| graph.name_each(squares, ["w_xx", "w_yy", "w_zz"]));
         let products = Axis::ALL.map(|axis| {
             let (b, c) = axis.others();
             graph.mul(w[b], w[c])
         });
-        graph.name_each(products, ["w_yz", "w_zx", "w_xy"]);
+        graph.hint(|graph| graph.name_each(products, ["w_yz", "w_zx", "w_xy"]));
         Self {
             w,
             u: acceleration_matrix(graph, squares, products, alpha),
@@ -197,9 +201,9 @@ impl Passenger for Moving<'_> {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         if let Some(lower) = self.lower {
             let turned = graph.mul_vector(&lower.u, offset);
-            graph.name_vector(turned, "a_of_offset");
+            graph.hint(|graph| graph.name_vector(turned, "a_of_offset"));
             self.a = graph.add_vectors(self.a, turned);
-            graph.name_vector(self.a, "a_at_joint");
+            graph.hint(|graph| graph.name_vector(self.a, "a_at_joint"));
         }
     }
 

@@ -226,7 +226,7 @@ fn rounded_angles_are_told_where_operations_are_counted_and_not_by_check() {
         let ran = project.kane(arguments);
         assert!(ran.code < 2, "{}", ran.err);
         ran.err
-            .contains("note: rounded right angles cost operations: `--snap 1e-5`")
+            .contains(": rounded right angles cost operations: `--snap 1e-5`")
     };
     assert!(says(&["generate", "arm.urdf", "--output", "arm.rs"]));
     assert!(says(&["info", "arm.urdf"]));

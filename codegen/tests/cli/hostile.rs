@@ -130,7 +130,7 @@ fn file_of_a_hundred_megabytes_is_not_read() {
     assert_refused(
         &project,
         &["info", "main.xml"],
-        "it has more than 16777216 bytes",
+        "it has more than 33554432 bytes",
     );
 }
 
@@ -271,7 +271,7 @@ fn ten_thousand_bodies_are_read_and_told_to_be_too_many_to_generate() {
     assert_eq!(ran.code, 0);
     assert!(
         ran.out
-            .contains("\nTree and partitions are drawn of at most 250 bodies\n")
+            .contains("\nThe tree is drawn of at most 250 bodies\n")
     );
     let ran = project.kane(&["convert", "long.toml", "--output", "converted.toml"]);
     assert_eq!(ran.code, 0);

@@ -1,5 +1,6 @@
 //! `kane info`: what is known of a model, for people (`text`), for programs (`value`), or as a drawing.
 
+mod facts;
 mod text;
 mod value;
 
@@ -8,16 +9,15 @@ use std::{collections::BTreeSet, io::Write, path::PathBuf};
 use clap::Args;
 use kane_codegen::{
     error::Error,
-    functions::{CATALOGUE, Formulation, Parsed, Request},
-    id::BodyId,
-    limits::{COUNTED, DRAWN_BODIES},
+    functions::{CATALOGUE, Parsed, Request},
+    limits::COUNTED,
     options::{ALL, DEFAULT, is_set},
-    program::Operations,
     recursive::Technique,
     report::{self, Counts},
     tree::Tree,
 };
 
+use self::facts::Shown;
 use super::{
     Failures, Outcome, Voice, changes::ChangesArguments, job, json, options, parse::one_of,
     rounded_angles,
@@ -80,16 +80,6 @@ pub(crate) struct Arguments {
     /// Print a drawing of the tree and of the mass matrix's zeros, as SVG
     #[arg(long, conflicts_with = "json")]
     svg: bool,
-}
-
-/// What people are shown beside the tree.
-struct Shown {
-    /// Which partitions are zero.
-    partitions: bool,
-    /// Which entries of the mass matrix are not zero; none where it would be too large.
-    pattern: Vec<Vec<bool>>,
-    /// True where the default set is counted because nothing else was asked for.
-    are_default: bool,
 }
 
 /// Reads the model and prints what is known of it.
@@ -205,32 +195,4 @@ fn counts(tree: &Tree, requests: Vec<Request>, without: &BTreeSet<Technique>) ->
     requests
         .map(|request| report::count(tree, request, without))
         .collect()
-}
-
-/// True where there is room for the tree and its partitions.
-fn is_drawn(tree: &Tree) -> bool {
-    tree.bodies.len() <= DRAWN_BODIES
-}
-
-/// True for a function of the default set.
-fn is_default(count: &Counts) -> bool {
-    let alone = count.function.alone();
-    alone.is_some_and(|part| part.function.is_default)
-}
-
-fn operations(count: &Counts, formulation: Formulation) -> Option<Operations> {
-    let found = count
-        .formulations
-        .iter()
-        .find(|(known, _)| *known == formulation);
-    found.map(|(_, operations)| *operations)
-}
-
-/// The entry of the body-connection array: 0 for the inertial frame.
-fn lower_number(tree: &Tree, body: BodyId) -> usize {
-    tree.lower(body).map_or(0, |lower| lower.index() + 1)
-}
-
-fn gravity(tree: &Tree) -> [f64; 3] {
-    tree.gravity.map(|component| tree.nominal(component))
 }

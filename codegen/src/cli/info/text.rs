@@ -12,7 +12,7 @@ use kane_codegen::{
     tree::{Frame, Order, Tree},
 };
 
-use super::{Shown, gravity, is_default, is_drawn, operations};
+use super::facts::{Shown, gravity, is_default, is_drawn, lower_number, operations};
 
 /// Columns of a line.
 const WIDTH: usize = 100;
@@ -39,6 +39,10 @@ pub(super) fn write(
     } else {
         writeln!(out, "The tree is drawn of at most {DRAWN_BODIES} bodies")?;
     }
+    let lower = tree.body_ids().map(|body| lower_number(tree, body));
+    let lower = lower.map(|number| number.to_string());
+    writeln!(out)?;
+    write_wrapped(out, "lower bodies [", lower.collect::<Vec<_>>(), ", ", "]")?;
     write_frames(out, "Fixed to them", tree, &tree.frames)?;
     write_frames(out, "Frames", tree, &tree.markers)?;
     write_coordinates(out, tree)?;
@@ -66,7 +70,7 @@ fn write_frames(out: &mut dyn Write, title: &str, tree: &Tree, frames: &[Frame])
     for (body, names) in on {
         let body = body.map_or("inertial frame", |body| &tree.body(body).name);
         let names = names.iter().map(|name| (*name).to_owned());
-        write_wrapped(out, &format!("{body}: "), names, ", ")?;
+        write_wrapped(out, &format!("{body}: "), names, ", ", "")?;
     }
     Ok(())
 }
@@ -118,6 +122,7 @@ fn write_wrapped(
     title: &str,
     entries: impl IntoIterator<Item = String>,
     between: &str,
+    last: &str,
 ) -> io::Result<()> {
     let mut line = format!("  {title}");
     let mut entries = entries.into_iter().peekable();
@@ -126,7 +131,7 @@ fn write_wrapped(
         let end = if entries.peek().is_some() {
             between
         } else {
-            ""
+            last
         };
         let wide = line.chars().count() + entry.chars().count() + end.trim_end().len();
         if wide > WIDTH && !is_first {

@@ -9,7 +9,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{gravity, is_default, is_drawn, lower_number};
+use super::facts::{gravity, is_default, is_drawn, lower_number};
 
 pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
     let order = match tree.order {

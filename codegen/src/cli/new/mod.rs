@@ -80,7 +80,7 @@ pub(crate) fn run(
     let model = model(arguments.model.as_deref(), &reading, &name)?;
     let source = Source::new(model.file.as_str(), model.text.as_str());
     let options = Options {
-        reading,
+        reading: reading.clone(),
         companions: [CompanionKind::Tests].into(),
         module: name.clone(),
         ..Options::default()
@@ -184,14 +184,21 @@ fn manifest(name: &str, dependency: &str) -> String {
 }
 
 fn config(name: &str, model: &str, reading: &Reading) -> String {
-    let Reading { base, chart } = reading;
+    let Reading {
+        base,
+        chart,
+        leave_out,
+    } = reading;
     let base = base.map(|base| format!("base = \"{}\"\n", name_of(&base, &Base::NAMED)));
     let chart = chart.map(|chart| format!("chart = \"{}\"\n", name_of(&chart, &Chart::NAMED)));
+    let names: Vec<String> = leave_out.iter().map(ToString::to_string).collect();
+    let leave_out = (!names.is_empty()).then(|| format!("leave_out = {names:?}\n"));
     format!(
-        "[[system]]\nmodel = {model:?}\noutput = \"src/{name}.rs\"\n{}{}tests = true\n\
+        "[[system]]\nmodel = {model:?}\noutput = \"src/{name}.rs\"\n{}{}{}tests = true\n\
          # functions = [\"default\", \"jacobian(hand)\"]   # what else is generated: `kane info {model}` lists functions and frames\n",
         base.unwrap_or_default(),
-        chart.unwrap_or_default()
+        chart.unwrap_or_default(),
+        leave_out.unwrap_or_default()
     )
 }
 

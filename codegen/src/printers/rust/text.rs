@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{File, Item, Stmt, parse_quote};
 
 /// What stands for a comment until it is printed: syntax has none.
-const COMMENT: &str = "kane_comment!(\"";
+const COMMENT: &str = "kane_comment!(";
 
 /// Items as prettyplease prints them, each after an empty line.
 pub(super) fn printed(items: Vec<Item>) -> String {
@@ -30,19 +30,26 @@ pub(super) fn comment(words: &str) -> Stmt {
 
 /// The text with comments where their statements stand, each on a line of its own.
 fn with_comments(printed: String) -> String {
-    if !printed.contains(COMMENT) {
-        return printed;
-    }
-    let line = |line: &str| {
+    let mut text = String::with_capacity(printed.len());
+    let mut lines = printed.split_inclusive('\n');
+    while let Some(line) = lines.next() {
         let indent = &line[..line.len() - line.trim_start().len()];
-        let words = line.trim_start().strip_prefix(COMMENT);
-        let words = words.and_then(|rest| rest.strip_suffix("\");\n"));
-        match words {
-            Some(words) => format!("{indent}// {words}\n"),
-            None => line.to_owned(),
+        let Some(first) = line.trim_start().strip_prefix(COMMENT) else {
+            text.push_str(line);
+            continue;
+        };
+        // A long one is printed over several lines.
+        let mut call = first.to_owned();
+        while !call.trim_end().ends_with(");") {
+            match lines.next() {
+                Some(line) => call.push_str(line),
+                None => break,
+            }
         }
-    };
-    printed.split_inclusive('\n').map(line).collect()
+        let words = call.trim().trim_end_matches(");").trim().trim_matches('"');
+        text.extend([indent, "// ", words, "\n"]);
+    }
+    text
 }
 
 /// Where a module comes from, as comments.

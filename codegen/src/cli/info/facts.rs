@@ -1,0 +1,44 @@
+//! What is shown of a model, and what the text and the JSON both say of it.
+
+use kane_codegen::{
+    functions::Formulation, id::BodyId, limits::DRAWN_BODIES, program::Operations, report::Counts,
+    tree::Tree,
+};
+
+/// What people are shown beside the tree.
+pub(super) struct Shown {
+    /// Which partitions are zero.
+    pub(super) partitions: bool,
+    /// Which entries of the mass matrix are not zero; none where it would be too large.
+    pub(super) pattern: Vec<Vec<bool>>,
+    /// True where the default set is counted because nothing else was asked for.
+    pub(super) are_default: bool,
+}
+
+/// True where there is room for the tree and its partitions.
+pub(super) fn is_drawn(tree: &Tree) -> bool {
+    tree.bodies.len() <= DRAWN_BODIES
+}
+
+/// True for a function of the default set.
+pub(super) fn is_default(count: &Counts) -> bool {
+    let alone = count.function.alone();
+    alone.is_some_and(|part| part.function.is_default)
+}
+
+pub(super) fn operations(count: &Counts, formulation: Formulation) -> Option<Operations> {
+    let found = count
+        .formulations
+        .iter()
+        .find(|(known, _)| *known == formulation);
+    found.map(|(_, operations)| *operations)
+}
+
+/// The entry of the body-connection array: 0 for the inertial frame.
+pub(super) fn lower_number(tree: &Tree, body: BodyId) -> usize {
+    tree.lower(body).map_or(0, |lower| lower.index() + 1)
+}
+
+pub(super) fn gravity(tree: &Tree) -> [f64; 3] {
+    tree.gravity.map(|component| tree.nominal(component))
+}
