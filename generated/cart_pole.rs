@@ -343,6 +343,7 @@ pub fn mass_center_position<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: position, Eqs. (22), (23)
     let cart_s1 = q[0];
     positions[0][0] = cart_s1;
     let pole_p_o_x = pole_cos2 * cart_s1 + R::from_f64(-0.1) * pole_sin2;
@@ -378,6 +379,7 @@ impl<R: kane::Real> kane::functions::MassCenterPosition<R> for Prepared<R> {
 pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]; NU]) {
     let pole_theta2 = q[1];
     let (_, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: mass and inertia with all that it carries, inward
     let pole_theta2_f_cart_x = p.mass_matrix_pole_moment_z * pole_cos2;
     m[0][1] = pole_theta2_f_cart_x;
     m[1][0] = pole_theta2_f_cart_x;
@@ -440,11 +442,14 @@ pub fn bias<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, _) = R::sin_cos(pole_theta2);
+    // pole: velocity and acceleration, outward
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
+    // pole: forces, inward
     let pole_minus_f_z = p.bias_pole_moment_z * pole_minus_u_xx;
     let pole_n_y = -(p.bias_pole_k1 * pole_sin2);
     bias[1] = pole_n_y;
+    // cart: forces, inward
     let cart_f_x = -(pole_sin2 * pole_minus_f_z);
     bias[0] = cart_f_x;
 }
@@ -479,18 +484,25 @@ pub fn inverse_dynamics<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: velocity and acceleration, outward
     let cart_s1_ddot = u_dot[0];
     let pole_a_x = pole_cos2 * cart_s1_ddot - R::from_f64(9.81) * pole_sin2;
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
+    // cart: force and moment that its motion needs
+    let cart_f_of_a_x = p.inverse_dynamics_cart_k1 * cart_s1_ddot;
+    // pole: forces, inward
     let pole_theta2_ddot = u_dot[1];
     let pole_f_x = p.inverse_dynamics_pole_moment_z * pole_theta2_ddot;
     let pole_minus_f_z = p.inverse_dynamics_pole_moment_z * pole_minus_u_xx;
-    let pole_n_y = p.inverse_dynamics_pole_moment_z * pole_a_x
-        + p.inverse_dynamics_pole_inertia_o_yy * pole_theta2_ddot;
+    // pole: force and moment that its motion needs
+    let pole_n_of_a_y = p.inverse_dynamics_pole_moment_z * pole_a_x;
+    let pole_n_of_turn_y = p.inverse_dynamics_pole_inertia_o_yy * pole_theta2_ddot;
+    let pole_n_y = pole_n_of_a_y + pole_n_of_turn_y;
     tau[1] = pole_n_y;
-    let pole_t1 = pole_cos2 * pole_f_x - pole_sin2 * pole_minus_f_z;
-    let cart_f_x = p.inverse_dynamics_cart_k1 * cart_s1_ddot + pole_t1;
+    let pole_f_on_lower_x = pole_cos2 * pole_f_x - pole_sin2 * pole_minus_f_z;
+    // cart: forces, inward
+    let cart_f_x = cart_f_of_a_x + pole_f_on_lower_x;
     tau[0] = cart_f_x;
 }
 
@@ -530,22 +542,30 @@ pub fn forward_dynamics<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: velocity and acceleration, outward
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
+    // pole: forces, inward
     let pole_minus_f_z = p.forward_dynamics_pole_moment_z * pole_minus_u_xx;
     let pole_minus_n_y = p.forward_dynamics_pole_k1 * pole_sin2;
+    // cart: forces, inward
     let cart_minus_f_x = pole_sin2 * pole_minus_f_z;
+    // pole: mass and inertia with all that it carries, inward
     let pole_theta2_f_cart_x = p.forward_dynamics_pole_moment_z * pole_cos2;
+    // pole: factors of the mass matrix, inward
     let pole_l_theta2_cart_s1 = p.forward_dynamics_pole_k2 * pole_cos2;
+    // cart: factors of the mass matrix, inward
     let cart_pivot_s1 = p.forward_dynamics_cart_k1
         - pole_theta2_f_cart_x * pole_l_theta2_cart_s1;
     let cart_inverse_s1 = R::from_f64(1.0) / cart_pivot_s1;
     let pole_theta2_tau = tau[1];
     let pole_t1 = pole_theta2_tau + pole_minus_n_y;
+    // cart: solution with the factors
     let cart_s1_tau = tau[0];
     let cart_s1_ddot = cart_inverse_s1
         * (cart_s1_tau + cart_minus_f_x - pole_l_theta2_cart_s1 * pole_t1);
     u_dot[0] = cart_s1_ddot;
+    // pole: solution with the factors
     let pole_theta2_ddot = p.forward_dynamics_pole_inverse_theta2 * pole_t1
         - pole_l_theta2_cart_s1 * cart_s1_ddot;
     u_dot[1] = pole_theta2_ddot;
@@ -585,6 +605,7 @@ pub fn kinetic_energy<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: velocity, Eqs. (25), (27)
     let cart_s1_dot = u[0];
     let pole_t1 = pole_cos2 * cart_s1_dot;
     let pole_v_g_z = pole_sin2 * cart_s1_dot;
@@ -592,7 +613,9 @@ pub fn kinetic_energy<R: kane::Real>(
     let pole_v_g_x = pole_t1 + R::from_f64(0.4) * pole_theta2_dot;
     let pole_t2 = p.pole_mass * (pole_v_g_x * pole_v_g_x + pole_v_g_z * pole_v_g_z)
         + pole_theta2_dot * (R::from_f64(0.03) * pole_theta2_dot);
+    // cart: velocity, Eqs. (25), (27)
     let cart_t1 = R::from_f64(2.0) * (cart_s1_dot * cart_s1_dot) + pole_t2;
+    // system: velocity, Eqs. (25), (27)
     let system_t1 = R::from_f64(0.5) * cart_t1;
     *energy = system_t1;
 }
@@ -620,10 +643,12 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
 pub fn potential_energy<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], energy: &mut R) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: position, Eqs. (22), (23)
     let cart_s1 = q[0];
     let pole_p_o_x = pole_cos2 * cart_s1 + R::from_f64(-0.1) * pole_sin2;
     let pole_p_o_z = pole_sin2 * cart_s1 + R::from_f64(0.1) * pole_cos2;
     let pole_p_g_z = pole_p_o_z + R::from_f64(0.4);
+    // pole: weight, inward
     let pole_g_x = R::from_f64(9.81) * pole_sin2;
     let pole_g_z = R::from_f64(-9.81) * pole_cos2;
     let pole_t1 = -(p.pole_mass * (pole_p_o_x * pole_g_x + pole_p_g_z * pole_g_z));

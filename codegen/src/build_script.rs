@@ -232,20 +232,18 @@ fn shown_path(model: &Path) -> String {
     shown.to_string_lossy().replace('\\', "/")
 }
 
-/// Warnings for cargo to show; notes go to the script's log.
+/// Warnings for cargo to show, a line a kind; all of them, and notes, go to the script's log.
 #[expect(
     clippy::print_stdout,
     reason = "a build script speaks to cargo on standard output"
 )]
 fn report(warnings: &Diagnostics) {
-    for diagnostic in warnings.list() {
-        let prefix = if diagnostic.severity == Severity::Note {
-            ""
-        } else {
-            "cargo::warning="
-        };
-        for line in diagnostic.render(warnings.source()).lines() {
-            println!("{prefix}{line}");
+    for (severity, line) in warnings.brief().lines {
+        if severity == Severity::Warning {
+            println!("cargo::warning={line}");
         }
+    }
+    for diagnostic in warnings.list() {
+        println!("{}", diagnostic.render(warnings.source()));
     }
 }

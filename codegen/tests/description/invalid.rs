@@ -177,7 +177,6 @@ mod urdf_file {
         misspelt_link
         no_link
         parent_without_link
-        prefix_not_declared
         raw_character
         repeated_attribute
         repeated_joint

@@ -224,8 +224,11 @@ fn ten_thousand_bodies_of_any_kind_are_read_or_refused_soon() {
     assert!(faults("model.toml", &following).contains(many));
     let massless = chain(n, "[\"theta2\"]", "")
         .replace("mass = 2.0", "mass = 0.0")
-        .replace("0.1,", "0.0,");
-    assert!(faults("model.toml", &massless).contains("body `b0`"));
+        .replace("0.1,", "0.0,")
+        .replace("0.02", "0.0")
+        .replace("0.01", "0.0");
+    let told = faults("model.toml", &massless);
+    assert!(told.contains("nothing that moves has a mass"), "{told}");
     for (joint, more) in [
         ("[]", ""),
         ("\"free\"", ""),

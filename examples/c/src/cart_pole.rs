@@ -322,6 +322,7 @@ pub fn sin_cos<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], sin_cos: &mut SinCos
 pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]; NU]) {
     let pole_theta2 = q[1];
     let (_, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: mass and inertia with all that it carries, inward
     let pole_theta2_f_cart_x = p.mass_matrix_pole_moment_z * pole_cos2;
     m[0][1] = pole_theta2_f_cart_x;
     m[1][0] = pole_theta2_f_cart_x;
@@ -359,20 +360,24 @@ pub fn forcing<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: velocity and acceleration, outward
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
-    let pole_t1 = p.forcing_pole_moment_z * pole_minus_u_xx;
-    let pole_t2 = p.forcing_pole_k1 * pole_sin2;
+    // pole: force and moment that its motion needs
+    let pole_minus_f_of_turn_z = p.forcing_pole_moment_z * pole_minus_u_xx;
+    let pole_minus_n_of_a_y = p.forcing_pole_k1 * pole_sin2;
     let pole_moment_y = loads[1].moment[1];
     let pole_force_x = loads[1].force[0];
-    let pole_t3 = pole_moment_y + R::from_f64(0.4) * pole_force_x;
+    let pole_t1 = pole_moment_y + R::from_f64(0.4) * pole_force_x;
+    // pole: forces, inward
     let pole_force_z = loads[1].force[2];
-    let pole_f_z = pole_t1 + pole_force_z;
-    let pole_n_y = pole_t2 + pole_t3;
+    let pole_f_z = pole_minus_f_of_turn_z + pole_force_z;
+    let pole_n_y = pole_minus_n_of_a_y + pole_t1;
     f[1] = pole_n_y;
-    let pole_t4 = pole_cos2 * pole_force_x + pole_sin2 * pole_f_z;
+    let pole_f_on_lower_x = pole_cos2 * pole_force_x + pole_sin2 * pole_f_z;
+    // cart: forces, inward
     let cart_force_x = loads[0].force[0];
-    let cart_f_x = cart_force_x + pole_t4;
+    let cart_f_x = cart_force_x + pole_f_on_lower_x;
     f[0] = cart_f_x;
 }
 
@@ -437,22 +442,30 @@ pub fn forward_dynamics<R: kane::Real>(
 ) {
     let pole_theta2 = q[1];
     let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: velocity and acceleration, outward
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
+    // pole: forces, inward
     let pole_minus_f_z = p.forward_dynamics_pole_moment_z * pole_minus_u_xx;
     let pole_minus_n_y = p.forward_dynamics_pole_k1 * pole_sin2;
+    // cart: forces, inward
     let cart_minus_f_x = pole_sin2 * pole_minus_f_z;
+    // pole: mass and inertia with all that it carries, inward
     let pole_theta2_f_cart_x = p.forward_dynamics_pole_moment_z * pole_cos2;
+    // pole: factors of the mass matrix, inward
     let pole_l_theta2_cart_s1 = p.forward_dynamics_pole_k2 * pole_cos2;
+    // cart: factors of the mass matrix, inward
     let cart_pivot_s1 = p.forward_dynamics_cart_k1
         - pole_theta2_f_cart_x * pole_l_theta2_cart_s1;
     let cart_inverse_s1 = R::from_f64(1.0) / cart_pivot_s1;
     let pole_theta2_tau = tau[1];
     let pole_t1 = pole_theta2_tau + pole_minus_n_y;
+    // cart: solution with the factors
     let cart_s1_tau = tau[0];
     let cart_s1_ddot = cart_inverse_s1
         * (cart_s1_tau + cart_minus_f_x - pole_l_theta2_cart_s1 * pole_t1);
     u_dot[0] = cart_s1_ddot;
+    // pole: solution with the factors
     let pole_theta2_ddot = p.forward_dynamics_pole_inverse_theta2 * pole_t1
         - pole_l_theta2_cart_s1 * cart_s1_ddot;
     u_dot[1] = pole_theta2_ddot;
@@ -494,12 +507,15 @@ pub fn bias_at_sin_cos<R: kane::Real>(
     u: &[R; NU],
     bias: &mut [R; NU],
 ) {
+    // pole: velocity and acceleration, outward
     let pole_theta2_dot = u[1];
     let pole_minus_u_xx = pole_theta2_dot * pole_theta2_dot;
+    // pole: forces, inward
     let pole_minus_f_z = p.bias_at_sin_cos_pole_moment_z * pole_minus_u_xx;
     let pole_sin2 = sin_cos.sines[0];
     let pole_n_y = -(p.bias_at_sin_cos_pole_k1 * pole_sin2);
     bias[1] = pole_n_y;
+    // cart: forces, inward
     let cart_f_x = -(pole_sin2 * pole_minus_f_z);
     bias[0] = cart_f_x;
 }

@@ -403,6 +403,7 @@ pub fn inverse_dynamics<R: kane::Real>(
     u_dot: &[R; NU],
     tau: &mut [R; NU],
 ) {
+    // panda_link7: joint, mass and inertia
     let panda_joint7 = q[6];
     let panda_link7_t1 = panda_joint7 + R::from_f64(0.6689225306301615);
     let panda_joint2 = q[1];
@@ -418,6 +419,7 @@ pub fn inverse_dynamics<R: kane::Real>(
         panda_joint6,
         panda_link7_t1,
     ]);
+    // panda_link2: velocity and acceleration, outward
     let panda_link2_sin3 = sines[0];
     let panda_joint1_dot = u[0];
     let panda_link2_minus_w_x = panda_link2_sin3 * panda_joint1_dot;
@@ -427,470 +429,497 @@ pub fn inverse_dynamics<R: kane::Real>(
     let panda_link2_u_yz = panda_link2_sin3 * panda_joint1_ddot;
     let panda_link2_minus_u_xz = panda_link2_cos3 * panda_joint1_ddot;
     let panda_joint2_dot = u[1];
-    let panda_link2_t1 = panda_link2_minus_w_y * panda_joint2_dot;
-    let panda_link2_t2 = panda_link2_minus_w_x * panda_joint2_dot;
-    let panda_link2_minus_alpha_x = panda_link2_u_yz + panda_link2_t1;
-    let panda_link2_alpha_y = panda_link2_t2 - panda_link2_minus_u_xz;
+    let panda_link2_minus_alpha_of_rate_x = panda_link2_minus_w_y * panda_joint2_dot;
+    let panda_link2_minus_alpha_of_rate_y = panda_link2_minus_w_x * panda_joint2_dot;
+    let panda_link2_minus_alpha_x = panda_link2_u_yz + panda_link2_minus_alpha_of_rate_x;
+    let panda_link2_alpha_y = panda_link2_minus_alpha_of_rate_y - panda_link2_minus_u_xz;
     let panda_link2_a_x = R::from_f64(-9.81) * panda_link2_sin3;
     let panda_link2_a_y = R::from_f64(-9.81) * panda_link2_cos3;
-    let panda_link2_t3 = panda_link2_minus_w_x * panda_link2_minus_w_x;
-    let panda_link2_t4 = panda_link2_minus_w_y * panda_link2_minus_w_y;
-    let panda_link2_t5 = panda_joint2_dot * panda_joint2_dot;
-    let panda_link2_t6 = panda_link2_minus_w_x * panda_link2_minus_w_y;
-    let panda_link2_minus_u_zy = panda_link2_t1 + panda_link2_minus_alpha_x;
-    let panda_link2_minus_u_zx = panda_link2_t2 + panda_link2_alpha_y;
+    let panda_link2_w_xx = panda_link2_minus_w_x * panda_link2_minus_w_x;
+    let panda_link2_w_yy = panda_link2_minus_w_y * panda_link2_minus_w_y;
+    let panda_link2_w_zz = panda_joint2_dot * panda_joint2_dot;
+    let panda_link2_w_xy = panda_link2_minus_w_x * panda_link2_minus_w_y;
+    let panda_link2_minus_u_zy = panda_link2_minus_alpha_of_rate_x
+        + panda_link2_minus_alpha_x;
+    let panda_link2_minus_u_zx = panda_link2_minus_alpha_of_rate_y + panda_link2_alpha_y;
     let panda_joint2_ddot = u_dot[1];
-    let panda_link2_u_xy = panda_link2_t6 - panda_joint2_ddot;
-    let panda_link2_u_yx = panda_joint2_ddot + panda_link2_t6;
+    let panda_link2_u_xy = panda_link2_w_xy - panda_joint2_ddot;
+    let panda_link2_u_yx = panda_joint2_ddot + panda_link2_w_xy;
+    // panda_link3: velocity and acceleration, outward
     let panda_link3_sin3 = sines[1];
     let panda_link3_cos3 = cosines[1];
     let panda_link3_w_x = panda_link3_sin3 * panda_joint2_dot
         - panda_link3_cos3 * panda_link2_minus_w_x;
     let panda_link3_w_y = panda_link3_cos3 * panda_joint2_dot
         + panda_link3_sin3 * panda_link2_minus_w_x;
-    let panda_link3_t1 = panda_link3_sin3 * panda_joint2_ddot
+    let panda_link3_alpha_of_lower_x = panda_link3_sin3 * panda_joint2_ddot
         - panda_link3_cos3 * panda_link2_minus_alpha_x;
-    let panda_link3_t2 = panda_link3_cos3 * panda_joint2_ddot
+    let panda_link3_alpha_of_lower_y = panda_link3_cos3 * panda_joint2_ddot
         + panda_link3_sin3 * panda_link2_minus_alpha_x;
     let panda_joint3_dot = u[2];
-    let panda_link3_t3 = panda_link3_w_y * panda_joint3_dot;
-    let panda_link3_t4 = panda_link3_w_x * panda_joint3_dot;
-    let panda_link3_alpha_x = panda_link3_t1 + panda_link3_t3;
-    let panda_link3_alpha_y = panda_link3_t2 - panda_link3_t4;
+    let panda_link3_alpha_of_rate_x = panda_link3_w_y * panda_joint3_dot;
+    let panda_link3_alpha_of_rate_y = panda_link3_w_x * panda_joint3_dot;
+    let panda_link3_alpha_x = panda_link3_alpha_of_lower_x + panda_link3_alpha_of_rate_x;
+    let panda_link3_alpha_y = panda_link3_alpha_of_lower_y - panda_link3_alpha_of_rate_y;
     let panda_joint3_ddot = u_dot[2];
     let panda_link3_alpha_z = panda_joint3_ddot - panda_link2_alpha_y;
     let panda_link3_w_z = panda_link2_minus_w_y + panda_joint3_dot;
     let panda_link3_a_x = panda_link3_cos3 * panda_link2_a_x;
     let panda_link3_minus_a_y = panda_link3_sin3 * panda_link2_a_x;
-    let panda_link3_t5 = panda_link3_w_x * panda_link3_w_x;
-    let panda_link3_t6 = panda_link3_w_y * panda_link3_w_y;
-    let panda_link3_t7 = panda_link3_w_z * panda_link3_w_z;
-    let panda_link3_t8 = panda_link3_w_y * panda_link3_w_z;
-    let panda_link3_t9 = panda_link3_w_x * panda_link3_w_z;
-    let panda_link3_t10 = panda_link3_w_x * panda_link3_w_y;
-    let panda_link3_minus_u_xx = panda_link3_t6 + panda_link3_t7;
-    let panda_link3_u_yz = panda_link3_t8 - panda_link3_alpha_x;
-    let panda_link3_u_zy = panda_link3_alpha_x + panda_link3_t8;
-    let panda_link3_u_zx = panda_link3_t9 - panda_link3_alpha_y;
-    let panda_link3_u_xz = panda_link3_alpha_y + panda_link3_t9;
-    let panda_link3_minus_u_zz = panda_link3_t5 + panda_link3_t6;
-    let panda_link3_u_xy = panda_link3_t10 - panda_link3_alpha_z;
-    let panda_link3_u_yx = panda_link3_alpha_z + panda_link3_t10;
-    let panda_link4_t1 = R::from_f64(-0.0825) * panda_link3_minus_u_xx
+    let panda_link3_w_xx = panda_link3_w_x * panda_link3_w_x;
+    let panda_link3_w_yy = panda_link3_w_y * panda_link3_w_y;
+    let panda_link3_w_zz = panda_link3_w_z * panda_link3_w_z;
+    let panda_link3_w_yz = panda_link3_w_y * panda_link3_w_z;
+    let panda_link3_w_zx = panda_link3_w_x * panda_link3_w_z;
+    let panda_link3_w_xy = panda_link3_w_x * panda_link3_w_y;
+    let panda_link3_minus_u_xx = panda_link3_w_yy + panda_link3_w_zz;
+    let panda_link3_u_yz = panda_link3_w_yz - panda_link3_alpha_x;
+    let panda_link3_u_zy = panda_link3_alpha_x + panda_link3_w_yz;
+    let panda_link3_u_zx = panda_link3_w_zx - panda_link3_alpha_y;
+    let panda_link3_u_xz = panda_link3_alpha_y + panda_link3_w_zx;
+    let panda_link3_minus_u_zz = panda_link3_w_xx + panda_link3_w_yy;
+    let panda_link3_u_xy = panda_link3_w_xy - panda_link3_alpha_z;
+    let panda_link3_u_yx = panda_link3_alpha_z + panda_link3_w_xy;
+    // panda_link4: velocity and acceleration, outward
+    let panda_link4_a_of_offset_x = R::from_f64(-0.0825) * panda_link3_minus_u_xx
         + R::from_f64(0.316) * panda_link3_u_xz;
-    let panda_link4_t2 = R::from_f64(0.0825) * panda_link3_u_yx
+    let panda_link4_a_of_offset_y = R::from_f64(0.0825) * panda_link3_u_yx
         + R::from_f64(0.316) * panda_link3_u_yz;
-    let panda_link4_t3 = R::from_f64(0.0825) * panda_link3_u_zx
+    let panda_link4_a_of_offset_z = R::from_f64(0.0825) * panda_link3_u_zx
         + R::from_f64(-0.316) * panda_link3_minus_u_zz;
-    let panda_link4_t4 = panda_link3_a_x + panda_link4_t1;
-    let panda_link4_a_z = panda_link3_minus_a_y - panda_link4_t2;
-    let panda_link4_t5 = panda_link4_t3 - panda_link2_a_y;
+    let panda_link4_a_at_joint_x = panda_link3_a_x + panda_link4_a_of_offset_x;
+    let panda_link4_a_z = panda_link3_minus_a_y - panda_link4_a_of_offset_y;
+    let panda_link4_a_at_joint_z = panda_link4_a_of_offset_z - panda_link2_a_y;
     let panda_link4_cos3 = cosines[2];
     let panda_link4_sin3 = sines[2];
     let panda_link4_w_x = panda_link4_cos3 * panda_link3_w_x
         + panda_link4_sin3 * panda_link3_w_z;
     let panda_link4_w_y = panda_link4_cos3 * panda_link3_w_z
         - panda_link4_sin3 * panda_link3_w_x;
-    let panda_link4_t6 = panda_link4_cos3 * panda_link3_alpha_x
+    let panda_link4_alpha_of_lower_x = panda_link4_cos3 * panda_link3_alpha_x
         + panda_link4_sin3 * panda_link3_alpha_z;
-    let panda_link4_t7 = panda_link4_cos3 * panda_link3_alpha_z
+    let panda_link4_alpha_of_lower_y = panda_link4_cos3 * panda_link3_alpha_z
         - panda_link4_sin3 * panda_link3_alpha_x;
     let panda_joint4_dot = u[3];
-    let panda_link4_t8 = panda_link4_w_y * panda_joint4_dot;
-    let panda_link4_t9 = panda_link4_w_x * panda_joint4_dot;
-    let panda_link4_alpha_x = panda_link4_t6 + panda_link4_t8;
-    let panda_link4_alpha_y = panda_link4_t7 - panda_link4_t9;
+    let panda_link4_alpha_of_rate_x = panda_link4_w_y * panda_joint4_dot;
+    let panda_link4_alpha_of_rate_y = panda_link4_w_x * panda_joint4_dot;
+    let panda_link4_alpha_x = panda_link4_alpha_of_lower_x + panda_link4_alpha_of_rate_x;
+    let panda_link4_alpha_y = panda_link4_alpha_of_lower_y - panda_link4_alpha_of_rate_y;
     let panda_joint4_ddot = u_dot[3];
     let panda_link4_alpha_z = panda_joint4_ddot - panda_link3_alpha_y;
     let panda_link4_w_z = panda_joint4_dot - panda_link3_w_y;
-    let panda_link4_a_x = panda_link4_cos3 * panda_link4_t4
-        + panda_link4_sin3 * panda_link4_t5;
-    let panda_link4_a_y = panda_link4_cos3 * panda_link4_t5
-        - panda_link4_sin3 * panda_link4_t4;
-    let panda_link4_t10 = panda_link4_w_x * panda_link4_w_x;
-    let panda_link4_t11 = panda_link4_w_y * panda_link4_w_y;
-    let panda_link4_t12 = panda_link4_w_z * panda_link4_w_z;
-    let panda_link4_t13 = panda_link4_w_y * panda_link4_w_z;
-    let panda_link4_t14 = panda_link4_w_x * panda_link4_w_z;
-    let panda_link4_t15 = panda_link4_w_x * panda_link4_w_y;
-    let panda_link4_minus_u_xx = panda_link4_t11 + panda_link4_t12;
-    let panda_link4_u_yz = panda_link4_t13 - panda_link4_alpha_x;
-    let panda_link4_u_zy = panda_link4_alpha_x + panda_link4_t13;
-    let panda_link4_minus_u_yy = panda_link4_t10 + panda_link4_t12;
-    let panda_link4_u_zx = panda_link4_t14 - panda_link4_alpha_y;
-    let panda_link4_u_xz = panda_link4_alpha_y + panda_link4_t14;
-    let panda_link4_u_xy = panda_link4_t15 - panda_link4_alpha_z;
-    let panda_link4_u_yx = panda_link4_alpha_z + panda_link4_t15;
-    let panda_link5_t1 = R::from_f64(0.0825) * panda_link4_minus_u_xx;
-    let panda_link5_t2 = R::from_f64(-0.0825) * panda_link4_u_yx;
-    let panda_link5_t3 = R::from_f64(-0.0825) * panda_link4_u_zx;
-    let panda_link5_t4 = panda_link4_a_x + panda_link5_t1;
-    let panda_link5_a_z = panda_link4_a_y + panda_link5_t2;
-    let panda_link5_t5 = panda_link4_a_z + panda_link5_t3;
+    let panda_link4_a_x = panda_link4_cos3 * panda_link4_a_at_joint_x
+        + panda_link4_sin3 * panda_link4_a_at_joint_z;
+    let panda_link4_a_y = panda_link4_cos3 * panda_link4_a_at_joint_z
+        - panda_link4_sin3 * panda_link4_a_at_joint_x;
+    let panda_link4_w_xx = panda_link4_w_x * panda_link4_w_x;
+    let panda_link4_w_yy = panda_link4_w_y * panda_link4_w_y;
+    let panda_link4_w_zz = panda_link4_w_z * panda_link4_w_z;
+    let panda_link4_w_yz = panda_link4_w_y * panda_link4_w_z;
+    let panda_link4_w_zx = panda_link4_w_x * panda_link4_w_z;
+    let panda_link4_w_xy = panda_link4_w_x * panda_link4_w_y;
+    let panda_link4_minus_u_xx = panda_link4_w_yy + panda_link4_w_zz;
+    let panda_link4_u_yz = panda_link4_w_yz - panda_link4_alpha_x;
+    let panda_link4_u_zy = panda_link4_alpha_x + panda_link4_w_yz;
+    let panda_link4_minus_u_yy = panda_link4_w_xx + panda_link4_w_zz;
+    let panda_link4_u_zx = panda_link4_w_zx - panda_link4_alpha_y;
+    let panda_link4_u_xz = panda_link4_alpha_y + panda_link4_w_zx;
+    let panda_link4_u_xy = panda_link4_w_xy - panda_link4_alpha_z;
+    let panda_link4_u_yx = panda_link4_alpha_z + panda_link4_w_xy;
+    // panda_link5: velocity and acceleration, outward
+    let panda_link5_a_of_offset_x = R::from_f64(0.0825) * panda_link4_minus_u_xx;
+    let panda_link5_a_of_offset_y = R::from_f64(-0.0825) * panda_link4_u_yx;
+    let panda_link5_a_of_offset_z = R::from_f64(-0.0825) * panda_link4_u_zx;
+    let panda_link5_a_at_joint_x = panda_link4_a_x + panda_link5_a_of_offset_x;
+    let panda_link5_a_z = panda_link4_a_y + panda_link5_a_of_offset_y;
+    let panda_link5_a_at_joint_z = panda_link4_a_z + panda_link5_a_of_offset_z;
     let panda_link5_cos3 = cosines[3];
     let panda_link5_sin3 = sines[3];
     let panda_link5_w_x = panda_link5_cos3 * panda_link4_w_x
         - panda_link5_sin3 * panda_link4_w_z;
     let panda_link5_minus_w_y = panda_link5_cos3 * panda_link4_w_z
         + panda_link5_sin3 * panda_link4_w_x;
-    let panda_link5_t6 = panda_link5_cos3 * panda_link4_alpha_x
+    let panda_link5_alpha_of_lower_x = panda_link5_cos3 * panda_link4_alpha_x
         - panda_link5_sin3 * panda_link4_alpha_z;
-    let panda_link5_t7 = panda_link5_cos3 * panda_link4_alpha_z
+    let panda_link5_minus_alpha_of_lower_y = panda_link5_cos3 * panda_link4_alpha_z
         + panda_link5_sin3 * panda_link4_alpha_x;
     let panda_joint5_dot = u[4];
-    let panda_link5_t8 = panda_link5_minus_w_y * panda_joint5_dot;
-    let panda_link5_t9 = panda_link5_w_x * panda_joint5_dot;
-    let panda_link5_alpha_x = panda_link5_t6 - panda_link5_t8;
-    let panda_link5_minus_alpha_y = panda_link5_t7 + panda_link5_t9;
+    let panda_link5_minus_alpha_of_rate_x = panda_link5_minus_w_y * panda_joint5_dot;
+    let panda_link5_alpha_of_rate_y = panda_link5_w_x * panda_joint5_dot;
+    let panda_link5_alpha_x = panda_link5_alpha_of_lower_x
+        - panda_link5_minus_alpha_of_rate_x;
+    let panda_link5_minus_alpha_y = panda_link5_minus_alpha_of_lower_y
+        + panda_link5_alpha_of_rate_y;
     let panda_joint5_ddot = u_dot[4];
     let panda_link5_alpha_z = panda_link4_alpha_y + panda_joint5_ddot;
     let panda_link5_w_z = panda_link4_w_y + panda_joint5_dot;
-    let panda_link5_a_x = panda_link5_cos3 * panda_link5_t4
-        - panda_link5_sin3 * panda_link5_t5;
-    let panda_link5_minus_a_y = panda_link5_cos3 * panda_link5_t5
-        + panda_link5_sin3 * panda_link5_t4;
-    let panda_link5_t10 = panda_link5_w_x * panda_link5_w_x;
-    let panda_link5_t11 = panda_link5_minus_w_y * panda_link5_minus_w_y;
-    let panda_link5_t12 = panda_link5_w_z * panda_link5_w_z;
-    let panda_link5_t13 = panda_link5_minus_w_y * panda_link5_w_z;
-    let panda_link5_t14 = panda_link5_w_x * panda_link5_w_z;
-    let panda_link5_t15 = panda_link5_w_x * panda_link5_minus_w_y;
-    let panda_link5_minus_u_xx = panda_link5_t11 + panda_link5_t12;
-    let panda_link5_minus_u_yz = panda_link5_alpha_x + panda_link5_t13;
-    let panda_link5_u_zy = panda_link5_alpha_x - panda_link5_t13;
-    let panda_link5_minus_u_yy = panda_link5_t10 + panda_link5_t12;
-    let panda_link5_u_zx = panda_link5_minus_alpha_y + panda_link5_t14;
-    let panda_link5_u_xz = panda_link5_t14 - panda_link5_minus_alpha_y;
-    let panda_link5_minus_u_zz = panda_link5_t10 + panda_link5_t11;
-    let panda_link5_minus_u_xy = panda_link5_alpha_z + panda_link5_t15;
-    let panda_link5_u_yx = panda_link5_alpha_z - panda_link5_t15;
-    let panda_link6_t1 = R::from_f64(0.384) * panda_link5_u_xz;
-    let panda_link6_t2 = R::from_f64(-0.384) * panda_link5_minus_u_yz;
-    let panda_link6_t3 = R::from_f64(-0.384) * panda_link5_minus_u_zz;
-    let panda_link6_t4 = panda_link5_a_x + panda_link6_t1;
-    let panda_link6_a_z = panda_link5_minus_a_y - panda_link6_t2;
-    let panda_link6_t5 = panda_link5_a_z + panda_link6_t3;
+    let panda_link5_a_x = panda_link5_cos3 * panda_link5_a_at_joint_x
+        - panda_link5_sin3 * panda_link5_a_at_joint_z;
+    let panda_link5_minus_a_y = panda_link5_cos3 * panda_link5_a_at_joint_z
+        + panda_link5_sin3 * panda_link5_a_at_joint_x;
+    let panda_link5_w_xx = panda_link5_w_x * panda_link5_w_x;
+    let panda_link5_w_yy = panda_link5_minus_w_y * panda_link5_minus_w_y;
+    let panda_link5_w_zz = panda_link5_w_z * panda_link5_w_z;
+    let panda_link5_minus_w_yz = panda_link5_minus_w_y * panda_link5_w_z;
+    let panda_link5_w_zx = panda_link5_w_x * panda_link5_w_z;
+    let panda_link5_minus_w_xy = panda_link5_w_x * panda_link5_minus_w_y;
+    let panda_link5_minus_u_xx = panda_link5_w_yy + panda_link5_w_zz;
+    let panda_link5_minus_u_yz = panda_link5_alpha_x + panda_link5_minus_w_yz;
+    let panda_link5_u_zy = panda_link5_alpha_x - panda_link5_minus_w_yz;
+    let panda_link5_minus_u_yy = panda_link5_w_xx + panda_link5_w_zz;
+    let panda_link5_u_zx = panda_link5_minus_alpha_y + panda_link5_w_zx;
+    let panda_link5_u_xz = panda_link5_w_zx - panda_link5_minus_alpha_y;
+    let panda_link5_minus_u_zz = panda_link5_w_xx + panda_link5_w_yy;
+    let panda_link5_minus_u_xy = panda_link5_alpha_z + panda_link5_minus_w_xy;
+    let panda_link5_u_yx = panda_link5_alpha_z - panda_link5_minus_w_xy;
+    // panda_link6: velocity and acceleration, outward
+    let panda_link6_a_of_offset_x = R::from_f64(0.384) * panda_link5_u_xz;
+    let panda_link6_a_of_offset_y = R::from_f64(-0.384) * panda_link5_minus_u_yz;
+    let panda_link6_a_of_offset_z = R::from_f64(-0.384) * panda_link5_minus_u_zz;
+    let panda_link6_a_at_joint_x = panda_link5_a_x + panda_link6_a_of_offset_x;
+    let panda_link6_a_z = panda_link5_minus_a_y - panda_link6_a_of_offset_y;
+    let panda_link6_a_at_joint_z = panda_link5_a_z + panda_link6_a_of_offset_z;
     let panda_link6_cos3 = cosines[4];
     let panda_link6_sin3 = sines[4];
     let panda_link6_w_x = panda_link6_cos3 * panda_link5_w_x
         + panda_link6_sin3 * panda_link5_w_z;
     let panda_link6_w_y = panda_link6_cos3 * panda_link5_w_z
         - panda_link6_sin3 * panda_link5_w_x;
-    let panda_link6_t6 = panda_link6_cos3 * panda_link5_alpha_x
+    let panda_link6_alpha_of_lower_x = panda_link6_cos3 * panda_link5_alpha_x
         + panda_link6_sin3 * panda_link5_alpha_z;
-    let panda_link6_t7 = panda_link6_cos3 * panda_link5_alpha_z
+    let panda_link6_alpha_of_lower_y = panda_link6_cos3 * panda_link5_alpha_z
         - panda_link6_sin3 * panda_link5_alpha_x;
     let panda_joint6_dot = u[5];
-    let panda_link6_t8 = panda_link6_w_y * panda_joint6_dot;
-    let panda_link6_t9 = panda_link6_w_x * panda_joint6_dot;
-    let panda_link6_alpha_x = panda_link6_t6 + panda_link6_t8;
-    let panda_link6_alpha_y = panda_link6_t7 - panda_link6_t9;
+    let panda_link6_alpha_of_rate_x = panda_link6_w_y * panda_joint6_dot;
+    let panda_link6_alpha_of_rate_y = panda_link6_w_x * panda_joint6_dot;
+    let panda_link6_alpha_x = panda_link6_alpha_of_lower_x + panda_link6_alpha_of_rate_x;
+    let panda_link6_alpha_y = panda_link6_alpha_of_lower_y - panda_link6_alpha_of_rate_y;
     let panda_joint6_ddot = u_dot[5];
     let panda_link6_alpha_z = panda_link5_minus_alpha_y + panda_joint6_ddot;
     let panda_link6_w_z = panda_link5_minus_w_y + panda_joint6_dot;
-    let panda_link6_a_x = panda_link6_cos3 * panda_link6_t4
-        + panda_link6_sin3 * panda_link6_t5;
-    let panda_link6_a_y = panda_link6_cos3 * panda_link6_t5
-        - panda_link6_sin3 * panda_link6_t4;
-    let panda_link6_t10 = panda_link6_w_x * panda_link6_w_x;
-    let panda_link6_t11 = panda_link6_w_y * panda_link6_w_y;
-    let panda_link6_t12 = panda_link6_w_z * panda_link6_w_z;
-    let panda_link6_t13 = panda_link6_w_y * panda_link6_w_z;
-    let panda_link6_t14 = panda_link6_w_x * panda_link6_w_z;
-    let panda_link6_t15 = panda_link6_w_x * panda_link6_w_y;
-    let panda_link6_minus_u_xx = panda_link6_t11 + panda_link6_t12;
-    let panda_link6_u_yz = panda_link6_t13 - panda_link6_alpha_x;
-    let panda_link6_u_zy = panda_link6_alpha_x + panda_link6_t13;
-    let panda_link6_minus_u_yy = panda_link6_t10 + panda_link6_t12;
-    let panda_link6_u_zx = panda_link6_t14 - panda_link6_alpha_y;
-    let panda_link6_u_xz = panda_link6_alpha_y + panda_link6_t14;
-    let panda_link6_u_xy = panda_link6_t15 - panda_link6_alpha_z;
-    let panda_link6_u_yx = panda_link6_alpha_z + panda_link6_t15;
-    let panda_link7_t2 = R::from_f64(-0.088) * panda_link6_minus_u_xx;
-    let panda_link7_t3 = R::from_f64(0.088) * panda_link6_u_yx;
-    let panda_link7_t4 = R::from_f64(0.088) * panda_link6_u_zx;
-    let panda_link7_t5 = panda_link6_a_x + panda_link7_t2;
-    let panda_link7_minus_a_z = panda_link6_a_y + panda_link7_t3;
-    let panda_link7_t6 = panda_link6_a_z + panda_link7_t4;
+    let panda_link6_a_x = panda_link6_cos3 * panda_link6_a_at_joint_x
+        + panda_link6_sin3 * panda_link6_a_at_joint_z;
+    let panda_link6_a_y = panda_link6_cos3 * panda_link6_a_at_joint_z
+        - panda_link6_sin3 * panda_link6_a_at_joint_x;
+    let panda_link6_w_xx = panda_link6_w_x * panda_link6_w_x;
+    let panda_link6_w_yy = panda_link6_w_y * panda_link6_w_y;
+    let panda_link6_w_zz = panda_link6_w_z * panda_link6_w_z;
+    let panda_link6_w_yz = panda_link6_w_y * panda_link6_w_z;
+    let panda_link6_w_zx = panda_link6_w_x * panda_link6_w_z;
+    let panda_link6_w_xy = panda_link6_w_x * panda_link6_w_y;
+    let panda_link6_minus_u_xx = panda_link6_w_yy + panda_link6_w_zz;
+    let panda_link6_u_yz = panda_link6_w_yz - panda_link6_alpha_x;
+    let panda_link6_u_zy = panda_link6_alpha_x + panda_link6_w_yz;
+    let panda_link6_minus_u_yy = panda_link6_w_xx + panda_link6_w_zz;
+    let panda_link6_u_zx = panda_link6_w_zx - panda_link6_alpha_y;
+    let panda_link6_u_xz = panda_link6_alpha_y + panda_link6_w_zx;
+    let panda_link6_u_xy = panda_link6_w_xy - panda_link6_alpha_z;
+    let panda_link6_u_yx = panda_link6_alpha_z + panda_link6_w_xy;
+    // panda_link7: velocity and acceleration, outward
+    let panda_link7_a_of_offset_x = R::from_f64(-0.088) * panda_link6_minus_u_xx;
+    let panda_link7_a_of_offset_y = R::from_f64(0.088) * panda_link6_u_yx;
+    let panda_link7_a_of_offset_z = R::from_f64(0.088) * panda_link6_u_zx;
+    let panda_link7_a_at_joint_x = panda_link6_a_x + panda_link7_a_of_offset_x;
+    let panda_link7_minus_a_z = panda_link6_a_y + panda_link7_a_of_offset_y;
+    let panda_link7_a_at_joint_z = panda_link6_a_z + panda_link7_a_of_offset_z;
     let panda_link7_cos3 = cosines[5];
     let panda_link7_sin3 = sines[5];
     let panda_link7_w_x = panda_link7_cos3 * panda_link6_w_x
         + panda_link7_sin3 * panda_link6_w_z;
     let panda_link7_w_y = panda_link7_cos3 * panda_link6_w_z
         - panda_link7_sin3 * panda_link6_w_x;
-    let panda_link7_t7 = panda_link7_cos3 * panda_link6_alpha_x
+    let panda_link7_alpha_of_lower_x = panda_link7_cos3 * panda_link6_alpha_x
         + panda_link7_sin3 * panda_link6_alpha_z;
-    let panda_link7_t8 = panda_link7_cos3 * panda_link6_alpha_z
+    let panda_link7_alpha_of_lower_y = panda_link7_cos3 * panda_link6_alpha_z
         - panda_link7_sin3 * panda_link6_alpha_x;
     let panda_joint7_dot = u[6];
-    let panda_link7_t9 = panda_link7_w_y * panda_joint7_dot;
-    let panda_link7_t10 = panda_link7_w_x * panda_joint7_dot;
-    let panda_link7_alpha_x = panda_link7_t7 + panda_link7_t9;
-    let panda_link7_alpha_y = panda_link7_t8 - panda_link7_t10;
+    let panda_link7_alpha_of_rate_x = panda_link7_w_y * panda_joint7_dot;
+    let panda_link7_alpha_of_rate_y = panda_link7_w_x * panda_joint7_dot;
+    let panda_link7_alpha_x = panda_link7_alpha_of_lower_x + panda_link7_alpha_of_rate_x;
+    let panda_link7_alpha_y = panda_link7_alpha_of_lower_y - panda_link7_alpha_of_rate_y;
     let panda_joint7_ddot = u_dot[6];
     let panda_link7_alpha_z = panda_joint7_ddot - panda_link6_alpha_y;
     let panda_link7_w_z = panda_joint7_dot - panda_link6_w_y;
-    let panda_link7_a_x = panda_link7_cos3 * panda_link7_t5
-        + panda_link7_sin3 * panda_link7_t6;
-    let panda_link7_a_y = panda_link7_cos3 * panda_link7_t6
-        - panda_link7_sin3 * panda_link7_t5;
-    let panda_link7_t11 = panda_link7_w_x * panda_link7_w_x;
-    let panda_link7_t12 = panda_link7_w_y * panda_link7_w_y;
-    let panda_link7_t13 = panda_link7_w_z * panda_link7_w_z;
-    let panda_link7_t14 = panda_link7_w_y * panda_link7_w_z;
-    let panda_link7_t15 = panda_link7_w_x * panda_link7_w_z;
-    let panda_link7_t16 = panda_link7_w_x * panda_link7_w_y;
-    let panda_link7_minus_u_xx = panda_link7_t12 + panda_link7_t13;
-    let panda_link7_u_yz = panda_link7_t14 - panda_link7_alpha_x;
-    let panda_link7_u_zy = panda_link7_alpha_x + panda_link7_t14;
-    let panda_link7_u_zx = panda_link7_t15 - panda_link7_alpha_y;
-    let panda_link7_u_xz = panda_link7_alpha_y + panda_link7_t15;
-    let panda_link7_u_xy = panda_link7_t16 - panda_link7_alpha_z;
-    let panda_link7_u_yx = panda_link7_alpha_z + panda_link7_t16;
-    let panda_link2_t7 = R::from_f64(0.01993386669246) * panda_link2_cos3
+    let panda_link7_a_x = panda_link7_cos3 * panda_link7_a_at_joint_x
+        + panda_link7_sin3 * panda_link7_a_at_joint_z;
+    let panda_link7_a_y = panda_link7_cos3 * panda_link7_a_at_joint_z
+        - panda_link7_sin3 * panda_link7_a_at_joint_x;
+    let panda_link7_w_xx = panda_link7_w_x * panda_link7_w_x;
+    let panda_link7_w_yy = panda_link7_w_y * panda_link7_w_y;
+    let panda_link7_w_zz = panda_link7_w_z * panda_link7_w_z;
+    let panda_link7_w_yz = panda_link7_w_y * panda_link7_w_z;
+    let panda_link7_w_zx = panda_link7_w_x * panda_link7_w_z;
+    let panda_link7_w_xy = panda_link7_w_x * panda_link7_w_y;
+    let panda_link7_minus_u_xx = panda_link7_w_yy + panda_link7_w_zz;
+    let panda_link7_u_yz = panda_link7_w_yz - panda_link7_alpha_x;
+    let panda_link7_u_zy = panda_link7_alpha_x + panda_link7_w_yz;
+    let panda_link7_u_zx = panda_link7_w_zx - panda_link7_alpha_y;
+    let panda_link7_u_xz = panda_link7_alpha_y + panda_link7_w_zx;
+    let panda_link7_u_xy = panda_link7_w_xy - panda_link7_alpha_z;
+    let panda_link7_u_yx = panda_link7_alpha_z + panda_link7_w_xy;
+    // panda_link1: force and moment that its motion needs
+    let panda_link1_n_of_turn_z = R::from_f64(0.014259565994474368) * panda_joint1_ddot;
+    // panda_link2: force and moment that its motion needs
+    let panda_link2_n_of_a_z = R::from_f64(0.01993386669246) * panda_link2_cos3
         - R::from_f64(4.74615389612781) * panda_link2_sin3;
-    let panda_link2_t8 = panda_link2_t4 - panda_link2_t5;
-    let panda_link2_t9 = R::from_f64(-0.1281832922503241) * panda_link2_minus_u_zy
+    let panda_link2_t1 = panda_link2_w_yy - panda_link2_w_zz;
+    let panda_link2_n_of_turn_x = R::from_f64(-0.1281832922503241)
+        * panda_link2_minus_u_zy
         + R::from_f64(-0.00398335888393552) * panda_link2_minus_u_zx
         + R::from_f64(0.01026110182100817) * panda_link2_u_yx
-        + R::from_f64(0.0007689361029464) * panda_link2_t8;
-    let panda_link2_t10 = panda_link2_t5 - panda_link2_t3;
-    let panda_link2_t11 = R::from_f64(0.023077882494931798) * panda_link2_minus_u_zx
-        + R::from_f64(-0.0007689361029464) * panda_link2_u_xy
+        + R::from_f64(0.0007689361029464) * panda_link2_t1;
+    let panda_link2_t2 = panda_link2_w_zz - panda_link2_w_xx;
+    let panda_link2_n_of_turn_y = R::from_f64(0.023077882494931798)
+        * panda_link2_minus_u_zx + R::from_f64(-0.0007689361029464) * panda_link2_u_xy
         + R::from_f64(0.00398335888393552) * panda_link2_minus_u_zy
-        + R::from_f64(0.01026110182100817) * panda_link2_t10;
-    let panda_link2_t12 = panda_link2_t3 - panda_link2_t4;
-    let panda_link2_t13 = panda_link2_t7
-        + (R::from_f64(0.15126117474525588) * panda_joint2_ddot
-            + R::from_f64(-0.10510540975539229) * panda_link2_t6
-            + R::from_f64(-0.01026110182100817) * panda_link2_u_yz
-            + R::from_f64(-0.0007689361029464) * panda_link2_minus_u_xz
-            + R::from_f64(-0.00398335888393552) * panda_link2_t12);
-    let panda_link3_t11 = R::from_f64(0.27690780075318017) * panda_link2_cos3;
-    let panda_link3_t12 = R::from_f64(0.028227094878000014) * panda_link3_a_x;
-    let panda_link3_t13 = panda_link3_t6 - panda_link3_t7;
-    let panda_link3_t14 = R::from_f64(0.022178148964878193) * panda_link3_u_zy
+        + R::from_f64(0.01026110182100817) * panda_link2_t2;
+    let panda_link2_t3 = panda_link2_w_xx - panda_link2_w_yy;
+    let panda_link2_n_of_turn_z = R::from_f64(0.15126117474525588) * panda_joint2_ddot
+        + R::from_f64(-0.10510540975539229) * panda_link2_w_xy
+        + R::from_f64(-0.01026110182100817) * panda_link2_u_yz
+        + R::from_f64(-0.0007689361029464) * panda_link2_minus_u_xz
+        + R::from_f64(-0.00398335888393552) * panda_link2_t3;
+    let panda_link2_t4 = panda_link2_n_of_a_z + panda_link2_n_of_turn_z;
+    // panda_link3: force and moment that its motion needs
+    let panda_link3_n_of_a_x = R::from_f64(0.27690780075318017) * panda_link2_cos3;
+    let panda_link3_n_of_a_z = R::from_f64(-0.028227094878000014) * panda_link3_a_x;
+    let panda_link3_t1 = panda_link3_w_yy - panda_link3_w_zz;
+    let panda_link3_n_of_turn_x = R::from_f64(0.022178148964878193) * panda_link3_u_zy
         + R::from_f64(0.00012191242095074308) * panda_link3_u_zx
         + R::from_f64(-0.005487648106562257) * panda_link3_u_yx
-        + R::from_f64(-0.013297019103287584) * panda_link3_t13;
-    let panda_link3_t15 = panda_link3_t7 - panda_link3_t5;
-    let panda_link3_t16 = R::from_f64(1.3360662912291488e-5) * panda_link3_u_zx
+        + R::from_f64(-0.013297019103287584) * panda_link3_t1;
+    let panda_link3_t2 = panda_link3_w_zz - panda_link3_w_xx;
+    let panda_link3_n_of_turn_y = R::from_f64(1.3360662912291488e-5) * panda_link3_u_zx
         + R::from_f64(0.013297019103287584) * panda_link3_u_xy
         + R::from_f64(-0.00012191242095074308) * panda_link3_u_zy
-        + R::from_f64(-0.005487648106562257) * panda_link3_t15;
-    let panda_link3_t17 = panda_link3_t5 - panda_link3_t6;
-    let panda_link3_t18 = R::from_f64(0.0221647883019659) * panda_link3_alpha_z
-        + R::from_f64(-0.022191509627790484) * panda_link3_t10
+        + R::from_f64(-0.005487648106562257) * panda_link3_t2;
+    let panda_link3_t3 = panda_link3_w_xx - panda_link3_w_yy;
+    let panda_link3_n_of_turn_z = R::from_f64(0.0221647883019659) * panda_link3_alpha_z
+        + R::from_f64(-0.022191509627790484) * panda_link3_w_xy
         + R::from_f64(0.005487648106562257) * panda_link3_u_yz
         + R::from_f64(-0.013297019103287584) * panda_link3_u_xz
-        + R::from_f64(-0.00012191242095074308) * panda_link3_t17;
-    let panda_link3_t19 = panda_link3_t11 + panda_link3_t14;
-    let panda_link3_t20 = panda_link3_t18 - panda_link3_t12;
-    let panda_link4_t16 = R::from_f64(2.352456790569698) * panda_link4_a_x;
-    let panda_link4_t17 = R::from_f64(2.352456790569698) * panda_link4_a_y;
-    let panda_link4_t18 = R::from_f64(2.352456790569698) * panda_link4_a_z;
-    let panda_link4_t19 = R::from_f64(1.000825141843) * panda_link4_u_xy;
-    let panda_link4_t20 = R::from_f64(-1.000825141843) * panda_link4_minus_u_yy;
-    let panda_link4_t21 = R::from_f64(1.000825141843) * panda_link4_u_zy;
-    let panda_link4_t22 = R::from_f64(1.000825141843) * panda_link4_a_z;
-    let panda_link4_t23 = R::from_f64(1.000825141843) * panda_link4_a_x;
-    let panda_link4_t24 = panda_link4_t11 - panda_link4_t12;
-    let panda_link4_t25 = R::from_f64(0.30879988491513183) * panda_link4_u_zy
+        + R::from_f64(-0.00012191242095074308) * panda_link3_t3;
+    let panda_link3_t4 = panda_link3_n_of_a_x + panda_link3_n_of_turn_x;
+    let panda_link3_t5 = panda_link3_n_of_a_z + panda_link3_n_of_turn_z;
+    // panda_link4: force and moment that its motion needs
+    let panda_link4_f_of_a_x = R::from_f64(2.352456790569698) * panda_link4_a_x;
+    let panda_link4_f_of_a_y = R::from_f64(2.352456790569698) * panda_link4_a_y;
+    let panda_link4_f_of_a_z = R::from_f64(2.352456790569698) * panda_link4_a_z;
+    let panda_link4_f_of_turn_x = R::from_f64(1.000825141843) * panda_link4_u_xy;
+    let panda_link4_f_of_turn_y = R::from_f64(-1.000825141843) * panda_link4_minus_u_yy;
+    let panda_link4_f_of_turn_z = R::from_f64(1.000825141843) * panda_link4_u_zy;
+    let panda_link4_n_of_a_x = R::from_f64(1.000825141843) * panda_link4_a_z;
+    let panda_link4_n_of_a_z = R::from_f64(-1.000825141843) * panda_link4_a_x;
+    let panda_link4_t1 = panda_link4_w_yy - panda_link4_w_zz;
+    let panda_link4_n_of_turn_x = R::from_f64(0.30879988491513183) * panda_link4_u_zy
         + R::from_f64(-0.07937575371526086) * panda_link4_u_zx
         + R::from_f64(0.0039053550262761003) * panda_link4_u_yx
-        + R::from_f64(-0.0016444875773692705) * panda_link4_t24;
-    let panda_link4_t26 = panda_link4_t12 - panda_link4_t10;
-    let panda_link4_t27 = R::from_f64(-0.005415763498190507) * panda_link4_u_zx
+        + R::from_f64(-0.0016444875773692705) * panda_link4_t1;
+    let panda_link4_t2 = panda_link4_w_zz - panda_link4_w_xx;
+    let panda_link4_n_of_turn_y = R::from_f64(-0.005415763498190507) * panda_link4_u_zx
         + R::from_f64(0.0016444875773692705) * panda_link4_u_xy
         + R::from_f64(0.07937575371526086) * panda_link4_u_zy
-        + R::from_f64(0.0039053550262761003) * panda_link4_t26;
-    let panda_link4_t28 = panda_link4_t10 - panda_link4_t11;
-    let panda_link4_t29 = R::from_f64(0.31421564841332233) * panda_link4_alpha_z
-        + R::from_f64(-0.3033841214169413) * panda_link4_t15
+        + R::from_f64(0.0039053550262761003) * panda_link4_t2;
+    let panda_link4_t3 = panda_link4_w_xx - panda_link4_w_yy;
+    let panda_link4_n_of_turn_z = R::from_f64(0.31421564841332233) * panda_link4_alpha_z
+        + R::from_f64(-0.3033841214169413) * panda_link4_w_xy
         + R::from_f64(-0.0039053550262761003) * panda_link4_u_yz
         + R::from_f64(-0.0016444875773692705) * panda_link4_u_xz
-        + R::from_f64(0.07937575371526086) * panda_link4_t28;
-    let panda_link4_t30 = panda_link4_t16 + panda_link4_t19;
-    let panda_link4_t31 = panda_link4_t17 + panda_link4_t20;
-    let panda_link4_t32 = panda_link4_t18 + panda_link4_t21;
-    let panda_link4_t33 = panda_link4_t22 + panda_link4_t25;
-    let panda_link4_t34 = panda_link4_t29 - panda_link4_t23;
-    let panda_link5_t16 = R::from_f64(4.065735684829545) * panda_link5_a_x;
-    let panda_link5_t17 = R::from_f64(-4.065735684829545) * panda_link5_minus_a_y;
-    let panda_link5_t18 = R::from_f64(4.065735684829545) * panda_link5_a_z;
-    let panda_link5_t19 = R::from_f64(0.014653732538) * panda_link5_minus_u_xx
+        + R::from_f64(0.07937575371526086) * panda_link4_t3;
+    let panda_link4_t4 = panda_link4_f_of_a_x + panda_link4_f_of_turn_x;
+    let panda_link4_t5 = panda_link4_f_of_a_y + panda_link4_f_of_turn_y;
+    let panda_link4_t6 = panda_link4_f_of_a_z + panda_link4_f_of_turn_z;
+    let panda_link4_t7 = panda_link4_n_of_a_x + panda_link4_n_of_turn_x;
+    let panda_link4_t8 = panda_link4_n_of_a_z + panda_link4_n_of_turn_z;
+    // panda_link5: force and moment that its motion needs
+    let panda_link5_f_of_a_x = R::from_f64(4.065735684829545) * panda_link5_a_x;
+    let panda_link5_f_of_a_y = R::from_f64(-4.065735684829545) * panda_link5_minus_a_y;
+    let panda_link5_f_of_a_z = R::from_f64(4.065735684829545) * panda_link5_a_z;
+    let panda_link5_f_of_turn_x = R::from_f64(0.014653732538) * panda_link5_minus_u_xx
         + R::from_f64(-0.067870631425) * panda_link5_minus_u_xy;
-    let panda_link5_t20 = R::from_f64(-0.014653732538) * panda_link5_u_yx
+    let panda_link5_f_of_turn_y = R::from_f64(-0.014653732538) * panda_link5_u_yx
         + R::from_f64(-0.067870631425) * panda_link5_minus_u_yy;
-    let panda_link5_t21 = R::from_f64(-0.014653732538) * panda_link5_u_zx
+    let panda_link5_f_of_turn_z = R::from_f64(-0.014653732538) * panda_link5_u_zx
         + R::from_f64(0.067870631425) * panda_link5_u_zy;
-    let panda_link5_t22 = R::from_f64(0.067870631425) * panda_link5_a_z;
-    let panda_link5_t23 = R::from_f64(-0.014653732538) * panda_link5_a_z;
-    let panda_link5_t24 = R::from_f64(0.014653732538) * panda_link5_minus_a_y
+    let panda_link5_n_of_a_x = R::from_f64(0.067870631425) * panda_link5_a_z;
+    let panda_link5_n_of_a_y = R::from_f64(0.014653732538) * panda_link5_a_z;
+    let panda_link5_n_of_a_z = R::from_f64(0.014653732538) * panda_link5_minus_a_y
         - R::from_f64(0.067870631425) * panda_link5_a_x;
-    let panda_link5_t25 = panda_link5_t11 - panda_link5_t12;
-    let panda_link5_t26 = R::from_f64(0.010045187828321249) * panda_link5_u_zy
+    let panda_link5_t1 = panda_link5_w_yy - panda_link5_w_zz;
+    let panda_link5_n_of_turn_x = R::from_f64(0.010045187828321249) * panda_link5_u_zy
         + R::from_f64(0.00151524447332703) * panda_link5_u_zx
         + R::from_f64(0.0010267877770288947) * panda_link5_u_yx
-        + R::from_f64(-0.02389827041510187) * panda_link5_t25;
-    let panda_link5_t27 = panda_link5_t12 - panda_link5_t10;
-    let panda_link5_t28 = R::from_f64(-0.0014511560650267092) * panda_link5_u_zx
+        + R::from_f64(-0.02389827041510187) * panda_link5_t1;
+    let panda_link5_t2 = panda_link5_w_zz - panda_link5_w_xx;
+    let panda_link5_n_of_turn_y = R::from_f64(-0.0014511560650267092) * panda_link5_u_zx
         + R::from_f64(-0.02389827041510187) * panda_link5_minus_u_xy
         + R::from_f64(-0.00151524447332703) * panda_link5_u_zy
-        + R::from_f64(0.0010267877770288947) * panda_link5_t27;
-    let panda_link5_t29 = panda_link5_t10 - panda_link5_t11;
-    let panda_link5_t30 = R::from_f64(0.011496343893347959) * panda_link5_alpha_z
-        + R::from_f64(0.00859403176329454) * panda_link5_t15
+        + R::from_f64(0.0010267877770288947) * panda_link5_t2;
+    let panda_link5_t3 = panda_link5_w_xx - panda_link5_w_yy;
+    let panda_link5_n_of_turn_z = R::from_f64(0.011496343893347959) * panda_link5_alpha_z
+        + R::from_f64(0.00859403176329454) * panda_link5_minus_w_xy
         + R::from_f64(0.0010267877770288947) * panda_link5_minus_u_yz
         + R::from_f64(-0.02389827041510187) * panda_link5_u_xz
-        + R::from_f64(-0.00151524447332703) * panda_link5_t29;
-    let panda_link5_t31 = panda_link5_t16 + panda_link5_t19;
-    let panda_link5_t32 = panda_link5_t17 + panda_link5_t20;
-    let panda_link5_t33 = panda_link5_t18 + panda_link5_t21;
-    let panda_link5_t34 = panda_link5_t22 + panda_link5_t26;
-    let panda_link5_t35 = panda_link5_t28 - panda_link5_t23;
-    let panda_link5_t36 = panda_link5_t24 + panda_link5_t30;
-    let panda_link6_t16 = R::from_f64(-0.17380470556900002) * panda_link6_u_xy;
-    let panda_link6_t17 = R::from_f64(0.17380470556900002) * panda_link6_minus_u_yy;
-    let panda_link6_t18 = R::from_f64(-0.17380470556900002) * panda_link6_u_zy;
-    let panda_link6_t19 = R::from_f64(-0.17380470556900002) * panda_link6_a_z;
-    let panda_link6_t20 = R::from_f64(-0.17380470556900002) * panda_link6_a_x;
-    let panda_link6_t21 = panda_link6_t11 - panda_link6_t12;
-    let panda_link6_t22 = R::from_f64(0.028934422545659894) * panda_link6_u_zy
+        + R::from_f64(-0.00151524447332703) * panda_link5_t3;
+    let panda_link5_t4 = panda_link5_f_of_a_x + panda_link5_f_of_turn_x;
+    let panda_link5_t5 = panda_link5_f_of_a_y + panda_link5_f_of_turn_y;
+    let panda_link5_t6 = panda_link5_f_of_a_z + panda_link5_f_of_turn_z;
+    let panda_link5_t7 = panda_link5_n_of_a_x + panda_link5_n_of_turn_x;
+    let panda_link5_t8 = panda_link5_n_of_a_y + panda_link5_n_of_turn_y;
+    let panda_link5_t9 = panda_link5_n_of_a_z + panda_link5_n_of_turn_z;
+    // panda_link6: force and moment that its motion needs
+    let panda_link6_f_of_turn_x = R::from_f64(-0.17380470556900002) * panda_link6_u_xy;
+    let panda_link6_f_of_turn_y = R::from_f64(0.17380470556900002)
+        * panda_link6_minus_u_yy;
+    let panda_link6_f_of_turn_z = R::from_f64(-0.17380470556900002) * panda_link6_u_zy;
+    let panda_link6_n_of_a_x = R::from_f64(-0.17380470556900002) * panda_link6_a_z;
+    let panda_link6_n_of_a_z = R::from_f64(0.17380470556900002) * panda_link6_a_x;
+    let panda_link6_t1 = panda_link6_w_yy - panda_link6_w_zz;
+    let panda_link6_n_of_turn_x = R::from_f64(0.028934422545659894) * panda_link6_u_zy
         + R::from_f64(-0.014748570382675316) * panda_link6_u_zx
         + R::from_f64(-0.00010375891721868492) * panda_link6_u_yx
-        + R::from_f64(9.3569097314605e-5) * panda_link6_t21;
-    let panda_link6_t23 = panda_link6_t12 - panda_link6_t10;
-    let panda_link6_t24 = R::from_f64(-0.001119670733427558) * panda_link6_u_zx
+        + R::from_f64(9.3569097314605e-5) * panda_link6_t1;
+    let panda_link6_t2 = panda_link6_w_zz - panda_link6_w_xx;
+    let panda_link6_n_of_turn_y = R::from_f64(-0.001119670733427558) * panda_link6_u_zx
         + R::from_f64(-9.3569097314605e-5) * panda_link6_u_xy
         + R::from_f64(0.014748570382675316) * panda_link6_u_zy
-        + R::from_f64(-0.00010375891721868492) * panda_link6_t23;
-    let panda_link6_t25 = panda_link6_t10 - panda_link6_t11;
-    let panda_link6_t26 = R::from_f64(0.030054093279087448) * panda_link6_alpha_z
-        + R::from_f64(-0.027814751812232336) * panda_link6_t15
+        + R::from_f64(-0.00010375891721868492) * panda_link6_t2;
+    let panda_link6_t3 = panda_link6_w_xx - panda_link6_w_yy;
+    let panda_link6_n_of_turn_z = R::from_f64(0.030054093279087448) * panda_link6_alpha_z
+        + R::from_f64(-0.027814751812232336) * panda_link6_w_xy
         + R::from_f64(0.00010375891721868492) * panda_link6_u_yz
         + R::from_f64(9.3569097314605e-5) * panda_link6_u_xz
-        + R::from_f64(0.014748570382675316) * panda_link6_t25;
-    let panda_link6_t27 = panda_link6_t19 + panda_link6_t22;
-    let panda_link6_t28 = panda_link6_t26 - panda_link6_t20;
-    let panda_link7_t17 = R::from_f64(2.634631280625) * panda_link7_a_x;
-    let panda_link7_t18 = R::from_f64(2.634631280625) * panda_link7_a_y;
-    let panda_link7_t19 = R::from_f64(-2.634631280625) * panda_link7_minus_a_z;
-    let panda_link7_t20 = R::from_f64(-0.003280608259573316) * panda_link7_minus_u_xx;
-    let panda_link7_t21 = R::from_f64(0.003280608259573316) * panda_link7_u_yx;
-    let panda_link7_t22 = R::from_f64(0.003280608259573316) * panda_link7_u_zx;
-    let panda_link7_t23 = R::from_f64(-0.003280608259573316) * panda_link7_minus_a_z;
-    let panda_link7_t24 = R::from_f64(0.003280608259573316) * panda_link7_a_y;
-    let panda_link7_t25 = panda_link7_t12 - panda_link7_t13;
+        + R::from_f64(0.014748570382675316) * panda_link6_t3;
+    let panda_link6_t4 = panda_link6_n_of_a_x + panda_link6_n_of_turn_x;
+    let panda_link6_t5 = panda_link6_n_of_a_z + panda_link6_n_of_turn_z;
+    // panda_link7: force and moment that its motion needs
+    let panda_link7_f_of_a_x = R::from_f64(2.634631280625) * panda_link7_a_x;
+    let panda_link7_f_of_a_y = R::from_f64(2.634631280625) * panda_link7_a_y;
+    let panda_link7_f_of_a_z = R::from_f64(-2.634631280625) * panda_link7_minus_a_z;
+    let panda_link7_f_of_turn_x = R::from_f64(-0.003280608259573316)
+        * panda_link7_minus_u_xx;
+    let panda_link7_f_of_turn_y = R::from_f64(0.003280608259573316) * panda_link7_u_yx;
+    let panda_link7_f_of_turn_z = R::from_f64(0.003280608259573316) * panda_link7_u_zx;
+    let panda_link7_n_of_a_y = R::from_f64(0.003280608259573316) * panda_link7_minus_a_z;
+    let panda_link7_n_of_a_z = R::from_f64(0.003280608259573316) * panda_link7_a_y;
+    let panda_link7_t2 = panda_link7_w_yy - panda_link7_w_zz;
+    // panda_link7: forces, inward
     let panda_link7_n_x = R::from_f64(0.004002333051911301) * panda_link7_u_zy
         + R::from_f64(0.0010874235301481351) * panda_link7_u_zx
         + R::from_f64(-0.001535882372017312) * panda_link7_u_yx
-        + R::from_f64(-0.00038633089444376704) * panda_link7_t25;
-    let panda_link7_t26 = panda_link7_t13 - panda_link7_t11;
-    let panda_link7_t27 = R::from_f64(-0.002681818915449645) * panda_link7_u_zx
+        + R::from_f64(-0.00038633089444376704) * panda_link7_t2;
+    // panda_link7: force and moment that its motion needs
+    let panda_link7_t3 = panda_link7_w_zz - panda_link7_w_xx;
+    let panda_link7_n_of_turn_y = R::from_f64(-0.002681818915449645) * panda_link7_u_zx
         + R::from_f64(0.00038633089444376704) * panda_link7_u_xy
         + R::from_f64(-0.0010874235301481351) * panda_link7_u_zy
-        + R::from_f64(-0.001535882372017312) * panda_link7_t26;
-    let panda_link7_t28 = panda_link7_t11 - panda_link7_t12;
-    let panda_link7_t29 = R::from_f64(0.006684151967360946) * panda_link7_alpha_z
-        + R::from_f64(-0.0013205141364616563) * panda_link7_t16
+        + R::from_f64(-0.001535882372017312) * panda_link7_t3;
+    let panda_link7_t4 = panda_link7_w_xx - panda_link7_w_yy;
+    let panda_link7_n_of_turn_z = R::from_f64(0.006684151967360946) * panda_link7_alpha_z
+        + R::from_f64(-0.0013205141364616563) * panda_link7_w_xy
         + R::from_f64(0.001535882372017312) * panda_link7_u_yz
         + R::from_f64(-0.00038633089444376704) * panda_link7_u_xz
-        + R::from_f64(-0.0010874235301481351) * panda_link7_t28;
-    let panda_link7_f_x = panda_link7_t17 + panda_link7_t20;
-    let panda_link7_f_y = panda_link7_t18 + panda_link7_t21;
-    let panda_link7_f_z = panda_link7_t19 + panda_link7_t22;
-    let panda_link7_n_y = panda_link7_t27 - panda_link7_t23;
-    let panda_link7_n_z = panda_link7_t24 + panda_link7_t29;
+        + R::from_f64(-0.0010874235301481351) * panda_link7_t4;
+    // panda_link7: forces, inward
+    let panda_link7_f_x = panda_link7_f_of_a_x + panda_link7_f_of_turn_x;
+    let panda_link7_f_y = panda_link7_f_of_a_y + panda_link7_f_of_turn_y;
+    let panda_link7_f_z = panda_link7_f_of_a_z + panda_link7_f_of_turn_z;
+    let panda_link7_n_y = panda_link7_n_of_a_y + panda_link7_n_of_turn_y;
+    let panda_link7_n_z = panda_link7_n_of_a_z + panda_link7_n_of_turn_z;
     tau[6] = panda_link7_n_z;
-    let panda_link7_t30 = panda_link7_cos3 * panda_link7_f_x
+    let panda_link7_f_on_lower_x = panda_link7_cos3 * panda_link7_f_x
         - panda_link7_sin3 * panda_link7_f_y;
-    let panda_link7_t31 = panda_link7_cos3 * panda_link7_f_y
+    let panda_link7_f_on_lower_z = panda_link7_cos3 * panda_link7_f_y
         + panda_link7_sin3 * panda_link7_f_x;
-    let panda_link7_t32 = panda_link7_cos3 * panda_link7_n_x
+    let panda_link7_n_on_lower_x = panda_link7_cos3 * panda_link7_n_x
         - panda_link7_sin3 * panda_link7_n_y;
-    let panda_link7_t33 = panda_link7_cos3 * panda_link7_n_y
+    let panda_link7_t5 = panda_link7_cos3 * panda_link7_n_y
         + panda_link7_sin3 * panda_link7_n_x;
-    let panda_link7_t34 = R::from_f64(0.088) * panda_link7_t31;
-    let panda_link7_t35 = R::from_f64(-0.088) * panda_link7_f_z;
-    let panda_link7_t36 = panda_link7_n_z + panda_link7_t34;
-    let panda_link7_t37 = panda_link7_t33 + panda_link7_t35;
-    let panda_link6_f_x = panda_link6_t16 + panda_link7_t30;
-    let panda_link6_f_y = panda_link6_t17 - panda_link7_f_z;
-    let panda_link6_f_z = panda_link6_t18 + panda_link7_t31;
-    let panda_link6_n_x = panda_link6_t27 + panda_link7_t32;
-    let panda_link6_n_y = panda_link6_t24 - panda_link7_t36;
-    let panda_link6_n_z = panda_link6_t28 + panda_link7_t37;
+    let panda_link7_t6 = R::from_f64(0.088) * panda_link7_f_on_lower_z;
+    let panda_link7_t7 = R::from_f64(-0.088) * panda_link7_f_z;
+    let panda_link7_minus_n_on_lower_y = panda_link7_n_z + panda_link7_t6;
+    let panda_link7_n_on_lower_z = panda_link7_t5 + panda_link7_t7;
+    // panda_link6: forces, inward
+    let panda_link6_f_x = panda_link6_f_of_turn_x + panda_link7_f_on_lower_x;
+    let panda_link6_f_y = panda_link6_f_of_turn_y - panda_link7_f_z;
+    let panda_link6_f_z = panda_link6_f_of_turn_z + panda_link7_f_on_lower_z;
+    let panda_link6_n_x = panda_link6_t4 + panda_link7_n_on_lower_x;
+    let panda_link6_n_y = panda_link6_n_of_turn_y - panda_link7_minus_n_on_lower_y;
+    let panda_link6_n_z = panda_link6_t5 + panda_link7_n_on_lower_z;
     tau[5] = panda_link6_n_z;
-    let panda_link6_t29 = panda_link6_cos3 * panda_link6_f_x
+    let panda_link6_f_on_lower_x = panda_link6_cos3 * panda_link6_f_x
         - panda_link6_sin3 * panda_link6_f_y;
-    let panda_link6_t30 = panda_link6_cos3 * panda_link6_f_y
+    let panda_link6_f_on_lower_z = panda_link6_cos3 * panda_link6_f_y
         + panda_link6_sin3 * panda_link6_f_x;
-    let panda_link6_t31 = panda_link6_cos3 * panda_link6_n_x
+    let panda_link6_t6 = panda_link6_cos3 * panda_link6_n_x
         - panda_link6_sin3 * panda_link6_n_y;
-    let panda_link6_t32 = panda_link6_cos3 * panda_link6_n_y
+    let panda_link6_n_on_lower_z = panda_link6_cos3 * panda_link6_n_y
         + panda_link6_sin3 * panda_link6_n_x;
-    let panda_link6_t33 = R::from_f64(-0.384) * panda_link6_f_z;
-    let panda_link6_t34 = R::from_f64(0.384) * panda_link6_t29;
-    let panda_link6_t35 = panda_link6_t31 - panda_link6_t33;
-    let panda_link6_t36 = panda_link6_t34 - panda_link6_n_z;
-    let panda_link5_f_x = panda_link5_t31 + panda_link6_t29;
-    let panda_link5_f_y = panda_link5_t32 - panda_link6_f_z;
-    let panda_link5_f_z = panda_link5_t33 + panda_link6_t30;
-    let panda_link5_n_x = panda_link5_t34 + panda_link6_t35;
-    let panda_link5_n_y = panda_link5_t35 + panda_link6_t36;
-    let panda_link5_n_z = panda_link5_t36 + panda_link6_t32;
+    let panda_link6_t7 = R::from_f64(-0.384) * panda_link6_f_z;
+    let panda_link6_t8 = R::from_f64(0.384) * panda_link6_f_on_lower_x;
+    let panda_link6_n_on_lower_x = panda_link6_t6 - panda_link6_t7;
+    let panda_link6_n_on_lower_y = panda_link6_t8 - panda_link6_n_z;
+    // panda_link5: forces, inward
+    let panda_link5_f_x = panda_link5_t4 + panda_link6_f_on_lower_x;
+    let panda_link5_f_y = panda_link5_t5 - panda_link6_f_z;
+    let panda_link5_f_z = panda_link5_t6 + panda_link6_f_on_lower_z;
+    let panda_link5_n_x = panda_link5_t7 + panda_link6_n_on_lower_x;
+    let panda_link5_n_y = panda_link5_t8 + panda_link6_n_on_lower_y;
+    let panda_link5_n_z = panda_link5_t9 + panda_link6_n_on_lower_z;
     tau[4] = panda_link5_n_z;
-    let panda_link5_t37 = panda_link5_cos3 * panda_link5_f_x
+    let panda_link5_f_on_lower_x = panda_link5_cos3 * panda_link5_f_x
         - panda_link5_sin3 * panda_link5_f_y;
-    let panda_link5_t38 = panda_link5_cos3 * panda_link5_f_y
+    let panda_link5_minus_f_on_lower_z = panda_link5_cos3 * panda_link5_f_y
         + panda_link5_sin3 * panda_link5_f_x;
-    let panda_link5_t39 = panda_link5_cos3 * panda_link5_n_x
+    let panda_link5_n_on_lower_x = panda_link5_cos3 * panda_link5_n_x
         - panda_link5_sin3 * panda_link5_n_y;
-    let panda_link5_t40 = panda_link5_cos3 * panda_link5_n_y
+    let panda_link5_t10 = panda_link5_cos3 * panda_link5_n_y
         + panda_link5_sin3 * panda_link5_n_x;
-    let panda_link5_t41 = R::from_f64(0.0825) * panda_link5_t38;
-    let panda_link5_t42 = R::from_f64(-0.0825) * panda_link5_f_z;
-    let panda_link5_t43 = panda_link5_n_z - panda_link5_t41;
-    let panda_link5_t44 = panda_link5_t42 - panda_link5_t40;
-    let panda_link4_f_x = panda_link4_t30 + panda_link5_t37;
-    let panda_link4_f_y = panda_link4_t31 + panda_link5_f_z;
-    let panda_link4_f_z = panda_link4_t32 - panda_link5_t38;
-    let panda_link4_n_x = panda_link4_t33 + panda_link5_t39;
-    let panda_link4_n_y = panda_link4_t27 + panda_link5_t43;
-    let panda_link4_n_z = panda_link4_t34 + panda_link5_t44;
+    let panda_link5_t11 = R::from_f64(0.0825) * panda_link5_minus_f_on_lower_z;
+    let panda_link5_t12 = R::from_f64(-0.0825) * panda_link5_f_z;
+    let panda_link5_n_on_lower_y = panda_link5_n_z - panda_link5_t11;
+    let panda_link5_n_on_lower_z = panda_link5_t12 - panda_link5_t10;
+    // panda_link4: forces, inward
+    let panda_link4_f_x = panda_link4_t4 + panda_link5_f_on_lower_x;
+    let panda_link4_f_y = panda_link4_t5 + panda_link5_f_z;
+    let panda_link4_f_z = panda_link4_t6 - panda_link5_minus_f_on_lower_z;
+    let panda_link4_n_x = panda_link4_t7 + panda_link5_n_on_lower_x;
+    let panda_link4_n_y = panda_link4_n_of_turn_y + panda_link5_n_on_lower_y;
+    let panda_link4_n_z = panda_link4_t8 + panda_link5_n_on_lower_z;
     tau[3] = panda_link4_n_z;
-    let panda_link4_t35 = panda_link4_cos3 * panda_link4_f_x
+    let panda_link4_f_on_lower_x = panda_link4_cos3 * panda_link4_f_x
         - panda_link4_sin3 * panda_link4_f_y;
-    let panda_link4_t36 = panda_link4_cos3 * panda_link4_f_y
+    let panda_link4_f_on_lower_z = panda_link4_cos3 * panda_link4_f_y
         + panda_link4_sin3 * panda_link4_f_x;
-    let panda_link4_t37 = panda_link4_cos3 * panda_link4_n_x
+    let panda_link4_t9 = panda_link4_cos3 * panda_link4_n_x
         - panda_link4_sin3 * panda_link4_n_y;
-    let panda_link4_t38 = panda_link4_cos3 * panda_link4_n_y
+    let panda_link4_t10 = panda_link4_cos3 * panda_link4_n_y
         + panda_link4_sin3 * panda_link4_n_x;
-    let panda_link4_t39 = R::from_f64(-0.316) * panda_link4_f_z;
-    let panda_link4_t40 = R::from_f64(0.316) * panda_link4_t35
-        - R::from_f64(0.0825) * panda_link4_t36;
-    let panda_link4_t41 = R::from_f64(-0.0825) * panda_link4_f_z;
-    let panda_link4_t42 = panda_link4_t37 - panda_link4_t39;
-    let panda_link4_t43 = panda_link4_t40 - panda_link4_n_z;
-    let panda_link4_t44 = panda_link4_t38 + panda_link4_t41;
-    let panda_link3_n_x = panda_link3_t19 + panda_link4_t42;
-    let panda_link3_n_y = panda_link3_t16 + panda_link4_t43;
-    let panda_link3_n_z = panda_link3_t20 + panda_link4_t44;
+    let panda_link4_t11 = R::from_f64(-0.316) * panda_link4_f_z;
+    let panda_link4_t12 = R::from_f64(0.316) * panda_link4_f_on_lower_x
+        - R::from_f64(0.0825) * panda_link4_f_on_lower_z;
+    let panda_link4_t13 = R::from_f64(-0.0825) * panda_link4_f_z;
+    let panda_link4_n_on_lower_x = panda_link4_t9 - panda_link4_t11;
+    let panda_link4_n_on_lower_y = panda_link4_t12 - panda_link4_n_z;
+    let panda_link4_n_on_lower_z = panda_link4_t10 + panda_link4_t13;
+    // panda_link3: forces, inward
+    let panda_link3_n_x = panda_link3_t4 + panda_link4_n_on_lower_x;
+    let panda_link3_n_y = panda_link3_n_of_turn_y + panda_link4_n_on_lower_y;
+    let panda_link3_n_z = panda_link3_t5 + panda_link4_n_on_lower_z;
     tau[2] = panda_link3_n_z;
-    let panda_link3_t21 = panda_link3_cos3 * panda_link3_n_x
+    let panda_link3_n_on_lower_x = panda_link3_cos3 * panda_link3_n_x
         - panda_link3_sin3 * panda_link3_n_y;
-    let panda_link3_t22 = panda_link3_cos3 * panda_link3_n_y
+    let panda_link3_n_on_lower_z = panda_link3_cos3 * panda_link3_n_y
         + panda_link3_sin3 * panda_link3_n_x;
-    let panda_link2_n_x = panda_link2_t9 + panda_link3_t21;
-    let panda_link2_n_y = panda_link2_t11 - panda_link3_n_z;
-    let panda_link2_n_z = panda_link2_t13 + panda_link3_t22;
+    // panda_link2: forces, inward
+    let panda_link2_n_x = panda_link2_n_of_turn_x + panda_link3_n_on_lower_x;
+    let panda_link2_n_y = panda_link2_n_of_turn_y - panda_link3_n_z;
+    let panda_link2_n_z = panda_link2_t4 + panda_link3_n_on_lower_z;
     tau[1] = panda_link2_n_z;
-    let panda_link2_t14 = panda_link2_cos3 * panda_link2_n_y
+    let panda_link2_minus_n_on_lower_z = panda_link2_cos3 * panda_link2_n_y
         + panda_link2_sin3 * panda_link2_n_x;
-    let panda_link1_n_z = R::from_f64(0.014259565994474368) * panda_joint1_ddot
-        - panda_link2_t14;
+    // panda_link1: forces, inward
+    let panda_link1_n_z = panda_link1_n_of_turn_z - panda_link2_minus_n_on_lower_z;
     tau[0] = panda_link1_n_z;
 }
 
