@@ -27,7 +27,7 @@ const FEW_BODIES: (usize, usize) = (2, 6);
 pub fn read(name: &str, data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let reading = reading(data.len(), name != MODELS[0]);
-    promises::reading(&Files::new(name, &text), reading);
+    promises::reading(&Files::new(name, &text), &reading);
 }
 
 /// Generates from a text as it stands, or from a tree that is made of the bytes; the first says of which, the next ones how.
@@ -48,12 +48,12 @@ pub fn generate(data: &[u8]) {
         usize::from(format / 4),
         name.is_some_and(|name| name != MODELS[0]),
     );
-    let n_bodies = promises::n_bodies(&files, reading);
+    let n_bodies = promises::n_bodies(&files, &reading);
     if n_bodies > FEW_BODIES.1 {
         return;
     }
     let of_frames = || {
-        let frame = promises::frame(&files, reading, usize::from(function));
+        let frame = promises::frame(&files, &reading, usize::from(function));
         let asked = frame.map_or_else(Vec::new, |frame| promises::of_frame(&frame));
         match how & 64 {
             0 => asked,
@@ -65,11 +65,11 @@ pub fn generate(data: &[u8]) {
     };
     let function = &CATALOGUE[usize::from(function) % CATALOGUE.len()];
     let options = Options {
-        reading,
+        reading: reading.clone(),
         changes: Changes::default(),
         prescribed: match how & 128 {
             0 => Vec::new(),
-            _ => promises::frame(&files, reading, usize::from(technique))
+            _ => promises::frame(&files, &reading, usize::from(technique))
                 .into_iter()
                 .collect(),
         },

@@ -89,8 +89,8 @@ fn owners(text: &str) -> Vec<Option<String>> {
         let indent = line.len() - line.trim_start().len();
         let above = lines[..at].iter().rev();
         let above = above.take_while(|line| !ends_item(line)).count();
-        let closes = |line: &&str| line.trim_end() == format!("{:indent$}}}", "");
-        let below = lines[at..].iter().position(|line| closes(&line));
+        let closes = |line: &str| line.trim_end() == format!("{:indent$}}}", "");
+        let below = lines[at..].iter().position(|line| closes(line));
         let end = below.map_or(lines.len(), |below| at + below + 1);
         owners[at - above..end].fill(Some(name.clone()));
     }

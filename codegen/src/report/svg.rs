@@ -90,9 +90,9 @@ fn order(tree: &Tree) -> Vec<usize> {
 fn node(text: &mut String, x: usize, y: usize, name: &str) {
     let (at, base) = (x + 8, y + 4);
     let name = escaped(name);
-    write!(
+    writeln!(
         text,
-        "<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/><text x=\"{at}\" y=\"{base}\">{name}</text>\n"
+        "<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/><text x=\"{at}\" y=\"{base}\">{name}</text>"
     )
     .expect("writing to a string does not fail");
 }
@@ -116,11 +116,11 @@ fn draw_pattern(text: &mut String, pattern: &[Vec<bool>], left: usize) {
                 .expect("writing to a string does not fail");
         }
     }
-    write!(
+    writeln!(
         text,
         "<text x=\"{left}\" y=\"{base}\">mass matrix: {nonzero} of {entries}</text>\n\
          <path d=\"{path}\" fill=\"steelblue\" stroke=\"white\"/>\n\
-         <rect x=\"{left}\" y=\"{top}\" width=\"{side}\" height=\"{side}\" fill=\"none\" stroke=\"gray\"/>\n"
+         <rect x=\"{left}\" y=\"{top}\" width=\"{side}\" height=\"{side}\" fill=\"none\" stroke=\"gray\"/>"
     )
     .expect("writing to a string does not fail");
 }

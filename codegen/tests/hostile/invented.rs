@@ -14,7 +14,7 @@ fn what_fuzzing_found_holds() {
     assert!(!found.is_empty());
     for (name, text) in found {
         let files = Files::new(&name, &text);
-        promises::reading(&files, Reading::default());
+        promises::reading(&files, &Reading::default());
         promises::generating(&files, &everything());
     }
 }
@@ -51,7 +51,7 @@ fn mutated_models_keep_all_promises() {
                     text.splice(start..end, pieces[random.below(pieces.len())].chars());
                 }
                 let text: String = text.into_iter().collect();
-                promises::reading(&Files::new(&name, &text), Reading::default());
+                promises::reading(&Files::new(&name, &text), &Reading::default());
             }
         }
     }

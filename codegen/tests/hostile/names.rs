@@ -81,7 +81,7 @@ fn names_reach_the_output_as_what_they_are_or_are_refused() {
         };
         for (file, text) in named(name) {
             let files = Files::new(file, &text);
-            promises::reading(&files, Reading::default());
+            promises::reading(&files, &Reading::default());
             promises::generating(&files, &options);
             if !name.is_empty() {
                 let generated = generate(&files.model, file, &small, &no_includes).unwrap();

@@ -382,7 +382,7 @@ fn numbers_at_the_ends_of_what_there_is_are_generated_or_refused() {
     ] {
         for place in ["2.0", "0.01", "0.1", "-0.5", "0.02", "0.3"] {
             for text in [text.replace(place, number), text.replacen(place, number, 1)] {
-                promises::reading(&Files::new("model.toml", &text), Reading::default());
+                promises::reading(&Files::new("model.toml", &text), &Reading::default());
                 promises::generating(&Files::new("model.toml", &text), &Options::default());
             }
         }

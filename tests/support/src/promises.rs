@@ -49,8 +49,8 @@ impl<'t> Files<'t> {
 
 /// A model is read and checked, or told what is wrong with it, in places that it has, in characters that can be shown; a
 /// model that is right is the same when it is written in our own format and read again.
-pub fn reading(files: &Files<'_>, reading: Reading) {
-    let description = description::read(&files.model, &reading, &|path| files.include(path));
+pub fn reading(files: &Files<'_>, reading: &Reading) {
+    let description = description::read(&files.model, reading, &|path| files.include(path));
     places_lie_in_the_files(&description.source, &description.faults);
     match tree::build_with(&description, &Changes::default()) {
         Ok(checked) => {
@@ -174,8 +174,8 @@ pub fn joined(asked: &[String], first: usize) -> Option<String> {
 }
 
 /// The name of one of the frames of a model, where it is right.
-pub fn frame(files: &Files<'_>, reading: Reading, choice: usize) -> Option<String> {
-    let description = description::read(&files.model, &reading, &|path| files.include(path));
+pub fn frame(files: &Files<'_>, reading: &Reading, choice: usize) -> Option<String> {
+    let description = description::read(&files.model, reading, &|path| files.include(path));
     let tree = tree::build(&description).ok()?.tree;
     let frames: Vec<_> = tree.named_frames().collect();
     let frame = frames.get(choice.checked_rem(frames.len())?)?;
@@ -183,8 +183,8 @@ pub fn frame(files: &Files<'_>, reading: Reading, choice: usize) -> Option<Strin
 }
 
 /// The bodies of a model, as far as they can be read.
-pub fn n_bodies(files: &Files<'_>, reading: Reading) -> usize {
-    let description = description::read(&files.model, &reading, &|path| files.include(path));
+pub fn n_bodies(files: &Files<'_>, reading: &Reading) -> usize {
+    let description = description::read(&files.model, reading, &|path| files.include(path));
     description.bodies.len()
 }
 

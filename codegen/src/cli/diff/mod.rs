@@ -140,7 +140,7 @@ fn systems(
     let systems = Systems::compare(snapshots, &config, asked)?;
     match arguments.format {
         Format::Text => {
-            out.write_all(sections::text_of_systems(&systems, arguments.lines).as_bytes())?
+            out.write_all(sections::text_of_systems(&systems, arguments.lines).as_bytes())?;
         }
         Format::Markdown => out.write_all(sections::markdown_of_systems(&systems).as_bytes())?,
         Format::Json => json::write(out, &value::of_systems(&systems))?,

@@ -87,7 +87,10 @@ pub(super) fn text(report: &Report, lines: bool) -> String {
     match &report.lines {
         None => {}
         Some(_) if lines => text += &report.diff,
-        Some(changed) => text += &format!("generated text (--lines shows it)\n  {changed}\n"),
+        Some(changed) => {
+            let changed = changed.to_string();
+            text.extend(["generated text (--lines shows it)\n  ", &changed, "\n"]);
+        }
     }
     text
 }

@@ -136,7 +136,7 @@ fn write_wrapped(
         let wide = line.chars().count() + entry.chars().count() + end.trim_end().len();
         if wide > WIDTH && !is_first {
             writeln!(out, "{}", line.trim_end())?;
-            line = "    ".to_owned();
+            "    ".clone_into(&mut line);
         }
         line.extend([&entry, end]);
         is_first = false;
@@ -171,11 +171,7 @@ fn write_pattern(out: &mut dyn Write, pattern: &[Vec<bool>]) -> io::Result<()> {
     if pattern.is_empty() || is_full || pattern.len() + 2 > WIDTH {
         return Ok(());
     }
-    let gap = if 2 * pattern.len() + 1 <= WIDTH {
-        " "
-    } else {
-        ""
-    };
+    let gap = if 2 * pattern.len() < WIDTH { " " } else { "" };
     writeln!(
         out,
         "\nMass matrix, in the order of u: x where it is not zero\n"

@@ -212,7 +212,7 @@ fn program(name: &str, tree: &Tree) -> String {
     }
     let lines = start.iter().zip(&names);
     let lines: String = lines
-        .map(|(value, name)| format!("    {value}, // {name}\n"))
+        .flat_map(|(value, name)| ["    ", value, ", // ", name, "\n"])
         .collect();
     MAIN.replace("COORDINATES", &lines)
         .replace("MODULE", name)

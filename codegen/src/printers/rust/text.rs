@@ -18,7 +18,7 @@ pub(super) fn printed(items: Vec<Item>) -> String {
             attrs: Vec::new(),
             items: vec![item],
         });
-        text.push_str(&with_comments(printed));
+        text.push_str(&with_comments(&printed));
     }
     text
 }
@@ -29,7 +29,7 @@ pub(super) fn comment(words: &str) -> Stmt {
 }
 
 /// The text with comments where their statements stand, each on a line of its own.
-fn with_comments(printed: String) -> String {
+fn with_comments(printed: &str) -> String {
     let mut text = String::with_capacity(printed.len());
     let mut lines = printed.split_inclusive('\n');
     while let Some(line) = lines.next() {
