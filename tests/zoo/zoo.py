@@ -119,7 +119,7 @@ def take(kane, kind, file):
         if ran is not None and not options:
             first = re.search(r"error: (.*)", ran.stderr)
             refusal = first.group(1) if first else "an exit code of its own"
-    return "refused: " + re.sub(r"`[^`]*`|[-\d.e]+", "..", refusal)[:80], None, None
+    return "refused: " + re.sub(r"`[^`]*`|-?\d[\d.e+-]*", "..", refusal)[:80], None, None
 
 
 def compare(kane, kind, file, options, report, model):
@@ -174,8 +174,8 @@ def evaluated(kane, file, function, state, options):
 
 def of_mujoco(model, joints, q, u, a):
     ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, name) for name in joints]
-    single = {mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE}
-    if any(one < 0 or model.jnt_type[one] not in single for one in ids):
+    single = {int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE)}
+    if any(one < 0 or int(model.jnt_type[one]) not in single for one in ids):
         return None
     # Friction, limits and contacts are data here, and actuators left out.
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONSTRAINT | mujoco.mjtDisableBit.mjDSBL_ACTUATION
@@ -185,7 +185,8 @@ def of_mujoco(model, joints, q, u, a):
     data.qpos[places], data.qvel[speeds], data.qacc[speeds] = q, u, a
     mujoco.mj_inverse(model, data)
     matrix = numpy.zeros((model.nv, model.nv))
-    mujoco.mj_fullM(model, matrix, data.qM)
+    for column, unit in zip(matrix, numpy.eye(model.nv)):
+        mujoco.mj_mulM(model, data, column, unit)
     return matrix[numpy.ix_(speeds, speeds)], data.qfrc_inverse[speeds].copy()
 
 

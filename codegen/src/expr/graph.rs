@@ -160,27 +160,29 @@ impl ExprGraph {
     /// Labels an operation that has no label yet, and moves it into the current scope, whose quantity it is. A number or
     /// an input keeps its own name, and so does what belongs to a body further inward.
     pub fn name(&mut self, expr: Expr, text: impl Into<String>) {
+        self.name_by(expr, || text.into());
+    }
+
+    /// The same, with a text that is made only where it is needed.
+    pub fn name_by(&mut self, expr: Expr, text: impl FnOnce() -> String) {
         let id = expr.node();
-        let is_leaf = matches!(self.node(id), Node::Number(_) | Node::Input(_));
-        let label = Label {
-            text: text.into(),
-            negative: expr.is_negative(),
-            is_hint: self.hints,
+        let scope = self.scope(id);
+        let is_free = match (self.label(id), self.hints) {
+            (None, true) => self.scope == scope,
+            (Some(_), true) => false,
+            (None, false) => self.scope <= scope,
+            (Some(label), false) => label.is_hint && self.scope <= scope,
         };
-        if self.hints {
-            let own = &mut self.labels[id.index()];
-            if !is_leaf && own.is_none() && self.scope == self.scopes[id.index()] {
-                *own = Some(label);
-                self.purposes[id.index()] = self.purpose;
-            }
+        if !is_free || matches!(self.node(id), Node::Number(_) | Node::Input(_)) {
             return;
         }
-        let is_free = self.label(id).is_none_or(|label| label.is_hint);
-        if !is_leaf && is_free && self.scope <= self.scope(id) {
-            self.labels[id.index()] = Some(label);
-            self.scopes[id.index()] = self.scope;
-            self.purposes[id.index()] = self.purpose;
-        }
+        self.labels[id.index()] = Some(Label {
+            text: text(),
+            negative: expr.is_negative(),
+            is_hint: self.hints,
+        });
+        self.scopes[id.index()] = self.scope;
+        self.purposes[id.index()] = self.purpose;
     }
 
     /// A number; see [`Self::overflowed`] for one that is not finite.

@@ -168,7 +168,7 @@ impl ExprGraph {
     /// Labels the components of a vector `text_x`, `text_y`, `text_z`.
     pub fn name_vector(&mut self, v: Vector, text: &str) {
         for axis in Axis::ALL {
-            self.name(v[axis.index()], format!("{text}_{}", axis.letter()));
+            self.name_by(v[axis.index()], || format!("{text}_{}", axis.letter()));
         }
     }
 
@@ -183,10 +183,9 @@ impl ExprGraph {
     pub fn name_matrix(&mut self, m: &Matrix, text: &str) {
         for (row, axis) in m.iter().zip(Axis::ALL) {
             for (entry, other) in row.iter().zip(Axis::ALL) {
-                self.name(
-                    *entry,
-                    format!("{text}_{}{}", axis.letter(), other.letter()),
-                );
+                self.name_by(*entry, || {
+                    format!("{text}_{}{}", axis.letter(), other.letter())
+                });
             }
         }
     }

@@ -153,9 +153,9 @@ impl Composite {
 /// Labels the six components `text_xx` to `text_xy`.
 pub(super) fn name(graph: &mut ExprGraph, tensor: &Symmetric, text: &str) {
     for (component, letters) in tensor.diagonal.into_iter().zip(["xx", "yy", "zz"]) {
-        graph.name(component, format!("{text}_{letters}"));
+        graph.name_by(component, || format!("{text}_{letters}"));
     }
     for (component, letters) in tensor.mixed.into_iter().zip(["yz", "xz", "xy"]) {
-        graph.name(component, format!("{text}_{letters}"));
+        graph.name_by(component, || format!("{text}_{letters}"));
     }
 }

@@ -150,8 +150,8 @@ impl<'a> Moving<'a> {
         for (own, [of_rate, of_lower]) in [(b, [along_b, alpha[b]]), (c, [along_c, alpha[c]])] {
             let axis = Axis::ALL[own].letter();
             graph.hint(|graph| {
-                graph.name(of_rate, format!("alpha_of_rate_{axis}"));
-                graph.name(of_lower, format!("alpha_of_lower_{axis}"));
+                graph.name_by(of_rate, || format!("alpha_of_rate_{axis}"));
+                graph.name_by(of_lower, || format!("alpha_of_lower_{axis}"));
             });
         }
         alpha[b] = graph.add(alpha[b], along_b);
