@@ -217,3 +217,33 @@ fn sizes_that_no_memory_holds_are_an_error_and_no_panic() {
     }
     assert_eq!(kept, [7.0, 8.0]);
 }
+
+#[cfg(feature = "wide")]
+#[test]
+fn groups_that_lie_together_have_the_bits_of_rows() {
+    use kane::wide::f64x4;
+    for n in [1, 4, 11] {
+        let states = States::<f64>::new(n);
+        let (batch, system) = (Batch::<f64x4>::new(n), Prepared::<f64x4>::nominal());
+        let zero = f64x4::from_f64(0.0);
+        let mut q = vec![[zero; NQ]; batch.n_groups()];
+        let mut u = vec![[zero; NU]; batch.n_groups()];
+        let mut u_dot = u.clone();
+        batch.to_groups(&states.q, &mut q).unwrap();
+        batch.to_groups(&states.u, &mut u).unwrap();
+        batch.to_groups(&states.u_dot, &mut u_dot).unwrap();
+        let mut tau = u.clone();
+        batch
+            .inverse_dynamics_of_groups(&system, &q, &u, &u_dot, &mut tau)
+            .unwrap();
+        let (mut found, mut expected) = (vec![0.0; NU * n], vec![0.0; NU * n]);
+        batch.from_groups(&tau, &mut found).unwrap();
+        batch
+            .inverse_dynamics(&system, &states.q, &states.u, &states.u_dot, &mut expected)
+            .unwrap();
+        let bits = |numbers: &[f64]| -> Vec<u64> { numbers.iter().map(|x| x.to_bits()).collect() };
+        assert_eq!(bits(&found), bits(&expected));
+        let fault = batch.inverse_dynamics_of_groups(&system, &q[1..], &u, &u_dot, &mut tau);
+        assert_eq!(fault.unwrap_err().argument, "q");
+    }
+}
