@@ -379,7 +379,7 @@ impl<R: kane::Real> kane::functions::MassCenterPosition<R> for Prepared<R> {
 pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]; NU]) {
     let pole_theta2 = q[1];
     let (_, pole_cos2) = R::sin_cos(pole_theta2);
-    // pole: mass and inertia with all that it carries, inward
+    // pole: composite body and columns, inward
     let pole_theta2_f_cart_x = p.mass_matrix_pole_moment_z * pole_cos2;
     m[0][1] = pole_theta2_f_cart_x;
     m[1][0] = pole_theta2_f_cart_x;
@@ -550,7 +550,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let pole_minus_n_y = p.forward_dynamics_pole_k1 * pole_sin2;
     // cart: forces, inward
     let cart_minus_f_x = pole_sin2 * pole_minus_f_z;
-    // pole: mass and inertia with all that it carries, inward
+    // pole: composite body and columns, inward
     let pole_theta2_f_cart_x = p.forward_dynamics_pole_moment_z * pole_cos2;
     // pole: factors of the mass matrix, inward
     let pole_l_theta2_cart_s1 = p.forward_dynamics_pole_k2 * pole_cos2;

@@ -19291,7 +19291,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_cos3 = cosines[23];
     let camera_sin3 = sines[23];
     let camera_t1 = R::from_f64(-0.643875) * camera_cos3
@@ -19433,7 +19433,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_composite_on_lower_zz = camera_t27 + (camera_t49 + camera_t50);
     let camera_composite_on_lower_xy = camera_t28
         - (camera_offset_y * camera_t11 - camera_offset_x * camera_s1_n_boom_z);
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_composite_x = camera_s2_n_boom_z + R::from_f64(0.263312);
     let boom_composite_y = R::from_f64(-0.575995) - camera_s1_n_boom_z;
     let boom_composite_z = camera_s1_n_boom_y + R::from_f64(-0.48665699999999995);
@@ -19463,7 +19463,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[19][20] = boom_t9;
     m[20][19] = boom_t9;
     let boom_t10 = boom_t5 - boom_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t52 = boom_cos3 * camera_theta3_f_boom_x
         - boom_sin3 * camera_theta3_f_boom_y;
     let camera_t53 = boom_cos3 * camera_theta3_f_boom_y
@@ -19504,7 +19504,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_t69 = -(boom_cos3 * camera_s2_n_boom_z + boom_sin3 * camera_s1_n_boom_z);
     m[19][47] = camera_t69;
     m[47][19] = camera_t69;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_cos2 = cosines[19];
     let boom_sin2 = sines[19];
     let boom_theta2_f_hub_x = boom_cos2 * boom_composite_z - boom_sin2 * boom_t1;
@@ -19523,7 +19523,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[18][19] = boom_t18;
     m[19][18] = boom_t18;
     let boom_t19 = boom_t14 - boom_t8;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t70 = boom_cos2 * camera_theta3_f_boom_z - boom_sin2 * camera_t52;
     let camera_theta3_f_hub_x = boom_cos2 * camera_t52
         + boom_sin2 * camera_theta3_f_boom_z;
@@ -19575,7 +19575,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_t87 = boom_cos2 * camera_t68;
     m[18][47] = camera_t87;
     m[47][18] = camera_t87;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t20 = boom_sin2 * boom_t2;
     let boom_theta3_f_hub_x = -(boom_cos2 * boom_t2);
     m[20][42] = boom_theta3_f_hub_x;
@@ -19601,7 +19601,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let boom_t28 = boom_cos1 * boom_t18 - boom_sin1 * boom_t19;
     let boom_t29 = boom_cos1 * boom_t19 + boom_sin1 * boom_t18;
     let boom_t30 = boom_t25 - boom_t17;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_theta3_f_hub_y = boom_cos1 * camera_t53 - boom_sin1 * camera_t70;
     m[23][43] = camera_theta3_f_hub_y;
     m[43][23] = camera_theta3_f_hub_y;
@@ -19650,7 +19650,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[47][44] = camera_s3_f_hub_z;
     let camera_t98 = boom_cos1 * camera_t69 + boom_sin1 * camera_t86;
     let camera_t99 = boom_sin1 * camera_t69 - boom_cos1 * camera_t86;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_theta3_f_hub_y = boom_cos1 * boom_t1 - boom_sin1 * boom_t20;
     m[20][43] = boom_theta3_f_hub_y;
     m[43][20] = boom_theta3_f_hub_y;
@@ -19667,7 +19667,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[44][19] = boom_theta2_f_hub_z;
     let boom_t33 = boom_cos1 * boom_t7 - boom_sin1 * boom_t17;
     let boom_t34 = boom_cos1 * boom_t17 + boom_sin1 * boom_t7;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t100 = boom_offset_y * camera_theta3_f_hub_z
         - boom_offset_z * camera_theta3_f_hub_y;
     let camera_t101 = boom_offset_z * camera_theta3_f_hub_x
@@ -19734,7 +19734,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_s3_n_hub_z = camera_t99 + camera_t117;
     m[2][47] = camera_s3_n_hub_z;
     m[47][2] = camera_s3_n_hub_z;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t35 = boom_offset_y * boom_theta3_f_hub_z
         - boom_offset_z * boom_theta3_f_hub_y;
     let boom_t36 = boom_offset_z * boom_theta3_f_hub_x
@@ -19790,7 +19790,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let boom_composite_on_lower_zz = boom_t27 + (boom_t49 + boom_t50);
     let boom_composite_on_lower_xy = boom_t28
         - (boom_offset_y * boom_t11 - boom_offset_x * boom_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     let hub_t2 = R::from_f64(-0.41750099999999996) - boom_s1_n_hub_z;
     let hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
@@ -19800,7 +19800,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
     let hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
     let hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_cos3 = cosines[17];
     let antenna_sin3 = sines[17];
     let antenna_t1 = R::from_f64(0.530142) * antenna_cos3
@@ -19941,7 +19941,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let antenna_composite_on_lower_zz = antenna_t27 + (antenna_t49 + antenna_t50);
     let antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 - antenna_offset_x * antenna_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t10 = hub_t1 + antenna_s2_n_hub_z;
     let hub_t11 = hub_t2 - antenna_s1_n_hub_z;
     let hub_t12 = hub_t3 + antenna_s1_n_hub_y;
@@ -19951,7 +19951,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
     let hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
     let hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_cos3 = cosines[14];
     let left_tip_sin3 = sines[14];
     let left_tip_t1 = R::from_f64(-0.79848) * left_tip_cos3
@@ -20096,7 +20096,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_tip_composite_on_lower_xy = left_tip_t28
         - (left_tip_offset_y * left_tip_t11
             - left_tip_offset_x * left_tip_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     let shoulder_t2 = R::from_f64(-0.23436) - left_tip_s1_n_shoulder_z;
     let shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
@@ -20106,7 +20106,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_t7 = left_tip_composite_on_lower_yz + R::from_f64(0.004365319999999999);
     let shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
     let shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_cos3 = cosines[11];
     let left_panel_sin3 = sines[11];
     let left_panel_t1 = R::from_f64(-0.530565) * left_panel_cos3
@@ -20264,7 +20264,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_panel_composite_on_lower_xy = left_panel_t28
         - (left_panel_offset_y * left_panel_t11
             - left_panel_offset_x * left_panel_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
     let hub_t20 = hub_t11 - left_panel_s1_n_hub_z;
     let hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
@@ -20274,7 +20274,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
     let hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
     let hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_cos3 = cosines[8];
     let forearm_sin3 = sines[8];
     let forearm_t1 = R::from_f64(-0.435386) * forearm_cos3
@@ -20417,7 +20417,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let forearm_composite_on_lower_zz = forearm_t27 + (forearm_t49 + forearm_t50);
     let forearm_composite_on_lower_xy = forearm_t28
         - (forearm_offset_y * forearm_t11 - forearm_offset_x * forearm_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     let shoulder_composite_y = shoulder_t2 - forearm_s1_n_shoulder_z;
     let shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
@@ -20448,7 +20448,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[4][5] = shoulder_t18;
     m[5][4] = shoulder_t18;
     let shoulder_t19 = shoulder_t14 - shoulder_composite_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t52 = shoulder_cos3 * left_tip_theta3_f_shoulder_x
         - shoulder_sin3 * left_tip_theta3_f_shoulder_y;
     let left_tip_t53 = shoulder_cos3 * left_tip_theta3_f_shoulder_y
@@ -20491,7 +20491,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
         + shoulder_sin3 * left_tip_s1_n_shoulder_z);
     m[4][38] = left_tip_t69;
     m[38][4] = left_tip_t69;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t52 = shoulder_cos3 * forearm_theta3_f_shoulder_x
         - shoulder_sin3 * forearm_theta3_f_shoulder_y;
     let forearm_t53 = shoulder_cos3 * forearm_theta3_f_shoulder_y
@@ -20534,7 +20534,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
         + shoulder_sin3 * forearm_s1_n_shoulder_z);
     m[4][32] = forearm_t69;
     m[32][4] = forearm_t69;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_cos2 = cosines[4];
     let shoulder_sin2 = sines[4];
     let shoulder_theta2_f_hub_x = shoulder_cos2 * shoulder_composite_z
@@ -20555,7 +20555,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[3][4] = shoulder_t27;
     m[4][3] = shoulder_t27;
     let shoulder_t28 = shoulder_t23 - shoulder_t17;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t70 = shoulder_cos2 * left_tip_theta3_f_shoulder_z
         - shoulder_sin2 * left_tip_t52;
     let left_tip_theta3_f_hub_x = shoulder_cos2 * left_tip_t52
@@ -20620,7 +20620,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_tip_t87 = shoulder_cos2 * left_tip_t68;
     m[3][38] = left_tip_t87;
     m[38][3] = left_tip_t87;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t70 = shoulder_cos2 * forearm_theta3_f_shoulder_z
         - shoulder_sin2 * forearm_t52;
     let forearm_theta3_f_hub_x = shoulder_cos2 * forearm_t52
@@ -20685,7 +20685,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let forearm_t87 = shoulder_cos2 * forearm_t68;
     m[3][32] = forearm_t87;
     m[32][3] = forearm_t87;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t29 = shoulder_sin2 * shoulder_t11;
     let shoulder_theta3_f_hub_x = -(shoulder_cos2 * shoulder_t11);
     m[5][27] = shoulder_theta3_f_hub_x;
@@ -20715,7 +20715,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_t37 = shoulder_cos1 * shoulder_t27 - shoulder_sin1 * shoulder_t28;
     let shoulder_t38 = shoulder_cos1 * shoulder_t28 + shoulder_sin1 * shoulder_t27;
     let shoulder_t39 = shoulder_t34 - shoulder_t26;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_theta3_f_hub_y = shoulder_cos1 * left_tip_t53
         - shoulder_sin1 * left_tip_t70;
     m[14][28] = left_tip_theta3_f_hub_y;
@@ -20774,7 +20774,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[38][29] = left_tip_s3_f_hub_z;
     let left_tip_t98 = shoulder_cos1 * left_tip_t69 + shoulder_sin1 * left_tip_t86;
     let left_tip_t99 = shoulder_sin1 * left_tip_t69 - shoulder_cos1 * left_tip_t86;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_theta3_f_hub_y = shoulder_cos1 * forearm_t53
         - shoulder_sin1 * forearm_t70;
     m[8][28] = forearm_theta3_f_hub_y;
@@ -20830,7 +20830,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[32][29] = forearm_s3_f_hub_z;
     let forearm_t98 = shoulder_cos1 * forearm_t69 + shoulder_sin1 * forearm_t86;
     let forearm_t99 = shoulder_sin1 * forearm_t69 - shoulder_cos1 * forearm_t86;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_theta3_f_hub_y = shoulder_cos1 * shoulder_t10
         - shoulder_sin1 * shoulder_t29;
     m[5][28] = shoulder_theta3_f_hub_y;
@@ -20849,7 +20849,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[29][4] = shoulder_theta2_f_hub_z;
     let shoulder_t42 = shoulder_cos1 * shoulder_t16 - shoulder_sin1 * shoulder_t26;
     let shoulder_t43 = shoulder_cos1 * shoulder_t26 + shoulder_sin1 * shoulder_t16;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t100 = shoulder_offset_y * left_tip_theta3_f_hub_z
         - shoulder_offset_z * left_tip_theta3_f_hub_y;
     let left_tip_t101 = shoulder_offset_z * left_tip_theta3_f_hub_x
@@ -20916,7 +20916,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_tip_s3_n_hub_z = left_tip_t99 + left_tip_t117;
     m[2][38] = left_tip_s3_n_hub_z;
     m[38][2] = left_tip_s3_n_hub_z;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t100 = shoulder_offset_y * forearm_theta3_f_hub_z
         - shoulder_offset_z * forearm_theta3_f_hub_y;
     let forearm_t101 = shoulder_offset_z * forearm_theta3_f_hub_x
@@ -20983,7 +20983,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let forearm_s3_n_hub_z = forearm_t99 + forearm_t117;
     m[2][32] = forearm_s3_n_hub_z;
     m[32][2] = forearm_s3_n_hub_z;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t44 = shoulder_offset_y * shoulder_theta3_f_hub_z
         - shoulder_offset_z * shoulder_theta3_f_hub_y;
     let shoulder_t45 = shoulder_offset_z * shoulder_theta3_f_hub_x
@@ -21040,7 +21040,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_composite_on_lower_zz = shoulder_t36 + (shoulder_t58 + shoulder_t59);
     let shoulder_composite_on_lower_xy = shoulder_t37
         - (shoulder_offset_y * shoulder_t20 - shoulder_offset_x * shoulder_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
     let hub_composite_y = hub_t20 - shoulder_s1_n_hub_z;
     let hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
@@ -21067,7 +21067,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     m[1][2] = hub_t36;
     m[2][1] = hub_t36;
     let hub_t37 = hub_t32 - hub_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t118 = hub_cos3 * camera_theta3_f_hub_x
         - hub_sin3 * camera_theta3_f_hub_y;
     let camera_t119 = hub_cos3 * camera_theta3_f_hub_y
@@ -21116,7 +21116,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_t141 = hub_cos3 * camera_s3_n_hub_y + hub_sin3 * camera_s3_n_hub_x;
     m[1][47] = camera_t141;
     m[47][1] = camera_t141;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t52 = hub_cos3 * boom_theta3_f_hub_x - hub_sin3 * boom_theta3_f_hub_y;
     let boom_t53 = hub_cos3 * boom_theta3_f_hub_y + hub_sin3 * boom_theta3_f_hub_x;
     let boom_t54 = hub_cos3 * boom_theta3_n_hub_x - hub_sin3 * boom_theta3_n_hub_y;
@@ -21147,7 +21147,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let boom_t69 = -(hub_cos3 * boom_s2_n_hub_z + hub_sin3 * boom_s1_n_hub_z);
     m[1][44] = boom_t69;
     m[44][1] = boom_t69;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_t52 = hub_cos3 * antenna_theta3_f_hub_x
         - hub_sin3 * antenna_theta3_f_hub_y;
     let antenna_t53 = hub_cos3 * antenna_theta3_f_hub_y
@@ -21188,7 +21188,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let antenna_t69 = -(hub_cos3 * antenna_s2_n_hub_z + hub_sin3 * antenna_s1_n_hub_z);
     m[1][41] = antenna_t69;
     m[41][1] = antenna_t69;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_t52 = hub_cos3 * left_panel_theta3_f_hub_x
         - hub_sin3 * left_panel_theta3_f_hub_y;
     let left_panel_t53 = hub_cos3 * left_panel_theta3_f_hub_y
@@ -21231,7 +21231,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
         + hub_sin3 * left_panel_s1_n_hub_z);
     m[1][35] = left_panel_t69;
     m[35][1] = left_panel_t69;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t118 = hub_cos3 * left_tip_theta3_f_hub_x
         - hub_sin3 * left_tip_theta3_f_hub_y;
     let left_tip_t119 = hub_cos3 * left_tip_theta3_f_hub_y
@@ -21280,7 +21280,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_tip_t141 = hub_cos3 * left_tip_s3_n_hub_y + hub_sin3 * left_tip_s3_n_hub_x;
     m[1][38] = left_tip_t141;
     m[38][1] = left_tip_t141;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t118 = hub_cos3 * forearm_theta3_f_hub_x
         - hub_sin3 * forearm_theta3_f_hub_y;
     let forearm_t119 = hub_cos3 * forearm_theta3_f_hub_y
@@ -21329,7 +21329,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let forearm_t141 = hub_cos3 * forearm_s3_n_hub_y + hub_sin3 * forearm_s3_n_hub_x;
     m[1][32] = forearm_t141;
     m[32][1] = forearm_t141;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t61 = hub_cos3 * shoulder_theta3_f_hub_x
         - hub_sin3 * shoulder_theta3_f_hub_y;
     let shoulder_t62 = hub_cos3 * shoulder_theta3_f_hub_y
@@ -21371,7 +21371,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
         + hub_sin3 * shoulder_s1_n_hub_z);
     m[1][29] = shoulder_t78;
     m[29][1] = shoulder_t78;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_cos2 = cosines[1];
     let hub_sin2 = sines[1];
     let hub_t38 = hub_cos2 * hub_composite_z - hub_sin2 * hub_t28;
@@ -21386,7 +21386,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let hub_t41 = hub_cos2 * hub_t37 + hub_sin2 * hub_t36;
     m[0][1] = hub_t41;
     m[1][0] = hub_t41;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t142 = hub_cos2 * camera_theta3_f_hub_z - hub_sin2 * camera_t118;
     let camera_t143 = hub_cos2 * camera_t118 + hub_sin2 * camera_theta3_f_hub_z;
     m[23][24] = camera_t143;
@@ -21429,7 +21429,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_t159 = hub_cos2 * camera_t140 + hub_sin2 * camera_s3_n_hub_z;
     m[0][47] = camera_t159;
     m[47][0] = camera_t159;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t70 = hub_cos2 * boom_theta3_f_hub_z - hub_sin2 * boom_t52;
     let boom_t71 = hub_cos2 * boom_t52 + hub_sin2 * boom_theta3_f_hub_z;
     m[20][24] = boom_t71;
@@ -21472,7 +21472,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let boom_t87 = hub_cos2 * boom_t68;
     m[0][44] = boom_t87;
     m[44][0] = boom_t87;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_t70 = hub_cos2 * antenna_theta3_f_hub_z - hub_sin2 * antenna_t52;
     let antenna_t71 = hub_cos2 * antenna_t52 + hub_sin2 * antenna_theta3_f_hub_z;
     m[17][24] = antenna_t71;
@@ -21515,7 +21515,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let antenna_t87 = hub_cos2 * antenna_t68;
     m[0][41] = antenna_t87;
     m[41][0] = antenna_t87;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_t70 = hub_cos2 * left_panel_theta3_f_hub_z
         - hub_sin2 * left_panel_t52;
     let left_panel_t71 = hub_cos2 * left_panel_t52
@@ -21567,7 +21567,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_panel_t87 = hub_cos2 * left_panel_t68;
     m[0][35] = left_panel_t87;
     m[35][0] = left_panel_t87;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t142 = hub_cos2 * left_tip_theta3_f_hub_z - hub_sin2 * left_tip_t118;
     let left_tip_t143 = hub_cos2 * left_tip_t118 + hub_sin2 * left_tip_theta3_f_hub_z;
     m[14][24] = left_tip_t143;
@@ -21610,7 +21610,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_tip_t159 = hub_cos2 * left_tip_t140 + hub_sin2 * left_tip_s3_n_hub_z;
     m[0][38] = left_tip_t159;
     m[38][0] = left_tip_t159;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t142 = hub_cos2 * forearm_theta3_f_hub_z - hub_sin2 * forearm_t118;
     let forearm_t143 = hub_cos2 * forearm_t118 + hub_sin2 * forearm_theta3_f_hub_z;
     m[8][24] = forearm_t143;
@@ -21653,7 +21653,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let forearm_t159 = hub_cos2 * forearm_t140 + hub_sin2 * forearm_s3_n_hub_z;
     m[0][32] = forearm_t159;
     m[32][0] = forearm_t159;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t79 = hub_cos2 * shoulder_theta3_f_hub_z - hub_sin2 * shoulder_t61;
     let shoulder_t80 = hub_cos2 * shoulder_t61 + hub_sin2 * shoulder_theta3_f_hub_z;
     m[5][24] = shoulder_t80;
@@ -21696,7 +21696,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_t96 = hub_cos2 * shoulder_t77;
     m[0][29] = shoulder_t96;
     m[29][0] = shoulder_t96;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t42 = hub_sin2 * hub_t29;
     let hub_t43 = -(hub_cos2 * hub_t29);
     m[2][24] = hub_t43;
@@ -21712,7 +21712,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let hub_t46 = -(hub_cos1 * hub_t38 + hub_sin1 * hub_t29);
     m[0][25] = hub_t46;
     m[25][0] = hub_t46;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t160 = hub_cos1 * camera_t119 - hub_sin1 * camera_t142;
     m[23][25] = camera_t160;
     m[25][23] = camera_t160;
@@ -21749,7 +21749,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let camera_t171 = hub_cos1 * camera_t157 + hub_sin1 * camera_t139;
     m[26][47] = camera_t171;
     m[47][26] = camera_t171;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t88 = hub_cos1 * boom_t53 - hub_sin1 * boom_t70;
     m[20][25] = boom_t88;
     m[25][20] = boom_t88;
@@ -21786,7 +21786,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let boom_t99 = hub_cos1 * boom_t85;
     m[26][44] = boom_t99;
     m[44][26] = boom_t99;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_t88 = hub_cos1 * antenna_t53 - hub_sin1 * antenna_t70;
     m[17][25] = antenna_t88;
     m[25][17] = antenna_t88;
@@ -21823,7 +21823,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let antenna_t99 = hub_cos1 * antenna_t85;
     m[26][41] = antenna_t99;
     m[41][26] = antenna_t99;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_t88 = hub_cos1 * left_panel_t53 - hub_sin1 * left_panel_t70;
     m[11][25] = left_panel_t88;
     m[25][11] = left_panel_t88;
@@ -21860,7 +21860,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_panel_t99 = hub_cos1 * left_panel_t85;
     m[26][35] = left_panel_t99;
     m[35][26] = left_panel_t99;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t160 = hub_cos1 * left_tip_t119 - hub_sin1 * left_tip_t142;
     m[14][25] = left_tip_t160;
     m[25][14] = left_tip_t160;
@@ -21897,7 +21897,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let left_tip_t171 = hub_cos1 * left_tip_t157 + hub_sin1 * left_tip_t139;
     m[26][38] = left_tip_t171;
     m[38][26] = left_tip_t171;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t160 = hub_cos1 * forearm_t119 - hub_sin1 * forearm_t142;
     m[8][25] = forearm_t160;
     m[25][8] = forearm_t160;
@@ -21934,7 +21934,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let forearm_t171 = hub_cos1 * forearm_t157 + hub_sin1 * forearm_t139;
     m[26][32] = forearm_t171;
     m[32][26] = forearm_t171;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t97 = hub_cos1 * shoulder_t62 - hub_sin1 * shoulder_t79;
     m[5][25] = shoulder_t97;
     m[25][5] = shoulder_t97;
@@ -21971,7 +21971,7 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_t108 = hub_cos1 * shoulder_t94;
     m[26][29] = shoulder_t108;
     m[29][26] = shoulder_t108;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t47 = hub_cos1 * hub_t28 - hub_sin1 * hub_t42;
     m[2][25] = hub_t47;
     m[25][2] = hub_t47;
@@ -23764,7 +23764,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_cos3 = cosines[23];
     let camera_sin3 = sines[23];
     let camera_t1 = R::from_f64(-0.643875) * camera_cos3
@@ -23890,7 +23890,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let camera_composite_on_lower_zz = camera_t27 + (camera_t49 + camera_t50);
     let camera_composite_on_lower_xy = camera_t28
         - (camera_offset_y * camera_t11 - camera_offset_x * camera_s1_n_boom_z);
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_composite_x = camera_s2_n_boom_z + R::from_f64(0.263312);
     let boom_composite_y = R::from_f64(-0.575995) - camera_s1_n_boom_z;
     let boom_composite_z = camera_s1_n_boom_y + R::from_f64(-0.48665699999999995);
@@ -23919,7 +23919,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let boom_t9 = boom_cos3 * boom_composite_yz + boom_sin3 * boom_composite_xz;
     entries[112] = boom_t9;
     let boom_t10 = boom_t5 - boom_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t52 = boom_cos3 * camera_theta3_f_boom_x
         - boom_sin3 * camera_theta3_f_boom_y;
     let camera_t53 = boom_cos3 * camera_theta3_f_boom_y
@@ -23954,7 +23954,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let camera_t68 = boom_sin3 * camera_s2_n_boom_z - boom_cos3 * camera_s1_n_boom_z;
     let camera_t69 = -(boom_cos3 * camera_s2_n_boom_z + boom_sin3 * camera_s1_n_boom_z);
     entries[514] = camera_t69;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_cos2 = cosines[19];
     let boom_sin2 = sines[19];
     let boom_theta2_f_hub_x = boom_cos2 * boom_composite_z - boom_sin2 * boom_t1;
@@ -23971,7 +23971,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let boom_t18 = boom_cos2 * boom_t10 + boom_sin2 * boom_t9;
     entries[106] = boom_t18;
     let boom_t19 = boom_t14 - boom_t8;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t70 = boom_cos2 * camera_theta3_f_boom_z - boom_sin2 * camera_t52;
     let camera_theta3_f_hub_x = boom_cos2 * camera_t52
         + boom_sin2 * camera_theta3_f_boom_z;
@@ -24011,7 +24011,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let camera_t86 = boom_sin2 * camera_t68;
     let camera_t87 = boom_cos2 * camera_t68;
     entries[513] = camera_t87;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t20 = boom_sin2 * boom_t2;
     let boom_theta3_f_hub_x = -(boom_cos2 * boom_t2);
     entries[440] = boom_theta3_f_hub_x;
@@ -24033,7 +24033,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let boom_t28 = boom_cos1 * boom_t18 - boom_sin1 * boom_t19;
     let boom_t29 = boom_cos1 * boom_t19 + boom_sin1 * boom_t18;
     let boom_t30 = boom_t25 - boom_t17;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_theta3_f_hub_y = boom_cos1 * camera_t53 - boom_sin1 * camera_t70;
     entries[456] = camera_theta3_f_hub_y;
     let camera_theta3_f_hub_z = boom_cos1 * camera_t70 + boom_sin1 * camera_t53;
@@ -24070,7 +24070,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[524] = camera_s3_f_hub_z;
     let camera_t98 = boom_cos1 * camera_t69 + boom_sin1 * camera_t86;
     let camera_t99 = boom_sin1 * camera_t69 - boom_cos1 * camera_t86;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_theta3_f_hub_y = boom_cos1 * boom_t1 - boom_sin1 * boom_t20;
     entries[453] = boom_theta3_f_hub_y;
     let boom_theta3_f_hub_z = boom_cos1 * boom_t20 + boom_sin1 * boom_t1;
@@ -24083,7 +24083,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[466] = boom_theta2_f_hub_z;
     let boom_t33 = boom_cos1 * boom_t7 - boom_sin1 * boom_t17;
     let boom_t34 = boom_cos1 * boom_t17 + boom_sin1 * boom_t7;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t100 = boom_offset_y * camera_theta3_f_hub_z
         - boom_offset_z * camera_theta3_f_hub_y;
     let camera_t101 = boom_offset_z * camera_theta3_f_hub_x
@@ -24144,7 +24144,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let camera_s3_n_hub_y = camera_t98 + camera_t116;
     let camera_s3_n_hub_z = camera_t99 + camera_t117;
     entries[512] = camera_s3_n_hub_z;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t35 = boom_offset_y * boom_theta3_f_hub_z
         - boom_offset_z * boom_theta3_f_hub_y;
     let boom_t36 = boom_offset_z * boom_theta3_f_hub_x
@@ -24195,7 +24195,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let boom_composite_on_lower_zz = boom_t27 + (boom_t49 + boom_t50);
     let boom_composite_on_lower_xy = boom_t28
         - (boom_offset_y * boom_t11 - boom_offset_x * boom_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     let hub_t2 = R::from_f64(-0.41750099999999996) - boom_s1_n_hub_z;
     let hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
@@ -24205,7 +24205,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
     let hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
     let hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_cos3 = cosines[17];
     let antenna_sin3 = sines[17];
     let antenna_t1 = R::from_f64(0.530142) * antenna_cos3
@@ -24330,7 +24330,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let antenna_composite_on_lower_zz = antenna_t27 + (antenna_t49 + antenna_t50);
     let antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 - antenna_offset_x * antenna_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t10 = hub_t1 + antenna_s2_n_hub_z;
     let hub_t11 = hub_t2 - antenna_s1_n_hub_z;
     let hub_t12 = hub_t3 + antenna_s1_n_hub_y;
@@ -24340,7 +24340,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
     let hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
     let hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_cos3 = cosines[14];
     let left_tip_sin3 = sines[14];
     let left_tip_t1 = R::from_f64(-0.79848) * left_tip_cos3
@@ -24469,7 +24469,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_tip_composite_on_lower_xy = left_tip_t28
         - (left_tip_offset_y * left_tip_t11
             - left_tip_offset_x * left_tip_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     let shoulder_t2 = R::from_f64(-0.23436) - left_tip_s1_n_shoulder_z;
     let shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
@@ -24479,7 +24479,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_t7 = left_tip_composite_on_lower_yz + R::from_f64(0.004365319999999999);
     let shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
     let shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_cos3 = cosines[11];
     let left_panel_sin3 = sines[11];
     let left_panel_t1 = R::from_f64(-0.530565) * left_panel_cos3
@@ -24621,7 +24621,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_panel_composite_on_lower_xy = left_panel_t28
         - (left_panel_offset_y * left_panel_t11
             - left_panel_offset_x * left_panel_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
     let hub_t20 = hub_t11 - left_panel_s1_n_hub_z;
     let hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
@@ -24631,7 +24631,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
     let hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
     let hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_cos3 = cosines[8];
     let forearm_sin3 = sines[8];
     let forearm_t1 = R::from_f64(-0.435386) * forearm_cos3
@@ -24758,7 +24758,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let forearm_composite_on_lower_zz = forearm_t27 + (forearm_t49 + forearm_t50);
     let forearm_composite_on_lower_xy = forearm_t28
         - (forearm_offset_y * forearm_t11 - forearm_offset_x * forearm_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     let shoulder_composite_y = shoulder_t2 - forearm_s1_n_shoulder_z;
     let shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
@@ -24788,7 +24788,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
         + shoulder_sin3 * shoulder_composite_xz;
     entries[19] = shoulder_t18;
     let shoulder_t19 = shoulder_t14 - shoulder_composite_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t52 = shoulder_cos3 * left_tip_theta3_f_shoulder_x
         - shoulder_sin3 * left_tip_theta3_f_shoulder_y;
     let left_tip_t53 = shoulder_cos3 * left_tip_theta3_f_shoulder_y
@@ -24825,7 +24825,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_tip_t69 = -(shoulder_cos3 * left_tip_s2_n_shoulder_z
         + shoulder_sin3 * left_tip_s1_n_shoulder_z);
     entries[388] = left_tip_t69;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t52 = shoulder_cos3 * forearm_theta3_f_shoulder_x
         - shoulder_sin3 * forearm_theta3_f_shoulder_y;
     let forearm_t53 = shoulder_cos3 * forearm_theta3_f_shoulder_y
@@ -24862,7 +24862,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let forearm_t69 = -(shoulder_cos3 * forearm_s2_n_shoulder_z
         + shoulder_sin3 * forearm_s1_n_shoulder_z);
     entries[304] = forearm_t69;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_cos2 = cosines[4];
     let shoulder_sin2 = sines[4];
     let shoulder_theta2_f_hub_x = shoulder_cos2 * shoulder_composite_z
@@ -24881,7 +24881,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_t27 = shoulder_cos2 * shoulder_t19 + shoulder_sin2 * shoulder_t18;
     entries[13] = shoulder_t27;
     let shoulder_t28 = shoulder_t23 - shoulder_t17;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t70 = shoulder_cos2 * left_tip_theta3_f_shoulder_z
         - shoulder_sin2 * left_tip_t52;
     let left_tip_theta3_f_hub_x = shoulder_cos2 * left_tip_t52
@@ -24934,7 +24934,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_tip_t86 = shoulder_sin2 * left_tip_t68;
     let left_tip_t87 = shoulder_cos2 * left_tip_t68;
     entries[387] = left_tip_t87;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t70 = shoulder_cos2 * forearm_theta3_f_shoulder_z
         - shoulder_sin2 * forearm_t52;
     let forearm_theta3_f_hub_x = shoulder_cos2 * forearm_t52
@@ -24987,7 +24987,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let forearm_t86 = shoulder_sin2 * forearm_t68;
     let forearm_t87 = shoulder_cos2 * forearm_t68;
     entries[303] = forearm_t87;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t29 = shoulder_sin2 * shoulder_t11;
     let shoulder_theta3_f_hub_x = -(shoulder_cos2 * shoulder_t11);
     entries[221] = shoulder_theta3_f_hub_x;
@@ -25013,7 +25013,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_t37 = shoulder_cos1 * shoulder_t27 - shoulder_sin1 * shoulder_t28;
     let shoulder_t38 = shoulder_cos1 * shoulder_t28 + shoulder_sin1 * shoulder_t27;
     let shoulder_t39 = shoulder_t34 - shoulder_t26;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_theta3_f_hub_y = shoulder_cos1 * left_tip_t53
         - shoulder_sin1 * left_tip_t70;
     entries[243] = left_tip_theta3_f_hub_y;
@@ -25060,7 +25060,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[398] = left_tip_s3_f_hub_z;
     let left_tip_t98 = shoulder_cos1 * left_tip_t69 + shoulder_sin1 * left_tip_t86;
     let left_tip_t99 = shoulder_sin1 * left_tip_t69 - shoulder_cos1 * left_tip_t86;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_theta3_f_hub_y = shoulder_cos1 * forearm_t53
         - shoulder_sin1 * forearm_t70;
     entries[240] = forearm_theta3_f_hub_y;
@@ -25104,7 +25104,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[314] = forearm_s3_f_hub_z;
     let forearm_t98 = shoulder_cos1 * forearm_t69 + shoulder_sin1 * forearm_t86;
     let forearm_t99 = shoulder_sin1 * forearm_t69 - shoulder_cos1 * forearm_t86;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_theta3_f_hub_y = shoulder_cos1 * shoulder_t10
         - shoulder_sin1 * shoulder_t29;
     entries[237] = shoulder_theta3_f_hub_y;
@@ -25119,7 +25119,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[253] = shoulder_theta2_f_hub_z;
     let shoulder_t42 = shoulder_cos1 * shoulder_t16 - shoulder_sin1 * shoulder_t26;
     let shoulder_t43 = shoulder_cos1 * shoulder_t26 + shoulder_sin1 * shoulder_t16;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t100 = shoulder_offset_y * left_tip_theta3_f_hub_z
         - shoulder_offset_z * left_tip_theta3_f_hub_y;
     let left_tip_t101 = shoulder_offset_z * left_tip_theta3_f_hub_x
@@ -25180,7 +25180,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_tip_s3_n_hub_y = left_tip_t98 + left_tip_t116;
     let left_tip_s3_n_hub_z = left_tip_t99 + left_tip_t117;
     entries[386] = left_tip_s3_n_hub_z;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t100 = shoulder_offset_y * forearm_theta3_f_hub_z
         - shoulder_offset_z * forearm_theta3_f_hub_y;
     let forearm_t101 = shoulder_offset_z * forearm_theta3_f_hub_x
@@ -25241,7 +25241,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let forearm_s3_n_hub_y = forearm_t98 + forearm_t116;
     let forearm_s3_n_hub_z = forearm_t99 + forearm_t117;
     entries[302] = forearm_s3_n_hub_z;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t44 = shoulder_offset_y * shoulder_theta3_f_hub_z
         - shoulder_offset_z * shoulder_theta3_f_hub_y;
     let shoulder_t45 = shoulder_offset_z * shoulder_theta3_f_hub_x
@@ -25293,7 +25293,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_composite_on_lower_zz = shoulder_t36 + (shoulder_t58 + shoulder_t59);
     let shoulder_composite_on_lower_xy = shoulder_t37
         - (shoulder_offset_y * shoulder_t20 - shoulder_offset_x * shoulder_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
     let hub_composite_y = hub_t20 - shoulder_s1_n_hub_z;
     let hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
@@ -25319,7 +25319,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let hub_t36 = hub_cos3 * hub_composite_yz + hub_sin3 * hub_composite_xz;
     entries[4] = hub_t36;
     let hub_t37 = hub_t32 - hub_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t118 = hub_cos3 * camera_theta3_f_hub_x
         - hub_sin3 * camera_theta3_f_hub_y;
     let camera_t119 = hub_cos3 * camera_theta3_f_hub_y
@@ -25362,7 +25362,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let camera_t140 = hub_cos3 * camera_s3_n_hub_x - hub_sin3 * camera_s3_n_hub_y;
     let camera_t141 = hub_cos3 * camera_s3_n_hub_y + hub_sin3 * camera_s3_n_hub_x;
     entries[511] = camera_t141;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t52 = hub_cos3 * boom_theta3_f_hub_x - hub_sin3 * boom_theta3_f_hub_y;
     let boom_t53 = hub_cos3 * boom_theta3_f_hub_y + hub_sin3 * boom_theta3_f_hub_x;
     let boom_t54 = hub_cos3 * boom_theta3_n_hub_x - hub_sin3 * boom_theta3_n_hub_y;
@@ -25387,7 +25387,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let boom_t68 = hub_sin3 * boom_s2_n_hub_z - hub_cos3 * boom_s1_n_hub_z;
     let boom_t69 = -(hub_cos3 * boom_s2_n_hub_z + hub_sin3 * boom_s1_n_hub_z);
     entries[463] = boom_t69;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_t52 = hub_cos3 * antenna_theta3_f_hub_x
         - hub_sin3 * antenna_theta3_f_hub_y;
     let antenna_t53 = hub_cos3 * antenna_theta3_f_hub_y
@@ -25422,7 +25422,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let antenna_t68 = hub_sin3 * antenna_s2_n_hub_z - hub_cos3 * antenna_s1_n_hub_z;
     let antenna_t69 = -(hub_cos3 * antenna_s2_n_hub_z + hub_sin3 * antenna_s1_n_hub_z);
     entries[424] = antenna_t69;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_t52 = hub_cos3 * left_panel_theta3_f_hub_x
         - hub_sin3 * left_panel_theta3_f_hub_y;
     let left_panel_t53 = hub_cos3 * left_panel_theta3_f_hub_y
@@ -25459,7 +25459,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_panel_t69 = -(hub_cos3 * left_panel_s2_n_hub_z
         + hub_sin3 * left_panel_s1_n_hub_z);
     entries[340] = left_panel_t69;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t118 = hub_cos3 * left_tip_theta3_f_hub_x
         - hub_sin3 * left_tip_theta3_f_hub_y;
     let left_tip_t119 = hub_cos3 * left_tip_theta3_f_hub_y
@@ -25502,7 +25502,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let left_tip_t140 = hub_cos3 * left_tip_s3_n_hub_x - hub_sin3 * left_tip_s3_n_hub_y;
     let left_tip_t141 = hub_cos3 * left_tip_s3_n_hub_y + hub_sin3 * left_tip_s3_n_hub_x;
     entries[385] = left_tip_t141;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t118 = hub_cos3 * forearm_theta3_f_hub_x
         - hub_sin3 * forearm_theta3_f_hub_y;
     let forearm_t119 = hub_cos3 * forearm_theta3_f_hub_y
@@ -25545,7 +25545,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let forearm_t140 = hub_cos3 * forearm_s3_n_hub_x - hub_sin3 * forearm_s3_n_hub_y;
     let forearm_t141 = hub_cos3 * forearm_s3_n_hub_y + hub_sin3 * forearm_s3_n_hub_x;
     entries[301] = forearm_t141;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t61 = hub_cos3 * shoulder_theta3_f_hub_x
         - hub_sin3 * shoulder_theta3_f_hub_y;
     let shoulder_t62 = hub_cos3 * shoulder_theta3_f_hub_y
@@ -25581,7 +25581,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_t78 = -(hub_cos3 * shoulder_s2_n_hub_z
         + hub_sin3 * shoulder_s1_n_hub_z);
     entries[250] = shoulder_t78;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_cos2 = cosines[1];
     let hub_sin2 = sines[1];
     let hub_t38 = hub_cos2 * hub_composite_z - hub_sin2 * hub_t28;
@@ -25594,7 +25594,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[0] = hub_t40;
     let hub_t41 = hub_cos2 * hub_t37 + hub_sin2 * hub_t36;
     entries[1] = hub_t41;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t142 = hub_cos2 * camera_theta3_f_hub_z - hub_sin2 * camera_t118;
     let camera_t143 = hub_cos2 * camera_t118 + hub_sin2 * camera_theta3_f_hub_z;
     entries[161] = camera_t143;
@@ -25625,7 +25625,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[519] = camera_t158;
     let camera_t159 = hub_cos2 * camera_t140 + hub_sin2 * camera_s3_n_hub_z;
     entries[510] = camera_t159;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t70 = hub_cos2 * boom_theta3_f_hub_z - hub_sin2 * boom_t52;
     let boom_t71 = hub_cos2 * boom_t52 + hub_sin2 * boom_theta3_f_hub_z;
     entries[158] = boom_t71;
@@ -25656,7 +25656,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[471] = boom_t86;
     let boom_t87 = hub_cos2 * boom_t68;
     entries[462] = boom_t87;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_t70 = hub_cos2 * antenna_theta3_f_hub_z - hub_sin2 * antenna_t52;
     let antenna_t71 = hub_cos2 * antenna_t52 + hub_sin2 * antenna_theta3_f_hub_z;
     entries[155] = antenna_t71;
@@ -25687,7 +25687,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[429] = antenna_t86;
     let antenna_t87 = hub_cos2 * antenna_t68;
     entries[423] = antenna_t87;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_t70 = hub_cos2 * left_panel_theta3_f_hub_z
         - hub_sin2 * left_panel_t52;
     let left_panel_t71 = hub_cos2 * left_panel_t52
@@ -25727,7 +25727,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[345] = left_panel_t86;
     let left_panel_t87 = hub_cos2 * left_panel_t68;
     entries[339] = left_panel_t87;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t142 = hub_cos2 * left_tip_theta3_f_hub_z - hub_sin2 * left_tip_t118;
     let left_tip_t143 = hub_cos2 * left_tip_t118 + hub_sin2 * left_tip_theta3_f_hub_z;
     entries[152] = left_tip_t143;
@@ -25758,7 +25758,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[393] = left_tip_t158;
     let left_tip_t159 = hub_cos2 * left_tip_t140 + hub_sin2 * left_tip_s3_n_hub_z;
     entries[384] = left_tip_t159;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t142 = hub_cos2 * forearm_theta3_f_hub_z - hub_sin2 * forearm_t118;
     let forearm_t143 = hub_cos2 * forearm_t118 + hub_sin2 * forearm_theta3_f_hub_z;
     entries[146] = forearm_t143;
@@ -25789,7 +25789,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[309] = forearm_t158;
     let forearm_t159 = hub_cos2 * forearm_t140 + hub_sin2 * forearm_s3_n_hub_z;
     entries[300] = forearm_t159;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t79 = hub_cos2 * shoulder_theta3_f_hub_z - hub_sin2 * shoulder_t61;
     let shoulder_t80 = hub_cos2 * shoulder_t61 + hub_sin2 * shoulder_theta3_f_hub_z;
     entries[143] = shoulder_t80;
@@ -25820,7 +25820,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[261] = shoulder_t95;
     let shoulder_t96 = hub_cos2 * shoulder_t77;
     entries[249] = shoulder_t96;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t42 = hub_sin2 * hub_t29;
     let hub_t43 = -(hub_cos2 * hub_t29);
     entries[140] = hub_t43;
@@ -25832,7 +25832,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[189] = hub_t45;
     let hub_t46 = -(hub_cos1 * hub_t38 + hub_sin1 * hub_t29);
     entries[163] = hub_t46;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     let camera_t160 = hub_cos1 * camera_t119 - hub_sin1 * camera_t142;
     entries[186] = camera_t160;
     let camera_t161 = hub_cos1 * camera_t142 + hub_sin1 * camera_t119;
@@ -25857,7 +25857,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[520] = camera_t170;
     let camera_t171 = hub_cos1 * camera_t157 + hub_sin1 * camera_t139;
     entries[521] = camera_t171;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     let boom_t88 = hub_cos1 * boom_t53 - hub_sin1 * boom_t70;
     entries[183] = boom_t88;
     let boom_t89 = hub_cos1 * boom_t70 + hub_sin1 * boom_t53;
@@ -25882,7 +25882,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[472] = boom_t98;
     let boom_t99 = hub_cos1 * boom_t85;
     entries[473] = boom_t99;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let antenna_t88 = hub_cos1 * antenna_t53 - hub_sin1 * antenna_t70;
     entries[180] = antenna_t88;
     let antenna_t89 = hub_cos1 * antenna_t70 + hub_sin1 * antenna_t53;
@@ -25907,7 +25907,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[430] = antenna_t98;
     let antenna_t99 = hub_cos1 * antenna_t85;
     entries[431] = antenna_t99;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let left_panel_t88 = hub_cos1 * left_panel_t53 - hub_sin1 * left_panel_t70;
     entries[174] = left_panel_t88;
     let left_panel_t89 = hub_cos1 * left_panel_t70 + hub_sin1 * left_panel_t53;
@@ -25932,7 +25932,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[346] = left_panel_t98;
     let left_panel_t99 = hub_cos1 * left_panel_t85;
     entries[347] = left_panel_t99;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     let left_tip_t160 = hub_cos1 * left_tip_t119 - hub_sin1 * left_tip_t142;
     entries[177] = left_tip_t160;
     let left_tip_t161 = hub_cos1 * left_tip_t142 + hub_sin1 * left_tip_t119;
@@ -25957,7 +25957,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[394] = left_tip_t170;
     let left_tip_t171 = hub_cos1 * left_tip_t157 + hub_sin1 * left_tip_t139;
     entries[395] = left_tip_t171;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     let forearm_t160 = hub_cos1 * forearm_t119 - hub_sin1 * forearm_t142;
     entries[171] = forearm_t160;
     let forearm_t161 = hub_cos1 * forearm_t142 + hub_sin1 * forearm_t119;
@@ -25982,7 +25982,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[310] = forearm_t170;
     let forearm_t171 = hub_cos1 * forearm_t157 + hub_sin1 * forearm_t139;
     entries[311] = forearm_t171;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let shoulder_t97 = hub_cos1 * shoulder_t62 - hub_sin1 * shoulder_t79;
     entries[168] = shoulder_t97;
     let shoulder_t98 = hub_cos1 * shoulder_t79 + hub_sin1 * shoulder_t62;
@@ -26007,7 +26007,7 @@ pub fn mass_matrix_packed<R: kane::Real>(
     entries[262] = shoulder_t107;
     let shoulder_t108 = hub_cos1 * shoulder_t94;
     entries[263] = shoulder_t108;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let hub_t47 = hub_cos1 * hub_t28 - hub_sin1 * hub_t42;
     entries[165] = hub_t47;
     let hub_t48 = hub_cos1 * hub_t42 + hub_sin1 * hub_t28;
@@ -30890,7 +30890,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // hub: joint, mass and inertia
+    // hub: given forces
     let hub_theta1_tau = tau[0];
     let hub_theta3_tau = tau[2];
     let hub_sin2 = sines[1];
@@ -30913,6 +30913,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let hub_t4 = hub_s1_tau * hub_cos2 - hub_sin2 * hub_t3;
     let hub_f_past_s1_x = hub_cos3 * hub_t4 + hub_sin3 * hub_t2;
     let hub_f_past_s2_y = hub_cos3 * hub_t2 - hub_sin3 * hub_t4;
+    // shoulder: given forces
     let shoulder_theta3_tau = tau[5];
     let shoulder_sin2 = sines[4];
     let shoulder_t1 = shoulder_theta3_tau * shoulder_sin2;
@@ -30939,6 +30940,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let shoulder_t5 = shoulder_s1_tau * shoulder_cos2 - shoulder_sin2 * shoulder_t4;
     let shoulder_f_past_s1_x = shoulder_cos3 * shoulder_t5 + shoulder_sin3 * shoulder_t3;
     let shoulder_f_past_s2_y = shoulder_cos3 * shoulder_t3 - shoulder_sin3 * shoulder_t5;
+    // forearm: given forces
     let forearm_theta3_tau = tau[8];
     let forearm_sin2 = sines[7];
     let forearm_t1 = forearm_theta3_tau * forearm_sin2;
@@ -30964,6 +30966,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let forearm_t5 = forearm_s1_tau * forearm_cos2 - forearm_sin2 * forearm_t4;
     let forearm_f_past_s1_x = forearm_cos3 * forearm_t5 + forearm_sin3 * forearm_t3;
     let forearm_f_past_s2_y = forearm_cos3 * forearm_t3 - forearm_sin3 * forearm_t5;
+    // left_panel: given forces
     let left_panel_theta3_tau = tau[11];
     let left_panel_sin2 = sines[10];
     let left_panel_t1 = left_panel_theta3_tau * left_panel_sin2;
@@ -30995,6 +30998,7 @@ pub fn forward_dynamics<R: kane::Real>(
         + left_panel_sin3 * left_panel_t3;
     let left_panel_f_past_s2_y = left_panel_cos3 * left_panel_t3
         - left_panel_sin3 * left_panel_t5;
+    // left_tip: given forces
     let left_tip_theta3_tau = tau[14];
     let left_tip_sin2 = sines[13];
     let left_tip_t1 = left_tip_theta3_tau * left_tip_sin2;
@@ -31021,6 +31025,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let left_tip_t5 = left_tip_s1_tau * left_tip_cos2 - left_tip_sin2 * left_tip_t4;
     let left_tip_f_past_s1_x = left_tip_cos3 * left_tip_t5 + left_tip_sin3 * left_tip_t3;
     let left_tip_f_past_s2_y = left_tip_cos3 * left_tip_t3 - left_tip_sin3 * left_tip_t5;
+    // antenna: given forces
     let antenna_theta3_tau = tau[17];
     let antenna_sin2 = sines[16];
     let antenna_t1 = antenna_theta3_tau * antenna_sin2;
@@ -31046,6 +31051,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let antenna_t5 = antenna_s1_tau * antenna_cos2 - antenna_sin2 * antenna_t4;
     let antenna_f_past_s1_x = antenna_cos3 * antenna_t5 + antenna_sin3 * antenna_t3;
     let antenna_f_past_s2_y = antenna_cos3 * antenna_t3 - antenna_sin3 * antenna_t5;
+    // boom: given forces
     let boom_theta3_tau = tau[20];
     let boom_sin2 = sines[19];
     let boom_t1 = boom_theta3_tau * boom_sin2;
@@ -31069,6 +31075,7 @@ pub fn forward_dynamics<R: kane::Real>(
     let boom_t5 = boom_s1_tau * boom_cos2 - boom_sin2 * boom_t4;
     let boom_f_past_s1_x = boom_cos3 * boom_t5 + boom_sin3 * boom_t3;
     let boom_f_past_s2_y = boom_cos3 * boom_t3 - boom_sin3 * boom_t5;
+    // camera: given forces
     let camera_theta3_tau = tau[23];
     let camera_sin2 = sines[22];
     let camera_t1 = camera_theta3_tau * camera_sin2;
@@ -33186,7 +33193,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         camera_t5,
     );
     camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_cos3 = cosines[23];
     camera_sin3 = sines[23];
     camera_t1 = R::from_f64(-0.643875) * camera_cos3
@@ -33393,7 +33400,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     camera_composite_on_lower_zz = camera_t27 + (camera_t49 + camera_t50);
     camera_composite_on_lower_xy = camera_t28
         - (camera_offset_y * camera_t11 + camera_offset_x * camera_minus_s1_n_boom_z);
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_composite_x = camera_s2_n_boom_z + R::from_f64(0.263312);
     boom_composite_y = camera_minus_s1_n_boom_z + R::from_f64(-0.575995);
     boom_composite_z = camera_s1_n_boom_y + R::from_f64(-0.48665699999999995);
@@ -33428,7 +33435,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     boom_t8 = boom_cos3 * boom_composite_xz - boom_sin3 * boom_composite_yz;
     boom_t9 = boom_cos3 * boom_composite_yz + boom_sin3 * boom_composite_xz;
     boom_t10 = boom_t5 - boom_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t52 = boom_cos3 * camera_minus_theta3_f_boom_x
         + boom_sin3 * camera_theta3_f_boom_y;
     camera_t53 = boom_cos3 * camera_theta3_f_boom_y
@@ -33469,7 +33476,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     camera_t67 = boom_cos3 * camera_s1_n_boom_y;
     camera_t68 = boom_cos3 * camera_minus_s1_n_boom_z + boom_sin3 * camera_s2_n_boom_z;
     camera_t69 = boom_sin3 * camera_minus_s1_n_boom_z - boom_cos3 * camera_s2_n_boom_z;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_cos2 = cosines[19];
     boom_sin2 = sines[19];
     let (
@@ -33503,7 +33510,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     );
     boom_t18 = boom_cos2 * boom_t10 + boom_sin2 * boom_t9;
     boom_t19 = boom_t14 - boom_t8;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t70 = boom_cos2 * camera_theta3_f_boom_z + boom_sin2 * camera_t52;
     camera_t71 = boom_cos2 * camera_t52;
     let (
@@ -33571,7 +33578,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         camera_t93,
     );
     camera_t90 = boom_cos2 * camera_t68;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t20 = boom_sin2 * boom_t2;
     boom_minus_theta3_f_hub_x = boom_cos2 * boom_t2;
     boom_t21 = boom_cos2 * boom_composite_zz - boom_sin2 * boom_t8;
@@ -33609,7 +33616,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     );
     boom_t29 = boom_cos1 * boom_t19 + boom_sin1 * boom_t18;
     boom_t30 = boom_t25 - boom_t17;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_theta3_f_hub_y = boom_cos1 * camera_t53 - boom_sin1 * camera_t70;
     camera_theta3_f_hub_z = boom_cos1 * camera_t70 + boom_sin1 * camera_t53;
     camera_t91 = boom_cos1 * camera_t55 - boom_sin1 * camera_t72;
@@ -33664,7 +33671,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         camera_t106,
     );
     camera_t102 = boom_sin1 * camera_t69 - boom_cos1 * camera_t89;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_theta3_f_hub_y = boom_cos1 * boom_t1 - boom_sin1 * boom_t20;
     boom_theta3_f_hub_z = boom_cos1 * boom_t20 + boom_sin1 * boom_t1;
     boom_t31 = boom_cos1 * boom_t9 - boom_sin1 * boom_t21;
@@ -33683,7 +33690,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     );
     boom_t33 = boom_cos1 * boom_t7 - boom_sin1 * boom_t17;
     boom_t34 = boom_cos1 * boom_t17 + boom_sin1 * boom_t7;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t103 = boom_offset_y * camera_theta3_f_hub_z
         - boom_offset_z * camera_theta3_f_hub_y;
     camera_t104 = boom_offset_z * camera_theta3_f_hub_x
@@ -33773,7 +33780,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     camera_s3_n_hub_x = camera_t90 + camera_t118;
     camera_s3_n_hub_y = camera_t101 + camera_t119;
     camera_s3_n_hub_z = camera_t102 - camera_t120;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t35 = boom_offset_y * boom_theta3_f_hub_z - boom_offset_z * boom_theta3_f_hub_y;
     boom_t36 = boom_offset_z * boom_minus_theta3_f_hub_x
         + boom_offset_x * boom_theta3_f_hub_z;
@@ -33856,7 +33863,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     boom_composite_on_lower_zz = boom_t27 + (boom_t49 + boom_t50);
     boom_composite_on_lower_xy = boom_t28
         - (boom_offset_y * boom_t11 + boom_offset_x * boom_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     hub_t2 = boom_minus_s1_n_hub_z + R::from_f64(-0.41750099999999996);
     hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
@@ -33867,7 +33874,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
     hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
     hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     antenna_cos3 = cosines[17];
     antenna_sin3 = sines[17];
     antenna_t1 = R::from_f64(0.530142) * antenna_cos3
@@ -34072,7 +34079,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     antenna_composite_on_lower_zz = antenna_t27 + (antenna_t49 + antenna_t50);
     antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 + antenna_offset_x * antenna_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t10 = hub_t1 + antenna_s2_n_hub_z;
     hub_t11 = hub_t2 + antenna_minus_s1_n_hub_z;
     hub_t12 = hub_t3 + antenna_s1_n_hub_y;
@@ -34083,7 +34090,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
     hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
     hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_cos3 = cosines[14];
     left_tip_sin3 = sines[14];
     left_tip_t1 = R::from_f64(-0.79848) * left_tip_cos3
@@ -34293,7 +34300,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_tip_composite_on_lower_xy = left_tip_t28
         - (left_tip_offset_y * left_tip_t11
             + left_tip_offset_x * left_tip_minus_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     shoulder_t2 = left_tip_minus_s1_n_shoulder_z + R::from_f64(-0.23436);
     shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
@@ -34313,7 +34320,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     );
     shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
     shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     left_panel_cos3 = cosines[11];
     left_panel_sin3 = sines[11];
     left_panel_t1 = R::from_f64(-0.530565) * left_panel_cos3
@@ -34527,7 +34534,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_panel_composite_on_lower_xy = left_panel_t28
         - (left_panel_offset_y * left_panel_t11
             + left_panel_offset_x * left_panel_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
     hub_t20 = hub_t11 + left_panel_minus_s1_n_hub_z;
     hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
@@ -34547,7 +34554,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
     hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
     hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_cos3 = cosines[8];
     forearm_sin3 = sines[8];
     forearm_t1 = R::from_f64(-0.435386) * forearm_cos3
@@ -34753,7 +34760,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     forearm_composite_on_lower_xy = forearm_t28
         - (forearm_offset_y * forearm_t11
             + forearm_offset_x * forearm_minus_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     shoulder_composite_y = shoulder_t2 + forearm_minus_s1_n_shoulder_z;
     shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
@@ -34800,7 +34807,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_t18 = shoulder_cos3 * shoulder_composite_yz
         + shoulder_sin3 * shoulder_composite_xz;
     shoulder_t19 = shoulder_t14 - shoulder_composite_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t52 = shoulder_cos3 * left_tip_minus_theta3_f_shoulder_x
         + shoulder_sin3 * left_tip_theta3_f_shoulder_y;
     left_tip_t53 = shoulder_cos3 * left_tip_theta3_f_shoulder_y
@@ -34851,7 +34858,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         + shoulder_sin3 * left_tip_s2_n_shoulder_z;
     left_tip_t69 = shoulder_sin3 * left_tip_minus_s1_n_shoulder_z
         - shoulder_cos3 * left_tip_s2_n_shoulder_z;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t52 = shoulder_cos3 * forearm_minus_theta3_f_shoulder_x
         + shoulder_sin3 * forearm_theta3_f_shoulder_y;
     forearm_t53 = shoulder_cos3 * forearm_theta3_f_shoulder_y
@@ -34902,7 +34909,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         + shoulder_sin3 * forearm_s2_n_shoulder_z;
     forearm_t69 = shoulder_sin3 * forearm_minus_s1_n_shoulder_z
         - shoulder_cos3 * forearm_s2_n_shoulder_z;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_cos2 = cosines[4];
     let (
         shoulder_sin2,
@@ -34937,7 +34944,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_t26 = shoulder_cos2 * shoulder_t18 - shoulder_sin2 * shoulder_t19;
     shoulder_t27 = shoulder_cos2 * shoulder_t19 + shoulder_sin2 * shoulder_t18;
     shoulder_t28 = shoulder_t23 - shoulder_t17;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t70 = shoulder_cos2 * left_tip_theta3_f_shoulder_z
         + shoulder_sin2 * left_tip_t52;
     left_tip_t71 = shoulder_cos2 * left_tip_t52;
@@ -35021,7 +35028,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         left_tip_t93,
     );
     left_tip_t90 = shoulder_cos2 * left_tip_t68;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t70 = shoulder_cos2 * forearm_theta3_f_shoulder_z
         + shoulder_sin2 * forearm_t52;
     forearm_t71 = shoulder_cos2 * forearm_t52;
@@ -35101,7 +35108,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         forearm_t93,
     );
     forearm_t90 = shoulder_cos2 * forearm_t68;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t29 = shoulder_sin2 * shoulder_t11;
     shoulder_minus_theta3_f_hub_x = shoulder_cos2 * shoulder_t11;
     shoulder_t30 = shoulder_cos2 * shoulder_composite_zz - shoulder_sin2 * shoulder_t17;
@@ -35141,7 +35148,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_t37 = shoulder_cos1 * shoulder_t27 - shoulder_sin1 * shoulder_t28;
     shoulder_t38 = shoulder_cos1 * shoulder_t28 + shoulder_sin1 * shoulder_t27;
     shoulder_t39 = shoulder_t34 - shoulder_t26;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_theta3_f_hub_y = shoulder_cos1 * left_tip_t53
         - shoulder_sin1 * left_tip_t70;
     left_tip_theta3_f_hub_z = shoulder_cos1 * left_tip_t70
@@ -35203,7 +35210,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         left_tip_t106,
     );
     left_tip_t102 = shoulder_sin1 * left_tip_t69 - shoulder_cos1 * left_tip_t89;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_theta3_f_hub_y = shoulder_cos1 * forearm_t53 - shoulder_sin1 * forearm_t70;
     forearm_theta3_f_hub_z = shoulder_cos1 * forearm_t70 + shoulder_sin1 * forearm_t53;
     forearm_t91 = shoulder_cos1 * forearm_t55 - shoulder_sin1 * forearm_t72;
@@ -35259,7 +35266,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         forearm_t106,
     );
     forearm_t102 = shoulder_sin1 * forearm_t69 - shoulder_cos1 * forearm_t89;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_theta3_f_hub_y = shoulder_cos1 * shoulder_t10
         - shoulder_sin1 * shoulder_t29;
     shoulder_theta3_f_hub_z = shoulder_cos1 * shoulder_t29
@@ -35280,7 +35287,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_minus_theta2_f_hub_z = shoulder_cos1 * shoulder_t20;
     shoulder_t42 = shoulder_cos1 * shoulder_t16 - shoulder_sin1 * shoulder_t26;
     shoulder_t43 = shoulder_cos1 * shoulder_t26 + shoulder_sin1 * shoulder_t16;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t103 = shoulder_offset_y * left_tip_theta3_f_hub_z
         - shoulder_offset_z * left_tip_theta3_f_hub_y;
     left_tip_t104 = shoulder_offset_z * left_tip_theta3_f_hub_x
@@ -35375,7 +35382,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_tip_s3_n_hub_x = left_tip_t90 + left_tip_t118;
     left_tip_s3_n_hub_y = left_tip_t101 + left_tip_t119;
     left_tip_s3_n_hub_z = left_tip_t102 - left_tip_t120;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t103 = shoulder_offset_y * forearm_theta3_f_hub_z
         - shoulder_offset_z * forearm_theta3_f_hub_y;
     forearm_t104 = shoulder_offset_z * forearm_theta3_f_hub_x
@@ -35470,7 +35477,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     forearm_s3_n_hub_x = forearm_t90 + forearm_t118;
     forearm_s3_n_hub_y = forearm_t101 + forearm_t119;
     forearm_s3_n_hub_z = forearm_t102 - forearm_t120;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t44 = shoulder_offset_y * shoulder_theta3_f_hub_z
         - shoulder_offset_z * shoulder_theta3_f_hub_y;
     shoulder_t45 = shoulder_offset_z * shoulder_minus_theta3_f_hub_x
@@ -35558,7 +35565,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_composite_on_lower_xy = shoulder_t37
         - (shoulder_offset_y * shoulder_t20
             + shoulder_offset_x * shoulder_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
     hub_composite_y = hub_t20 + shoulder_minus_s1_n_hub_z;
     let (
@@ -35593,7 +35600,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     hub_t35 = hub_cos3 * hub_composite_xz - hub_sin3 * hub_composite_yz;
     hub_t36 = hub_cos3 * hub_composite_yz + hub_sin3 * hub_composite_xz;
     hub_t37 = hub_t32 - hub_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t121 = hub_cos3 * camera_theta3_f_hub_x - hub_sin3 * camera_theta3_f_hub_y;
     camera_t122 = hub_cos3 * camera_theta3_f_hub_y + hub_sin3 * camera_theta3_f_hub_x;
     camera_t123 = hub_cos3 * camera_theta3_n_hub_x - hub_sin3 * camera_theta3_n_hub_y;
@@ -35650,7 +35657,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     camera_t142 = hub_sin3 * camera_s3_f_hub_x - hub_cos3 * camera_minus_s3_f_hub_y;
     camera_t143 = hub_cos3 * camera_s3_n_hub_x - hub_sin3 * camera_s3_n_hub_y;
     camera_t144 = hub_cos3 * camera_s3_n_hub_y + hub_sin3 * camera_s3_n_hub_x;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t52 = hub_cos3 * boom_minus_theta3_f_hub_x + hub_sin3 * boom_theta3_f_hub_y;
     boom_t53 = hub_cos3 * boom_theta3_f_hub_y - hub_sin3 * boom_minus_theta3_f_hub_x;
     boom_t54 = hub_cos3 * boom_theta3_n_hub_x - hub_sin3 * boom_theta3_n_hub_y;
@@ -35671,7 +35678,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     boom_t67 = hub_cos3 * boom_s1_n_hub_y;
     boom_t68 = hub_cos3 * boom_minus_s1_n_hub_z + hub_sin3 * boom_s2_n_hub_z;
     boom_t69 = hub_sin3 * boom_minus_s1_n_hub_z - hub_cos3 * boom_s2_n_hub_z;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     antenna_t52 = hub_cos3 * antenna_minus_theta3_f_hub_x
         + hub_sin3 * antenna_theta3_f_hub_y;
     antenna_t53 = hub_cos3 * antenna_theta3_f_hub_y
@@ -35712,7 +35719,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     antenna_t67 = hub_cos3 * antenna_s1_n_hub_y;
     antenna_t68 = hub_cos3 * antenna_minus_s1_n_hub_z + hub_sin3 * antenna_s2_n_hub_z;
     antenna_t69 = hub_sin3 * antenna_minus_s1_n_hub_z - hub_cos3 * antenna_s2_n_hub_z;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     left_panel_t52 = hub_cos3 * left_panel_minus_theta3_f_hub_x
         + hub_sin3 * left_panel_theta3_f_hub_y;
     left_panel_t53 = hub_cos3 * left_panel_theta3_f_hub_y
@@ -35763,7 +35770,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         + hub_sin3 * left_panel_s2_n_hub_z;
     left_panel_t69 = hub_sin3 * left_panel_minus_s1_n_hub_z
         - hub_cos3 * left_panel_s2_n_hub_z;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t121 = hub_cos3 * left_tip_theta3_f_hub_x
         - hub_sin3 * left_tip_theta3_f_hub_y;
     left_tip_t122 = hub_cos3 * left_tip_theta3_f_hub_y
@@ -35834,7 +35841,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         - hub_cos3 * left_tip_minus_s3_f_hub_y;
     left_tip_t143 = hub_cos3 * left_tip_s3_n_hub_x - hub_sin3 * left_tip_s3_n_hub_y;
     left_tip_t144 = hub_cos3 * left_tip_s3_n_hub_y + hub_sin3 * left_tip_s3_n_hub_x;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t121 = hub_cos3 * forearm_theta3_f_hub_x - hub_sin3 * forearm_theta3_f_hub_y;
     forearm_t122 = hub_cos3 * forearm_theta3_f_hub_y + hub_sin3 * forearm_theta3_f_hub_x;
     forearm_t123 = hub_cos3 * forearm_theta3_n_hub_x - hub_sin3 * forearm_theta3_n_hub_y;
@@ -35891,7 +35898,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     forearm_t142 = hub_sin3 * forearm_s3_f_hub_x - hub_cos3 * forearm_minus_s3_f_hub_y;
     forearm_t143 = hub_cos3 * forearm_s3_n_hub_x - hub_sin3 * forearm_s3_n_hub_y;
     forearm_t144 = hub_cos3 * forearm_s3_n_hub_y + hub_sin3 * forearm_s3_n_hub_x;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t61 = hub_cos3 * shoulder_minus_theta3_f_hub_x
         + hub_sin3 * shoulder_theta3_f_hub_y;
     shoulder_t62 = hub_cos3 * shoulder_theta3_f_hub_y
@@ -35940,7 +35947,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_t76 = hub_cos3 * shoulder_s1_n_hub_y;
     shoulder_t77 = hub_cos3 * shoulder_minus_s1_n_hub_z + hub_sin3 * shoulder_s2_n_hub_z;
     shoulder_t78 = hub_sin3 * shoulder_minus_s1_n_hub_z - hub_cos3 * shoulder_s2_n_hub_z;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_cos2 = cosines[1];
     hub_sin2 = sines[1];
     hub_t38 = hub_cos2 * hub_composite_z - hub_sin2 * hub_t28;
@@ -35951,7 +35958,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
                 + hub_cos2 * (R::from_f64(2.0) * hub_t35));
     let (hub_t41, hub_t42, hub_t43, hub_t44, hub_cos1, hub_sin1, hub_t45, hub_t46);
     hub_t41 = hub_cos2 * hub_t37 + hub_sin2 * hub_t36;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t145 = hub_cos2 * camera_theta3_f_hub_z - hub_sin2 * camera_t121;
     camera_t146 = hub_cos2 * camera_t121 + hub_sin2 * camera_theta3_f_hub_z;
     camera_t147 = hub_cos2 * camera_t123 + hub_sin2 * camera_theta3_n_hub_z;
@@ -35990,7 +35997,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     camera_t160 = hub_cos2 * camera_s3_f_hub_z - hub_sin2 * camera_t141;
     camera_t161 = hub_cos2 * camera_t141 + hub_sin2 * camera_s3_f_hub_z;
     camera_t162 = hub_cos2 * camera_t143 + hub_sin2 * camera_s3_n_hub_z;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t70 = hub_cos2 * boom_theta3_f_hub_z + hub_sin2 * boom_t52;
     let (boom_t71, boom_t72, boom_t73, boom_t74, boom_t75, boom_t76, boom_t77, boom_t78);
     boom_t71 = hub_sin2 * boom_theta3_f_hub_z - hub_cos2 * boom_t52;
@@ -36012,7 +36019,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     boom_t86 = R::from_f64(-4.068) * hub_sin2;
     let (boom_t87, boom_t88, boom_t89, boom_t90, boom_t91, boom_t92, boom_t93, boom_t94);
     boom_t87 = hub_cos2 * boom_t68;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     antenna_t70 = hub_cos2 * antenna_theta3_f_hub_z + hub_sin2 * antenna_t52;
     antenna_t71 = hub_cos2 * antenna_t52;
     let (
@@ -36051,7 +36058,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     antenna_t85 = R::from_f64(1.186) * hub_cos2;
     antenna_t86 = R::from_f64(-1.186) * hub_sin2;
     antenna_t87 = hub_cos2 * antenna_t68;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     left_panel_t70 = hub_cos2 * left_panel_theta3_f_hub_z + hub_sin2 * left_panel_t52;
     left_panel_t71 = hub_cos2 * left_panel_t52;
     let (
@@ -36091,7 +36098,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_panel_t85 = R::from_f64(3.255) * hub_cos2;
     left_panel_t86 = R::from_f64(-3.255) * hub_sin2;
     left_panel_t87 = hub_cos2 * left_panel_t68;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t145 = hub_cos2 * left_tip_theta3_f_hub_z - hub_sin2 * left_tip_t121;
     left_tip_t146 = hub_cos2 * left_tip_t121 + hub_sin2 * left_tip_theta3_f_hub_z;
     left_tip_t147 = hub_cos2 * left_tip_t123 + hub_sin2 * left_tip_theta3_n_hub_z;
@@ -36130,7 +36137,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_tip_t160 = hub_cos2 * left_tip_s3_f_hub_z - hub_sin2 * left_tip_t141;
     left_tip_t161 = hub_cos2 * left_tip_t141 + hub_sin2 * left_tip_s3_f_hub_z;
     left_tip_t162 = hub_cos2 * left_tip_t143 + hub_sin2 * left_tip_s3_n_hub_z;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t145 = hub_cos2 * forearm_theta3_f_hub_z - hub_sin2 * forearm_t121;
     forearm_t146 = hub_cos2 * forearm_t121 + hub_sin2 * forearm_theta3_f_hub_z;
     forearm_t147 = hub_cos2 * forearm_t123 + hub_sin2 * forearm_theta3_n_hub_z;
@@ -36169,7 +36176,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     forearm_t160 = hub_cos2 * forearm_s3_f_hub_z - hub_sin2 * forearm_t141;
     forearm_t161 = hub_cos2 * forearm_t141 + hub_sin2 * forearm_s3_f_hub_z;
     forearm_t162 = hub_cos2 * forearm_t143 + hub_sin2 * forearm_s3_n_hub_z;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let (
         shoulder_t79,
         shoulder_t80,
@@ -36218,7 +36225,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     );
     shoulder_t95 = R::from_f64(-7.105) * hub_sin2;
     shoulder_t96 = hub_cos2 * shoulder_t77;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t42 = hub_sin2 * hub_t29;
     hub_t43 = hub_cos2 * hub_t29;
     hub_t44 = hub_cos2 * hub_t35 + hub_sin2 * hub_composite_zz;
@@ -36226,7 +36233,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     hub_sin1 = sines[0];
     hub_t45 = hub_cos1 * hub_t29 - hub_sin1 * hub_t38;
     hub_t46 = hub_cos1 * hub_t38 + hub_sin1 * hub_t29;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t163 = hub_cos1 * camera_t122 - hub_sin1 * camera_t145;
     let (
         camera_t164,
@@ -36259,7 +36266,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     camera_t172 = hub_cos1 * camera_t157 + hub_sin1 * camera_t138;
     camera_t173 = hub_cos1 * camera_t142 - hub_sin1 * camera_t160;
     camera_t174 = hub_cos1 * camera_t160 + hub_sin1 * camera_t142;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t88 = hub_cos1 * boom_t53 - hub_sin1 * boom_t70;
     boom_t89 = hub_cos1 * boom_t70 + hub_sin1 * boom_t53;
     boom_t90 = hub_cos1 * boom_t57 + hub_sin1 * boom_t73;
@@ -36282,7 +36289,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     boom_t97 = hub_sin1 * boom_t64 - hub_cos1 * boom_t82;
     boom_t98 = hub_sin1 * boom_t85;
     boom_t99 = hub_cos1 * boom_t85;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let (
         antenna_t88,
         antenna_t89,
@@ -36315,7 +36322,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     antenna_t97 = hub_sin1 * antenna_t64 - hub_cos1 * antenna_t82;
     antenna_t98 = hub_sin1 * antenna_t85;
     antenna_t99 = hub_cos1 * antenna_t85;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let (
         left_panel_t88,
         left_panel_t89,
@@ -36348,7 +36355,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_panel_t97 = hub_sin1 * left_panel_t64 - hub_cos1 * left_panel_t82;
     left_panel_t98 = hub_sin1 * left_panel_t85;
     left_panel_t99 = hub_cos1 * left_panel_t85;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t163 = hub_cos1 * left_tip_t122 - hub_sin1 * left_tip_t145;
     let (
         left_tip_t164,
@@ -36381,7 +36388,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     left_tip_t172 = hub_cos1 * left_tip_t157 + hub_sin1 * left_tip_t138;
     left_tip_t173 = hub_cos1 * left_tip_t142 - hub_sin1 * left_tip_t160;
     left_tip_t174 = hub_cos1 * left_tip_t160 + hub_sin1 * left_tip_t142;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t163 = hub_cos1 * forearm_t122 - hub_sin1 * forearm_t145;
     let (
         forearm_t164,
@@ -36414,7 +36421,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     forearm_t172 = hub_cos1 * forearm_t157 + hub_sin1 * forearm_t138;
     forearm_t173 = hub_cos1 * forearm_t142 - hub_sin1 * forearm_t160;
     forearm_t174 = hub_cos1 * forearm_t160 + hub_sin1 * forearm_t142;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t97 = hub_cos1 * shoulder_t62 - hub_sin1 * shoulder_t79;
     shoulder_t98 = hub_cos1 * shoulder_t79 + hub_sin1 * shoulder_t62;
     shoulder_t99 = hub_cos1 * shoulder_t66 + hub_sin1 * shoulder_t82;
@@ -36437,7 +36444,7 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_t106 = hub_sin1 * shoulder_t73 - hub_cos1 * shoulder_t91;
     shoulder_t107 = hub_sin1 * shoulder_t94;
     shoulder_t108 = hub_cos1 * shoulder_t94;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let (hub_t47, hub_t48, hub_t49, hub_t50, hub_t51, hub_t52, hub_t53, hub_t54);
     hub_t47 = hub_cos1 * hub_t28 - hub_sin1 * hub_t42;
     hub_t48 = hub_cos1 * hub_t42 + hub_sin1 * hub_t28;
@@ -47185,7 +47192,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // hub: joint, mass and inertia
+    // hub: given forces
     let hub_theta1_tau = tau[0];
     let hub_theta3_tau = tau[2];
     let hub_sin2 = sines[1];
@@ -47208,6 +47215,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let hub_t4 = hub_s1_tau * hub_cos2 - hub_sin2 * hub_t3;
     let hub_f_past_s1_x = hub_cos3 * hub_t4 + hub_sin3 * hub_t2;
     let hub_f_past_s2_y = hub_cos3 * hub_t2 - hub_sin3 * hub_t4;
+    // shoulder: given forces
     let shoulder_theta3_tau = tau[5];
     let shoulder_sin2 = sines[4];
     let shoulder_t1 = shoulder_theta3_tau * shoulder_sin2;
@@ -47234,6 +47242,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let shoulder_t5 = shoulder_s1_tau * shoulder_cos2 - shoulder_sin2 * shoulder_t4;
     let shoulder_f_past_s1_x = shoulder_cos3 * shoulder_t5 + shoulder_sin3 * shoulder_t3;
     let shoulder_f_past_s2_y = shoulder_cos3 * shoulder_t3 - shoulder_sin3 * shoulder_t5;
+    // forearm: given forces
     let forearm_theta3_tau = tau[8];
     let forearm_sin2 = sines[7];
     let forearm_t1 = forearm_theta3_tau * forearm_sin2;
@@ -47259,6 +47268,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let forearm_t5 = forearm_s1_tau * forearm_cos2 - forearm_sin2 * forearm_t4;
     let forearm_rest_s1 = forearm_cos3 * forearm_t5 + forearm_sin3 * forearm_t3;
     let forearm_rest_s2 = forearm_cos3 * forearm_t3 - forearm_sin3 * forearm_t5;
+    // left_panel: given forces
     let left_panel_theta3_tau = tau[11];
     let left_panel_sin2 = sines[10];
     let left_panel_t1 = left_panel_theta3_tau * left_panel_sin2;
@@ -47290,6 +47300,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
         + left_panel_sin3 * left_panel_t3;
     let left_panel_rest_s2 = left_panel_cos3 * left_panel_t3
         - left_panel_sin3 * left_panel_t5;
+    // left_tip: given forces
     let left_tip_theta3_tau = tau[14];
     let left_tip_sin2 = sines[13];
     let left_tip_t1 = left_tip_theta3_tau * left_tip_sin2;
@@ -47315,6 +47326,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let left_tip_t5 = left_tip_s1_tau * left_tip_cos2 - left_tip_sin2 * left_tip_t4;
     let left_tip_rest_s1 = left_tip_cos3 * left_tip_t5 + left_tip_sin3 * left_tip_t3;
     let left_tip_rest_s2 = left_tip_cos3 * left_tip_t3 - left_tip_sin3 * left_tip_t5;
+    // antenna: given forces
     let antenna_theta3_tau = tau[17];
     let antenna_sin2 = sines[16];
     let antenna_t1 = antenna_theta3_tau * antenna_sin2;
@@ -47340,6 +47352,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let antenna_t5 = antenna_s1_tau * antenna_cos2 - antenna_sin2 * antenna_t4;
     let antenna_rest_s1 = antenna_cos3 * antenna_t5 + antenna_sin3 * antenna_t3;
     let antenna_rest_s2 = antenna_cos3 * antenna_t3 - antenna_sin3 * antenna_t5;
+    // boom: given forces
     let boom_theta3_tau = tau[20];
     let boom_sin2 = sines[19];
     let boom_t1 = boom_theta3_tau * boom_sin2;
@@ -47363,6 +47376,7 @@ pub fn mass_matrix_solve<R: kane::Real>(
     let boom_t5 = boom_s1_tau * boom_cos2 - boom_sin2 * boom_t4;
     let boom_f_past_s1_x = boom_cos3 * boom_t5 + boom_sin3 * boom_t3;
     let boom_f_past_s2_y = boom_cos3 * boom_t3 - boom_sin3 * boom_t5;
+    // camera: given forces
     let camera_theta3_tau = tau[23];
     let camera_sin2 = sines[22];
     let camera_t1 = camera_theta3_tau * camera_sin2;
@@ -48532,7 +48546,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         camera_t5,
     );
     camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_cos3 = cosines[23];
     camera_sin3 = sines[23];
     camera_t1 = R::from_f64(-0.643875) * camera_cos3
@@ -48739,7 +48753,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     camera_composite_on_lower_zz = camera_t27 + (camera_t49 + camera_t50);
     camera_composite_on_lower_xy = camera_t28
         - (camera_offset_y * camera_t11 + camera_offset_x * camera_minus_s1_n_boom_z);
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_composite_x = camera_s2_n_boom_z + R::from_f64(0.263312);
     boom_composite_y = camera_minus_s1_n_boom_z + R::from_f64(-0.575995);
     boom_composite_z = camera_s1_n_boom_y + R::from_f64(-0.48665699999999995);
@@ -48774,7 +48788,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     boom_t8 = boom_cos3 * boom_composite_xz - boom_sin3 * boom_composite_yz;
     boom_t9 = boom_cos3 * boom_composite_yz + boom_sin3 * boom_composite_xz;
     boom_t10 = boom_t5 - boom_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t52 = boom_cos3 * camera_minus_theta3_f_boom_x
         + boom_sin3 * camera_theta3_f_boom_y;
     camera_t53 = boom_cos3 * camera_theta3_f_boom_y
@@ -48815,7 +48829,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     camera_t67 = boom_cos3 * camera_s1_n_boom_y;
     camera_t68 = boom_cos3 * camera_minus_s1_n_boom_z + boom_sin3 * camera_s2_n_boom_z;
     camera_t69 = boom_sin3 * camera_minus_s1_n_boom_z - boom_cos3 * camera_s2_n_boom_z;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_cos2 = cosines[19];
     boom_sin2 = sines[19];
     entries[522] = boom_sin2;
@@ -48850,7 +48864,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     );
     boom_t18 = boom_cos2 * boom_t10 + boom_sin2 * boom_t9;
     boom_t19 = boom_t14 - boom_t8;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t70 = boom_cos2 * camera_theta3_f_boom_z + boom_sin2 * camera_t52;
     camera_t71 = boom_cos2 * camera_t52;
     let (
@@ -48918,7 +48932,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         camera_t93,
     );
     camera_t90 = boom_cos2 * camera_t68;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t20 = boom_sin2 * boom_t2;
     boom_minus_theta3_f_hub_x = boom_cos2 * boom_t2;
     boom_t21 = boom_cos2 * boom_composite_zz - boom_sin2 * boom_t8;
@@ -48956,7 +48970,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     );
     boom_t29 = boom_cos1 * boom_t19 + boom_sin1 * boom_t18;
     boom_t30 = boom_t25 - boom_t17;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_theta3_f_hub_y = boom_cos1 * camera_t53 - boom_sin1 * camera_t70;
     camera_theta3_f_hub_z = boom_cos1 * camera_t70 + boom_sin1 * camera_t53;
     camera_t91 = boom_cos1 * camera_t55 - boom_sin1 * camera_t72;
@@ -49011,7 +49025,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         camera_t106,
     );
     camera_t102 = boom_sin1 * camera_t69 - boom_cos1 * camera_t89;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_theta3_f_hub_y = boom_cos1 * boom_t1 - boom_sin1 * boom_t20;
     boom_theta3_f_hub_z = boom_cos1 * boom_t20 + boom_sin1 * boom_t1;
     boom_t31 = boom_cos1 * boom_t9 - boom_sin1 * boom_t21;
@@ -49030,7 +49044,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     );
     boom_t33 = boom_cos1 * boom_t7 - boom_sin1 * boom_t17;
     boom_t34 = boom_cos1 * boom_t17 + boom_sin1 * boom_t7;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t103 = boom_offset_y * camera_theta3_f_hub_z
         - boom_offset_z * camera_theta3_f_hub_y;
     camera_t104 = boom_offset_z * camera_theta3_f_hub_x
@@ -49120,7 +49134,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     camera_s3_n_hub_x = camera_t90 + camera_t118;
     camera_s3_n_hub_y = camera_t101 + camera_t119;
     camera_s3_n_hub_z = camera_t102 - camera_t120;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t35 = boom_offset_y * boom_theta3_f_hub_z - boom_offset_z * boom_theta3_f_hub_y;
     boom_t36 = boom_offset_z * boom_minus_theta3_f_hub_x
         + boom_offset_x * boom_theta3_f_hub_z;
@@ -49203,7 +49217,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     boom_composite_on_lower_zz = boom_t27 + (boom_t49 + boom_t50);
     boom_composite_on_lower_xy = boom_t28
         - (boom_offset_y * boom_t11 + boom_offset_x * boom_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     hub_t2 = boom_minus_s1_n_hub_z + R::from_f64(-0.41750099999999996);
     hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
@@ -49214,7 +49228,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
     hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
     hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     antenna_cos3 = cosines[17];
     antenna_sin3 = sines[17];
     antenna_t1 = R::from_f64(0.530142) * antenna_cos3
@@ -49419,7 +49433,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     antenna_composite_on_lower_zz = antenna_t27 + (antenna_t49 + antenna_t50);
     antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 + antenna_offset_x * antenna_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t10 = hub_t1 + antenna_s2_n_hub_z;
     hub_t11 = hub_t2 + antenna_minus_s1_n_hub_z;
     hub_t12 = hub_t3 + antenna_s1_n_hub_y;
@@ -49430,7 +49444,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
     hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
     hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_cos3 = cosines[14];
     left_tip_sin3 = sines[14];
     left_tip_t1 = R::from_f64(-0.79848) * left_tip_cos3
@@ -49640,7 +49654,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_tip_composite_on_lower_xy = left_tip_t28
         - (left_tip_offset_y * left_tip_t11
             + left_tip_offset_x * left_tip_minus_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     shoulder_t2 = left_tip_minus_s1_n_shoulder_z + R::from_f64(-0.23436);
     shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
@@ -49660,7 +49674,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     );
     shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
     shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     left_panel_cos3 = cosines[11];
     left_panel_sin3 = sines[11];
     left_panel_t1 = R::from_f64(-0.530565) * left_panel_cos3
@@ -49874,7 +49888,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_panel_composite_on_lower_xy = left_panel_t28
         - (left_panel_offset_y * left_panel_t11
             + left_panel_offset_x * left_panel_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
     hub_t20 = hub_t11 + left_panel_minus_s1_n_hub_z;
     hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
@@ -49894,7 +49908,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
     hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
     hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_cos3 = cosines[8];
     forearm_sin3 = sines[8];
     forearm_t1 = R::from_f64(-0.435386) * forearm_cos3
@@ -50100,7 +50114,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     forearm_composite_on_lower_xy = forearm_t28
         - (forearm_offset_y * forearm_t11
             + forearm_offset_x * forearm_minus_s1_n_shoulder_z);
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     shoulder_composite_y = shoulder_t2 + forearm_minus_s1_n_shoulder_z;
     shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
@@ -50147,7 +50161,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_t18 = shoulder_cos3 * shoulder_composite_yz
         + shoulder_sin3 * shoulder_composite_xz;
     shoulder_t19 = shoulder_t14 - shoulder_composite_xy;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t52 = shoulder_cos3 * left_tip_minus_theta3_f_shoulder_x
         + shoulder_sin3 * left_tip_theta3_f_shoulder_y;
     left_tip_t53 = shoulder_cos3 * left_tip_theta3_f_shoulder_y
@@ -50198,7 +50212,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         + shoulder_sin3 * left_tip_s2_n_shoulder_z;
     left_tip_t69 = shoulder_sin3 * left_tip_minus_s1_n_shoulder_z
         - shoulder_cos3 * left_tip_s2_n_shoulder_z;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t52 = shoulder_cos3 * forearm_minus_theta3_f_shoulder_x
         + shoulder_sin3 * forearm_theta3_f_shoulder_y;
     forearm_t53 = shoulder_cos3 * forearm_theta3_f_shoulder_y
@@ -50249,7 +50263,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         + shoulder_sin3 * forearm_s2_n_shoulder_z;
     forearm_t69 = shoulder_sin3 * forearm_minus_s1_n_shoulder_z
         - shoulder_cos3 * forearm_s2_n_shoulder_z;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_cos2 = cosines[4];
     let (
         shoulder_sin2,
@@ -50286,7 +50300,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_t26 = shoulder_cos2 * shoulder_t18 - shoulder_sin2 * shoulder_t19;
     shoulder_t27 = shoulder_cos2 * shoulder_t19 + shoulder_sin2 * shoulder_t18;
     shoulder_t28 = shoulder_t23 - shoulder_t17;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t70 = shoulder_cos2 * left_tip_theta3_f_shoulder_z
         + shoulder_sin2 * left_tip_t52;
     left_tip_t71 = shoulder_cos2 * left_tip_t52;
@@ -50370,7 +50384,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         left_tip_t93,
     );
     left_tip_t90 = shoulder_cos2 * left_tip_t68;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t70 = shoulder_cos2 * forearm_theta3_f_shoulder_z
         + shoulder_sin2 * forearm_t52;
     forearm_t71 = shoulder_cos2 * forearm_t52;
@@ -50450,7 +50464,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         forearm_t93,
     );
     forearm_t90 = shoulder_cos2 * forearm_t68;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t29 = shoulder_sin2 * shoulder_t11;
     shoulder_minus_theta3_f_hub_x = shoulder_cos2 * shoulder_t11;
     shoulder_t30 = shoulder_cos2 * shoulder_composite_zz - shoulder_sin2 * shoulder_t17;
@@ -50490,7 +50504,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_t37 = shoulder_cos1 * shoulder_t27 - shoulder_sin1 * shoulder_t28;
     shoulder_t38 = shoulder_cos1 * shoulder_t28 + shoulder_sin1 * shoulder_t27;
     shoulder_t39 = shoulder_t34 - shoulder_t26;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_theta3_f_hub_y = shoulder_cos1 * left_tip_t53
         - shoulder_sin1 * left_tip_t70;
     left_tip_theta3_f_hub_z = shoulder_cos1 * left_tip_t70
@@ -50552,7 +50566,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         left_tip_t106,
     );
     left_tip_t102 = shoulder_sin1 * left_tip_t69 - shoulder_cos1 * left_tip_t89;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_theta3_f_hub_y = shoulder_cos1 * forearm_t53 - shoulder_sin1 * forearm_t70;
     forearm_theta3_f_hub_z = shoulder_cos1 * forearm_t70 + shoulder_sin1 * forearm_t53;
     forearm_t91 = shoulder_cos1 * forearm_t55 - shoulder_sin1 * forearm_t72;
@@ -50608,7 +50622,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         forearm_t106,
     );
     forearm_t102 = shoulder_sin1 * forearm_t69 - shoulder_cos1 * forearm_t89;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_theta3_f_hub_y = shoulder_cos1 * shoulder_t10
         - shoulder_sin1 * shoulder_t29;
     shoulder_theta3_f_hub_z = shoulder_cos1 * shoulder_t29
@@ -50629,7 +50643,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_minus_theta2_f_hub_z = shoulder_cos1 * shoulder_t20;
     shoulder_t42 = shoulder_cos1 * shoulder_t16 - shoulder_sin1 * shoulder_t26;
     shoulder_t43 = shoulder_cos1 * shoulder_t26 + shoulder_sin1 * shoulder_t16;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t103 = shoulder_offset_y * left_tip_theta3_f_hub_z
         - shoulder_offset_z * left_tip_theta3_f_hub_y;
     left_tip_t104 = shoulder_offset_z * left_tip_theta3_f_hub_x
@@ -50724,7 +50738,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_tip_s3_n_hub_x = left_tip_t90 + left_tip_t118;
     left_tip_s3_n_hub_y = left_tip_t101 + left_tip_t119;
     left_tip_s3_n_hub_z = left_tip_t102 - left_tip_t120;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t103 = shoulder_offset_y * forearm_theta3_f_hub_z
         - shoulder_offset_z * forearm_theta3_f_hub_y;
     forearm_t104 = shoulder_offset_z * forearm_theta3_f_hub_x
@@ -50819,7 +50833,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     forearm_s3_n_hub_x = forearm_t90 + forearm_t118;
     forearm_s3_n_hub_y = forearm_t101 + forearm_t119;
     forearm_s3_n_hub_z = forearm_t102 - forearm_t120;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t44 = shoulder_offset_y * shoulder_theta3_f_hub_z
         - shoulder_offset_z * shoulder_theta3_f_hub_y;
     shoulder_t45 = shoulder_offset_z * shoulder_minus_theta3_f_hub_x
@@ -50907,7 +50921,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_composite_on_lower_xy = shoulder_t37
         - (shoulder_offset_y * shoulder_t20
             + shoulder_offset_x * shoulder_minus_s1_n_hub_z);
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
     hub_composite_y = hub_t20 + shoulder_minus_s1_n_hub_z;
     let (
@@ -50942,7 +50956,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     hub_t35 = hub_cos3 * hub_composite_xz - hub_sin3 * hub_composite_yz;
     hub_t36 = hub_cos3 * hub_composite_yz + hub_sin3 * hub_composite_xz;
     hub_t37 = hub_t32 - hub_composite_xy;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t121 = hub_cos3 * camera_theta3_f_hub_x - hub_sin3 * camera_theta3_f_hub_y;
     camera_t122 = hub_cos3 * camera_theta3_f_hub_y + hub_sin3 * camera_theta3_f_hub_x;
     camera_t123 = hub_cos3 * camera_theta3_n_hub_x - hub_sin3 * camera_theta3_n_hub_y;
@@ -50999,7 +51013,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     camera_t142 = hub_sin3 * camera_s3_f_hub_x - hub_cos3 * camera_minus_s3_f_hub_y;
     camera_t143 = hub_cos3 * camera_s3_n_hub_x - hub_sin3 * camera_s3_n_hub_y;
     camera_t144 = hub_cos3 * camera_s3_n_hub_y + hub_sin3 * camera_s3_n_hub_x;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t52 = hub_cos3 * boom_minus_theta3_f_hub_x + hub_sin3 * boom_theta3_f_hub_y;
     boom_t53 = hub_cos3 * boom_theta3_f_hub_y - hub_sin3 * boom_minus_theta3_f_hub_x;
     boom_t54 = hub_cos3 * boom_theta3_n_hub_x - hub_sin3 * boom_theta3_n_hub_y;
@@ -51020,7 +51034,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     boom_t67 = hub_cos3 * boom_s1_n_hub_y;
     boom_t68 = hub_cos3 * boom_minus_s1_n_hub_z + hub_sin3 * boom_s2_n_hub_z;
     boom_t69 = hub_sin3 * boom_minus_s1_n_hub_z - hub_cos3 * boom_s2_n_hub_z;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     antenna_t52 = hub_cos3 * antenna_minus_theta3_f_hub_x
         + hub_sin3 * antenna_theta3_f_hub_y;
     antenna_t53 = hub_cos3 * antenna_theta3_f_hub_y
@@ -51061,7 +51075,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     antenna_t67 = hub_cos3 * antenna_s1_n_hub_y;
     antenna_t68 = hub_cos3 * antenna_minus_s1_n_hub_z + hub_sin3 * antenna_s2_n_hub_z;
     antenna_t69 = hub_sin3 * antenna_minus_s1_n_hub_z - hub_cos3 * antenna_s2_n_hub_z;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     left_panel_t52 = hub_cos3 * left_panel_minus_theta3_f_hub_x
         + hub_sin3 * left_panel_theta3_f_hub_y;
     left_panel_t53 = hub_cos3 * left_panel_theta3_f_hub_y
@@ -51112,7 +51126,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         + hub_sin3 * left_panel_s2_n_hub_z;
     left_panel_t69 = hub_sin3 * left_panel_minus_s1_n_hub_z
         - hub_cos3 * left_panel_s2_n_hub_z;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t121 = hub_cos3 * left_tip_theta3_f_hub_x
         - hub_sin3 * left_tip_theta3_f_hub_y;
     left_tip_t122 = hub_cos3 * left_tip_theta3_f_hub_y
@@ -51183,7 +51197,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
         - hub_cos3 * left_tip_minus_s3_f_hub_y;
     left_tip_t143 = hub_cos3 * left_tip_s3_n_hub_x - hub_sin3 * left_tip_s3_n_hub_y;
     left_tip_t144 = hub_cos3 * left_tip_s3_n_hub_y + hub_sin3 * left_tip_s3_n_hub_x;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t121 = hub_cos3 * forearm_theta3_f_hub_x - hub_sin3 * forearm_theta3_f_hub_y;
     forearm_t122 = hub_cos3 * forearm_theta3_f_hub_y + hub_sin3 * forearm_theta3_f_hub_x;
     forearm_t123 = hub_cos3 * forearm_theta3_n_hub_x - hub_sin3 * forearm_theta3_n_hub_y;
@@ -51240,7 +51254,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     forearm_t142 = hub_sin3 * forearm_s3_f_hub_x - hub_cos3 * forearm_minus_s3_f_hub_y;
     forearm_t143 = hub_cos3 * forearm_s3_n_hub_x - hub_sin3 * forearm_s3_n_hub_y;
     forearm_t144 = hub_cos3 * forearm_s3_n_hub_y + hub_sin3 * forearm_s3_n_hub_x;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t61 = hub_cos3 * shoulder_minus_theta3_f_hub_x
         + hub_sin3 * shoulder_theta3_f_hub_y;
     shoulder_t62 = hub_cos3 * shoulder_theta3_f_hub_y
@@ -51289,7 +51303,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_t76 = hub_cos3 * shoulder_s1_n_hub_y;
     shoulder_t77 = hub_cos3 * shoulder_minus_s1_n_hub_z + hub_sin3 * shoulder_s2_n_hub_z;
     shoulder_t78 = hub_sin3 * shoulder_minus_s1_n_hub_z - hub_cos3 * shoulder_s2_n_hub_z;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_cos2 = cosines[1];
     hub_sin2 = sines[1];
     entries[345] = hub_sin2;
@@ -51302,7 +51316,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
                 + hub_cos2 * (R::from_f64(2.0) * hub_t35));
     let (hub_t41, hub_t42, hub_t43, hub_t44, hub_cos1, hub_sin1, hub_t45, hub_t46);
     hub_t41 = hub_cos2 * hub_t37 + hub_sin2 * hub_t36;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t145 = hub_cos2 * camera_theta3_f_hub_z - hub_sin2 * camera_t121;
     camera_t146 = hub_cos2 * camera_t121 + hub_sin2 * camera_theta3_f_hub_z;
     camera_t147 = hub_cos2 * camera_t123 + hub_sin2 * camera_theta3_n_hub_z;
@@ -51341,7 +51355,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     camera_t160 = hub_cos2 * camera_s3_f_hub_z - hub_sin2 * camera_t141;
     camera_t161 = hub_cos2 * camera_t141 + hub_sin2 * camera_s3_f_hub_z;
     camera_t162 = hub_cos2 * camera_t143 + hub_sin2 * camera_s3_n_hub_z;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t70 = hub_cos2 * boom_theta3_f_hub_z + hub_sin2 * boom_t52;
     let (boom_t71, boom_t72, boom_t73, boom_t74, boom_t75, boom_t76, boom_t77, boom_t78);
     boom_t71 = hub_sin2 * boom_theta3_f_hub_z - hub_cos2 * boom_t52;
@@ -51363,7 +51377,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     boom_t86 = R::from_f64(-4.068) * hub_sin2;
     let (boom_t87, boom_t88, boom_t89, boom_t90, boom_t91, boom_t92, boom_t93, boom_t94);
     boom_t87 = hub_cos2 * boom_t68;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     antenna_t70 = hub_cos2 * antenna_theta3_f_hub_z + hub_sin2 * antenna_t52;
     antenna_t71 = hub_cos2 * antenna_t52;
     let (
@@ -51402,7 +51416,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     antenna_t85 = R::from_f64(1.186) * hub_cos2;
     antenna_t86 = R::from_f64(-1.186) * hub_sin2;
     antenna_t87 = hub_cos2 * antenna_t68;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     left_panel_t70 = hub_cos2 * left_panel_theta3_f_hub_z + hub_sin2 * left_panel_t52;
     left_panel_t71 = hub_cos2 * left_panel_t52;
     let (
@@ -51442,7 +51456,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_panel_t85 = R::from_f64(3.255) * hub_cos2;
     left_panel_t86 = R::from_f64(-3.255) * hub_sin2;
     left_panel_t87 = hub_cos2 * left_panel_t68;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t145 = hub_cos2 * left_tip_theta3_f_hub_z - hub_sin2 * left_tip_t121;
     left_tip_t146 = hub_cos2 * left_tip_t121 + hub_sin2 * left_tip_theta3_f_hub_z;
     left_tip_t147 = hub_cos2 * left_tip_t123 + hub_sin2 * left_tip_theta3_n_hub_z;
@@ -51481,7 +51495,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_tip_t160 = hub_cos2 * left_tip_s3_f_hub_z - hub_sin2 * left_tip_t141;
     left_tip_t161 = hub_cos2 * left_tip_t141 + hub_sin2 * left_tip_s3_f_hub_z;
     left_tip_t162 = hub_cos2 * left_tip_t143 + hub_sin2 * left_tip_s3_n_hub_z;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t145 = hub_cos2 * forearm_theta3_f_hub_z - hub_sin2 * forearm_t121;
     forearm_t146 = hub_cos2 * forearm_t121 + hub_sin2 * forearm_theta3_f_hub_z;
     forearm_t147 = hub_cos2 * forearm_t123 + hub_sin2 * forearm_theta3_n_hub_z;
@@ -51520,7 +51534,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     forearm_t160 = hub_cos2 * forearm_s3_f_hub_z - hub_sin2 * forearm_t141;
     forearm_t161 = hub_cos2 * forearm_t141 + hub_sin2 * forearm_s3_f_hub_z;
     forearm_t162 = hub_cos2 * forearm_t143 + hub_sin2 * forearm_s3_n_hub_z;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     let (
         shoulder_t79,
         shoulder_t80,
@@ -51569,7 +51583,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     );
     shoulder_t95 = R::from_f64(-7.105) * hub_sin2;
     shoulder_t96 = hub_cos2 * shoulder_t77;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     hub_t42 = hub_sin2 * hub_t29;
     hub_t43 = hub_cos2 * hub_t29;
     hub_t44 = hub_cos2 * hub_t35 + hub_sin2 * hub_composite_zz;
@@ -51577,7 +51591,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     hub_sin1 = sines[0];
     hub_t45 = hub_cos1 * hub_t29 - hub_sin1 * hub_t38;
     hub_t46 = hub_cos1 * hub_t38 + hub_sin1 * hub_t29;
-    // camera: mass and inertia with all that it carries, inward
+    // camera: composite body and columns, inward
     camera_t163 = hub_cos1 * camera_t122 - hub_sin1 * camera_t145;
     let (
         camera_t164,
@@ -51610,7 +51624,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     camera_t172 = hub_cos1 * camera_t157 + hub_sin1 * camera_t138;
     camera_t173 = hub_cos1 * camera_t142 - hub_sin1 * camera_t160;
     camera_t174 = hub_cos1 * camera_t160 + hub_sin1 * camera_t142;
-    // boom: mass and inertia with all that it carries, inward
+    // boom: composite body and columns, inward
     boom_t88 = hub_cos1 * boom_t53 - hub_sin1 * boom_t70;
     boom_t89 = hub_cos1 * boom_t70 + hub_sin1 * boom_t53;
     boom_t90 = hub_cos1 * boom_t57 + hub_sin1 * boom_t73;
@@ -51633,7 +51647,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     boom_t97 = hub_sin1 * boom_t64 - hub_cos1 * boom_t82;
     boom_t98 = hub_sin1 * boom_t85;
     boom_t99 = hub_cos1 * boom_t85;
-    // antenna: mass and inertia with all that it carries, inward
+    // antenna: composite body and columns, inward
     let (
         antenna_t88,
         antenna_t89,
@@ -51666,7 +51680,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     antenna_t97 = hub_sin1 * antenna_t64 - hub_cos1 * antenna_t82;
     antenna_t98 = hub_sin1 * antenna_t85;
     antenna_t99 = hub_cos1 * antenna_t85;
-    // left_panel: mass and inertia with all that it carries, inward
+    // left_panel: composite body and columns, inward
     let (
         left_panel_t88,
         left_panel_t89,
@@ -51699,7 +51713,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_panel_t97 = hub_sin1 * left_panel_t64 - hub_cos1 * left_panel_t82;
     left_panel_t98 = hub_sin1 * left_panel_t85;
     left_panel_t99 = hub_cos1 * left_panel_t85;
-    // left_tip: mass and inertia with all that it carries, inward
+    // left_tip: composite body and columns, inward
     left_tip_t163 = hub_cos1 * left_tip_t122 - hub_sin1 * left_tip_t145;
     let (
         left_tip_t164,
@@ -51732,7 +51746,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     left_tip_t172 = hub_cos1 * left_tip_t157 + hub_sin1 * left_tip_t138;
     left_tip_t173 = hub_cos1 * left_tip_t142 - hub_sin1 * left_tip_t160;
     left_tip_t174 = hub_cos1 * left_tip_t160 + hub_sin1 * left_tip_t142;
-    // forearm: mass and inertia with all that it carries, inward
+    // forearm: composite body and columns, inward
     forearm_t163 = hub_cos1 * forearm_t122 - hub_sin1 * forearm_t145;
     let (
         forearm_t164,
@@ -51765,7 +51779,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     forearm_t172 = hub_cos1 * forearm_t157 + hub_sin1 * forearm_t138;
     forearm_t173 = hub_cos1 * forearm_t142 - hub_sin1 * forearm_t160;
     forearm_t174 = hub_cos1 * forearm_t160 + hub_sin1 * forearm_t142;
-    // shoulder: mass and inertia with all that it carries, inward
+    // shoulder: composite body and columns, inward
     shoulder_t97 = hub_cos1 * shoulder_t62 - hub_sin1 * shoulder_t79;
     shoulder_t98 = hub_cos1 * shoulder_t79 + hub_sin1 * shoulder_t62;
     shoulder_t99 = hub_cos1 * shoulder_t66 + hub_sin1 * shoulder_t82;
@@ -51788,7 +51802,7 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_t106 = hub_sin1 * shoulder_t73 - hub_cos1 * shoulder_t91;
     shoulder_t107 = hub_sin1 * shoulder_t94;
     shoulder_t108 = hub_cos1 * shoulder_t94;
-    // hub: mass and inertia with all that it carries, inward
+    // hub: composite body and columns, inward
     let (hub_t47, hub_t48, hub_t49, hub_t50, hub_t51, hub_t52, hub_t53, hub_t54);
     hub_t47 = hub_cos1 * hub_t28 - hub_sin1 * hub_t42;
     hub_t48 = hub_cos1 * hub_t42 + hub_sin1 * hub_t28;
@@ -60619,7 +60633,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let camera_t34 = camera_n_of_a_x + camera_n_of_turn_x;
     let camera_t35 = camera_n_of_a_y + camera_n_of_turn_y;
     let camera_t36 = camera_n_of_a_z + camera_n_of_turn_z;
-    // hub: force and moment that its motion needs
+    // hub: given forces
     let hub_force_z = loads[0].force[2];
     let hub_force_y = loads[0].force[1];
     let hub_t17 = R::from_f64(-0.423) * hub_force_z - R::from_f64(0.16) * hub_force_y;
@@ -60638,7 +60652,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let hub_t26 = hub_t14 - hub_t20;
     let hub_t27 = hub_t15 - hub_t21;
     let hub_t28 = hub_t16 - hub_t22;
-    // shoulder: force and moment that its motion needs
+    // shoulder: given forces
     let shoulder_force_z = loads[1].force[2];
     let shoulder_force_y = loads[1].force[1];
     let shoulder_t37 = R::from_f64(-0.126) * shoulder_force_z
@@ -60660,7 +60674,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let shoulder_t46 = shoulder_t34 - shoulder_t40;
     let shoulder_t47 = shoulder_t35 - shoulder_t41;
     let shoulder_t48 = shoulder_t36 - shoulder_t42;
-    // forearm: force and moment that its motion needs
+    // forearm: given forces
     let forearm_force_z = loads[2].force[2];
     let forearm_force_y = loads[2].force[1];
     let forearm_t37 = R::from_f64(-0.428) * forearm_force_z
@@ -60684,7 +60698,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let forearm_n_y = forearm_t35 - forearm_t41;
     let forearm_n_z = forearm_t36 - forearm_t42;
     tau[8] = forearm_n_z;
-    // left_panel: force and moment that its motion needs
+    // left_panel: given forces
     let left_panel_force_z = loads[3].force[2];
     let left_panel_force_y = loads[3].force[1];
     let left_panel_t37 = R::from_f64(-0.486) * left_panel_force_z
@@ -60708,7 +60722,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let left_panel_n_y = left_panel_t35 - left_panel_t41;
     let left_panel_n_z = left_panel_t36 - left_panel_t42;
     tau[11] = left_panel_n_z;
-    // left_tip: force and moment that its motion needs
+    // left_tip: given forces
     let left_tip_force_z = loads[4].force[2];
     let left_tip_force_y = loads[4].force[1];
     let left_tip_t37 = R::from_f64(0.139) * left_tip_force_z
@@ -60732,7 +60746,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let left_tip_n_y = left_tip_t35 - left_tip_t41;
     let left_tip_n_z = left_tip_t36 - left_tip_t42;
     tau[14] = left_tip_n_z;
-    // antenna: force and moment that its motion needs
+    // antenna: given forces
     let antenna_force_z = loads[5].force[2];
     let antenna_force_y = loads[5].force[1];
     let antenna_t37 = R::from_f64(-0.258) * antenna_force_z
@@ -60756,7 +60770,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let antenna_n_y = antenna_t35 - antenna_t41;
     let antenna_n_z = antenna_t36 - antenna_t42;
     tau[17] = antenna_n_z;
-    // boom: force and moment that its motion needs
+    // boom: given forces
     let boom_force_z = loads[6].force[2];
     let boom_force_y = loads[6].force[1];
     let boom_t37 = R::from_f64(-0.245) * boom_force_z
@@ -60778,7 +60792,7 @@ pub fn loaded_inverse_dynamics<R: kane::Real>(
     let boom_t46 = boom_t34 - boom_t40;
     let boom_t47 = boom_t35 - boom_t41;
     let boom_t48 = boom_t36 - boom_t42;
-    // camera: force and moment that its motion needs
+    // camera: given forces
     let camera_force_z = loads[7].force[2];
     let camera_force_y = loads[7].force[1];
     let camera_t37 = R::from_f64(-0.416) * camera_force_z
@@ -61207,7 +61221,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // hub: joint, mass and inertia
+    // hub: given forces
     let hub_theta1_tau = tau[0];
     let hub_theta3_tau = tau[2];
     let hub_sin2 = sines[1];
@@ -61230,6 +61244,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let hub_t4 = hub_s1_tau * hub_cos2 - hub_sin2 * hub_t3;
     let hub_f_past_s1_x = hub_cos3 * hub_t4 + hub_sin3 * hub_t2;
     let hub_f_past_s2_y = hub_cos3 * hub_t2 - hub_sin3 * hub_t4;
+    // shoulder: given forces
     let shoulder_theta3_tau = tau[5];
     let shoulder_sin2 = sines[4];
     let shoulder_t1 = shoulder_theta3_tau * shoulder_sin2;
@@ -61256,6 +61271,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let shoulder_t5 = shoulder_s1_tau * shoulder_cos2 - shoulder_sin2 * shoulder_t4;
     let shoulder_f_past_s1_x = shoulder_cos3 * shoulder_t5 + shoulder_sin3 * shoulder_t3;
     let shoulder_f_past_s2_y = shoulder_cos3 * shoulder_t3 - shoulder_sin3 * shoulder_t5;
+    // forearm: given forces
     let forearm_theta3_tau = tau[8];
     let forearm_sin2 = sines[7];
     let forearm_t1 = forearm_theta3_tau * forearm_sin2;
@@ -61281,6 +61297,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let forearm_t5 = forearm_s1_tau * forearm_cos2 - forearm_sin2 * forearm_t4;
     let forearm_f_past_s1_x = forearm_cos3 * forearm_t5 + forearm_sin3 * forearm_t3;
     let forearm_f_past_s2_y = forearm_cos3 * forearm_t3 - forearm_sin3 * forearm_t5;
+    // left_panel: given forces
     let left_panel_theta3_tau = tau[11];
     let left_panel_sin2 = sines[10];
     let left_panel_t1 = left_panel_theta3_tau * left_panel_sin2;
@@ -61312,6 +61329,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
         + left_panel_sin3 * left_panel_t3;
     let left_panel_f_past_s2_y = left_panel_cos3 * left_panel_t3
         - left_panel_sin3 * left_panel_t5;
+    // left_tip: given forces
     let left_tip_theta3_tau = tau[14];
     let left_tip_sin2 = sines[13];
     let left_tip_t1 = left_tip_theta3_tau * left_tip_sin2;
@@ -61338,6 +61356,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let left_tip_t5 = left_tip_s1_tau * left_tip_cos2 - left_tip_sin2 * left_tip_t4;
     let left_tip_f_past_s1_x = left_tip_cos3 * left_tip_t5 + left_tip_sin3 * left_tip_t3;
     let left_tip_f_past_s2_y = left_tip_cos3 * left_tip_t3 - left_tip_sin3 * left_tip_t5;
+    // antenna: given forces
     let antenna_theta3_tau = tau[17];
     let antenna_sin2 = sines[16];
     let antenna_t1 = antenna_theta3_tau * antenna_sin2;
@@ -61363,6 +61382,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let antenna_t5 = antenna_s1_tau * antenna_cos2 - antenna_sin2 * antenna_t4;
     let antenna_f_past_s1_x = antenna_cos3 * antenna_t5 + antenna_sin3 * antenna_t3;
     let antenna_f_past_s2_y = antenna_cos3 * antenna_t3 - antenna_sin3 * antenna_t5;
+    // boom: given forces
     let boom_theta3_tau = tau[20];
     let boom_sin2 = sines[19];
     let boom_t1 = boom_theta3_tau * boom_sin2;
@@ -61386,6 +61406,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let boom_t5 = boom_s1_tau * boom_cos2 - boom_sin2 * boom_t4;
     let boom_f_past_s1_x = boom_cos3 * boom_t5 + boom_sin3 * boom_t3;
     let boom_f_past_s2_y = boom_cos3 * boom_t3 - boom_sin3 * boom_t5;
+    // camera: given forces
     let camera_theta3_tau = tau[23];
     let camera_sin2 = sines[22];
     let camera_t1 = camera_theta3_tau * camera_sin2;
@@ -62306,7 +62327,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let camera_t33 = camera_n_of_a_x + camera_n_of_turn_x;
     let camera_t34 = camera_n_of_a_y + camera_n_of_turn_y;
     let camera_t35 = camera_n_of_a_z + camera_n_of_turn_z;
-    // hub: force and moment that its motion needs
+    // hub: given forces
     let hub_force_z = loads[0].force[2];
     let hub_force_y = loads[0].force[1];
     let hub_t10 = R::from_f64(-0.423) * hub_force_z - R::from_f64(0.16) * hub_force_y;
@@ -62325,7 +62346,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let hub_t19 = hub_n_of_turn_x - hub_t13;
     let hub_t20 = hub_n_of_turn_y - hub_t14;
     let hub_t21 = hub_n_of_turn_z - hub_t15;
-    // shoulder: force and moment that its motion needs
+    // shoulder: given forces
     let shoulder_force_z = loads[1].force[2];
     let shoulder_force_y = loads[1].force[1];
     let shoulder_t36 = R::from_f64(-0.126) * shoulder_force_z
@@ -62347,7 +62368,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let shoulder_t45 = shoulder_t33 - shoulder_t39;
     let shoulder_t46 = shoulder_t34 - shoulder_t40;
     let shoulder_t47 = shoulder_t35 - shoulder_t41;
-    // forearm: force and moment that its motion needs
+    // forearm: given forces
     let forearm_force_z = loads[2].force[2];
     let forearm_force_y = loads[2].force[1];
     let forearm_t36 = R::from_f64(-0.428) * forearm_force_z
@@ -62370,7 +62391,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let forearm_n_x = forearm_t33 - forearm_t39;
     let forearm_n_y = forearm_t34 - forearm_t40;
     let forearm_n_z = forearm_t35 - forearm_t41;
-    // left_panel: force and moment that its motion needs
+    // left_panel: given forces
     let left_panel_force_z = loads[3].force[2];
     let left_panel_force_y = loads[3].force[1];
     let left_panel_t36 = R::from_f64(-0.486) * left_panel_force_z
@@ -62393,7 +62414,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let left_panel_n_x = left_panel_t33 - left_panel_t39;
     let left_panel_n_y = left_panel_t34 - left_panel_t40;
     let left_panel_n_z = left_panel_t35 - left_panel_t41;
-    // left_tip: force and moment that its motion needs
+    // left_tip: given forces
     let left_tip_force_z = loads[4].force[2];
     let left_tip_force_y = loads[4].force[1];
     let left_tip_t36 = R::from_f64(0.139) * left_tip_force_z
@@ -62416,7 +62437,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let left_tip_n_x = left_tip_t33 - left_tip_t39;
     let left_tip_n_y = left_tip_t34 - left_tip_t40;
     let left_tip_n_z = left_tip_t35 - left_tip_t41;
-    // antenna: force and moment that its motion needs
+    // antenna: given forces
     let antenna_force_z = loads[5].force[2];
     let antenna_force_y = loads[5].force[1];
     let antenna_t36 = R::from_f64(-0.258) * antenna_force_z
@@ -62439,7 +62460,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let antenna_n_x = antenna_t33 - antenna_t39;
     let antenna_n_y = antenna_t34 - antenna_t40;
     let antenna_n_z = antenna_t35 - antenna_t41;
-    // boom: force and moment that its motion needs
+    // boom: given forces
     let boom_force_z = loads[6].force[2];
     let boom_force_y = loads[6].force[1];
     let boom_t36 = R::from_f64(-0.245) * boom_force_z
@@ -62461,7 +62482,7 @@ pub fn loaded_forward_dynamics<R: kane::Real>(
     let boom_t45 = boom_t33 - boom_t39;
     let boom_t46 = boom_t34 - boom_t40;
     let boom_t47 = boom_t35 - boom_t41;
-    // camera: force and moment that its motion needs
+    // camera: given forces
     let camera_force_z = loads[7].force[2];
     let camera_force_y = loads[7].force[1];
     let camera_t36 = R::from_f64(-0.416) * camera_force_z
@@ -63537,7 +63558,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // hub: velocity, Eqs. (25), (27)
+    // hub: position and velocity, outward
     let hub_cos1 = cosines[0];
     let hub_s2_dot = u[25];
     let hub_sin1 = sines[0];
@@ -63561,7 +63582,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let hub_w_y = hub_cos3 * hub_theta2_dot - hub_sin3 * hub_t5;
     let hub_theta3_dot = u[2];
     let hub_w_z = hub_t4 + hub_theta3_dot;
-    // shoulder: velocity, Eqs. (25), (27)
+    // shoulder: position and velocity, outward
     let shoulder_t1 = shoulder_offset_z * hub_w_y - shoulder_offset_y * hub_w_z;
     let shoulder_t2 = shoulder_offset_x * hub_w_z - shoulder_offset_z * hub_w_x;
     let shoulder_t3 = shoulder_offset_y * hub_w_x - shoulder_offset_x * hub_w_y;
@@ -63598,7 +63619,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let shoulder_w_y = shoulder_cos3 * shoulder_t18 - shoulder_sin3 * shoulder_t17;
     let shoulder_theta3_dot = u[5];
     let shoulder_w_z = shoulder_t16 + shoulder_theta3_dot;
-    // forearm: velocity, Eqs. (25), (27)
+    // forearm: position and velocity, outward
     let forearm_t1 = forearm_offset_z * shoulder_w_y - forearm_offset_y * shoulder_w_z;
     let forearm_t2 = forearm_offset_x * shoulder_w_z - forearm_offset_z * shoulder_w_x;
     let forearm_t3 = forearm_offset_y * shoulder_w_x - forearm_offset_x * shoulder_w_y;
@@ -63635,7 +63656,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let forearm_w_y = forearm_cos3 * forearm_t18 - forearm_sin3 * forearm_t17;
     let forearm_theta3_dot = u[8];
     let forearm_w_z = forearm_t16 + forearm_theta3_dot;
-    // left_panel: velocity, Eqs. (25), (27)
+    // left_panel: position and velocity, outward
     let left_panel_t1 = left_panel_offset_z * hub_w_y - left_panel_offset_y * hub_w_z;
     let left_panel_t2 = left_panel_offset_x * hub_w_z - left_panel_offset_z * hub_w_x;
     let left_panel_t3 = left_panel_offset_y * hub_w_x - left_panel_offset_x * hub_w_y;
@@ -63682,7 +63703,7 @@ pub fn kinetic_energies<R: kane::Real>(
         - left_panel_sin3 * left_panel_t17;
     let left_panel_theta3_dot = u[11];
     let left_panel_w_z = left_panel_t16 + left_panel_theta3_dot;
-    // left_tip: velocity, Eqs. (25), (27)
+    // left_tip: position and velocity, outward
     let left_tip_t1 = left_tip_offset_z * shoulder_w_y
         - left_tip_offset_y * shoulder_w_z;
     let left_tip_t2 = left_tip_offset_x * shoulder_w_z
@@ -63722,7 +63743,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let left_tip_w_y = left_tip_cos3 * left_tip_t18 - left_tip_sin3 * left_tip_t17;
     let left_tip_theta3_dot = u[14];
     let left_tip_w_z = left_tip_t16 + left_tip_theta3_dot;
-    // antenna: velocity, Eqs. (25), (27)
+    // antenna: position and velocity, outward
     let antenna_t1 = antenna_offset_z * hub_w_y - antenna_offset_y * hub_w_z;
     let antenna_t2 = antenna_offset_x * hub_w_z - antenna_offset_z * hub_w_x;
     let antenna_t3 = antenna_offset_y * hub_w_x - antenna_offset_x * hub_w_y;
@@ -63759,7 +63780,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let antenna_w_y = antenna_cos3 * antenna_t18 - antenna_sin3 * antenna_t17;
     let antenna_theta3_dot = u[17];
     let antenna_w_z = antenna_t16 + antenna_theta3_dot;
-    // boom: velocity, Eqs. (25), (27)
+    // boom: position and velocity, outward
     let boom_t1 = boom_offset_z * hub_w_y - boom_offset_y * hub_w_z;
     let boom_t2 = boom_offset_x * hub_w_z - boom_offset_z * hub_w_x;
     let boom_t3 = boom_offset_y * hub_w_x - boom_offset_x * hub_w_y;
@@ -63796,7 +63817,7 @@ pub fn kinetic_energies<R: kane::Real>(
     let boom_w_y = boom_cos3 * boom_t18 - boom_sin3 * boom_t17;
     let boom_theta3_dot = u[20];
     let boom_w_z = boom_t16 + boom_theta3_dot;
-    // camera: velocity, Eqs. (25), (27)
+    // camera: position and velocity, outward
     let camera_t1 = camera_offset_z * boom_w_y - camera_offset_y * boom_w_z;
     let camera_t2 = camera_offset_x * boom_w_z - camera_offset_z * boom_w_x;
     let camera_t3 = camera_offset_y * boom_w_x - camera_offset_x * boom_w_y;
@@ -65255,7 +65276,7 @@ pub fn joint_wrenches<R: kane::Real>(
     let camera_t34 = camera_n_of_a_x + camera_n_of_turn_x;
     let camera_t35 = camera_n_of_a_y + camera_n_of_turn_y;
     let camera_t36 = camera_n_of_a_z + camera_n_of_turn_z;
-    // hub: force and moment that its motion needs
+    // hub: given forces
     let hub_force_z = loads[0].force[2];
     let hub_force_y = loads[0].force[1];
     let hub_t17 = R::from_f64(-0.423) * hub_force_z - R::from_f64(0.16) * hub_force_y;
@@ -65274,7 +65295,7 @@ pub fn joint_wrenches<R: kane::Real>(
     let hub_t26 = hub_t14 - hub_t20;
     let hub_t27 = hub_t15 - hub_t21;
     let hub_t28 = hub_t16 - hub_t22;
-    // shoulder: force and moment that its motion needs
+    // shoulder: given forces
     let shoulder_force_z = loads[1].force[2];
     let shoulder_force_y = loads[1].force[1];
     let shoulder_t37 = R::from_f64(-0.126) * shoulder_force_z
@@ -65296,7 +65317,7 @@ pub fn joint_wrenches<R: kane::Real>(
     let shoulder_t46 = shoulder_t34 - shoulder_t40;
     let shoulder_t47 = shoulder_t35 - shoulder_t41;
     let shoulder_t48 = shoulder_t36 - shoulder_t42;
-    // forearm: force and moment that its motion needs
+    // forearm: given forces
     let forearm_force_z = loads[2].force[2];
     let forearm_force_y = loads[2].force[1];
     let forearm_t37 = R::from_f64(-0.428) * forearm_force_z
@@ -65325,7 +65346,7 @@ pub fn joint_wrenches<R: kane::Real>(
     moment[2][1] = forearm_n_y;
     let forearm_n_z = forearm_t36 - forearm_t42;
     moment[2][2] = forearm_n_z;
-    // left_panel: force and moment that its motion needs
+    // left_panel: given forces
     let left_panel_force_z = loads[3].force[2];
     let left_panel_force_y = loads[3].force[1];
     let left_panel_t37 = R::from_f64(-0.486) * left_panel_force_z
@@ -65354,7 +65375,7 @@ pub fn joint_wrenches<R: kane::Real>(
     moment[3][1] = left_panel_n_y;
     let left_panel_n_z = left_panel_t36 - left_panel_t42;
     moment[3][2] = left_panel_n_z;
-    // left_tip: force and moment that its motion needs
+    // left_tip: given forces
     let left_tip_force_z = loads[4].force[2];
     let left_tip_force_y = loads[4].force[1];
     let left_tip_t37 = R::from_f64(0.139) * left_tip_force_z
@@ -65383,7 +65404,7 @@ pub fn joint_wrenches<R: kane::Real>(
     moment[4][1] = left_tip_n_y;
     let left_tip_n_z = left_tip_t36 - left_tip_t42;
     moment[4][2] = left_tip_n_z;
-    // antenna: force and moment that its motion needs
+    // antenna: given forces
     let antenna_force_z = loads[5].force[2];
     let antenna_force_y = loads[5].force[1];
     let antenna_t37 = R::from_f64(-0.258) * antenna_force_z
@@ -65412,7 +65433,7 @@ pub fn joint_wrenches<R: kane::Real>(
     moment[5][1] = antenna_n_y;
     let antenna_n_z = antenna_t36 - antenna_t42;
     moment[5][2] = antenna_n_z;
-    // boom: force and moment that its motion needs
+    // boom: given forces
     let boom_force_z = loads[6].force[2];
     let boom_force_y = loads[6].force[1];
     let boom_t37 = R::from_f64(-0.245) * boom_force_z
@@ -65434,7 +65455,7 @@ pub fn joint_wrenches<R: kane::Real>(
     let boom_t46 = boom_t34 - boom_t40;
     let boom_t47 = boom_t35 - boom_t41;
     let boom_t48 = boom_t36 - boom_t42;
-    // camera: force and moment that its motion needs
+    // camera: given forces
     let camera_force_z = loads[7].force[2];
     let camera_force_y = loads[7].force[1];
     let camera_t37 = R::from_f64(-0.416) * camera_force_z
@@ -66718,7 +66739,7 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // hub: position, Eqs. (22), (23)
+    // hub: position and velocity, outward
     let hub_cos2 = cosines[1];
     let hub_cos3 = cosines[2];
     let hub_rot_xx = hub_cos2 * hub_cos3;
@@ -66735,7 +66756,7 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let hub_t2 = hub_sin2 * hub_cos1;
     let hub_rot_xz = hub_sin1 * hub_sin3 - hub_cos3 * hub_t2;
     let hub_rot_yz = hub_sin1 * hub_cos3 + hub_sin3 * hub_t2;
-    // shoulder: position, Eqs. (22), (23)
+    // shoulder: position and velocity, outward
     let shoulder_sin1 = sines[3];
     let shoulder_cos1 = cosines[3];
     let shoulder_t1 = hub_sin2 * shoulder_sin1 - shoulder_cos1 * hub_minus_rot_yx;
@@ -66760,7 +66781,7 @@ pub fn center_of_mass_jacobian<R: kane::Real>(
     let shoulder_t9 = shoulder_cos2 * hub_rot_xz - shoulder_sin2 * shoulder_t8;
     let shoulder_rot_xz = shoulder_cos3 * shoulder_t9 + shoulder_sin3 * shoulder_t7;
     let shoulder_rot_yz = shoulder_cos3 * shoulder_t7 - shoulder_sin3 * shoulder_t9;
-    // boom: position, Eqs. (22), (23)
+    // boom: position and velocity, outward
     let boom_sin1 = sines[18];
     let boom_cos1 = cosines[18];
     let boom_t1 = hub_sin2 * boom_sin1 - boom_cos1 * hub_minus_rot_yx;
@@ -67604,7 +67625,7 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    // hub: position, Eqs. (22), (23)
+    // hub: position and velocity, outward
     let hub_cos2 = cosines[1];
     let hub_cos3 = cosines[2];
     let hub_rot_xx = hub_cos2 * hub_cos3;
@@ -67621,7 +67642,7 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     let hub_t2 = hub_sin2 * hub_cos1;
     let hub_rot_xz = hub_sin1 * hub_sin3 - hub_cos3 * hub_t2;
     let hub_rot_yz = hub_sin1 * hub_cos3 + hub_sin3 * hub_t2;
-    // shoulder: position, Eqs. (22), (23)
+    // shoulder: position and velocity, outward
     let shoulder_p_o_x = shoulder_offset_x * hub_rot_xx
         - shoulder_offset_y * hub_minus_rot_yx + hub_sin2 * shoulder_offset_z;
     let shoulder_p_o_y = shoulder_offset_x * hub_rot_xy + shoulder_offset_y * hub_rot_yy
@@ -67652,7 +67673,7 @@ pub fn centroidal_momentum_matrix<R: kane::Real>(
     let shoulder_t9 = shoulder_cos2 * hub_rot_xz - shoulder_sin2 * shoulder_t8;
     let shoulder_rot_xz = shoulder_cos3 * shoulder_t9 + shoulder_sin3 * shoulder_t7;
     let shoulder_rot_yz = shoulder_cos3 * shoulder_t7 - shoulder_sin3 * shoulder_t9;
-    // boom: position, Eqs. (22), (23)
+    // boom: position and velocity, outward
     let boom_p_o_x = boom_offset_x * hub_rot_xx - boom_offset_y * hub_minus_rot_yx
         + hub_sin2 * boom_offset_z;
     let boom_p_o_y = boom_offset_x * hub_rot_xy + boom_offset_y * hub_rot_yy
@@ -70770,6 +70791,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
         + R::from_f64(-0.079154958) * forearm_u_yz
         + R::from_f64(0.21179691199999998) * forearm_u_xz
         + R::from_f64(-0.184848208) * forearm_t36;
+    // forearm: mass centre and momentum, inward
     let forearm_f_x = forearm_f_of_a_x + forearm_f_of_turn_x;
     let forearm_f_y = forearm_f_of_a_y + forearm_f_of_turn_y;
     let forearm_f_z = forearm_f_of_a_z + forearm_f_of_turn_z;
@@ -70813,6 +70835,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
         + R::from_f64(0.38663467999999995) * left_panel_u_yz
         + R::from_f64(-0.77423096) * left_panel_u_xz
         + R::from_f64(-0.26886759) * left_panel_t36;
+    // left_panel: mass centre and momentum, inward
     let left_panel_f_x = left_panel_f_of_a_x + left_panel_f_of_turn_x;
     let left_panel_f_y = left_panel_f_of_a_y + left_panel_f_of_turn_y;
     let left_panel_f_z = left_panel_f_of_a_z + left_panel_f_of_turn_z;
@@ -70856,6 +70879,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
         + R::from_f64(-0.08375824) * left_tip_u_yz
         + R::from_f64(-0.018086863999999998) * left_tip_u_xz
         + R::from_f64(0.08216572000000001) * left_tip_t36;
+    // left_tip: mass centre and momentum, inward
     let left_tip_f_x = left_tip_f_of_a_x + left_tip_f_of_turn_x;
     let left_tip_f_y = left_tip_f_of_a_y + left_tip_f_of_turn_y;
     let left_tip_f_z = left_tip_f_of_a_z + left_tip_f_of_turn_z;
@@ -70898,6 +70922,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
         + R::from_f64(0.0014535079999999992) * antenna_u_yz
         + R::from_f64(0.016832112) * antenna_u_xz
         + R::from_f64(0.148709636) * antenna_t36;
+    // antenna: mass centre and momentum, inward
     let antenna_f_x = antenna_f_of_a_x + antenna_f_of_turn_x;
     let antenna_f_y = antenna_f_of_a_y + antenna_f_of_turn_y;
     let antenna_f_z = antenna_f_of_a_z + antenna_f_of_turn_z;
@@ -70981,6 +71006,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
         + R::from_f64(-0.022924026999999958) * camera_w_xy
         + R::from_f64(-0.33351225) * camera_u_yz + R::from_f64(0.270170664) * camera_u_xz
         + R::from_f64(-0.201762) * camera_t36;
+    // camera: mass centre and momentum, inward
     let camera_f_x = camera_f_of_a_x + camera_f_of_turn_x;
     let camera_f_y = camera_f_of_a_y + camera_f_of_turn_y;
     let camera_f_z = camera_f_of_a_z + camera_f_of_turn_z;
@@ -71005,7 +71031,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let camera_t52 = camera_t44 + camera_t49;
     let camera_t53 = camera_t47 + camera_t50;
     let camera_t54 = camera_t48 + camera_t51;
-    // boom: force and moment that its motion needs
+    // boom: mass centre and momentum, inward
     let boom_f_x = boom_t37 + camera_t42;
     let boom_f_y = boom_t38 + camera_t45;
     let boom_f_z = boom_t39 + camera_t46;
@@ -71030,14 +71056,14 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let boom_t58 = boom_t50 + boom_t55;
     let boom_t59 = boom_t53 + boom_t56;
     let boom_t60 = boom_t54 + boom_t57;
-    // hub: force and moment that its motion needs
+    // hub: mass centre and momentum, inward
     let hub_t21 = hub_f_of_turn_x + boom_t48;
     let hub_t22 = hub_f_of_turn_y + boom_t51;
     let hub_t23 = hub_f_of_turn_z + boom_t52;
     let hub_t24 = hub_n_of_turn_x + boom_t58;
     let hub_t25 = hub_n_of_turn_y + boom_t59;
     let hub_t26 = hub_n_of_turn_z + boom_t60;
-    // antenna: force and moment that its motion needs
+    // antenna: mass centre and momentum, inward
     let antenna_t37 = antenna_cos3 * antenna_f_x - antenna_sin3 * antenna_f_y;
     let antenna_t38 = antenna_cos3 * antenna_f_y + antenna_sin3 * antenna_f_x;
     let antenna_t39 = antenna_cos3 * antenna_n_x - antenna_sin3 * antenna_n_y;
@@ -71056,14 +71082,14 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let antenna_t52 = antenna_t44 + antenna_t49;
     let antenna_t53 = antenna_t47 + antenna_t50;
     let antenna_t54 = antenna_t48 + antenna_t51;
-    // hub: force and moment that its motion needs
+    // hub: mass centre and momentum, inward
     let hub_t27 = hub_t21 + antenna_t42;
     let hub_t28 = hub_t22 + antenna_t45;
     let hub_t29 = hub_t23 + antenna_t46;
     let hub_t30 = hub_t24 + antenna_t52;
     let hub_t31 = hub_t25 + antenna_t53;
     let hub_t32 = hub_t26 + antenna_t54;
-    // left_tip: force and moment that its motion needs
+    // left_tip: mass centre and momentum, inward
     let left_tip_t37 = left_tip_cos3 * left_tip_f_x - left_tip_sin3 * left_tip_f_y;
     let left_tip_t38 = left_tip_cos3 * left_tip_f_y + left_tip_sin3 * left_tip_f_x;
     let left_tip_t39 = left_tip_cos3 * left_tip_n_x - left_tip_sin3 * left_tip_n_y;
@@ -71085,14 +71111,14 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let left_tip_t52 = left_tip_t44 + left_tip_t49;
     let left_tip_t53 = left_tip_t47 + left_tip_t50;
     let left_tip_t54 = left_tip_t48 + left_tip_t51;
-    // shoulder: force and moment that its motion needs
+    // shoulder: mass centre and momentum, inward
     let shoulder_t46 = shoulder_t40 + left_tip_t42;
     let shoulder_t47 = shoulder_t41 + left_tip_t45;
     let shoulder_t48 = shoulder_t42 + left_tip_t46;
     let shoulder_t49 = shoulder_t43 + left_tip_t52;
     let shoulder_t50 = shoulder_t44 + left_tip_t53;
     let shoulder_t51 = shoulder_t45 + left_tip_t54;
-    // left_panel: force and moment that its motion needs
+    // left_panel: mass centre and momentum, inward
     let left_panel_t37 = left_panel_cos3 * left_panel_f_x
         - left_panel_sin3 * left_panel_f_y;
     let left_panel_t38 = left_panel_cos3 * left_panel_f_y
@@ -71126,14 +71152,14 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let left_panel_t52 = left_panel_t44 + left_panel_t49;
     let left_panel_t53 = left_panel_t47 + left_panel_t50;
     let left_panel_t54 = left_panel_t48 + left_panel_t51;
-    // hub: force and moment that its motion needs
+    // hub: mass centre and momentum, inward
     let hub_t33 = hub_t27 + left_panel_t42;
     let hub_t34 = hub_t28 + left_panel_t45;
     let hub_t35 = hub_t29 + left_panel_t46;
     let hub_t36 = hub_t30 + left_panel_t52;
     let hub_t37 = hub_t31 + left_panel_t53;
     let hub_t38 = hub_t32 + left_panel_t54;
-    // forearm: force and moment that its motion needs
+    // forearm: mass centre and momentum, inward
     let forearm_t37 = forearm_cos3 * forearm_f_x - forearm_sin3 * forearm_f_y;
     let forearm_t38 = forearm_cos3 * forearm_f_y + forearm_sin3 * forearm_f_x;
     let forearm_t39 = forearm_cos3 * forearm_n_x - forearm_sin3 * forearm_n_y;
@@ -71152,7 +71178,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let forearm_t52 = forearm_t44 + forearm_t49;
     let forearm_t53 = forearm_t47 + forearm_t50;
     let forearm_t54 = forearm_t48 + forearm_t51;
-    // shoulder: force and moment that its motion needs
+    // shoulder: mass centre and momentum, inward
     let shoulder_f_x = shoulder_t46 + forearm_t42;
     let shoulder_f_y = shoulder_t47 + forearm_t45;
     let shoulder_f_z = shoulder_t48 + forearm_t46;
@@ -71180,7 +71206,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     let shoulder_t67 = shoulder_t59 + shoulder_t64;
     let shoulder_t68 = shoulder_t62 + shoulder_t65;
     let shoulder_t69 = shoulder_t63 + shoulder_t66;
-    // hub: force and moment that its motion needs
+    // hub: mass centre and momentum, inward
     let hub_f_x = hub_t33 + shoulder_t57;
     let hub_f_y = hub_t34 + shoulder_t60;
     let hub_f_z = hub_t35 + shoulder_t61;
@@ -71202,7 +71228,7 @@ pub fn centroidal_momentum_matrix_dot_u<R: kane::Real>(
     linear[2] = hub_t48;
     let hub_t49 = hub_cos1 * hub_t42 - hub_sin1 * hub_t45;
     let hub_t50 = hub_cos1 * hub_t45 + hub_sin1 * hub_t42;
-    // system: force and moment that its motion needs
+    // system: mass centre and momentum, inward
     let system_t4 = system_t3 * hub_t47 - system_t2 * hub_t48;
     let system_t5 = system_t1 * hub_t48 - system_t3 * hub_t44;
     let system_t6 = system_t2 * hub_t44 - system_t1 * hub_t47;

@@ -111,7 +111,7 @@ impl Build {
         self
     }
 
-    /// Leaves out of an MJCF what cannot be had, with a warning: `equalities`, `fluid`, `tendons` or `gravcomp`, or the equality
+    /// Ignores parts of an MJCF that are not supported, with a warning: `equalities`, `fluid`, `tendons` or `gravcomp`, or the equality
     /// of this name.
     #[must_use]
     pub fn leave_out(mut self, what: impl Into<String>) -> Self {
@@ -243,7 +243,5 @@ fn report(warnings: &Diagnostics) {
             println!("cargo::warning={line}");
         }
     }
-    for diagnostic in warnings.list() {
-        println!("{}", diagnostic.render(warnings.source()));
-    }
+    println!("{warnings}");
 }

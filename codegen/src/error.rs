@@ -54,7 +54,7 @@ pub enum Error {
     Prescribed(Vec<PrescribedFault>),
     /// A name of a module that files beside it cannot use.
     #[error(
-        "the module is called `{}`; files beside it name it: {EXPECTED_NAME}",
+        "the module is called `{}`; the files beside it contain that name: {EXPECTED_NAME}",
         name.escape_debug()
     )]
     ModuleName {

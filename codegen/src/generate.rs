@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::{
     companions::{self, Companion, Given},
     compile,
-    description::{self, Include},
+    description::{self, Description, Include},
     diagnostic::{Diagnostics, Source},
     error::Error,
     listing::Module,
@@ -29,7 +29,9 @@ pub struct Generated {
     pub functions: Vec<(String, Operations)>,
     /// What those of frames were asked for as: how they are called, the model says.
     pub asked_of_frames: Vec<(String, Operations)>,
-    /// What the user should know about the description; never errors.
+    /// What the model says, as it was read.
+    pub description: Description,
+    /// What the user should know about it; never errors.
     pub warnings: Diagnostics,
 }
 
@@ -75,6 +77,7 @@ pub fn generate(
         companions: companions::of(&given, &options.companions, &options.module)?,
         functions,
         asked_of_frames,
+        description,
         warnings: checked.warnings,
     })
 }

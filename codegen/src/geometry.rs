@@ -71,9 +71,16 @@ pub fn body_fixed_123(angles: Vector) -> Rotation {
 
 /// From a quaternion of any length, scalar first, that maps components after the rotation to those before it; `None` for
 /// one too short. The division comes last: quaternions of right angles give whole numbers.
-pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Rotation> {
+pub fn of_quaternion(quaternion: [f64; 4]) -> Option<Rotation> {
+    let [w, x, y, z] = quaternion;
     let square = w * w + x * x + y * y + z * z;
-    let rows = [
+    (square > 1e-28 && square.is_finite())
+        .then(|| of_unit_quaternion(quaternion).map(|row| row.map(|entry| entry / square + 0.0)))
+}
+
+/// The same of a quaternion of length one; of another, the rotation times the square of its length.
+pub fn of_unit_quaternion([w, x, y, z]: [f64; 4]) -> Rotation {
+    [
         [
             w * w + x * x - y * y - z * z,
             2.0 * (x * y + w * z),
@@ -89,7 +96,5 @@ pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Rotation> {
             2.0 * (y * z - w * x),
             w * w - x * x - y * y + z * z,
         ],
-    ];
-    (square > 1e-28 && square.is_finite())
-        .then(|| rows.map(|row| row.map(|entry| entry / square + 0.0)))
+    ]
 }

@@ -8,15 +8,13 @@ use std::cmp::Reverse;
 use crate::{
     compile,
     description::Description,
-    diagnostic::{Diagnostic, Diagnostics},
+    diagnostic::{Diagnostic, Diagnostics, first_few},
     limits::COUNTED,
     options::Options,
     program::Operations,
     tree::{self, Changes, Tree},
 };
 
-/// Functions that the note names.
-const NAMED: usize = 3;
 /// The most operations of functions that are compiled a second time.
 const OPERATIONS: usize = 200_000;
 
@@ -47,19 +45,13 @@ pub fn note(
     if saved.is_empty() {
         return None;
     }
-    let shown = saved.iter().take(NAMED);
-    let shown: Vec<String> = shown
-        .map(|(name, percent)| format!("{percent} % of `{name}`"))
-        .collect();
-    let more = match saved.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(", and of {more} more"),
-    };
+    let shown = saved.iter();
+    let shown = shown.map(|(name, percent)| format!("{percent} % of `{name}`"));
+    let shown = first_few(&shown.collect::<Vec<_>>());
     let note = format!(
-        "rounded right angles cost operations: `--snap {snap:?}`, or `snap = {snap:?}` in `kane.toml`, saves {saved}{more}, and \
+        "rounded right angles cost operations: `--snap {snap:?}`, or `snap = {snap:?}` in `kane.toml`, saves {shown}, and \
         turns no axis by more than {angle:.1e} rad",
         snap = near.snap,
-        saved = shown.join(", "),
         angle = near.angle,
     );
     let note = Diagnostic::note(note);

@@ -1,39 +1,10 @@
 //! Quantities whose groups lie together in memory: a slice of the arrays that the functions take, so that nothing is
 //! moved before a call or after it.
 
-use core::error::Error;
-use core::fmt;
-
+use super::rows::Size;
 use super::{Batch, Group, LengthError};
 use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassMatrixPacked};
 use crate::{Array, Lanes, System};
-
-/// A slice has not one array for each group of the batch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct GroupsError {
-    /// The name of the argument.
-    pub argument: &'static str,
-    /// How many arrays it has.
-    pub found: usize,
-    /// How many groups the batch has.
-    pub groups: usize,
-}
-
-impl fmt::Display for GroupsError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            argument,
-            found,
-            groups,
-        } = self;
-        write!(
-            f,
-            "`{argument}` has {found} arrays, one for each of {groups} groups is required"
-        )
-    }
-}
-
-impl Error for GroupsError {}
 
 impl<L: Lanes> Batch<L> {
     /// How many groups there are: the states by [`Lanes::LANES`], rounded up.
@@ -45,14 +16,14 @@ impl<L: Lanes> Batch<L> {
     /// From rows to groups: `groups[g][r]` gets what row `r` has of the states of group `g`. Lanes beyond the last state repeat it.
     ///
     /// # Errors
-    /// `rows` is not as long as the arrays of all states are; then nothing is written. Groups that the batch does not have stay as
-    /// they are.
+    /// A slice of the wrong length; nothing is written then.
     pub fn to_groups<A: Array<L>>(
         &self,
         rows: &[L::Scalar],
         groups: &mut [A],
     ) -> Result<(), LengthError> {
         let rows = self.rows("rows", rows, A::LEN)?;
+        self.check_groups("groups", groups.len())?;
         for (group, values) in self.groups().zip(groups) {
             group.read(&rows, values.as_mut());
         }
@@ -62,29 +33,27 @@ impl<L: Lanes> Batch<L> {
     /// From groups to rows: the inverse of [`Self::to_groups`].
     ///
     /// # Errors
-    /// `rows` is not as long as the arrays of all states are; then nothing is written.
+    /// A slice of the wrong length; nothing is written then.
     pub fn from_groups<A: Array<L>>(
         &self,
         groups: &[A],
         rows: &mut [L::Scalar],
     ) -> Result<(), LengthError> {
         let mut rows = self.rows_mut("rows", rows, A::LEN)?;
+        self.check_groups("groups", groups.len())?;
         let written = |(group, values): (Group<L>, &A)| group.write(values.as_ref(), &mut rows);
         self.groups().zip(groups).for_each(written);
         Ok(())
     }
 
-    fn check_groups(&self, argument: &'static str, found: usize) -> Result<(), GroupsError> {
-        let groups = self.n_groups();
-        if found == groups {
-            Ok(())
-        } else {
-            Err(GroupsError {
-                argument,
-                found,
-                groups,
-            })
-        }
+    /// Refuses a slice that has not one array for each group.
+    fn check_groups(&self, argument: &'static str, found: usize) -> Result<(), LengthError> {
+        let size = Size {
+            argument,
+            rows: 1,
+            states: self.n_groups(),
+        };
+        size.check(found)
     }
 }
 
@@ -104,7 +73,7 @@ macro_rules! methods {
                 system: &S,
                 $($argument: &[S::$given],)+
                 $output: &mut [S::$written],
-            ) -> Result<(), GroupsError> {
+            ) -> Result<(), LengthError> {
                 $(self.check_groups(stringify!($argument), $argument.len())?;)+
                 self.check_groups(stringify!($output), $output.len())?;
                 let mut outputs = $output.iter_mut();

@@ -37,7 +37,7 @@
 //! batch.to_groups(&vec![0.1; NQ * N], &mut q)?;
 //! let (u, u_dot) = (vec![[zero; NU]; q.len()], vec![[zero; NU]; q.len()]);
 //! let mut tau = vec![[zero; NU]; q.len()];
-//! batch.inverse_dynamics_of_groups(&system, &q, &u, &u_dot, &mut tau).unwrap();
+//! batch.inverse_dynamics_of_groups(&system, &q, &u, &u_dot, &mut tau)?;
 //! # }
 //! # Ok::<(), kane::batch::LengthError>(())
 //! ```
@@ -82,7 +82,6 @@ use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassM
 use crate::{Array, Lanes, System};
 
 pub use group::Group;
-pub use grouped::GroupsError;
 pub use rows::{LengthError, Rows, RowsMut};
 
 /// The most bytes of a tile's matrices, which stand on the stack.

@@ -25,16 +25,16 @@ pub(super) struct Size {
     pub(super) states: usize,
 }
 
-/// A slice is not as long as its rows and the batch's states make it.
+/// A slice is not as long as its rows and the batch's states make it; of groups, as there are groups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthError {
     /// The name of the argument.
     pub argument: &'static str,
     /// Its length.
     pub found: usize,
-    /// How many rows it should have.
+    /// How many rows it should have; one of groups.
     pub rows: usize,
-    /// How many states are in a row.
+    /// How many states, or groups, are in a row.
     pub states: usize,
 }
 
@@ -84,7 +84,7 @@ impl fmt::Display for LengthError {
         } = self;
         write!(
             f,
-            "`{argument}` has {found} numbers, {rows} rows of {states} states are required"
+            "`{argument}` has a length of {found}; expected {rows} rows of {states}"
         )
     }
 }

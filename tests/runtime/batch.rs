@@ -167,7 +167,7 @@ fn slices_of_another_length_are_told_and_nothing_is_written() {
     assert_eq!(error, Err(expected));
     assert_eq!(
         expected.to_string(),
-        "`u` has 143 numbers, 48 rows of 3 states are required"
+        "`u` has a length of 143; expected 48 rows of 3"
     );
     let error = batch.bias(&system, &q, &u, &mut tau[..n]).unwrap_err();
     assert_eq!((error.argument, error.found), ("bias", n));
@@ -188,7 +188,7 @@ fn rows_of_a_batch_of_another_size_are_refused_and_nothing_is_read_or_written() 
         let error = group.load(&rows, &mut kept).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "`q` has 12 numbers, 3 rows of 6 states are required"
+            "`q` has a length of 12; expected 3 rows of 6"
         );
         let error = group.store([&9.0], &mut rows_mut).unwrap_err();
         assert_eq!((error.argument, error.states), ("tau", 6));
@@ -228,22 +228,57 @@ fn groups_that_lie_together_have_the_bits_of_rows() {
         let zero = f64x4::from_f64(0.0);
         let mut q = vec![[zero; NQ]; batch.n_groups()];
         let mut u = vec![[zero; NU]; batch.n_groups()];
-        let mut u_dot = u.clone();
+        let mut third = u.clone();
         batch.to_groups(&states.q, &mut q).unwrap();
         batch.to_groups(&states.u, &mut u).unwrap();
-        batch.to_groups(&states.u_dot, &mut u_dot).unwrap();
-        let mut tau = u.clone();
+        batch.to_groups(&states.u_dot, &mut third).unwrap();
+        let same = |groups: &[[f64x4; NU]], rows: &[f64]| {
+            let mut found = vec![0.0; NU * n];
+            batch.from_groups(groups, &mut found).unwrap();
+            let bits = |numbers: &[f64]| -> Vec<u64> {
+                numbers.iter().map(|number| number.to_bits()).collect()
+            };
+            assert_eq!(bits(&found), bits(rows));
+        };
+        let (mut groups, mut rows) = (u.clone(), vec![0.0; NU * n]);
+        batch.q_dot_of_groups(&system, &q, &u, &mut groups).unwrap();
         batch
-            .inverse_dynamics_of_groups(&system, &q, &u, &u_dot, &mut tau)
+            .q_dot(&system, &states.q, &states.u, &mut rows)
             .unwrap();
-        let (mut found, mut expected) = (vec![0.0; NU * n], vec![0.0; NU * n]);
-        batch.from_groups(&tau, &mut found).unwrap();
+        same(&groups, &rows);
+        batch.bias_of_groups(&system, &q, &u, &mut groups).unwrap();
         batch
-            .inverse_dynamics(&system, &states.q, &states.u, &states.u_dot, &mut expected)
+            .bias(&system, &states.q, &states.u, &mut rows)
             .unwrap();
-        let bits = |numbers: &[f64]| -> Vec<u64> { numbers.iter().map(|x| x.to_bits()).collect() };
-        assert_eq!(bits(&found), bits(&expected));
-        let fault = batch.inverse_dynamics_of_groups(&system, &q[1..], &u, &u_dot, &mut tau);
-        assert_eq!(fault.unwrap_err().argument, "q");
+        same(&groups, &rows);
+        batch
+            .inverse_dynamics_of_groups(&system, &q, &u, &third, &mut groups)
+            .unwrap();
+        batch
+            .inverse_dynamics(&system, &states.q, &states.u, &states.u_dot, &mut rows)
+            .unwrap();
+        same(&groups, &rows);
+        batch
+            .forward_dynamics_of_groups(&system, &q, &u, &third, &mut groups)
+            .unwrap();
+        batch
+            .forward_dynamics(&system, &states.q, &states.u, &states.u_dot, &mut rows)
+            .unwrap();
+        same(&groups, &rows);
     }
+}
+
+#[test]
+fn slices_without_an_array_for_each_group_are_refused() {
+    let (batch, system) = (Batch::<f64>::new(2), Prepared::<f64>::nominal());
+    let (q, u) = ([[0.0; NQ]; 2], [[0.5; NU]; 2]);
+    let mut tau = [[7.0; NU]; 2];
+    let fault = batch.inverse_dynamics_of_groups(&system, &q[1..], &u, &u, &mut tau);
+    let fault = fault.unwrap_err();
+    assert_eq!((fault.argument, fault.found, fault.states), ("q", 1, 2));
+    assert_eq!(tau, [[7.0; NU]; 2]);
+    let mut rows = [7.0; 2 * NU];
+    let fault = batch.from_groups(&u[1..], &mut rows).unwrap_err();
+    assert_eq!((fault.argument, fault.found), ("groups", 1));
+    assert_eq!(rows, [7.0; 2 * NU]);
 }

@@ -11,6 +11,7 @@ import hashlib
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -36,16 +37,18 @@ PATIENCE = 120
 
 def download(package, folder):
     """The package's sdist and wheel, unpacked; nothing of it is run."""
-    target = folder / package
+    target, part = folder / package, folder / f"{package}.part"
     if target.exists():
         return target
-    target.mkdir(parents=True)
+    shutil.rmtree(part, ignore_errors=True)
+    part.mkdir(parents=True)
     for kind in ["--no-binary=:all:", "--only-binary=:all:"]:
         with tempfile.TemporaryDirectory() as files:
             command = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--no-build-isolation", kind, "--dest", files, package]
             subprocess.run(command, capture_output=True, timeout=1800)
             for file in pathlib.Path(files).iterdir():
-                unpack(file, target / file.suffix.strip("."))
+                unpack(file, part / file.suffix.strip("."))
+    part.rename(target)
     return target
 
 
@@ -123,7 +126,8 @@ def take(kane, kind, file):
 
 
 def compare(kane, kind, file, options, report, model):
-    """The largest relative error of M, inverse and forward dynamics; None where coordinates cannot be matched by joints' names."""
+    """The largest relative error of M, inverse and forward dynamics; None where coordinates cannot be matched by joints' names;
+    infinite where `kane` evaluates nothing."""
     if "--leave-out" in options:
         # The other tool has the forces that are left out.
         return None
@@ -147,7 +151,7 @@ def compare(kane, kind, file, options, report, model):
     options = [*options, "--snap", "0"]
     found = [evaluated(kane, file, name, state, options) for name in ["mass_matrix", "inverse_dynamics", "forward_dynamics"]]
     if any(one is None for one in found):
-        return None
+        return [numpy.inf] * 3
     condition = max(1.0, numpy.linalg.cond(matrix) / 1e4)
     return [
         difference(found[0], matrix),

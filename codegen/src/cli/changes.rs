@@ -22,8 +22,8 @@ pub(crate) struct ReadingArguments {
     #[arg(long, value_name = "CHART", requires = "model", value_parser = one_of(Chart::NAMED))]
     chart: Option<Chart>,
 
-    /// Leave out of an MJCF what cannot be had, with a warning: equalities, fluid, tendons, gravcomp, or the name of an
-    /// equality; with commas between them
+    /// Ignore parts of an MJCF that are not supported, with a warning: equalities, fluid, tendons, gravcomp, or the name of
+    /// an equality; with commas between them
     ///
     /// `equalities` are all that are active, `connect`, `weld` and so on those of a kind; `fluid` is the forces that `density` and
     /// `viscosity` make; `tendons` the stiffness, damping, armature and friction of tendons.
@@ -58,7 +58,7 @@ pub(crate) struct ChangesArguments {
     /// Fix at zero every motion that moves no mass, and say which
     ///
     /// A finger without mass, a frame that turns about its own axis: such motions leave mass matrices without an inverse.
-    /// `--remove-massless=false` stands above `remove_massless = true` in `kane.toml`.
+    /// `--remove-massless=false` overrides `remove_massless = true` in `kane.toml`.
     #[arg(
         long,
         value_name = "BOOL",

@@ -25,7 +25,7 @@ use super::{
 
 /// Tell whether generated files are what their models say; write nothing
 ///
-/// Generates in memory and compares. Where every file is up to date, nothing is printed. For each file that differs, standard
+/// Generates in memory and compares. Where every file is up to date, nothing is printed; what there is to say of the models, --verbose says. For each file that differs, standard
 /// output gets how many of its lines changed and in which functions, and the functions whose operations changed, were added or
 /// were removed; with --lines the lines too, as a unified diff. Then come the command that brings the files up to date, and the
 /// functions that need more operations than `budget` in kane.toml gives them. When all of
@@ -64,17 +64,9 @@ struct Compared<'a> {
 enum Found {
     Same,
     Missing,
+    /// The same but for its line ends.
+    LineEnds,
     Differs(String),
-}
-
-impl Compared<'_> {
-    /// True where a diff would show what differs.
-    fn has_lines(&self) -> bool {
-        match &self.found {
-            Found::Differs(old) => !differs_in_line_ends(old, self.new),
-            Found::Same | Found::Missing => false,
-        }
-    }
 }
 
 /// Generates everything, then compares everything.
@@ -107,13 +99,14 @@ pub(crate) fn run(
         match &file.found {
             Found::Same => continue,
             Found::Differs(old) if !signs::is_ours(old.as_bytes()) => force = " --force",
-            Found::Missing | Found::Differs(_) => {}
+            Found::Missing | Found::LineEnds | Found::Differs(_) => {}
         }
         outcome = Outcome::Differs;
     }
     if outcome == Outcome::Differs {
         let command = arguments.selection.command();
-        if !arguments.lines && files.iter().any(Compared::has_lines) {
+        let has_lines = |file: &Compared<'_>| matches!(file.found, Found::Differs(_));
+        if !arguments.lines && files.iter().any(has_lines) {
             writeln!(out, "to see the lines, add --lines")?;
         }
         writeln!(out, "to bring this up to date, run: {command}{force}")?;
@@ -175,17 +168,16 @@ fn write_file(
     match &file.found {
         Found::Same => voice.detail(format_args!("{path} is up to date")),
         Found::Missing => writeln!(out, "{path} is missing")?,
+        Found::LineEnds => writeln!(
+            out,
+            "{path} has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes"
+        )?,
         Found::Differs(old) => {
-            if differs_in_line_ends(old, file.new) {
-                writeln!(
-                    out,
-                    "{path} has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes"
-                )?;
-            } else {
-                writeln!(out, "{path} differs: {}", ChangedLines::of(old, file.new))?;
-            }
-            if lines && file.has_lines() {
-                write_diff(out, &file.path, old, file.new)?;
+            let diff = TextDiff::from_lines(old.as_str(), file.new);
+            let changed = ChangedLines::of(&diff, old, file.new);
+            writeln!(out, "{path} differs: {changed}")?;
+            if lines {
+                write_diff(out, &file.path, &diff)?;
             }
             if report::differs_in_layout_only(old, file.new) {
                 writeln!(
@@ -207,17 +199,19 @@ fn find(path: &Path, text: &str) -> Result<Found, Failures> {
     Ok(match output::read(path)? {
         None => Found::Missing,
         Some(bytes) if bytes == text.as_bytes() => Found::Same,
-        Some(bytes) => Found::Differs(String::from_utf8_lossy(&bytes).into_owned()),
+        Some(bytes) => {
+            let old = String::from_utf8_lossy(&bytes);
+            if old.replace("\r\n", "\n") == text {
+                Found::LineEnds
+            } else {
+                Found::Differs(old.into_owned())
+            }
+        }
     })
 }
 
-fn differs_in_line_ends(old: &str, new: &str) -> bool {
-    old.replace("\r\n", "\n") == new
-}
-
-fn write_diff(out: &mut dyn Write, path: &Path, old: &str, new: &str) -> io::Result<()> {
+fn write_diff(out: &mut dyn Write, path: &Path, diff: &TextDiff<'_, '_, str>) -> io::Result<()> {
     let path = path.display();
-    let diff = TextDiff::from_lines(old, new);
     // A tab ends the name, so that `patch` reads it right.
     let mut diff = diff.unified_diff();
     diff.header(

@@ -8,6 +8,7 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
+    diagnostic::{count, first_few},
     generate::Generated,
     output::{self, Overwrite, Staged},
 };
@@ -18,9 +19,6 @@ use super::{
     operations, rounded_angles,
     selection::Selection,
 };
-
-/// Files that the last line names.
-const NAMED: usize = 3;
 
 /// Write the Rust modules of one model, or of everything in kane.toml
 ///
@@ -118,12 +116,8 @@ fn commit(files: Vec<(PathBuf, Staged)>, voice: Voice) -> Result<Vec<PathBuf>, F
 /// What happened to these files.
 fn told(written: &[PathBuf], all: &[PathBuf]) -> String {
     let names = |paths: &[PathBuf]| {
-        let shown = paths.iter().take(NAMED);
-        let shown: Vec<String> = shown.map(|path| Path::display(path).to_string()).collect();
-        match paths.len().saturating_sub(NAMED) {
-            0 => shown.join(", "),
-            more => format!("{} and {more} more", shown.join(", ")),
-        }
+        let shown = paths.iter().map(|path| Path::display(path).to_string());
+        first_few(&shown.collect::<Vec<_>>())
     };
     match (written.len(), all.len() - written.len()) {
         (0, 1) => format!("{} is up to date", names(all)),
@@ -138,13 +132,9 @@ fn told(written: &[PathBuf], all: &[PathBuf]) -> String {
 fn size(modules: &[Generated]) -> String {
     let functions = || modules.iter().flat_map(|module| &module.functions);
     let operations: usize = functions().map(|(_, counted)| counted.total()).sum();
-    let one_or_many = |count: usize, what: &str| match count {
-        1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
-    };
     format!(
         "{}, {}",
-        one_or_many(functions().count(), "function"),
-        one_or_many(operations, "operation")
+        count(functions().count(), "function"),
+        count(operations, "operation")
     )
 }

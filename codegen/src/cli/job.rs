@@ -10,14 +10,14 @@ use kane_codegen::{
     budget::{self, Budget, Excess},
     companions,
     config::{Named, Prescribed},
-    description::{self, Reading},
+    description::{self, Description, Reading},
     diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
     functions::RequestError,
     generate::{self, Generated},
     input,
     options::Options,
-    tree::{self, Changes, Checked, PrescribedFault},
+    tree::{self, Changes, Checked, PrescribedFault, Tree},
 };
 
 use super::{Failures, Voice, operations::Row, paths};
@@ -247,17 +247,28 @@ pub(crate) fn include(model: &Path) -> impl Fn(&str) -> io::Result<Vec<u8>> {
     |path| input::named(&paths::parent(model).join(path))
 }
 
+/// A model that was read and checked.
+pub(crate) struct Model {
+    pub(crate) description: Description,
+    pub(crate) tree: Tree,
+    pub(crate) warnings: Diagnostics,
+}
+
 /// Reads a model, checks it and prescribes these joints.
 pub(crate) fn check(
     model: &Path,
     reading: &Reading,
     changes: &Changes,
     prescribed: &[String],
-) -> Result<Checked, Failures> {
+) -> Result<Model, Failures> {
     let description = description::read(&read(model)?, reading, &include(model));
     let Checked { tree, warnings } = tree::build_with(&description, changes)?;
     let tree = tree::prescribe(&description, tree, prescribed).map_err(Error::Prescribed)?;
-    Ok(Checked { tree, warnings })
+    Ok(Model {
+        description,
+        tree,
+        warnings,
+    })
 }
 
 fn generate_one(job: &Job) -> Result<Generated, Failures> {

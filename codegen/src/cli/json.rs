@@ -2,7 +2,8 @@
 
 use std::io::{self, Write};
 
-use serde_json::Value;
+use kane_codegen::program::Operations;
+use serde_json::{Value, json};
 
 /// Writes the value and a line end.
 pub(crate) fn write(out: &mut dyn Write, value: &Value) -> io::Result<()> {
@@ -22,6 +23,17 @@ pub(crate) fn array(numbers: &[f64], lengths: &[usize]) -> Value {
             rows.map(|row| array(row, inner)).collect()
         }
     }
+}
+
+/// The operations of a function: all, then by kind.
+pub(crate) fn operations(operations: &Operations) -> Value {
+    let Operations {
+        mul,
+        add,
+        div,
+        trig,
+    } = operations;
+    json!({ "total": operations.total(), "mul": mul, "add": add, "div": div, "trig": trig })
 }
 
 fn nested(out: &mut dyn Write, value: &Value, depth: usize) -> io::Result<()> {

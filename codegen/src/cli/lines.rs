@@ -2,27 +2,25 @@
 
 use std::{collections::BTreeSet, fmt};
 
+use kane_codegen::diagnostic::{count, first_few};
 use similar::{ChangeTag, TextDiff};
 
-/// Functions that are named.
-const NAMED: usize = 3;
-
-/// What changed between two texts of a module.
+/// What changed between two texts.
 pub(super) struct ChangedLines {
     removed: usize,
     added: usize,
-    /// Those in which lines changed, in their order.
+    /// The functions in which lines changed: those of the new text in its order, then those that are gone.
     functions: Vec<String>,
-    /// All functions of the new text.
-    n_functions: usize,
-    /// True where every statement is as it was, but for its numbers.
+    /// True for texts that declare functions.
+    has_functions: bool,
+    /// True where all is as it was but the numbers of the model.
     are_numbers: bool,
 }
 
 impl ChangedLines {
-    pub(super) fn of(old: &str, new: &str) -> Self {
+    /// What a diff of these texts holds, line by line.
+    pub(super) fn of(diff: &TextDiff<'_, '_, str>, old: &str, new: &str) -> Self {
         let (old_owners, new_owners) = (owners(old), owners(new));
-        let diff = TextDiff::from_lines(old, new);
         let (mut removed, mut added) = (0, 0);
         let mut changed = BTreeSet::new();
         for change in diff.iter_all_changes() {
@@ -34,18 +32,16 @@ impl ChangedLines {
             *count += 1;
             changed.extend(owner);
         }
-        let in_order = distinct(&new_owners);
-        let mut functions: Vec<String> = in_order
-            .iter()
-            .filter(|name| changed.remove(name.as_str()))
-            .cloned()
-            .collect();
+        let has_functions = new_owners.iter().any(Option::is_some);
+        let mut functions: Vec<String> = new_owners.iter().flatten().cloned().collect();
+        functions.dedup();
+        functions.retain(|name| changed.remove(name.as_str()));
         functions.extend(changed.into_iter().map(str::to_owned));
         Self {
             removed,
             added,
             functions,
-            n_functions: in_order.len(),
+            has_functions,
             are_numbers: without_numbers(old) == without_numbers(new),
         }
     }
@@ -53,21 +49,13 @@ impl ChangedLines {
 
 impl fmt::Display for ChangedLines {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} lines removed, {} added", self.removed, self.added)?;
-        match self.functions.len() {
-            0 => write!(f, ", none of them in a function")?,
-            count => {
-                let named = self.functions[..count.min(NAMED)].join(", ");
-                let more = match count.saturating_sub(NAMED) {
-                    0 => String::new(),
-                    more => format!(" and {more} more"),
-                };
-                write!(
-                    f,
-                    ", in {count} of {} functions: {named}{more}",
-                    self.n_functions
-                )?;
-            }
+        let removed = count(self.removed, "line");
+        write!(f, "{removed} removed, {} added", self.added)?;
+        if !self.functions.is_empty() {
+            let functions = count(self.functions.len(), "function");
+            write!(f, ", in {functions}: {}", first_few(&self.functions))?;
+        } else if self.has_functions {
+            write!(f, ", none of them in a function")?;
         }
         if self.are_numbers {
             write!(f, "; only numbers changed")?;
@@ -89,8 +77,8 @@ fn owners(text: &str) -> Vec<Option<String>> {
         let indent = line.len() - line.trim_start().len();
         let above = lines[..at].iter().rev();
         let above = above.take_while(|line| !ends_item(line)).count();
-        let closes = |line: &str| line.trim_end() == format!("{:indent$}}}", "");
-        let below = lines[at..].iter().position(|line| closes(line));
+        let close = format!("{:indent$}}}", "");
+        let below = lines[at..].iter().position(|line| line.trim_end() == close);
         let end = below.map_or(lines.len(), |below| at + below + 1);
         owners[at - above..end].fill(Some(name.clone()));
     }
@@ -100,56 +88,65 @@ fn owners(text: &str) -> Vec<Option<String>> {
 /// True for the last line of what stands before an item.
 fn ends_item(line: &str) -> bool {
     let line = line.trim();
-    !line.starts_with("///")
-        && [";", "}", "{", ""]
-            .iter()
-            .any(|end| *end == line || !end.is_empty() && line.ends_with(end))
+    line.is_empty() || !line.starts_with("///") && line.ends_with([';', '}', '{'])
 }
 
-/// The name of the public function that a line declares; with its type where it belongs to one.
+/// The name of the function that a line declares: of Rust alone at the beginning of the line, of a type, `Prepared`, further in.
+/// Functions of traits have the names of those that they call.
 fn declared(line: &str) -> Option<String> {
     let rest = line.trim_start();
-    let name = rest.strip_prefix("pub fn ")?;
+    let is_of_type = rest.len() < line.len();
+    let public = rest.strip_prefix("pub ");
+    if is_of_type && public.is_none() {
+        return None;
+    }
+    let rest = public.unwrap_or(rest);
+    let rest = rest.strip_prefix("unsafe ").unwrap_or(rest);
+    let rest = rest.strip_prefix("extern \"C\" ").unwrap_or(rest);
+    let name = rest.strip_prefix("fn ")?;
     let end = name.find(|c: char| !(c.is_alphanumeric() || c == '_'))?;
-    let of = if rest.len() < line.len() {
-        "Prepared::"
-    } else {
-        ""
-    };
+    let of = if is_of_type { "Prepared::" } else { "" };
     Some(format!("{of}{}", &name[..end]))
 }
 
-fn distinct(owners: &[Option<String>]) -> Vec<String> {
-    let mut names: Vec<String> = owners.iter().flatten().cloned().collect();
-    names.dedup();
-    names
-}
-
-/// The statements, with `#` for every number; without comments that no item has.
+/// The lines, with `#` for every number that is no index or length; without comments that no item has.
 fn without_numbers(text: &str) -> Vec<String> {
     let is_code = |line: &&str| !line.starts_with("//") || line.starts_with("///");
     text.lines().filter(is_code).map(masked).collect()
 }
 
+/// The line with `#` for what has a decimal point or an exponent. A minus that opens an argument is the number's.
 fn masked(line: &str) -> String {
     let mut shown = String::with_capacity(line.len());
+    let mut rest = line;
     let mut previous = ' ';
-    let mut in_number = false;
-    for character in line.chars() {
-        let goes_on = in_number
-            && (character.is_ascii_alphanumeric()
-                || matches!(character, '.' | '_')
-                || matches!(character, '+' | '-') && matches!(previous, 'e' | 'E'));
-        let starts = !in_number
-            && character.is_ascii_digit()
-            && !(previous.is_alphanumeric() || previous == '_');
-        if starts {
-            shown.push('#');
-        } else if !goes_on {
-            shown.push(character);
-        }
-        in_number = starts || goes_on;
-        previous = character;
+    while let Some(character) = rest.chars().next() {
+        let in_name = previous.is_alphanumeric() || previous == '_';
+        let sign = usize::from(character == '-' && previous == '(');
+        let starts = !in_name && rest[sign..].starts_with(|c: char| c.is_ascii_digit());
+        let length = if starts {
+            sign + number(&rest[sign..])
+        } else {
+            character.len_utf8()
+        };
+        let (token, after) = rest.split_at(length);
+        let is_real = starts && token.contains(['.', 'e', 'E']);
+        shown.push_str(if is_real { "#" } else { token });
+        previous = token.chars().next_back().unwrap_or(' ');
+        rest = after;
     }
     shown
+}
+
+/// How long the number is with which a text begins.
+fn number(text: &str) -> usize {
+    let mut previous = ' ';
+    let mut goes_on = |character: char| {
+        let signs = matches!(character, '+' | '-') && matches!(previous, 'e' | 'E');
+        let goes_on = character.is_ascii_alphanumeric() || matches!(character, '.' | '_') || signs;
+        previous = character;
+        goes_on
+    };
+    text.find(|character| !goes_on(character))
+        .unwrap_or(text.len())
 }

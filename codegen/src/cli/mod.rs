@@ -96,7 +96,7 @@ pub(crate) use voice::{Voice, say};
         [[system]]\n  \
         model = \"models/gripper.xml\"\n  \
         output = \"generated/gripper.rs\"\n  \
-        leave_out = [\"fluid\"]        # what of an MJCF cannot be had: equalities, fluid, tendons, gravcomp, or an equality"
+        leave_out = [\"fluid\"]        # what to ignore of an MJCF: equalities, fluid, tendons, gravcomp, or an equality"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]

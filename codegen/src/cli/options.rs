@@ -7,7 +7,7 @@ use std::mem;
 use clap::Args;
 use kane_codegen::{
     functions::{Function, Parsed, RequestError, advice, split},
-    options::{Formulation, Functions, Options, is_set, set_with},
+    options::{Formulation, Functions, Options, has, is_set},
     recursive::Technique,
 };
 
@@ -157,12 +157,12 @@ fn unknown_function(name: &str) -> Failures {
 }
 
 /// The names in what `--functions` was given, each time it stood there: commas inside brackets separate none.
-pub(crate) fn names(lists: &[String]) -> Vec<&str> {
+fn names(lists: &[String]) -> Vec<&str> {
     lists.iter().flat_map(|list| split(list)).collect()
 }
 
 /// Reads `--functions`.
-fn functions(lists: &[String]) -> Result<Functions, Failures> {
+pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
     let names = names(lists);
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
@@ -173,7 +173,7 @@ fn functions(lists: &[String]) -> Result<Functions, Failures> {
             failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"
             )));
-        } else if let Some(set) = set_with(name, &names) {
+        } else if let Some(set) = names.iter().find(|set| has(set, name)) {
             failures.add(Failures::message(format!(
                 "--functions names `{name}` beside `{set}`, which has it"
             )));

@@ -35,6 +35,11 @@ impl Voice {
         }
     }
 
+    /// True where nothing but errors is told.
+    pub(crate) fn is_quiet(self) -> bool {
+        self.quiet
+    }
+
     /// True where everything is told.
     pub(crate) fn is_verbose(self) -> bool {
         self.verbose

@@ -4,7 +4,7 @@ use crate::{
     description::toml_reader::{Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
     functions::{Parsed, RequestError, advice},
-    options::{Functions, is_set, set_with},
+    options::{Functions, has, is_set},
 };
 
 /// The functions that a system names, where they stand.
@@ -54,19 +54,15 @@ pub(super) fn read(
             names.push(name);
         }
     }
-    let all: Vec<&str> = names.iter().map(|name| name.value.as_str()).collect();
     for name in &names {
-        let Some(set) = set_with(&name.value, &all) else {
-            continue;
-        };
-        let fault = format!("{what} names `{}` beside `{set}`", name.value);
-        let fault = Diagnostic::error(fault).at(name.span, "one of them");
-        let mut sets = names.iter().filter(|name| name.value == set);
-        let places = sets.next().map(|set| set.span);
-        reader.faults.push(match places {
-            Some(place) => fault.at(place, "this names them all"),
-            None => fault,
-        });
+        let mut sets = names.iter();
+        if let Some(set) = sets.find(|set| has(&set.value, &name.value)) {
+            let fault = format!("{what} names `{}` beside `{}`", name.value, set.value);
+            let fault = Diagnostic::error(fault).at(name.span, "one of them");
+            reader
+                .faults
+                .push(fault.at(set.span, "this names them all"));
+        }
     }
     let functions = Functions::of(names.iter().map(|name| name.value.clone()));
     let entries = names;

@@ -53,7 +53,7 @@ impl Output {
         let name = name.to_string_lossy().into_owned();
         if !companion::can_be_beside(companions, &name) {
             let fault = Diagnostic::error(format!(
-                "{} is `{}`; files beside the module name it",
+                "{} is `{}`; the files beside the module contain its name",
                 system.what("output"),
                 module.value
             ));

@@ -1,9 +1,6 @@
 //! What is no error, a line a kind: how many there are, and the first of them.
 
-use super::{Diagnostic, Diagnostics, Severity, printable};
-
-/// Names that a line shows.
-const NAMED: usize = 3;
+use super::{Diagnostic, Diagnostics, Severity, first_few, printable};
 
 /// Warnings and notes, a line a kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -18,11 +15,12 @@ impl Diagnostics {
     /// Warnings and notes, a line a kind. One that is alone of its kind is told by its message, with its place.
     pub fn brief(&self) -> Brief {
         let mut brief = Brief::default();
-        for severity in [Severity::Warning, Severity::Note] {
+        for (severity, level) in [(Severity::Warning, "warning"), (Severity::Note, "note")] {
             let of_severity = self.list().iter();
             let of_severity = of_severity.filter(|one| one.severity == severity);
             for alike in by_kind(of_severity) {
                 let (line, is_shortened) = self.line(&alike);
+                let line = format!("{level}: {line}");
                 brief.lines.push((severity, printable(&line).into_owned()));
                 brief.is_shortened |= is_shortened;
             }
@@ -37,20 +35,10 @@ impl Diagnostics {
         let subjects: Vec<&str> = subjects
             .flat_map(|kind| kind.subjects.iter().map(String::as_str))
             .collect();
-        let level = match first.severity {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
-            Severity::Note => "note",
-        };
         match &first.kind {
             Some(kind) if subjects.len() > 1 => {
                 let (count, plural, name) = (subjects.len(), &kind.plural, self.source().name());
-                let named = subjects[..count.min(NAMED)].join(", ");
-                let more = match count.saturating_sub(NAMED) {
-                    0 => String::new(),
-                    more => format!(" and {more} more"),
-                };
-                let line = format!("{level}: {name}: {count} {plural}: {named}{more}");
+                let line = format!("{name}: {count} {plural}: {}", first_few(&subjects));
                 (line, true)
             }
             _ => {
@@ -61,10 +49,7 @@ impl Diagnostics {
                     1 => String::new(),
                     times => format!(" ({times} times)"),
                 };
-                (
-                    format!("{level}: {place}: {message}{help}{again}"),
-                    alike.len() > 1,
-                )
+                (format!("{place}: {message}{help}{again}"), alike.len() > 1)
             }
         }
     }

@@ -18,4 +18,4 @@ pub use fault::{Diagnostic, Kind, Severity};
 pub use list::{Diagnostics, Faults};
 pub use source::{Source, SourceFile, Span, Spanned};
 pub(crate) use words::is_unprintable;
-pub use words::{nearest, printable};
+pub use words::{count, first_few, nearest, printable};

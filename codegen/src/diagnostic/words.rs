@@ -55,3 +55,22 @@ fn edits(from: &str, to: &str) -> usize {
     }
     rows[from.len()][to.len()]
 }
+
+/// The first three of several, and how many more there are.
+pub fn first_few<S: AsRef<str>>(names: &[S]) -> String {
+    const NAMED: usize = 3;
+    let shown = names.iter().take(NAMED).map(AsRef::as_ref);
+    let shown = shown.collect::<Vec<&str>>().join(", ");
+    match names.len().saturating_sub(NAMED) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
+    }
+}
+
+/// A number of things: `1 line`, `2 lines`.
+pub fn count(number: usize, one: &str) -> String {
+    match number {
+        1 => format!("1 {one}"),
+        _ => format!("{number} {one}s"),
+    }
+}

@@ -4,10 +4,11 @@ use super::{
     partials::partials,
     row::{Row, Seeds, added, scaled},
 };
-use crate::expr::{Expr, ExprGraph, Node};
+use crate::expr::{Expr, ExprGraph, Node, Purpose};
 
 /// How each root changes with every variable.
 pub fn forward(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row> {
+    graph.begin(Purpose::Derivative);
     let needed = graph.reachable(roots);
     let mut rows: Vec<Row> = vec![Row::new(); needed.len()];
     for id in graph.ids().filter(|id| needed[id.index()]) {

@@ -4,10 +4,11 @@ use super::{
     partials::partials,
     row::{Row, Seeds, added, scaled},
 };
-use crate::expr::{Expr, ExprGraph, Node};
+use crate::expr::{Expr, ExprGraph, Node, Purpose};
 
 /// How each root changes with every variable.
 pub fn reverse(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row> {
+    graph.begin(Purpose::Derivative);
     let varies = varying(graph, seeds);
     // By how much the roots, by their places, change with each node.
     let mut slopes: Vec<Row> = vec![Row::new(); varies.len()];

@@ -1,6 +1,6 @@
 //! What parts of a derivation are for, in the words of the comments between the lines that come of them.
 
-/// What a part of a derivation is for. Nodes remember that of the part in which they were built first.
+/// What a part of a derivation is for. A node remembers that of the part in which it was built, or named.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
     /// None that is named.
@@ -18,6 +18,8 @@ pub enum Purpose {
     Rates,
     /// Velocities of points, Eqs. (25), (27).
     Velocity,
+    /// Rotations, positions and velocities, body after body outward.
+    Outward,
     /// Accelerations, from the rates of partial velocities.
     Acceleration,
     /// Partial velocities, Eqs. (15), (28), (32).
@@ -28,7 +30,7 @@ pub enum Purpose {
     Motion,
     /// What a body needs to move so.
     Needed,
-    /// What loads do at the body.
+    /// What loads and forces of joints do at the body.
     Loads,
     /// Sums over bodies along partial velocities, Eqs. (36), (42), (43).
     Sums,
@@ -36,10 +38,8 @@ pub enum Purpose {
     Forces,
     /// What acts in a joint: springs, dampers, rotors.
     Mechanics,
-    /// Mass and inertia of a body and all that it carries, inward.
+    /// Mass and inertia of a body and all that it carries, and what its motions make of these: columns of a matrix, inward.
     Composite,
-    /// What the body's motions make all that it carries need: a column of a matrix, inward.
-    Column,
     /// The inertia that a body shows where joints further out are free, inward.
     Articulated,
     /// Accelerations, outward.
@@ -60,7 +60,9 @@ pub enum Purpose {
     Regressor,
     /// Along the bodies that carry the frame.
     Frame,
-    /// How forces change with coordinates and speeds.
+    /// The same of what acts at the frame.
+    FrameForce,
+    /// How functions change with their arguments.
     Derivative,
 }
 
@@ -75,17 +77,17 @@ impl Purpose {
             Self::AngularVelocity => "angular velocity, Eqs. (8), (11)",
             Self::Rates => "rates of coordinates, Eqs. (9), (44)",
             Self::Velocity => "velocity, Eqs. (25), (27)",
+            Self::Outward => "position and velocity, outward",
             Self::Acceleration => "acceleration",
             Self::PartialVelocity => "partial velocities, Eqs. (15), (28), (32)",
             Self::PartialVelocityDot => "rates of partial velocities, Eqs. (20), (33), (34)",
             Self::Motion => "velocity and acceleration, outward",
             Self::Needed => "force and moment that its motion needs",
-            Self::Loads => "load",
+            Self::Loads => "given forces",
             Self::Sums => "along partial velocities, Eqs. (36), (42), (43)",
             Self::Forces => "forces, inward",
             Self::Mechanics => "springs, dampers and rotors",
-            Self::Composite => "mass and inertia with all that it carries, inward",
-            Self::Column => "what its motions need of all that it carries, inward",
+            Self::Composite => "composite body and columns, inward",
             Self::Articulated => "articulated inertia, inward",
             Self::Accelerations => "accelerations, outward",
             Self::Factors => "factors of the mass matrix, inward",
@@ -95,8 +97,9 @@ impl Purpose {
             Self::Energy => "energy",
             Self::Momentum => "mass centre and momentum, inward",
             Self::Regressor => "forces of inertial parameters, inward",
-            Self::Frame => "toward the frame",
-            Self::Derivative => "derivatives, inward",
+            Self::Frame => "pose and motion along the path to the frame",
+            Self::FrameForce => "force at the frame",
+            Self::Derivative => "derivatives",
         }
     }
 }

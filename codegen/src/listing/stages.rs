@@ -52,27 +52,31 @@ pub(super) fn of(signature: &Signature, code: &Code) -> Vec<Stage> {
     stages.collect()
 }
 
-/// Where the stages' statements are.
+/// Where the stages' statements are. Headings are no statements, and stay with what follows them.
 fn ranges(code: &Code) -> Vec<Range<usize>> {
-    let n_statements = code.statements.len();
-    if n_statements <= LONGEST {
+    let is_heading = |place: usize| matches!(code.statements[place], Statement::Heading(_));
+    let places: Vec<usize> = (0..code.statements.len())
+        .filter(|place| !is_heading(*place))
+        .collect();
+    if places.len() <= LONGEST {
         return Vec::new();
     }
     let mut ranges = Vec::new();
-    let (mut first, mut body) = (0, None);
-    for (place, statement) in code.statements.iter().enumerate() {
-        let Some(local) = statement.assigned().next() else {
+    let (mut first, mut length, mut body) = (0, 0, None);
+    for place in places {
+        length += 1;
+        let Some(local) = code.statements[place].assigned().next() else {
             continue;
         };
         let own = code.local(local).body;
-        let length = place - first;
-        if length >= 2 * STAGE || length >= STAGE && own != body {
-            ranges.push(first..place);
-            first = place;
+        if length > 2 * STAGE || length > STAGE && own != body {
+            let end = place - usize::from(is_heading(place - 1));
+            ranges.push(first..end);
+            (first, length) = (end, 1);
         }
         body = own;
     }
-    ranges.push(first..n_statements);
+    ranges.push(first..code.statements.len());
     ranges
 }
 

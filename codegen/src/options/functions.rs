@@ -83,15 +83,14 @@ pub fn is_set(name: &str) -> bool {
     [ALL, DEFAULT].contains(&name)
 }
 
-/// The set among these names that has this one already: a set that has another, or a function.
-pub fn set_with<'a>(name: &str, names: &[&'a str]) -> Option<&'a str> {
+/// True where a set has a function, or another set, of this name.
+pub fn has(set: &str, name: &str) -> bool {
     let alone = || Parsed::read(name).ok().and_then(|named| named.alone());
-    let has = |set: &str| match set {
+    match set {
         ALL if name == DEFAULT => true,
-        _ if set == name || is_set(name) => false,
+        _ if is_set(name) => false,
         ALL => alone().is_some(),
         DEFAULT => alone().is_some_and(|function| function.is_default),
         _ => false,
-    };
-    names.iter().copied().find(|set| has(set))
+    }
 }

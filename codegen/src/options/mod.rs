@@ -18,7 +18,7 @@ use std::{
 };
 
 pub use formulation::Formulation;
-pub use functions::{ALL, DEFAULT, Functions, is_set, set_with};
+pub use functions::{ALL, DEFAULT, Functions, has, is_set};
 
 use crate::{
     description::Reading,

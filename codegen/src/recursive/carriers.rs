@@ -9,7 +9,7 @@ use super::{
     rotation::Turn,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap, SpeedId},
     solve::{Carriers, RootMotion},
     tree::{Motion, Tree, Value},
@@ -26,6 +26,7 @@ pub(super) fn carriers(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> Carriers
     if !plan.uses(Technique::Carriers) {
         return carriers;
     }
+    graph.begin(Purpose::Composite);
     let roots = BodyMap::outward(tree.bodies.len(), |body, roots: &BodyMap<_>| {
         let lower = tree.lower(body);
         lower.map_or(Some(body), |lower| roots[lower])

@@ -47,6 +47,7 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
     let center = from_first(graph, tree, &linkage.links);
     let mut wrenches = link_motion::inertial_wrenches(graph, &linkage, Accelerations::Zero);
     let mut sum = Momentum::zero(graph);
+    graph.begin(Purpose::Momentum);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut passing = wrenches[body];

@@ -29,7 +29,7 @@ use crate::{
 pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let velocities = velocities(graph, &linkage);
-    graph.begin(Purpose::Column);
+    graph.begin(Purpose::Composite);
     let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
         Moments::of(&linkage.links[body])
     });
@@ -81,7 +81,7 @@ struct Moving {
 }
 
 fn velocities(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Moving> {
-    graph.begin(Purpose::Velocity);
+    graph.begin(Purpose::Outward);
     let tree = linkage.tree;
     BodyMap::outward(tree.bodies.len(), |body, moving: &BodyMap<Moving>| {
         graph.enter(body);

@@ -18,7 +18,7 @@ use crate::{
 /// `1/2 (m_K v_G_K · v_G_K + w_K · I_K w_K)` and that of the rotors of its joint, J, of each body.
 pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
     let links = link::links(graph, tree, &whole(plan));
-    graph.begin(Purpose::Velocity);
+    graph.begin(Purpose::Outward);
     let velocities = link_velocity::velocities(graph, tree, &links);
     graph.begin(Purpose::Energy);
     BodyMap::outward(tree.bodies.len(), |body, _| {

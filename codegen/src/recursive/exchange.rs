@@ -2,7 +2,7 @@
 
 use super::{linkage::Linkage, rotation::Turn};
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Expr, ExprGraph, Purpose, Vector},
     given::{self, orientation},
     id::{BodyId, SpeedId},
     solve::SpeedMatrix,
@@ -14,6 +14,7 @@ pub(super) fn forces(graph: &mut ExprGraph, linkage: &Linkage<'_>, tau: &mut [Ex
     let Linkage {
         tree, links, axes, ..
     } = linkage;
+    graph.begin(Purpose::Loads);
     for body in tree.body_ids() {
         graph.enter(body);
         let [turns, shifts] = axes[body].motions(&tree.body(body).joint);
@@ -36,6 +37,7 @@ pub(super) fn accelerations(graph: &mut ExprGraph, linkage: &Linkage<'_>, soluti
         tree, links, axes, ..
     } = linkage;
     let gravity = given::gravity(graph, tree);
+    graph.begin(Purpose::Accelerations);
     for body in tree.body_ids() {
         graph.enter(body);
         let joint = &tree.body(body).joint;

@@ -3,7 +3,7 @@
 
 use super::{link::Link, link_motion, linkage::Linkage, wrench::Wrench};
 use crate::{
-    expr::ExprGraph,
+    expr::{ExprGraph, Purpose},
     given::{self, Accelerations, Loads},
     id::{BodyId, BodyMap},
     tree::Tree,
@@ -21,6 +21,7 @@ pub(super) fn needed(
         return inertial;
     }
     let Linkage { tree, links, .. } = linkage;
+    graph.begin(Purpose::Loads);
     BodyMap::outward(tree.bodies.len(), |body, _| {
         let load = load(graph, tree, &links[body], body);
         inertial[body].minus(graph, &load)

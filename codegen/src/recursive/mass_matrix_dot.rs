@@ -23,7 +23,7 @@ use crate::{
 /// `dA/dt`, `A` of Eq. (42).
 pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     let linkage = Linkage::of_speeds(graph, tree, plan);
-    graph.begin(Purpose::Column);
+    graph.begin(Purpose::Composite);
     let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
         Moments::of(&linkage.links[body])
     });

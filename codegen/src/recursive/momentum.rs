@@ -168,7 +168,7 @@ fn stands(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Option<Stand>
     let Linkage {
         tree, links, plan, ..
     } = linkage;
-    graph.begin(Purpose::Position);
+    graph.begin(Purpose::Outward);
     let mut carried = BodyMap::outward(tree.bodies.len(), |_, _| 0);
     for body in tree.body_ids().rev() {
         if let Some(lower) = tree.lower(body) {

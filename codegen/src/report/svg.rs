@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use crate::tree::Tree;
+use crate::{diagnostic::printable, id::BodyId, tree::Tree};
 
 /// From one body to the next one, and as far to the right on what it carries; units of the drawing.
 const ROW: usize = 22;
@@ -49,10 +49,9 @@ fn depths(tree: &Tree) -> Vec<usize> {
 
 /// A dot and a name for each body, a line from the one that carries it.
 fn draw_tree(text: &mut String, tree: &Tree, depths: &[usize]) {
-    let order = order(tree);
     let mut rows = vec![0; tree.bodies.len()];
-    for (row, &body) in order.iter().enumerate() {
-        rows[body] = row + 1;
+    for (row, body) in order(tree).into_iter().enumerate() {
+        rows[body.index()] = row + 1;
     }
     let x = |depth: usize| MARGIN + depth * ROW;
     let y = |row: usize| MARGIN + row * ROW + ROW / 2;
@@ -72,17 +71,14 @@ fn draw_tree(text: &mut String, tree: &Tree, depths: &[usize]) {
 }
 
 /// The bodies depth first, as they are drawn.
-fn order(tree: &Tree) -> Vec<usize> {
-    let mut carried = vec![Vec::new(); tree.bodies.len() + 1];
-    for body in tree.body_ids() {
-        let place = tree.lower(body).map_or(0, |lower| lower.index() + 1);
-        carried[place].push(body.index());
-    }
+fn order(tree: &Tree) -> Vec<BodyId> {
+    let roots = tree.body_ids().filter(|body| tree.lower(*body).is_none());
+    let mut open: Vec<BodyId> = roots.collect();
+    open.reverse();
     let mut order = Vec::with_capacity(tree.bodies.len());
-    let mut open: Vec<usize> = carried[0].iter().rev().copied().collect();
     while let Some(body) = open.pop() {
         order.push(body);
-        open.extend(carried[body + 1].iter().rev());
+        open.extend(tree.uppers(body).iter().rev());
     }
     order
 }
@@ -127,8 +123,7 @@ fn draw_pattern(text: &mut String, pattern: &[Vec<bool>], left: usize) {
 
 /// A name as text of XML.
 fn escaped(name: &str) -> String {
-    let shown = name.escape_debug().to_string();
-    shown
+    printable(name)
         .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

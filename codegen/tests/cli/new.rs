@@ -51,21 +51,32 @@ fn new_packages_run_pass_their_tests_and_are_up_to_date() {
 }
 
 #[test]
-fn model_that_includes_others_is_written_whole() {
+fn model_that_includes_others_is_written_whole_as_it_was_read() {
     let project = Project::empty();
     let part = "<mujoco><worldbody><body name=\"arm\"><inertial pos=\"0 0 0.1\" mass=\"1\" diaginertia=\"1 1 1\"/>\
-                <joint name=\"turn\"/></body></worldbody></mujoco>";
+                <freejoint name=\"base\"/></body></worldbody></mujoco>";
     project.write("part.xml", part);
-    project.write("whole.xml", "<mujoco><include file=\"part.xml\"/></mujoco>");
-    let ran = project.kane(&["new", "robot", "whole.xml"]);
+    project.write(
+        "whole.xml",
+        "<mujoco><option density=\"1\"/><include file=\"part.xml\"/></mujoco>",
+    );
+    let new = ["new", "robot", "whole.xml"];
+    let options = ["--leave-out", "fluid", "--chart", "angles"];
+    let ran = project.kane(&[&new[..], &options].concat());
     assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(ran.err.starts_with("warning: whole.xml:1:"), "{}", ran.err);
     let model = project.read("robot/models/robot.toml");
     assert!(model.contains("name = \"arm\""), "{model}");
+    let module = project.read("robot/src/robot.rs");
+    assert!(module.contains("pub const NQ: usize = 6;"));
     assert_eq!(project.kane_in("robot", &["check"]).code, 0);
+    let version = env!("CARGO_PKG_VERSION");
+    let depends = format!("kane = {{ version = \"{version}\"");
+    assert!(project.read("robot/Cargo.toml").contains(&depends));
+    let workflow = project.read("robot/.github/workflows/kane.yml");
     assert!(
-        project
-            .read("robot/Cargo.toml")
-            .contains("kane = { version = \"0.1.0\"")
+        workflow.contains(&format!("--version {version}\n")),
+        "{workflow}"
     );
 }
 
@@ -78,6 +89,8 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
     for (arguments, told) in [
         (&["new", "my-arm"][..], "`my-arm` cannot be the name"),
         (&["new", "test"], "`test` cannot be the name"),
+        (&["new", "tests"], "`tests` cannot be the name"),
+        (&["new", "build"], "Rust or cargo use it for something else"),
         (&["new", "there"], "`there` is there already"),
         (&["new", "arm", "broken.urdf"], "broken.urdf:1:"),
         (
@@ -98,13 +111,20 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
 
 #[test]
 fn shells_are_told_every_command() {
+    let help = Project::empty().kane(&["--help"]).out;
+    let (_, commands) = help.split_once("Commands:\n").unwrap();
+    let commands = commands.lines().take_while(|line| !line.is_empty());
+    let commands: Vec<&str> = commands
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert!(commands.len() > 8, "{commands:?}");
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let ran = Project::empty().kane(&["completions", shell]);
         assert_eq!(ran.code, 0, "{}", ran.err);
-        for command in [
-            "generate", "check", "diff", "info", "eval", "convert", "verify", "new",
-        ] {
-            assert!(ran.out.contains(command), "{shell}: {command}");
+        let is_word = |character: char| character.is_alphanumeric() || character == '_';
+        let words: Vec<&str> = ran.out.split(|c| !is_word(c)).collect();
+        for command in &commands {
+            assert!(words.contains(command), "{shell}: {command}");
         }
     }
 }

@@ -222,3 +222,10 @@ pub(crate) fn system(model: &str, output: &str) -> String {
 pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(path)
 }
+
+/// The operations that a module states of its functions, but for those of `Prepared`.
+pub(crate) fn operations_of(module: &str) -> usize {
+    let functions = module.split("\n/// Operations: ").skip(1);
+    let totals = functions.map(|line| line.split(' ').next().unwrap());
+    totals.map(|total| total.parse::<usize>().unwrap()).sum()
+}

@@ -23,11 +23,14 @@ impl Report {
     pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
         let [old_name, new_name] = names;
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
-        let diff = TextDiff::from_lines(&old.text, &new.text);
+        let texts = [old, new].map(|known| known.text.as_str());
+        let diff = TextDiff::from_lines(texts[0], texts[1]);
+        let is_same = texts[0] == texts[1];
+        let lines = (!is_same).then(|| ChangedLines::of(&diff, texts[0], texts[1]));
         // A tab ends the name, so that `patch` reads it right.
         let mut diff = diff.unified_diff();
         diff.header(&format!("{old_name}\told"), &format!("{new_name}\tnew"));
-        let diff = if old.text == new.text {
+        let diff = if is_same {
             String::new()
         } else {
             diff.to_string()
@@ -37,8 +40,8 @@ impl Report {
             fingerprints: [old, new].map(|known| known.outline.fingerprint),
             differences: report::differences(&old.outline, &new.outline),
             functions,
-            lines: (!diff.is_empty()).then(|| ChangedLines::of(&old.text, &new.text)),
             diff,
+            lines,
         })
     }
 

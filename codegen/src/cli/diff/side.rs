@@ -7,8 +7,7 @@ use std::{
 };
 
 use kane_codegen::{
-    description, diagnostic::Source, error::Error, generate, options::Options, report::Outline,
-    tree,
+    diagnostic::Source, error::Error, generate, options::Options, report::Outline, tree,
 };
 
 use crate::cli::{Failures, git::Revision, job};
@@ -111,10 +110,10 @@ impl Side {
             }
             error => error.into(),
         })?;
-        let description = description::read(&self.source, &options.reading, &include);
-        let checked = tree::build_with(&description, &options.changes)?;
+        let description = &generated.description;
+        let checked = tree::build_with(description, &options.changes)?;
         Ok(Described {
-            outline: Outline::of_model(&description, &checked.tree)?,
+            outline: Outline::of_model(description, &checked.tree)?,
             text: generated.source,
         })
     }

@@ -1,12 +1,10 @@
 //! What differs, for programs.
 
-use kane_codegen::{
-    program::Operations,
-    report::{Body, Change, Counted, LayoutChange, ValueChange},
-};
+use kane_codegen::report::{Body, Change, Counted, LayoutChange, ValueChange};
 use serde_json::{Value, json};
 
 use super::{report::Report, systems::Systems};
+use crate::cli::json;
 
 pub(super) fn of_systems(systems: &Systems) -> Value {
     json!({
@@ -75,15 +73,7 @@ fn function((name, operations): &(String, Counted)) -> Value {
 }
 
 fn counted(counted: &Counted) -> Value {
-    let operations = counted.operations;
-    let Operations {
-        mul,
-        add,
-        div,
-        trig,
-    } = operations;
-    json!({
-        "total": operations.total(), "mul": mul, "add": add, "div": div, "trig": trig,
-        "formulation": counted.formulation,
-    })
+    let mut value = json::operations(&counted.operations);
+    value["formulation"] = json!(counted.formulation);
+    value
 }

@@ -13,6 +13,8 @@ pub(super) struct Shown {
     pub(super) pattern: Vec<Vec<bool>>,
     /// True where the default set is counted because nothing else was asked for.
     pub(super) are_default: bool,
+    /// False where the default set would take too long to count.
+    pub(super) is_counted: bool,
 }
 
 /// True where there is room for the tree and its partitions.

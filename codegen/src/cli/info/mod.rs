@@ -4,14 +4,14 @@ mod facts;
 mod text;
 mod value;
 
-use std::{collections::BTreeSet, io::Write, path::PathBuf};
+use std::{io::Write, path::PathBuf};
 
 use clap::Args;
 use kane_codegen::{
     error::Error,
-    functions::{CATALOGUE, Parsed, Request},
+    functions::{CATALOGUE, Request},
     limits::COUNTED,
-    options::{ALL, DEFAULT, is_set},
+    options::{Functions, Options},
     recursive::Technique,
     report::{self, Counts},
     tree::Tree,
@@ -90,15 +90,12 @@ pub(crate) fn run(
 ) -> Result<Outcome, Failures> {
     let changes = &arguments.changes;
     changes.check()?;
-    let asked = asked(arguments.functions.as_deref())?;
-    let checked = job::check(
-        &arguments.model,
-        &changes.reading(),
-        &changes.changes(),
-        changes.prescribed(),
-    )?;
-    voice.warn(&checked.warnings);
-    let tree = &checked.tree;
+    let asked = arguments.functions.as_deref().map(options::functions);
+    let asked = asked.transpose()?;
+    let (reading, changed) = (changes.reading(), changes.changes());
+    let model = job::check(&arguments.model, &reading, &changed, changes.prescribed())?;
+    voice.warn(&model.warnings);
+    let tree = &model.tree;
     let is_large = tree.n_speeds.max(tree.n_parts()) > COUNTED;
     let pattern = if is_large || arguments.json {
         Vec::new()
@@ -110,89 +107,56 @@ pub(crate) fn run(
         return Ok(Outcome::Done);
     }
     let are_default = asked.is_none();
-    let requests = match asked {
-        Some(asked) => asked.on(tree)?,
-        None if is_large => Vec::new(),
-        None => set(if arguments.json { ALL } else { DEFAULT }).collect(),
+    let options = Options {
+        reading,
+        changes: changed,
+        prescribed: changes.prescribed().to_vec(),
+        functions: asked.unwrap_or_else(|| unasked(arguments.json)),
+        without: arguments.without.iter().copied().collect(),
+        ..Options::default()
     };
-    let without: BTreeSet<Technique> = arguments.without.iter().copied().collect();
-    rounded_angles::tell_of(
-        &arguments.model,
-        changes,
-        arguments.functions.as_deref(),
-        &without,
-        voice,
-    );
-    let counts = counts(tree, requests, &without);
+    let is_counted = !(is_large && are_default);
+    let counts = if is_counted {
+        rounded_angles::tell_of(&model.description, &options, voice);
+        counts(tree, &options)?
+    } else {
+        Vec::new()
+    };
     if arguments.json {
         json::write(out, &value::value(tree, &counts))?;
     } else {
-        let partitions = arguments.partitions;
         let shown = Shown {
-            partitions,
+            partitions: arguments.partitions,
             pattern,
             are_default,
+            is_counted,
         };
         text::write(out, tree, &counts, &shown)?;
-        if is_large && are_default {
-            writeln!(
-                out,
-                "\nBeyond {COUNTED} speeds, or parts of bodies, only what --functions names is counted"
-            )?;
-        }
     }
     Ok(Outcome::Done)
 }
 
-/// The functions of a set of the system.
-fn set(name: &str) -> impl Iterator<Item = Request> {
-    let is_all = name == ALL;
-    let functions = CATALOGUE.iter();
-    let functions = functions.filter(move |function| is_all || function.is_default);
-    functions.map(Request::from)
-}
-
-/// What `--functions` asks for: a set, and others.
-struct Asked<'a> {
-    set: Option<&'a str>,
-    named: Vec<Parsed>,
-}
-
-/// The functions that are named, if they are.
-fn asked(lists: Option<&[String]>) -> Result<Option<Asked<'_>>, Failures> {
-    let Some(lists) = lists else {
-        return Ok(None);
-    };
-    let mut failures = Failures::default();
-    let (sets, names): (Vec<&str>, Vec<&str>) = options::names(lists)
-        .into_iter()
-        .partition(|name| is_set(name));
-    let named = names.into_iter();
-    let named = named
-        .filter_map(|name| failures.keep(options::request(name)))
-        .collect();
-    failures.none()?;
-    // All functions are more than the default set.
-    let set = [ALL, DEFAULT].into_iter().find(|set| sets.contains(set));
-    Ok(Some(Asked { set, named }))
-}
-
-impl Asked<'_> {
-    /// The functions on the model, or everything that it lacks.
-    fn on(&self, tree: &Tree) -> Result<Vec<Request>, Failures> {
-        let mut failures = Failures::default();
-        let on_tree = |asked: &Parsed| asked.on(tree).map_err(Error::Requests);
-        let named = self.named.iter();
-        let named = named.filter_map(|asked| failures.keep(on_tree(asked)));
-        let requests = self.set.into_iter().flat_map(set).chain(named).collect();
-        failures.none()?;
-        Ok(requests)
+/// The functions that are counted where none are asked for.
+fn unasked(json: bool) -> Functions {
+    if json {
+        Functions::All(Vec::new())
+    } else {
+        Functions::default()
     }
 }
 
-fn counts(tree: &Tree, requests: Vec<Request>, without: &BTreeSet<Technique>) -> Vec<Counts> {
-    let requests = requests.into_iter();
-    requests
-        .map(|request| report::count(tree, request, without))
-        .collect()
+/// What the functions cost that are asked for, or everything of them that the model lacks.
+fn counts(tree: &Tree, options: &Options) -> Result<Vec<Counts>, Failures> {
+    let functions = &options.functions;
+    let of_set = CATALOGUE.iter().filter(|one| functions.set_has(one));
+    let mut requests: Vec<Request> = of_set.map(Request::from).collect();
+    let mut failures = Failures::default();
+    for named in functions.requests() {
+        requests.extend(failures.keep(named.on(tree).map_err(Error::Requests)));
+    }
+    failures.none()?;
+    let counts = requests.into_iter();
+    Ok(counts
+        .map(|request| report::count(tree, request, &options.without))
+        .collect())
 }

@@ -1,4 +1,4 @@
-//! What is known of a model, for people: in [`WIDTH`] columns, but for names that need more.
+//! What is known of a model, for people: in [`WIDTH`] columns, but for long names and for partitions.
 
 use std::{
     collections::BTreeMap,
@@ -6,8 +6,9 @@ use std::{
 };
 
 use kane_codegen::{
+    diagnostic::count,
     functions::Formulation,
-    limits::DRAWN_BODIES,
+    limits::{COUNTED, DRAWN_BODIES},
     report::{self, Cell, Counts, Partitions},
     tree::{Frame, Order, Tree},
 };
@@ -27,11 +28,11 @@ pub(super) fn write(
     let gravity = gravity(tree).map(|component| format!("{component:?}"));
     writeln!(
         out,
-        "{}: {} bodies, {} coordinates, {} speeds; gravity ({}) m/s²\n",
+        "{}: {}, {}, {}; gravity ({}) m/s^2\n",
         tree.name,
-        tree.bodies.len(),
-        tree.n_coordinates,
-        tree.n_speeds,
+        bodies(tree.bodies.len()),
+        count(tree.n_coordinates, "coordinate"),
+        count(tree.n_speeds, "speed"),
         gravity.join(", ")
     )?;
     if is_drawn(tree) {
@@ -43,18 +44,33 @@ pub(super) fn write(
     let lower = lower.map(|number| number.to_string());
     writeln!(out)?;
     write_wrapped(out, "lower bodies [", lower.collect::<Vec<_>>(), ", ", "]")?;
-    write_frames(out, "Fixed to them", tree, &tree.frames)?;
+    write_frames(out, "Fixed to bodies, and part of them", tree, &tree.frames)?;
     write_frames(out, "Frames", tree, &tree.markers)?;
     write_coordinates(out, tree)?;
     write_parameters(out, tree)?;
     write_pattern(out, &shown.pattern)?;
-    if shown.partitions && is_drawn(tree) {
+    if shown.partitions && !is_drawn(tree) {
+        writeln!(
+            out,
+            "\nPartitions are drawn of at most {DRAWN_BODIES} bodies"
+        )?;
+    } else if shown.partitions {
         write_partitions(out, tree, &report::partitions(tree))?;
     }
-    if counts.is_empty() {
-        return Ok(());
+    if !shown.is_counted {
+        return writeln!(
+            out,
+            "\nBeyond {COUNTED} speeds, or parts of bodies, only what --functions names is counted"
+        );
     }
     write_counts(out, counts, shown)
+}
+
+fn bodies(number: usize) -> String {
+    match number {
+        1 => "1 body".to_owned(),
+        _ => format!("{number} bodies"),
+    }
 }
 
 /// Frames by the bodies to which they are fixed.
@@ -105,7 +121,7 @@ fn write_places(out: &mut dyn Write, names: &[String]) -> io::Result<()> {
     let digits = names.len().saturating_sub(1).to_string().len();
     let widths = names.iter().map(|name| name.chars().count());
     let width = widths.max().unwrap_or(0);
-    let columns = (WIDTH / (digits + width + 4)).max(1);
+    let columns = (WIDTH / (digits + width + 3)).max(1);
     let rows = names.len().div_ceil(columns);
     for row in 0..rows {
         let cells = (row..names.len()).step_by(rows.max(1));
@@ -244,11 +260,11 @@ fn write_counts(out: &mut dyn Write, counts: &[Counts], shown: &Shown) -> io::Re
         .map(|count| name(count, shown).chars().count());
     let width = 2 + names.max().unwrap_or(0).max(34);
     writeln!(out, "{:width$}{:>9}{:>11}", "", "notes", "recursive")?;
-    for count in counts {
-        let name = name(count, shown);
-        let cell = |formulation: Formulation| match operations(count, formulation) {
+    for one in counts {
+        let name = name(one, shown);
+        let cell = |formulation: Formulation| match operations(one, formulation) {
             Some(operations) => {
-                let mark = if Some(formulation) == count.cheapest {
+                let mark = if Some(formulation) == one.cheapest {
                     "*"
                 } else {
                     " "

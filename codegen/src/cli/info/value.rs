@@ -9,6 +9,8 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
+use crate::cli::json;
+
 use super::facts::{gravity, is_default, is_drawn, lower_number};
 
 pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
@@ -124,14 +126,7 @@ fn partitions_value(partitions: &Partitions) -> Value {
 
 fn counts_value(counts: &Counts) -> Value {
     let formulation = |(formulation, operations): &(Formulation, Operations)| {
-        let Operations {
-            mul,
-            add,
-            div,
-            trig,
-        } = operations;
-        let value = json!({ "total": operations.total(), "mul": mul, "add": add, "div": div, "trig": trig });
-        (formulation.name().to_owned(), value)
+        (formulation.name().to_owned(), json::operations(operations))
     };
     let formulations: Map<String, Value> = counts.formulations.iter().map(formulation).collect();
     json!({

@@ -1,7 +1,7 @@
 //! Principal axes, by MuJoCo's iteration (Jacobi's, on a quaternion): of a body that has the same moment about several axes it
 //! finds the same ones.
 
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::{Rotation, Vector, of_unit_quaternion};
 
 /// What is left as it is, of the largest entry: products of inertia, and differences of moments that have the wrong order.
 const SMALL: f64 = 1e-17;
@@ -21,7 +21,7 @@ pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
         .iter()
         .fold(0.0_f64, |most, entry| entry.abs().max(most));
     for _ in 0..MOST_STEPS {
-        let seen = seen(&matrix, &turned_axes(quaternion));
+        let seen = seen(&matrix, &of_unit_quaternion(quaternion));
         moments = [seen[0][0], seen[1][1], seen[2][2]];
         let [xy, xz, yz] = [seen[0][1], seen[0][2], seen[1][2]].map(f64::abs);
         let (row, column, axis) = if xy > xz && xy > yz {
@@ -63,7 +63,7 @@ pub(super) fn axes([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> (Vector, Rotation) {
             quaternion = unit(product_of(quaternion, step));
         }
     }
-    (moments, turned_axes(quaternion))
+    (moments, of_unit_quaternion(quaternion))
 }
 
 /// The matrix in turned axes.
@@ -72,27 +72,6 @@ fn seen(matrix: &[[f64; 3]; 3], axes: &Rotation) -> [[f64; 3]; 3] {
         [0, 1, 2].map(|j| axis[0] * matrix[0][j] + axis[1] * matrix[1][j] + axis[2] * matrix[2][j])
     });
     half.map(|row| axes.map(|axis| row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]))
-}
-
-/// The axes that a quaternion of length one turns x, y and z into, one a row.
-fn turned_axes([w, x, y, z]: Quaternion) -> Rotation {
-    [
-        [
-            w * w + x * x - y * y - z * z,
-            2.0 * (x * y + w * z),
-            2.0 * (x * z - w * y),
-        ],
-        [
-            2.0 * (x * y - w * z),
-            w * w - x * x + y * y - z * z,
-            2.0 * (y * z + w * x),
-        ],
-        [
-            2.0 * (x * z + w * y),
-            2.0 * (y * z - w * x),
-            w * w - x * x - y * y + z * z,
-        ],
-    ]
 }
 
 fn product_of(a: Quaternion, b: Quaternion) -> Quaternion {

@@ -13,4 +13,5 @@ mod value;
 mod write;
 
 pub use parse::parse;
+pub use text::quoted;
 pub use write::write;

@@ -82,7 +82,7 @@ fn read(
     };
     reader.unknown(robot, "the robot", &known);
     let name = reader.required(robot, "the robot", "name");
-    let note = "a URDF has no gravity: it is taken as (0, 0, -9.81) m/s²";
+    let note = "a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2";
     let note = Diagnostic::note(note).at(robot.span(), "gravity along -z");
     reader.faults.push(note);
     let bodies = bodies(reader, robot, reading);

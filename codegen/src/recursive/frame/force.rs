@@ -24,7 +24,7 @@ pub fn generalized_force(
     frame: NamedFrame,
 ) -> Vec<Expr> {
     let links = link::links(graph, tree, plan);
-    graph.begin(Purpose::Frame);
+    graph.begin(Purpose::FrameForce);
     let path = path(tree, frame);
     let mut coming = Coming {
         wrench: given(graph),
@@ -58,7 +58,7 @@ pub fn local_generalized_force(
     frame: NamedFrame,
 ) -> Vec<Expr> {
     let links = link::links(graph, tree, plan);
-    graph.begin(Purpose::Frame);
+    graph.begin(Purpose::FrameForce);
     let Reach { axes, position } = Reach::of(graph, tree, &links, frame);
     let back = transpose(&axes);
     let wrench = given(graph).map(|v| graph.mul_vector(&back, v));

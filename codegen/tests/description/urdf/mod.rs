@@ -53,7 +53,7 @@ fn parse_well(text: &str, reading: &Reading) -> Description {
         .collect();
     assert_eq!(
         shown,
-        ["a URDF has no gravity: it is taken as (0, 0, -9.81) m/s²"]
+        ["a URDF has no gravity: it is taken as (0, 0, -9.81) m/s^2"]
     );
     description
 }
