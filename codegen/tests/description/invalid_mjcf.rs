@@ -46,6 +46,8 @@ files! {
     active_equality
     actuator_with_armature
     aligned_free_joint
+    attached_bodies
+    attached_to_itself
     axis_is_zero
     ball_with_stiffness
     child_class_unknown

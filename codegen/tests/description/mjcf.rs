@@ -3,12 +3,12 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::io;
 
-use kane_codegen::description::{Chart, JointKind, PerCoordinate, Reading, mjcf};
+use kane_codegen::description::{Chart, Description, JointKind, PerCoordinate, Reading, mjcf};
 use kane_codegen::diagnostic::{Severity, Source};
 
 use crate::mjcf_support::{
-    attachment_rotation, baked, close, elementary, faults, limits, number, only, oriented, read,
-    same, vector,
+    attachment_rotation, baked, close, elementary, faults, limits, number, only, oriented, parse,
+    read, same, vector,
 };
 
 #[test]
@@ -313,4 +313,35 @@ fn user_says_how_orientations_are_described() {
       |
       = help: describe the orientation by a quaternion
     "#);
+}
+
+#[test]
+fn weight_that_is_lifted_off_all_bodies_that_move_is_a_smaller_gravity() {
+    let model = |still: &str, second: &str| {
+        let text = format!(
+            "<mujoco><option gravity=\"1 0 -8\"/><worldbody>
+  <body gravcomp=\"{still}\"><geom size=\"1\"/></body>
+  <body gravcomp=\"0.25\"><joint/><geom size=\"1\"/>
+    <body gravcomp=\"{second}\"><joint/><geom size=\"1\" pos=\"0 1 0\"/></body>
+  </body>
+</worldbody></mujoco>"
+        );
+        parse(&text, &[])
+    };
+    for still in ["0", "0.25", "1"] {
+        let same = model(still, "0.25");
+        assert_eq!(vector(same.gravity), [0.75, 0.0, -6.0]);
+        let told = faults(&same).to_string();
+        assert!(
+            told.contains("`gravcomp` 0.25: all functions take 0.75 times"),
+            "{told}"
+        );
+    }
+    let errors = |model: &Description| {
+        let errors = model.faults.iter().filter(|fault| fault.is_error());
+        errors.count()
+    };
+    assert_eq!(errors(&model("0", "0.25")), 0);
+    assert_eq!(errors(&model("0", "0")), 1);
+    assert_eq!(errors(&model("0", "0.5")), 2);
 }

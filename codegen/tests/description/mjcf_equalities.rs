@@ -206,7 +206,8 @@ fn user_leaves_out_all_equalities_a_kind_or_one() {
 #[test]
 fn user_leaves_out_forces_that_cannot_be_had() {
     let text = "<mujoco><option density=\"1\" viscosity=\"2\"/><worldbody>
-        <body name=\"a\" gravcomp=\"1\"><joint name=\"j\"/><geom size=\"1\"/></body></worldbody>
+        <body name=\"a\" gravcomp=\"1\"><joint name=\"j\"/><geom size=\"1\"/></body>
+        <body><joint/><geom size=\"1\"/></body></worldbody>
       <tendon><fixed><joint joint=\"j\" coef=\"1\"/></fixed><fixed stiffness=\"1\" damping=\"2\"/></tendon></mujoco>";
     for (name, n_errors) in [("fluid", 3), ("tendons", 3), ("gravcomp", 4)] {
         let model = leaving_out(text, &[name]);
@@ -218,4 +219,29 @@ fn user_leaves_out_forces_that_cannot_be_had() {
     let told = warnings.filter(|fault| fault.severity == Severity::Warning && fault.kind.is_some());
     // Two of the fluid, two of the tendons, the section that held them, and one of the weight.
     assert_eq!(told.count(), 6);
+}
+
+#[test]
+fn equalities_of_an_attached_model_hold_where_all_that_they_name_is_attached() {
+    let child = "<mujoco><worldbody>
+  <body name=\"root\"><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/>
+    <body name=\"tip\"><joint name=\"b\" type=\"slide\"/><geom size=\"1\"/></body>
+  </body>
+</worldbody><equality>
+  <joint joint1=\"a\" joint2=\"b\" polycoef=\"0 2\"/>
+  <weld body1=\"root\" body2=\"tip\" name=\"hold\"/>
+</equality></mujoco>";
+    let text = "<mujoco><asset><model name=\"m\" file=\"m.xml\"/></asset><worldbody>
+  <replicate count=\"2\" offset=\"9 0 0\"><attach model=\"m\" body=\"root\" prefix=\"x_\"/></replicate>
+  <attach model=\"m\" body=\"tip\" prefix=\"y_\"/>
+</worldbody></mujoco>";
+    let model = parse(text, &[("m.xml", child)]);
+    assert_eq!(
+        mimics(&model),
+        [("x_a0", "x_b0", 2.0, 0.0), ("x_a1", "x_b1", 2.0, 0.0)]
+    );
+    let welds = ["x_hold0", "x_hold1"].map(|name| {
+        format!("weld equality `{name}` is active; constraints like this are not supported")
+    });
+    assert_eq!(errors(&model), welds);
 }

@@ -205,5 +205,44 @@ fn copies_of_copies_are_bounded() {
     let model = parse(&text, &[]);
     let errors = model.faults.iter().filter(|fault| fault.is_error());
     let messages: Vec<&str> = errors.map(|fault| fault.message.as_str()).collect();
-    assert_eq!(messages, ["`replicate` makes more than 1000000 elements"]);
+    assert_eq!(
+        messages,
+        ["`replicate` and `attach` make more than 1000000 elements"]
+    );
+}
+
+#[test]
+fn attachments_of_attachments_are_bounded() {
+    let model = |next: usize| {
+        format!(
+            "<mujoco><asset><model name=\"n\" file=\"{next}.xml\"/></asset><worldbody>
+  <attach model=\"n\" prefix=\"a\"/><attach model=\"n\" prefix=\"b\"/>
+</worldbody></mujoco>"
+        )
+    };
+    let leaf = "<mujoco><worldbody><body><joint/><geom size=\"1\"/></body></worldbody></mujoco>";
+    let last = 30;
+    let texts = (1..=last).map(|number| {
+        if number < last {
+            model(number + 1)
+        } else {
+            leaf.to_owned()
+        }
+    });
+    let names = (1..=last).map(|number| format!("{number}.xml"));
+    let files: Vec<(String, String)> = names.zip(texts).collect();
+    let files: Vec<(&str, &str)> = files
+        .iter()
+        .map(|(name, text)| (&**name, &**text))
+        .collect();
+    let model = parse(&model(1), &files);
+    let errors = model.faults.iter().filter(|fault| fault.is_error());
+    let messages: Vec<&str> = errors.map(|fault| fault.message.as_str()).collect();
+    assert_eq!(
+        messages,
+        [
+            "`replicate` and `attach` make more than 1000000 elements",
+            "the number of bodies is at least 10001; expected at most 10000"
+        ]
+    );
 }

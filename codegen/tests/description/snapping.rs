@@ -143,7 +143,7 @@ fn the_parts_that_are_told_are_those_of_the_operations_that_are_needed() {
         .collect();
     assert!(
         told.contains(&format!(
-            "saves {}, and of {} more, ",
+            "saves {} and {} more, ",
             shown.join(", "),
             parts.len() - 3
         )),

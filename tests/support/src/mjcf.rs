@@ -7,6 +7,7 @@ macro_rules! mjcf_models {
         $then! {
             adjusted_inertias
             ant
+            attached
             ball_joint_arm
             bounded
             cart_with_springs
@@ -23,6 +24,7 @@ macro_rules! mjcf_models {
             replicated
             several_joints
             sites
+            spring_dampers
             two_link_arm
             walker
             welded

@@ -1,29 +1,26 @@
 //! `worldbody`: the bodies, depth first, in the order of the file.
 
-use std::rc::Rc;
-
 use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::chain::{Bodies, JointedBody, WrittenBodies};
+use crate::description::mjcf::chain::{Bodies, JointedBody};
 use crate::description::mjcf::contents::{Contents, Inside, child_class, gather};
-use crate::description::mjcf::defaults::{Class, ElementKind};
-use crate::description::mjcf::finite;
+use crate::description::mjcf::defaults::ElementKind;
 use crate::description::mjcf::geoms::{self, Moves};
 use crate::description::mjcf::inertial::{self, MassProperties};
 use crate::description::mjcf::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
-use crate::description::mjcf::leaving::{advice, left_out};
+use crate::description::mjcf::lifted::Lifted;
 use crate::description::mjcf::model::Model;
+use crate::description::mjcf::models::Models;
 use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
-use crate::description::mjcf::sites::{self, Site};
+use crate::description::mjcf::sites::Site;
 use crate::description::mjcf::solid::together;
-use crate::description::mjcf::ties::Ties;
-use crate::description::xml::{Element, Reader, shown};
-use crate::description::{LeftOut, WrittenFrame, too_many};
+use crate::description::too_many;
+use crate::description::xml::{Reader, shown};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::limits::BODIES;
 
@@ -35,24 +32,23 @@ struct Pending<'d> {
     lower_moves: Moves,
 }
 
+/// The bodies of all models, and what stands on them.
+#[derive(Default)]
+pub(super) struct Found<'d> {
+    pub(super) bodies: Bodies,
+    pub(super) sites: Vec<Site<'d>>,
+    /// What is around each model that is attached.
+    pub(super) attached: Vec<Around>,
+    /// How much of its weight is lifted off each body.
+    pub(super) lifted: Vec<Lifted>,
+}
+
 /// Reads the bodies of all `worldbody` elements, and the sites in them.
-pub(super) fn read<'d>(
-    reader: &mut Reader,
-    model: &Model<'d>,
-    worlds: &[Element<'d>],
-    ties: &Ties,
-) -> (WrittenBodies, Vec<WrittenFrame>) {
-    let mut bodies = Bodies::new(ties.held());
-    let mut marked = Vec::new();
+pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
+    let mut found = Found::default();
     let mut pending = Vec::new();
-    for world in worlds.iter().rev() {
-        let contents = gather(
-            reader,
-            model,
-            *world,
-            "the world",
-            Around::class(Class::MAIN),
-        );
+    for world in models.main().named("worldbody").into_iter().rev() {
+        let contents = gather(reader, models, world, "the world", Around::world());
         for inside in contents.joints.iter().chain(&contents.inertials) {
             let message = format!(
                 "the world has a `{}`; expected it in a body",
@@ -63,36 +59,34 @@ pub(super) fn read<'d>(
         }
         for geom in &contents.geoms {
             let owner = owner(geom, "geom", "the world");
-            geom_attributes(reader, model, geom, &owner);
+            geom_attributes(reader, models, geom, &owner);
         }
-        marked.extend(
-            contents
-                .sites
-                .into_iter()
-                .map(|inside| Site { inside, body: 0 }),
-        );
-        push(&mut pending, contents.bodies, 0, Moves::No);
+        let bodies = found.keep(contents);
+        push(&mut pending, bodies, 0, Moves::No);
     }
     while let Some(next) = pending.pop() {
-        if let Some(fault) = too_many("the number of bodies is at least", bodies.count() + 1) {
+        let count = found.bodies.count();
+        if let Some(fault) = too_many("the number of bodies is at least", count + 1) {
             let place = next.inside.element.span();
             reader.faults.push(fault.at(place, "one too many"));
             break;
         }
-        let (contents, moves) = body(reader, model, &next, &mut bodies);
-        let number = bodies.count();
-        let sites = contents.sites.into_iter();
-        marked.extend(sites.map(|inside| Site {
-            inside,
-            body: number,
-        }));
-        push(&mut pending, contents.bodies, number, moves);
+        let (contents, moves) = body(reader, models, &next, &mut found);
+        let bodies = found.keep(contents);
+        push(&mut pending, bodies, found.bodies.count(), moves);
     }
-    let mut written = bodies.written(reader, model.settings.total_mass);
-    ties.apply(reader, &mut written.list, &written.references);
-    finite::check(reader, &written.list);
-    let frames = sites::written(reader, model, &marked, &written.list);
-    (written, frames)
+    found
+}
+
+impl<'d> Found<'d> {
+    /// Keeps what stands in the last body; gives the bodies in it, which are still to be read.
+    fn keep(&mut self, contents: Contents<'d>) -> Vec<Inside<'d>> {
+        let body = self.bodies.count();
+        let sites = contents.sites.into_iter();
+        self.sites.extend(sites.map(|inside| Site { inside, body }));
+        self.attached.extend(contents.attached);
+        contents.bodies
+    }
 }
 
 /// The first comes out first.
@@ -120,9 +114,9 @@ fn owner(inside: &Inside<'_>, what: &str, body: &str) -> String {
 /// Reads a body, and adds it, behind those that its joints make.
 fn body<'d>(
     reader: &mut Reader,
-    model: &Model<'d>,
+    models: &Models<'d>,
     next: &Pending<'d>,
-    bodies: &mut Bodies,
+    found: &mut Found<'_>,
 ) -> (Contents<'d>, Moves) {
     let element = next.inside.element;
     let name = next.inside.name();
@@ -132,19 +126,21 @@ fn body<'d>(
     };
     let given = Attributes::of(reader, element, &owner, &known::BODY);
     let around = &next.inside.around;
+    let model = &models.list[around.model];
     let inner = Around {
-        suffix: Rc::clone(&around.suffix),
-        ..Around::class(child_class(reader, model, &given, around.class))
+        frame: Placement::SAME,
+        class: child_class(reader, model, &given, around.class),
+        ..around.clone()
     };
-    let contents = gather(reader, model, element, &owner, inner);
+    let contents = gather(reader, models, element, &owner, inner);
     let own = placement(reader, &given, &model.settings);
     let place = around.frame.then(&own);
-    unsupported(reader, model, &given);
+    follows(reader, &given);
     let joints: Vec<JointElement> = contents
         .joints
         .iter()
         .take(BODIES + 1)
-        .map(|inside| joint(reader, model, inside, &owner))
+        .map(|inside| joint(reader, &models.list[inside.around.model], inside, &owner))
         .collect();
     check_free(reader, model, &joints, next, &contents.bodies, &owner);
     let moves = if joints.is_empty() {
@@ -157,8 +153,18 @@ fn body<'d>(
         None => Wish::None(element.span()),
     };
     let written_at = (element.span(), &own);
-    let mass = mass(reader, model, &contents, written_at, &owner, moves);
-    bodies.add(JointedBody {
+    let mass = mass(
+        reader,
+        models,
+        &contents,
+        written_at,
+        (&owner, around),
+        moves,
+    );
+    found
+        .lifted
+        .push(lifted(reader, &given, mass.as_ref(), moves));
+    found.bodies.add(JointedBody {
         joints,
         place,
         span: given.span,
@@ -169,26 +175,24 @@ fn body<'d>(
     (contents, moves)
 }
 
-fn unsupported(reader: &mut Reader, model: &Model<'_>, given: &Attributes<'_>) {
-    let lifted = given.number(reader, "gravcomp");
-    let lifted = lifted.filter(|lifted| lifted.value != 0.0);
-    if let Some(lifted) = lifted
-        && model.reading.leaves_out(LeftOut::Gravcomp)
-    {
-        let message = format!("{} is left out", given.what("gravcomp"));
-        let kind = ("bodies whose `gravcomp` is left out", &*given.owner);
-        left_out(reader, message, lifted.span, kind);
-    } else if let Some(lifted) = lifted {
-        let message = format!(
-            "{} is {}; a force against gravity is not supported",
-            given.what("gravcomp"),
-            lifted.value
-        );
-        let fault = Diagnostic::error(message).at(lifted.span, "expected 0");
-        reader
-            .faults
-            .push(fault.help(advice(LeftOut::Gravcomp.name())));
+/// What the force against a body's weight is of that.
+fn lifted(
+    reader: &mut Reader,
+    given: &Attributes<'_>,
+    mass: Option<&MassProperties>,
+    moves: Moves,
+) -> Lifted {
+    let written = given.number(reader, "gravcomp");
+    Lifted {
+        owner: given.owner.to_string(),
+        share: written.map_or(0.0, |written| written.value),
+        span: written.map_or(given.span, |written| written.span),
+        matters: moves == Moves::Yes && mass.is_none_or(|mass| mass.mass() != 0.0),
     }
+}
+
+/// Warns of a body that follows motion capture.
+fn follows(reader: &mut Reader, given: &Attributes<'_>) {
     let mocap = given.keyword(reader, "mocap", &TRUTH);
     if let Some(mocap) = mocap.filter(|mocap| mocap.value == Switch::On) {
         let message = format!(
@@ -273,10 +277,11 @@ fn check_free(
 /// A geom's attributes, with warnings of those that are not known.
 fn geom_attributes<'d>(
     reader: &mut Reader,
-    model: &Model<'d>,
+    models: &Models<'d>,
     geom: &Inside<'d>,
     owner: &str,
 ) -> Attributes<'d> {
+    let model = &models.list[geom.around.model];
     for child in model.files.children(geom.element) {
         if child.name() != "plugin" {
             reader.unknown_child(child, owner, &[]);
@@ -294,13 +299,13 @@ fn geom_attributes<'d>(
 /// The mass of a body; `None` where it is faulty.
 fn mass(
     reader: &mut Reader,
-    model: &Model<'_>,
+    models: &Models<'_>,
     contents: &Contents<'_>,
     (span, place): (Span, &Placement),
-    body: &str,
+    (body, around): (&str, &Around),
     moves: Moves,
 ) -> Option<MassProperties> {
-    let settings = &model.settings;
+    let settings = &models.list[around.model].settings;
     let mut written = None;
     for (index, inside) in contents.inertials.iter().enumerate() {
         let owner = format!("`inertial` of {body}");
@@ -333,7 +338,8 @@ fn mass(
     let mut solids = Vec::new();
     for inside in &contents.geoms {
         let owner = owner(inside, "geom", body);
-        let given = geom_attributes(reader, model, inside, &owner);
+        let given = geom_attributes(reader, models, inside, &owner);
+        let model = &models.list[inside.around.model];
         if infer {
             let solid = geoms::solid(reader, &given, model, &inside.around.frame, counts);
             solids.extend(solid);

@@ -1,29 +1,33 @@
 //! A body with several joints as several bodies: one without mass for each joint but the last.
 
+use crate::description::mjcf::free_inertia::{DrawnBody, inertias};
 use crate::description::mjcf::inertial::{MassProperties, WrittenMass};
 use crate::description::mjcf::joints::JointElement;
 use crate::description::mjcf::names::{self, Wish};
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::seat::{fixed, held, joined};
+use crate::description::mjcf::solid::Solid;
 use crate::description::mjcf::ties::Held;
 use crate::description::xml::Reader;
 use crate::description::{Given, WrittenBody, WrittenJoint};
-use crate::diagnostic::{Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 
-/// The bodies of a model, before they have their names and weights.
-#[derive(Debug)]
+/// The bodies of a model, before they have their names, weights and seats.
+#[derive(Debug, Default)]
 pub(super) struct Bodies {
     list: Vec<ChainedBody>,
-    held: Held,
 }
 
 /// A body and the joint by which it hangs.
 #[derive(Debug)]
 struct ChainedBody {
     span: Span,
-    joint: WrittenJoint,
-    /// The joint's coordinate where the model is drawn, rad, m.
-    reference: f64,
+    /// `None` where the body is fixed.
+    joint: Option<JointElement>,
+    /// Where the body stands in its lower body.
+    place: Placement,
+    /// Where the joint is placed in the file.
+    joint_span: Span,
     /// The number of its lower body, from 1, or 0 for the world.
     lower: usize,
     wish: Wish,
@@ -62,27 +66,23 @@ pub(super) struct WrittenBodies {
 }
 
 impl Bodies {
-    /// None yet; joints with these names will be held.
-    pub(super) fn new(held: Held) -> Self {
-        Self {
-            list: Vec::new(),
-            held,
-        }
-    }
-
-    /// The joint where it sits, or where it is held.
-    fn seated(&self, element: &JointElement, place: &Placement, span: Span) -> WrittenJoint {
-        let name = element.name.as_ref();
-        let by = name.and_then(|name| self.held.get(&name.value));
-        match by.filter(|_| element.axis.is_some()) {
-            Some(by) => held(element, place, span, *by),
-            None => joined(element, place, span),
-        }
-    }
-
     /// How many there are.
     pub(super) fn count(&self) -> usize {
         self.list.len()
+    }
+
+    /// The names of all joints.
+    pub(super) fn joint_names(&self) -> impl Iterator<Item = &str> {
+        let joints = self.list.iter().filter_map(|body| body.joint.as_ref());
+        joints.filter_map(|joint| Some(joint.name.as_ref()?.value.as_str()))
+    }
+
+    /// The names that the file gives to bodies.
+    pub(super) fn given_names(&self) -> impl Iterator<Item = &str> {
+        self.list.iter().filter_map(|body| match &body.wish {
+            Wish::Given(name) => Some(name.value.as_str()),
+            _ => None,
+        })
     }
 
     /// Adds a body, behind those that its joints make.
@@ -96,57 +96,92 @@ impl Bodies {
             let Some(element) = joints.next() else { break };
             let name = element.name.as_ref();
             let name = name.map_or(format!("joint{index}"), |name| name.value.clone());
+            let span = element.span;
             self.list.push(ChainedBody {
-                span: element.span,
-                joint: self.seated(&element, &place, parts.span),
-                reference: element.reference,
+                span,
+                joint: Some(element),
+                place,
+                joint_span: parts.span,
                 lower,
                 wish: Wish::After {
                     body: last,
                     joint: name,
-                    span: element.span,
+                    span,
                 },
                 weight: Weight::Nothing,
             });
             lower = self.list.len();
             place = Placement::SAME;
         }
-        let (joint, reference) = match joints.next() {
-            Some(element) => {
-                let joint = self.seated(&element, &place, parts.span);
-                (joint, element.reference)
-            }
-            None => (fixed(&place, parts.span), 0.0),
-        };
         self.list.push(ChainedBody {
             span: parts.span,
-            joint,
-            reference,
+            joint: joints.next(),
+            place,
+            joint_span: parts.span,
             lower,
             wish: parts.wish,
             weight: Weight::Given(parts.mass.map(Box::new)),
         });
     }
 
-    /// The bodies with names, and with masses that are scaled where the settings give their total.
-    pub(super) fn written(self, reader: &mut Reader, total_mass: Option<f64>) -> WrittenBodies {
+    /// Gives joints the springs and dampers that follow from their inertias.
+    fn settle_spring_dampers(&mut self, reader: &mut Reader, factor: Option<f64>) {
+        let mut joints = self.list.iter().filter_map(|body| body.joint.as_ref());
+        if joints.all(|joint| joint.spring_damper().is_none()) {
+            return;
+        }
+        let drawn = self.list.iter().map(|body| DrawnBody {
+            lower: body.lower,
+            place: &body.place,
+            joint: body.joint.as_ref(),
+            mass: body.solid(factor),
+        });
+        let inertias = inertias(&drawn.collect::<Vec<_>>());
+        for (body, inertia) in self.list.iter_mut().zip(inertias) {
+            let Some(joint) = &mut body.joint else {
+                continue;
+            };
+            let Some(place) = joint.spring_damper() else {
+                continue;
+            };
+            match inertia.filter(|inertia| inertia.is_finite() && *inertia > 0.0) {
+                Some(inertia) => joint.settle(inertia),
+                None => {
+                    let message = "`springdamper` makes a spring from the inertia of a joint, but has none where the model is drawn";
+                    let fault = Diagnostic::error(message).at(place, "no inertia");
+                    reader
+                        .faults
+                        .push(fault.help("give `stiffness` and `damping` as numbers"));
+                }
+            }
+        }
+    }
+
+    /// The bodies with names, joints of which some are held, and masses that are scaled where the settings give their total.
+    pub(super) fn written(
+        mut self,
+        reader: &mut Reader,
+        total_mass: Option<f64>,
+        held: &Held,
+    ) -> WrittenBodies {
         let wishes: Vec<Wish> = self.list.iter().map(|body| body.wish.clone()).collect();
         let names = names::give(reader, &wishes);
         let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();
         let factor = total_mass.filter(|_| total > 0.0);
         let factor = factor.map(|wanted| wanted / total);
+        self.settle_spring_dampers(reader, factor);
         let lower = |body: &ChainedBody| {
             let number = i64::try_from(body.lower).ok()?;
             Some(Spanned::new(number, body.span))
         };
         WrittenBodies {
             lower: self.list.iter().map(lower).collect(),
-            references: self.list.iter().map(|body| body.reference).collect(),
+            references: self.list.iter().map(ChainedBody::reference).collect(),
             list: self
                 .list
                 .into_iter()
                 .zip(names)
-                .map(|(body, name)| body.written(name, factor))
+                .map(|(body, name)| body.written(name, factor, held))
                 .collect(),
         }
     }
@@ -160,7 +195,34 @@ impl ChainedBody {
         }
     }
 
-    fn written(self, name: Spanned<String>, factor: Option<f64>) -> WrittenBody {
+    /// The joint's coordinate where the model is drawn, rad, m.
+    fn reference(&self) -> f64 {
+        self.joint.as_ref().map_or(0.0, |joint| joint.reference)
+    }
+
+    /// The joint where it sits, or where it is held.
+    fn seated(&self, held_joints: &Held) -> WrittenJoint {
+        let (place, span) = (&self.place, self.joint_span);
+        let Some(element) = &self.joint else {
+            return fixed(place, span);
+        };
+        let name = element.name.as_ref();
+        let by = name.and_then(|name| held_joints.get(&name.value));
+        match by.filter(|_| element.axis.is_some()) {
+            Some(by) => held(element, place, span, *by),
+            None => joined(element, place, span),
+        }
+    }
+
+    fn solid(&self, factor: Option<f64>) -> Option<Solid> {
+        let Weight::Given(Some(mass)) = &self.weight else {
+            return None;
+        };
+        Some(factor.map_or(**mass, |factor| mass.scaled(factor)).solid())
+    }
+
+    fn written(self, name: Spanned<String>, factor: Option<f64>, held: &Held) -> WrittenBody {
+        let joint = self.seated(held);
         let mass = match self.weight {
             Weight::Nothing => Some(MassProperties::massless(self.span)),
             Weight::Given(mass) => mass.map(|mass| match factor {
@@ -176,7 +238,7 @@ impl ChainedBody {
             mass_center: mass.center,
             inertia: mass.inertia,
             inertia_rotation: mass.rotation,
-            joint: self.joint,
+            joint,
         }
     }
 }

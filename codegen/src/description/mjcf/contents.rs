@@ -3,10 +3,12 @@
 use std::rc::Rc;
 
 use crate::description::mjcf::around::Around;
+use crate::description::mjcf::attach;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
 use crate::description::mjcf::model::Model;
+use crate::description::mjcf::models::Models;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::replicate;
 use crate::description::xml::{Element, Reader};
@@ -24,10 +26,7 @@ impl Inside<'_> {
     pub(super) fn name(&self) -> Option<Spanned<String>> {
         let name = self.element.attribute("name");
         let name = name.filter(|name| !name.value.is_empty())?;
-        Some(Spanned::new(
-            format!("{}{}", name.value, self.around.suffix),
-            name.span,
-        ))
+        Some(Spanned::new(self.around.name(name.value), name.span))
     }
 }
 
@@ -39,19 +38,22 @@ pub(super) struct Contents<'d> {
     pub(super) geoms: Vec<Inside<'d>>,
     pub(super) sites: Vec<Inside<'d>>,
     pub(super) bodies: Vec<Inside<'d>>,
+    /// What is around each model that is attached here.
+    pub(super) attached: Vec<Around>,
 }
 
-/// Gathers what stands in a body; `class` is that around the body's elements, `suffix` that of the body itself.
+/// Gathers what stands in a body; `around` is what is around the body's elements.
 pub(super) fn gather<'d>(
     reader: &mut Reader,
-    model: &Model<'d>,
+    models: &Models<'d>,
     body: Element<'d>,
     owner: &str,
     around: Around,
 ) -> Contents<'d> {
     let mut contents = Contents::default();
     // Copies share their elements.
-    let children = |element: Element<'d>| Rc::<[Element<'d>]>::from(model.files.children(element));
+    let files = models.main().files;
+    let children = |element: Element<'d>| Rc::<[Element<'d>]>::from(files.children(element));
     let mut open = vec![(children(body), 0, around)];
     while let Some((elements, next, around)) = open.last_mut() {
         let Some(element) = elements.get(*next).copied() else {
@@ -60,7 +62,8 @@ pub(super) fn gather<'d>(
         };
         *next += 1;
         let around = around.clone();
-        if !around.suffix.is_empty() && !model.copies.count(reader, element.span()) {
+        let model = &models.list[around.model];
+        if around.is_copy() && !models.copies.count(reader, element.span()) {
             break;
         }
         let inside = Inside { element, around };
@@ -83,10 +86,21 @@ pub(super) fn gather<'d>(
                 open.push((children(element), 0, around));
             }
             "replicate" => {
-                let copies = replicate::copies(reader, model, element, &inside.around, owner);
+                let copies = replicate::copies(reader, models, element, &inside.around, owner);
                 let elements = children(element);
                 let copies = copies.into_iter().rev();
                 open.extend(copies.map(|copy| (Rc::clone(&elements), 0, copy)));
+            }
+            "attach" => {
+                // What it attaches may be nothing.
+                if !models.copies.count(reader, element.span()) {
+                    break;
+                }
+                let found = attach::elements(reader, models, element, &inside.around, owner);
+                if let Some((elements, around)) = found {
+                    contents.attached.push(around.clone());
+                    open.push((elements, 0, around));
+                }
             }
             name if known::IGNORED_IN_BODY.contains(&name) => {}
             name if known::UNSUPPORTED_IN_BODY.contains(&name) => {

@@ -1,4 +1,4 @@
-//! How much `replicate` copies, which is bounded: a few letters can ask for very much.
+//! How much `replicate` and `attach` copy, which is bounded: a few letters can ask for very much.
 
 use std::cell::Cell;
 
@@ -19,7 +19,7 @@ impl Copies {
         }
         self.0.set(count + 1);
         if count == XML_NODES {
-            let message = format!("`replicate` makes more than {XML_NODES} elements");
+            let message = format!("`replicate` and `attach` make more than {XML_NODES} elements");
             reader
                 .faults
                 .push(Diagnostic::error(message).at(span, "one too many"));

@@ -6,14 +6,12 @@
 use std::collections::BTreeMap;
 
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::include::Files;
+use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
+use crate::description::mjcf::unknown::unknown;
 use crate::description::too_many;
 use crate::description::xml::{Element, Known, Reader, shown};
-use crate::diagnostic::{Diagnostic, Severity, Span, Spanned, nearest};
-
-/// As many names are too many to look for the one that was meant.
-const MANY: usize = 1_000;
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 
 /// Kinds of elements whose defaults matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -162,23 +160,20 @@ impl<'d> Defaults<'d> {
         Some(class)
     }
 
-    /// The class of this name.
-    pub(super) fn class(&self, reader: &mut Reader, name: Spanned<&str>) -> Option<Class> {
-        if name.value == "main" {
+    /// The class of this name, if there is one.
+    pub(super) fn known(&self, name: &str) -> Option<Class> {
+        if name == "main" {
             return Some(Class::MAIN);
         }
-        let class = self.names.get(name.value).map(|(class, _)| *class);
+        self.names.get(name).map(|(class, _)| *class)
+    }
+
+    /// The class of this name, which is a fault where there is none.
+    pub(super) fn class(&self, reader: &mut Reader, name: Spanned<&str>) -> Option<Class> {
+        let class = self.known(name.value);
         if class.is_none() {
             let message = format!("there is no default class `{}`", shown(name.value));
-            let mut fault = Diagnostic::error(message).at(name.span, "unknown class");
-            // Looking through very many names very often would take too long.
-            if self.names.len() < MANY && !reader.faults.is_full(Severity::Error) {
-                let names: Vec<&str> = self.names.keys().copied().collect();
-                if let Some(near) = nearest(name.value, &names) {
-                    fault = fault.help(format!("did you mean `{near}`?"));
-                }
-            }
-            reader.faults.push(fault);
+            unknown(reader, message, name, self.names.keys().copied());
         }
         class
     }

@@ -1,13 +1,18 @@
 //! `equality`: linear ones between joints tie these; of the others those with motion capture are left out, and what the user
 //! leaves out; the rest is refused.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::description::LeftOut;
+use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::bodies::Found;
 use crate::description::mjcf::defaults::{Class, ElementKind};
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::mjcf::mocap::Mocap;
 use crate::description::mjcf::model::Model;
+use crate::description::mjcf::models::Models;
 use crate::description::mjcf::settings::{Switch, TRUTH};
 use crate::description::mjcf::ties::{Equation, Ties};
 use crate::description::xml::{Element, Reader, shown};
@@ -16,24 +21,77 @@ use crate::diagnostic::{Diagnostic, Spanned};
 /// What words call several of them.
 const PLURAL: &str = "equalities that are left out";
 
-/// Reads the sections: how joints are tied.
-pub(super) fn read<'d>(
-    reader: &mut Reader,
-    model: &Model<'d>,
-    sections: &[Element<'d>],
-    worlds: &[Element<'d>],
-) -> Ties {
+/// Reads the equalities of all models: how joints are tied. Those of a model that is attached hold where all that they name is
+/// attached, as in MuJoCo.
+pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>, found: &Found<'d>) -> Ties {
     let mut ties = Ties::default();
-    let mut mocap = None;
-    for element in sections.iter().flat_map(|s| model.files.children(*s)) {
+    let mut sections = Sections::new();
+    section(
+        reader,
+        models,
+        &Around::world(),
+        None,
+        (&mut sections, &mut ties),
+    );
+    if !found.attached.is_empty() {
+        let names = Names::of(found);
+        for around in &found.attached {
+            let names = Some(&names);
+            section(reader, models, around, names, (&mut sections, &mut ties));
+        }
+    }
+    check_names(reader, models.main(), &ties);
+    ties
+}
+
+/// The equalities of each model, by its number, with what follows motion capture where that was asked for.
+type Sections<'d> = BTreeMap<usize, (Vec<Element<'d>>, Option<Mocap<'d>>)>;
+
+/// What has a name: joints, bodies and sites.
+struct Names<'f> {
+    joints: BTreeSet<&'f str>,
+    /// Bodies and sites.
+    places: BTreeSet<String>,
+}
+
+impl<'f> Names<'f> {
+    fn of(found: &'f Found<'_>) -> Self {
+        let sites = found.sites.iter().filter_map(|site| site.inside.name());
+        let bodies = found.bodies.given_names().map(str::to_owned);
+        Self {
+            joints: found.bodies.joint_names().collect(),
+            places: sites.map(|name| name.value).chain(bodies).collect(),
+        }
+    }
+}
+
+/// Reads the equalities of a model; `names` are those of what is there.
+fn section<'d>(
+    reader: &mut Reader,
+    models: &Models<'d>,
+    around: &Around,
+    names: Option<&Names<'_>>,
+    (sections, ties): (&mut Sections<'d>, &mut Ties),
+) {
+    let model = &models.list[around.model];
+    let (elements, mocap) = sections.entry(around.model).or_insert_with(|| {
+        let sections = model.named("equality").into_iter();
+        let elements = sections.flat_map(|section| model.files.children(section));
+        (elements.collect(), None)
+    });
+    for element in elements.iter().copied() {
+        if around.is_copy() && !models.copies.count(reader, element.span()) {
+            return;
+        }
         reader.unknown_child(element, "`equality`", &known::EQUALITIES);
         if !known::EQUALITIES.contains(&element.name()) {
             continue;
         }
-        let equality = Equality::of(reader, model, element);
-        if let Some(name) = equality.name {
-            ties.equalities.insert(name.to_owned());
+        let equality = Equality::of(reader, model, element, around);
+        if names.is_some_and(|names| !equality.is_within(names)) {
+            continue;
         }
+        ties.equalities.extend(equality.name.clone());
         if !equality.active || model.settings.equalities == Switch::Off {
             continue;
         }
@@ -41,9 +99,10 @@ pub(super) fn read<'d>(
             let message = format!("{} is left out", equality.owner);
             equality.leave_out(reader, message);
         } else if element.name() == "joint" {
-            equality.tie(reader, &mut ties);
+            equality.tie(reader, ties);
         } else {
-            let mocap = mocap.get_or_insert_with(|| Mocap::of(model.files, worlds));
+            let mocap =
+                mocap.get_or_insert_with(|| Mocap::of(model.files, &model.named("worldbody")));
             if equality.follows(mocap) {
                 let message = format!(
                     "{} with a body that follows motion capture is left out",
@@ -56,8 +115,6 @@ pub(super) fn read<'d>(
             }
         }
     }
-    check_names(reader, model, &ties);
-    ties
 }
 
 /// Every name by which something is to be left out is one.
@@ -79,20 +136,27 @@ fn check_names(reader: &mut Reader, model: &Model<'_>, ties: &Ties) {
 }
 
 /// An equality.
-struct Equality<'d> {
+struct Equality<'d, 'a> {
+    around: &'a Around,
     element: Element<'d>,
     given: Attributes<'d>,
     owner: String,
-    name: Option<&'d str>,
+    name: Option<String>,
     active: bool,
 }
 
-impl<'d> Equality<'d> {
-    fn of(reader: &mut Reader, model: &Model<'d>, element: Element<'d>) -> Self {
+impl<'d, 'a> Equality<'d, 'a> {
+    fn of(
+        reader: &mut Reader,
+        model: &Model<'d>,
+        element: Element<'d>,
+        around: &'a Around,
+    ) -> Self {
         let kind = element.name();
-        let name = element.attribute("name").map(|name| name.value);
-        let name = name.filter(|name| !name.is_empty());
-        let owner = match name {
+        let name = element.attribute("name");
+        let name = name.filter(|name| !name.value.is_empty());
+        let name = name.map(|name| around.name(name.value));
+        let owner = match &name {
             Some(name) => format!("{kind} equality `{}`", shown(name)),
             None => format!("a {kind} equality"),
         };
@@ -102,6 +166,7 @@ impl<'d> Equality<'d> {
                 .attributes(reader, element, &owner, ElementKind::Equality, Class::MAIN);
         let active = given.keyword(reader, "active", &TRUTH);
         Self {
+            around,
             active: active.is_none_or(|active| active.value == Switch::On),
             element,
             given,
@@ -115,11 +180,11 @@ impl<'d> Equality<'d> {
         let named = |name: &str| reading.leave_out.contains(name);
         reading.leaves_out(LeftOut::Equalities)
             || named(self.element.name())
-            || self.name.is_some_and(named)
+            || self.name.as_deref().is_some_and(named)
     }
 
     fn leave_out(&self, reader: &mut Reader, message: String) {
-        let name = self.name.unwrap_or(self.element.name());
+        let name = self.name.as_deref().unwrap_or(self.element.name());
         let span = self.element.span();
         left_out(reader, message, span, (PLURAL, name));
     }
@@ -127,8 +192,21 @@ impl<'d> Equality<'d> {
     fn refuse(&self, reader: &mut Reader, message: &str, label: &str) {
         let fault = Diagnostic::error(format!("{message}; {label}"));
         let fault = fault.at(self.element.span(), "not supported");
-        let help = advice(self.name.unwrap_or(self.element.name()));
+        let help = advice(self.name.as_deref().unwrap_or(self.element.name()));
         reader.faults.push(fault.help(help));
+    }
+
+    /// True where all that the equality names is there.
+    fn is_within(&self, names: &Names<'_>) -> bool {
+        let named = |name: &str| {
+            let text = self.given.text(name)?;
+            Some(self.around.name(text.value))
+        };
+        let joint = |name: &str| named(name).is_none_or(|name| names.joints.contains(&*name));
+        let place = |name: &str| named(name).is_none_or(|name| names.places.contains(&name));
+        joint("joint1")
+            && joint("joint2")
+            && ["body1", "body2", "site1", "site2"].into_iter().all(place)
     }
 
     /// True where one of the two ends is a body that follows motion capture.
@@ -164,7 +242,7 @@ impl<'d> Equality<'d> {
             self.refuse(reader, &message, "such constraints are not supported");
             return;
         }
-        let owned = |name: Spanned<&str>| Spanned::new(name.value.to_owned(), name.span);
+        let owned = |name: Spanned<&str>| Spanned::new(self.around.name(name.value), name.span);
         ties.add(
             reader,
             Equation {

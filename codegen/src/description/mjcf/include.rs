@@ -1,8 +1,7 @@
-//! `include`: the elements of other files in the places where they are included.
+//! The files that a model names: those that it includes, and models that it attaches.
 //!
-//! In: a file and a way to read others. Out: [`Files`], in which an element's children are those of the files that it
-//! includes, too. Afterwards: no file is included twice, so none includes itself; elements are nested at most
-//! [`DEEPEST`] deep in each file.
+//! In: a file and a way to read others. Out: [`Included`], and the texts behind one another in the source. Afterwards: no model
+//! includes a file twice, so no file includes itself; elements are nested at most [`DEEPEST`] deep in each file.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -14,101 +13,32 @@ use crate::diagnostic::{Diagnostic, Source, Span};
 /// How deep elements may be nested in a file; MuJoCo's own limit.
 const DEEPEST: usize = 500;
 
-/// Which files are included, and where.
+/// Which files are named, and where.
 #[derive(Debug, Default)]
 pub(super) struct Included {
-    /// The number of the file, by the place of the element that includes it.
-    files: BTreeMap<usize, usize>,
-    /// The element that includes each file, and in which file that stands; `None` for the main file.
-    from: Vec<Option<(Span, usize)>>,
-    /// The number of each file, by its path from the main file's folder.
-    paths: BTreeMap<String, usize>,
+    /// The number of the file, by the place of the element that names it.
+    pub(super) named: BTreeMap<usize, usize>,
     /// The folder of each file, from the main file's, with a stroke behind it.
-    folders: Vec<String>,
+    pub(super) folders: Vec<String>,
     /// True of each file that can be read as elements.
-    usable: Vec<bool>,
+    pub(super) usable: Vec<bool>,
+    /// The element that names each file, and in which file that stands; `None` for the main file.
+    from: Vec<Option<(Span, usize)>>,
+    /// The first file of the model to which each file belongs.
+    models: Vec<usize>,
+    /// The number of each file, by the first file of its model, and by its path from the main file's folder.
+    paths: BTreeMap<(usize, String), usize>,
+    /// The number of the first file of each attached model, by its path.
+    model_paths: BTreeMap<String, usize>,
 }
 
-/// The files as elements; none for a file that is not XML.
-#[derive(Debug)]
-pub(super) struct Files<'s> {
-    documents: Vec<Option<Document<'s>>>,
-    /// The number of the file, by the place of the element that includes it.
-    included: BTreeMap<usize, usize>,
-    /// The place of each file's first byte, and its folder from the main file's.
-    folders: Vec<(usize, String)>,
-}
-
-/// Reads all files that the source's file includes, and appends them to it.
-pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) -> Included {
-    let mut included = Included::default();
-    let (folder, name) = match source.name().rsplit_once('/') {
-        Some((folder, name)) => (format!("{folder}/"), name.to_owned()),
-        None => (String::new(), source.name().to_owned()),
-    };
-    included.paths.insert(name, 0);
-    included.from.push(None);
-    included.folders.push(String::new());
-    loop {
-        let index = included.usable.len();
-        let Some(file) = source.files().nth(index) else {
-            return included;
-        };
-        let mut mended = Mended::of(file.text(), file.base());
-        for warning in mended.warnings.drain(..) {
-            reader.faults.push(warning);
-        }
-        let targets = match Document::parse(&mended, file.base()) {
-            Ok(document) => targets(reader, document.root()),
-            Err(fault) => {
-                let from = included.from.get(index).copied().flatten();
-                reader.faults.push(match from {
-                    Some((span, _)) => fault.at(span, "included here"),
-                    None => fault,
-                });
-                None
-            }
-        };
-        included.usable.push(targets.is_some());
-        for (written, path_span, element) in targets.unwrap_or_default() {
-            // Beside the main file, or else beside the one that includes it.
-            let beside = included.beside(index, &written);
-            let mut path = written.clone();
-            let mut found = included
-                .find(&path)
-                .map_or_else(|| Found::of(read(&path).and_then(utf8)), Found::Known);
-            if let (Found::Missing(_), Some(other)) = (&found, beside) {
-                let there = included.find(&other);
-                let there =
-                    there.map_or_else(|| Found::of(read(&other).and_then(utf8)), Found::Known);
-                if !matches!(there, Found::Missing(_)) {
-                    (path, found) = (other, there);
-                }
-            }
-            let number = included.from.len();
-            let fault = match found {
-                Found::Known(known) => repeated(&included, known, index, &written, path_span),
-                Found::Text(text) => {
-                    source.append(format!("{folder}{path}"), text);
-                    if let Some(fault) = too_large(source) {
-                        reader.faults.push(fault.at(path_span, "included here"));
-                        return Included::default();
-                    }
-                    included.files.insert(element.start, number);
-                    included.paths.insert(normal(&path), number);
-                    included.folders.push(folder_of(&path));
-                    included.from.push(Some((element, index)));
-                    continue;
-                }
-                Found::Missing(error) => {
-                    let written = shown(&written);
-                    let message = format!("the included file `{written}` cannot be read: {error}");
-                    Diagnostic::error(message).at(path_span, "included here")
-                }
-            };
-            reader.faults.push(fault);
-        }
-    }
+/// An element that names a file.
+struct Target {
+    path: String,
+    path_span: Span,
+    element: Span,
+    /// True where the file is a model of its own.
+    is_model: bool,
 }
 
 /// What stands at a path.
@@ -119,21 +49,164 @@ enum Found {
     Missing(io::Error),
 }
 
+/// Reads all files that the source's file names, and those that these name, and appends them to it.
+pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) -> Included {
+    let mut included = Included::default();
+    let (folder, name) = match source.name().rsplit_once('/') {
+        Some((folder, name)) => (format!("{folder}/"), name.to_owned()),
+        None => (String::new(), source.name().to_owned()),
+    };
+    included.add(0, name, None);
+    loop {
+        let index = included.usable.len();
+        let Some(targets) = targets_of(reader, source, &included, index) else {
+            return included;
+        };
+        included.usable.push(targets.is_some());
+        for target in targets.unwrap_or_default() {
+            let model = target.is_model.then_some(included.from.len());
+            let model = model.unwrap_or(included.models[index]);
+            let (path, found) = included.look(index, &target, read);
+            match found {
+                Found::Text(text) => {
+                    source.append(format!("{folder}{path}"), text);
+                    if let Some(fault) = too_large(source) {
+                        reader
+                            .faults
+                            .push(fault.at(target.path_span, target.label()));
+                        return Included::default();
+                    }
+                    let number = included.from.len();
+                    included.named.insert(target.element.start, number);
+                    included.add(model, path, Some((target.element, index)));
+                }
+                Found::Known(known) if target.is_model => {
+                    included.named.insert(target.element.start, known);
+                }
+                Found::Known(known) => {
+                    reader
+                        .faults
+                        .push(repeated(&included, known, index, &target));
+                }
+                Found::Missing(error) => reader.faults.push(target.missing(&error)),
+            }
+        }
+    }
+}
+
+/// The files that a file names, `None` in it where it cannot be read; `None` behind the last file.
+#[expect(
+    clippy::option_option,
+    reason = "no file, and a file that cannot be read"
+)]
+fn targets_of(
+    reader: &mut Reader,
+    source: &Source,
+    included: &Included,
+    index: usize,
+) -> Option<Option<Vec<Target>>> {
+    let file = source.files().nth(index)?;
+    let mut mended = Mended::of(file.text(), file.base());
+    for warning in mended.warnings.drain(..) {
+        reader.faults.push(warning);
+    }
+    Some(match Document::parse(&mended, file.base()) {
+        Ok(document) => targets(reader, document.root()),
+        Err(fault) => {
+            let from = included.from.get(index).copied().flatten();
+            reader.faults.push(match from {
+                Some((span, _)) => fault.at(span, label(included.models[index] == index)),
+                None => fault,
+            });
+            None
+        }
+    })
+}
+
+/// The words at an element that names a file.
+fn label(is_model: bool) -> &'static str {
+    if is_model {
+        "named here"
+    } else {
+        "included here"
+    }
+}
+
 impl Found {
-    fn of(text: io::Result<String>) -> Self {
+    fn at(path: &str, known: Option<usize>, read: Include<'_>) -> Self {
+        if let Some(known) = known {
+            return Self::Known(known);
+        }
+        let text = read(path).and_then(utf8);
         text.map_or_else(Self::Missing, Self::Text)
     }
 }
 
-impl Included {
-    fn find(&self, path: &str) -> Option<usize> {
-        self.paths.get(&normal(path)).copied()
+impl Target {
+    fn label(&self) -> &'static str {
+        label(self.is_model)
     }
 
-    /// The path from the main file's folder of what stands beside a file, unless that is the same folder.
-    fn beside(&self, file: usize, path: &str) -> Option<String> {
-        let folder = self.folders.get(file)?;
-        (!folder.is_empty() && !path.starts_with('/')).then(|| format!("{folder}{path}"))
+    fn missing(&self, error: &io::Error) -> Diagnostic {
+        let kind = if self.is_model {
+            "model file"
+        } else {
+            "included file"
+        };
+        let message = format!("the {kind} `{}` cannot be read: {error}", shown(&self.path));
+        Diagnostic::error(message).at(self.path_span, self.label())
+    }
+}
+
+impl Included {
+    /// Adds a file of a model, which is that of the model's first file.
+    fn add(&mut self, model: usize, path: String, from: Option<(Span, usize)>) {
+        let number = self.from.len();
+        let folder = if from.is_some() {
+            folder_of(&path)
+        } else {
+            String::new()
+        };
+        if number == model && from.is_some() {
+            self.model_paths.insert(normal(&path), number);
+        }
+        self.paths.insert((model, normal(&path)), number);
+        self.folders.push(folder);
+        self.models.push(model);
+        self.from.push(from);
+    }
+
+    /// What stands beside the model's first file, or else beside the file that names it.
+    fn look(&self, index: usize, target: &Target, read: Include<'_>) -> (String, Found) {
+        let model = self.models[index];
+        let known = |path: &str| {
+            let path = normal(path);
+            if target.is_model {
+                self.model_paths.get(&path).copied()
+            } else {
+                self.paths.get(&(model, path)).copied()
+            }
+        };
+        let first = self.beside(model, &target.path);
+        let found = Found::at(&first, known(&first), read);
+        let other = self.beside(index, &target.path);
+        if matches!(found, Found::Missing(_)) && other != first {
+            let there = Found::at(&other, known(&other), read);
+            if !matches!(there, Found::Missing(_)) {
+                return (other, there);
+            }
+        }
+        (first, found)
+    }
+
+    /// The path from the main file's folder of what stands beside a file.
+    fn beside(&self, file: usize, path: &str) -> String {
+        let folder = &self.folders[file];
+        if path.starts_with('/') {
+            path.to_owned()
+        } else {
+            format!("{folder}{path}")
+        }
     }
 }
 
@@ -143,13 +216,8 @@ fn folder_of(path: &str) -> String {
         .map_or_else(String::new, |(folder, _)| format!("{folder}/"))
 }
 
-/// The path, its place and its element's place of each `include` of a file; `None` where it is nested too deep.
-fn targets(reader: &mut Reader, root: Element<'_>) -> Option<Vec<(String, Span, Span)>> {
-    let known = Known {
-        attributes: &["file"],
-        ignored_attributes: &["prefix"],
-        ..Known::NONE
-    };
+/// Each `include` of a file, and each `model` among its assets; `None` where elements are nested too deep.
+fn targets(reader: &mut Reader, root: Element<'_>) -> Option<Vec<Target>> {
     let mut targets = Vec::new();
     let mut open = vec![root.children()];
     while let Some(children) = open.last_mut() {
@@ -157,11 +225,8 @@ fn targets(reader: &mut Reader, root: Element<'_>) -> Option<Vec<(String, Span, 
             open.pop();
             continue;
         };
-        if element.name() == "include" {
-            reader.unknown(element, "`include`", &known);
-            if let Some(file) = reader.required(element, "`include`", "file") {
-                targets.push((file.value.to_owned(), file.span, element.span()));
-            }
+        if let "include" | "model" = element.name() {
+            targets.extend(target(reader, element));
         } else if open.len() >= DEEPEST {
             let message =
                 format!("elements are nested more than {DEEPEST} deep; MuJoCo reads no more");
@@ -175,20 +240,42 @@ fn targets(reader: &mut Reader, root: Element<'_>) -> Option<Vec<(String, Span, 
     Some(targets)
 }
 
+fn target(reader: &mut Reader, element: Element<'_>) -> Option<Target> {
+    let is_model = element.name() == "model";
+    let known = Known {
+        attributes: if is_model {
+            &["name", "file"]
+        } else {
+            &["file"]
+        },
+        ignored_attributes: &["prefix", "content_type"],
+        ..Known::NONE
+    };
+    let owner = if is_model { "`model`" } else { "`include`" };
+    reader.unknown(element, owner, &known);
+    let file = reader.required(element, owner, "file")?;
+    Some(Target {
+        path: file.value.to_owned(),
+        path_span: file.span,
+        element: element.span(),
+        is_model,
+    })
+}
+
 /// What is wrong where file `index` includes file `known` again.
-fn repeated(included: &Included, known: usize, index: usize, path: &str, span: Span) -> Diagnostic {
-    let path = shown(path);
+fn repeated(included: &Included, known: usize, index: usize, target: &Target) -> Diagnostic {
+    let path = shown(&target.path);
     let from = |file: usize| included.from.get(file).copied().flatten();
     let mut file = Some(index);
     while let Some(number) = file {
         if number == known {
             let message = format!("`{path}` includes itself");
-            return Diagnostic::error(message).at(span, "included again");
+            return Diagnostic::error(message).at(target.path_span, "included again");
         }
         file = from(number).map(|(_, from)| from);
     }
     let message = format!("`{path}` is included twice; a file may be included once");
-    let fault = Diagnostic::error(message).at(span, "included again");
+    let fault = Diagnostic::error(message).at(target.path_span, "included again");
     match from(known) {
         Some((first, _)) => fault.at(first, "included first"),
         None => fault,
@@ -206,69 +293,4 @@ fn normal(path: &str) -> String {
         }
     }
     places.join("/")
-}
-
-impl<'s> Files<'s> {
-    /// The files of a source that [`load`] filled.
-    pub(super) fn parse(source: &Source, texts: &'s [Mended<'s>], included: Included) -> Self {
-        let folders = source.files().zip(&included.folders);
-        let folders = folders.map(|(file, folder)| {
-            let folder = folder.strip_suffix('/').unwrap_or(folder);
-            (file.base(), folder.to_owned())
-        });
-        let folders = folders.collect();
-        let files = source.files().zip(texts).zip(included.usable);
-        let documents = files.map(|((file, text), usable)| {
-            // What is wrong with the others was said as they were loaded.
-            usable
-                .then(|| Document::parse(text, file.base()).ok())
-                .flatten()
-        });
-        Self {
-            documents: documents.collect(),
-            included: included.files,
-            folders,
-        }
-    }
-
-    /// The folder of the file in which a place lies, from the main file's; empty for that itself.
-    pub(super) fn folder(&self, place: Span) -> &str {
-        let after = self
-            .folders
-            .partition_point(|(base, _)| *base <= place.start);
-        let file = after
-            .checked_sub(1)
-            .and_then(|index| self.folders.get(index));
-        file.map_or("", |(_, folder)| folder)
-    }
-
-    /// The root element of the main file.
-    pub(super) fn root(&self) -> Option<Element<'_>> {
-        self.document(0)
-    }
-
-    fn document(&self, number: usize) -> Option<Element<'_>> {
-        let document = self.documents.get(number)?.as_ref()?;
-        Some(document.root())
-    }
-
-    /// The elements directly inside another one, those of included files among them.
-    pub(super) fn children<'d>(&'d self, element: Element<'d>) -> Vec<Element<'d>> {
-        let mut children = Vec::new();
-        let mut open = vec![element.children()];
-        while let Some(inside) = open.last_mut() {
-            match inside.next() {
-                None => {
-                    open.pop();
-                }
-                Some(child) if child.name() == "include" => {
-                    let file = self.included.get(&child.span().start);
-                    let root = file.and_then(|file| self.document(*file));
-                    open.extend(root.map(Element::children));
-                }
-                Some(child) => children.push(child),
-            }
-        }
-        children
-    }
 }

@@ -4,7 +4,7 @@ use crate::description::mjcf::attributes::{Attributes, ORIENTATION};
 use crate::description::mjcf::orientation::rotation;
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{Settings, Switch};
-use crate::description::mjcf::solid::{Solid, Tensor, is_positive};
+use crate::description::mjcf::solid::{Solid, Tensor, is_positive, turned};
 use crate::description::xml::Reader;
 use crate::description::{Given, Optional, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
@@ -89,6 +89,15 @@ impl MassProperties {
             center: self.center.map(|entry| Some(baked(entry))),
             inertia: self.inertia.map(|entry| Some(baked(entry))),
             rotation: (self.rotation.value != IDENTITY).then_some(self.rotation),
+        }
+    }
+
+    /// In the body's axes.
+    pub(super) fn solid(&self) -> Solid {
+        Solid {
+            mass: self.mass.value,
+            center: self.center.map(|entry| entry.value),
+            inertia: turned(self.tensor(), &self.rotation.value),
         }
     }
 
@@ -177,7 +186,7 @@ pub(super) fn read(
     }
     let mass = inertial.number(reader, "mass");
     let center = inertial.numbers(reader, "pos");
-    let turned = rotation(reader, inertial, settings);
+    let axes = rotation(reader, inertial, settings);
     let inertia = moments(reader, inertial)?;
     let center: [Spanned<f64>; 3] = center?;
     let moved: Vector = around.point(center.map(|entry| entry.value));
@@ -187,7 +196,7 @@ pub(super) fn read(
         mass: mass?,
         center: [0, 1, 2].map(|i| Spanned::new(moved[i], center[i].span)),
         inertia,
-        rotation: Spanned::new(then(&around.rotation, &turned), span),
+        rotation: Spanned::new(then(&around.rotation, &axes), span),
     })
 }
 

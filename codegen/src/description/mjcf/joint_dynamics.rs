@@ -4,6 +4,7 @@ use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::joint_type::{JointType, angle_unit};
 use crate::description::mjcf::settings::{Settings, Switch};
+use crate::description::mjcf::spring_damper::SpringDamper;
 use crate::description::xml::Reader;
 use crate::description::{PerCoordinate, Scalar};
 use crate::diagnostic::{Diagnostic, Spanned};
@@ -16,6 +17,24 @@ pub(super) struct Dynamics {
     pub(super) damping: PerCoordinate<Scalar>,
     pub(super) armature: PerCoordinate<Scalar>,
     pub(super) friction: PerCoordinate<f64>,
+    /// Where spring and damper follow from the inertia: the rule, and which of the two there are.
+    pub(super) spring_damper: Option<(Spanned<SpringDamper>, [Switch; 2])>,
+}
+
+impl Dynamics {
+    /// Gives the spring and the damper that follow from the joint's inertia, kg m² or kg.
+    pub(super) fn settle(&mut self, inertia: f64) {
+        let Some((rule, [springs, dampers])) = self.spring_damper.take() else {
+            return;
+        };
+        let same = |value: f64| PerCoordinate::Same(baked(Spanned::new(value, rule.span)));
+        if springs == Switch::On {
+            self.stiffness = same(rule.value.stiffness(inertia));
+        }
+        if dampers == Switch::On {
+            self.damping = same(rule.value.damping(inertia));
+        }
+    }
 }
 
 /// Spring, damper, rotor and friction.
@@ -28,7 +47,8 @@ pub(super) fn dynamics(
     for name in ["stiffness", "damping"] {
         polynomial(reader, given, name);
     }
-    spring_damper(reader, given);
+    yielding(reader, given);
+    let spring_damper = spring_damper(reader, given, kind);
     let same = |value: Option<Spanned<f64>>| {
         value.map_or(PerCoordinate::Absent, |value| {
             PerCoordinate::Same(baked(value))
@@ -37,7 +57,10 @@ pub(super) fn dynamics(
     let springs =
         settings.springs == Switch::On && matches!(kind, JointType::Hinge | JointType::Slide);
     let stiffness = springs.then(|| first(reader, given, "stiffness")).flatten();
-    let rest = stiffness.and_then(|_| given.number(reader, "springref"));
+    let has_spring = stiffness.is_some() || springs && spring_damper.is_some();
+    let rest = has_spring
+        .then(|| given.number(reader, "springref"))
+        .flatten();
     let rest = rest.map(|rest| {
         let angle = angle_unit(kind, settings).radians(rest.value);
         Spanned::new(angle, rest.span)
@@ -53,6 +76,7 @@ pub(super) fn dynamics(
         damping: same(damping),
         armature: same(armature),
         friction: friction.map_or(PerCoordinate::Absent, PerCoordinate::Same),
+        spring_damper: spring_damper.map(|rule| (rule, [settings.springs, settings.dampers])),
     }
 }
 
@@ -84,16 +108,36 @@ fn polynomial(reader: &mut Reader, given: &Attributes<'_>, name: &str) {
     }
 }
 
-/// Springs and dampers that MuJoCo computes from the inertia, and springs that yield.
-fn spring_damper(reader: &mut Reader, given: &Attributes<'_>) {
-    let pair: Option<[Spanned<f64>; 2]> = given.numbers(reader, "springdamper");
-    if pair.is_some_and(|pair| pair.iter().all(|entry| entry.value > 0.0)) {
-        let message = format!("{} is not supported", given.what("springdamper"));
-        let fault = Diagnostic::error(message).at(given.place("springdamper"), "not supported");
-        reader
-            .faults
-            .push(fault.help("give `stiffness` and `damping` as numbers"));
+/// What MuJoCo computes a spring and a damper from, where it does.
+fn spring_damper(
+    reader: &mut Reader,
+    given: &Attributes<'_>,
+    kind: JointType,
+) -> Option<Spanned<SpringDamper>> {
+    let [time_constant, damping_ratio]: [Spanned<f64>; 2] =
+        given.numbers(reader, "springdamper")?;
+    if time_constant.value <= 0.0 || damping_ratio.value <= 0.0 {
+        return None;
     }
+    let span = given.place("springdamper");
+    if !matches!(kind, JointType::Hinge | JointType::Slide) {
+        let message = format!(
+            "{} makes a spring about all axes, which is not supported",
+            given.what("springdamper")
+        );
+        let fault = Diagnostic::error(message).at(span, "expected a hinge or a slide");
+        reader.faults.push(fault);
+        return None;
+    }
+    let rule = SpringDamper {
+        time_constant: time_constant.value,
+        damping_ratio: damping_ratio.value,
+    };
+    Some(Spanned::new(rule, span))
+}
+
+/// Refuses springs that yield.
+fn yielding(reader: &mut Reader, given: &Attributes<'_>) {
     let threshold = given.number(reader, "springyield");
     if let Some(threshold) = threshold.filter(|threshold| threshold.value > 0.0) {
         let message = format!(

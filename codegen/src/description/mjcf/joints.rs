@@ -52,6 +52,25 @@ impl JointElement {
         }
     }
 
+    /// The rotor's inertia, kg m² or kg.
+    pub(super) fn armature(&self) -> f64 {
+        match &self.dynamics.armature {
+            PerCoordinate::Same(armature) => armature.value.nominal(),
+            _ => 0.0,
+        }
+    }
+
+    /// Where a spring and a damper follow from the joint's inertia: the place that says so.
+    pub(super) fn spring_damper(&self) -> Option<Span> {
+        let (rule, _) = self.dynamics.spring_damper.as_ref()?;
+        Some(rule.span)
+    }
+
+    /// Gives the joint the spring and the damper that follow from its inertia, kg m² or kg.
+    pub(super) fn settle(&mut self, inertia: f64) {
+        self.dynamics.settle(inertia);
+    }
+
     /// The joint where it sits in the lower body.
     pub(super) fn written(&self, attachment: [Given<Scalar>; 3]) -> WrittenJoint {
         let kind = match self.kind {

@@ -7,15 +7,13 @@ use std::fmt;
 use crate::description::mesh::{Effort, MeshShape};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::{Class, Defaults, ElementKind};
-use crate::description::mjcf::include::Files;
+use crate::description::mjcf::files::Files;
 use crate::description::mjcf::mesh_asset::{self, Reading, file_name};
 use crate::description::mjcf::settings::Settings;
+use crate::description::mjcf::unknown::unknown;
 use crate::description::xml::{Element, Reader, shown};
 use crate::description::{Include, too_many};
-use crate::diagnostic::{Diagnostic, Span, nearest};
-
-/// As many names are too many to look for the one that was meant.
-const MANY: usize = 1_000;
+use crate::diagnostic::{Diagnostic, Span};
 
 /// The meshes of a model.
 pub(super) struct Meshes<'d> {
@@ -110,14 +108,7 @@ impl<'d> Meshes<'d> {
         };
         let Some(mesh) = self.list.get(name.value) else {
             let message = format!("there is no mesh `{}`", shown(name.value));
-            let mut fault = Diagnostic::error(message).at(name.span, "unknown mesh");
-            if self.list.len() < MANY {
-                let names: Vec<&str> = self.list.keys().map(String::as_str).collect();
-                if let Some(near) = nearest(name.value, &names) {
-                    fault = fault.help(format!("did you mean `{near}`?"));
-                }
-            }
-            reader.faults.push(fault);
+            unknown(reader, message, name, self.list.keys().map(String::as_str));
             return None;
         };
         *mesh.shape.get_or_init(|| {

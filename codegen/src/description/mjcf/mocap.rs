@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::description::mjcf::include::Files;
+use crate::description::mjcf::files::Files;
 use crate::description::xml::Element;
 
 /// Names of bodies that follow motion capture, and of the sites on them.

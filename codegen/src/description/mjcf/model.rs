@@ -1,13 +1,24 @@
-//! What a whole file says, beside its bodies.
+//! What a model says, beside its bodies.
 
-use crate::description::Reading;
-use crate::description::mjcf::copies::Copies;
-use crate::description::mjcf::defaults::Defaults;
-use crate::description::mjcf::include::Files;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use crate::description::mjcf::defaults::{self, Class, Defaults};
+use crate::description::mjcf::files::Files;
+use crate::description::mjcf::known;
 use crate::description::mjcf::meshes::Meshes;
-use crate::description::mjcf::settings::Settings;
+use crate::description::mjcf::settings::{self, Settings};
+use crate::description::xml::{Element, Known, Reader};
+use crate::description::{Include, Reading};
 
-/// What the whole file says, beside its bodies.
+/// What the caller says beside a model.
+#[derive(Clone, Copy)]
+pub(super) struct Beside<'d> {
+    pub(super) reading: &'d Reading,
+    pub(super) include: Include<'d>,
+}
+
+/// What a model says, beside its bodies.
 #[derive(Debug)]
 pub(super) struct Model<'d> {
     pub(super) files: &'d Files<'d>,
@@ -15,6 +26,103 @@ pub(super) struct Model<'d> {
     pub(super) settings: Settings,
     pub(super) defaults: Defaults<'d>,
     pub(super) meshes: Meshes<'d>,
-    /// How many elements `replicate` copied.
-    pub(super) copies: Copies,
+    /// The sections of the root, in the order of the file.
+    pub(super) sections: Vec<Element<'d>>,
+    /// The models among its assets, by name: their numbers in [`Models`](super::models::Models).
+    pub(super) assets: BTreeMap<&'d str, usize>,
+    /// What stands in its world, and its bodies by name, each with the class around it: what can be attached, so that there is
+    /// none for the main model.
+    pub(super) world: Rc<[Element<'d>]>,
+    pub(super) bodies: BTreeMap<&'d str, (Element<'d>, Class)>,
+}
+
+impl<'d> Model<'d> {
+    /// Reads what stands below a root, but for the bodies; `main` is the model to which this one is attached.
+    pub(super) fn read(
+        reader: &mut Reader,
+        files: &'d Files<'d>,
+        root: Element<'d>,
+        main: Option<&Settings>,
+        beside: Beside<'d>,
+    ) -> Self {
+        let known = Known {
+            attributes: &["model"],
+            ..Known::NONE
+        };
+        reader.unknown_attributes(root, "`mujoco`", &known);
+        let sections = files.children(root);
+        for section in &sections {
+            if !known::IGNORED_SECTIONS.contains(&section.name()) {
+                reader.unknown_child(*section, "`mujoco`", &known::SECTIONS);
+            }
+        }
+        let named = |name: &str| sections_named(&sections, name);
+        // The options of a model that is attached do not count.
+        let options = match main {
+            Some(_) => Vec::new(),
+            None => named("option"),
+        };
+        let mut settings = settings::read(
+            reader,
+            files,
+            &named("compiler"),
+            &options,
+            root.span(),
+            beside.reading,
+        );
+        if let Some(main) = main {
+            settings.attach_to(main, files.folder(root.span()));
+        }
+        let defaults = defaults::read(reader, files, &named("default"));
+        let meshes = Meshes::gather(reader, files, &defaults, &named("asset"), beside.include);
+        let mut model = Self {
+            files,
+            reading: beside.reading,
+            settings,
+            defaults,
+            meshes,
+            sections,
+            assets: BTreeMap::new(),
+            world: Rc::from([]),
+            bodies: BTreeMap::new(),
+        };
+        if main.is_some() {
+            model.find_bodies();
+        }
+        model
+    }
+
+    /// The sections of this name.
+    pub(super) fn named(&self, name: &str) -> Vec<Element<'d>> {
+        sections_named(&self.sections, name)
+    }
+
+    fn find_bodies(&mut self) {
+        let worlds = self.named("worldbody").into_iter();
+        let mut open: Vec<_> = worlds.map(|world| (world, Class::MAIN)).collect();
+        let inside = open
+            .iter()
+            .flat_map(|(world, _)| self.files.children(*world));
+        self.world = inside.collect();
+        while let Some((element, around)) = open.pop() {
+            for child in self.files.children(element) {
+                if !matches!(child.name(), "body" | "frame") {
+                    continue;
+                }
+                if child.name() == "body"
+                    && let Some(name) = child.attribute("name")
+                {
+                    self.bodies.entry(name.value).or_insert((child, around));
+                }
+                let class = child.attribute("childclass");
+                let class = class.and_then(|name| self.defaults.known(name.value));
+                open.push((child, class.unwrap_or(around)));
+            }
+        }
+    }
+}
+
+fn sections_named<'d>(sections: &[Element<'d>], name: &str) -> Vec<Element<'d>> {
+    let named = sections.iter().filter(|section| section.name() == name);
+    named.copied().collect()
 }

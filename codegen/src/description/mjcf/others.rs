@@ -9,15 +9,17 @@ use crate::description::mjcf::model::Model;
 use crate::description::xml::{Element, Reader, shown};
 use crate::diagnostic::{Diagnostic, Spanned};
 
-/// Looks through a section of the root that makes no bodies.
-pub(super) fn read<'d>(reader: &mut Reader, model: &Model<'d>, section: Element<'d>) {
-    let children = model.files.children(section);
-    match section.name() {
-        "actuator" => actuators(reader, model, section, &children),
-        "tendon" => tendons(reader, model, section, &children),
-        "contact" => contacts(reader, section, &children),
-        "deformable" => deformables(reader, &children),
-        _ => {}
+/// Looks through the sections of a root that make no bodies.
+pub(super) fn read(reader: &mut Reader, model: &Model<'_>) {
+    for section in &model.sections {
+        let children = model.files.children(*section);
+        match section.name() {
+            "actuator" => actuators(reader, model, *section, &children),
+            "tendon" => tendons(reader, model, *section, &children),
+            "contact" => contacts(reader, *section, &children),
+            "deformable" => deformables(reader, &children),
+            _ => {}
+        }
     }
 }
 

@@ -2,18 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use crate::description::mjcf::copies::Copies;
-use crate::description::mjcf::include::Files;
+use crate::description::mjcf::files::Files;
 use crate::description::mjcf::inertial::baked;
-use crate::description::mjcf::meshes::Meshes;
-use crate::description::mjcf::model::Model;
-use crate::description::mjcf::{bodies, defaults, equalities, include, known, others, settings};
-use crate::description::xml::{Element, Known, Mended, Reader, shown};
+use crate::description::mjcf::model::Beside;
+use crate::description::mjcf::models::{self, Models};
+use crate::description::mjcf::{bodies, equalities, finite, include, lifted, others, sites};
+use crate::description::xml::{Element, Mended, Reader};
 use crate::description::{Description, Include, Reading};
 use crate::diagnostic::{Diagnostic, Source, Spanned};
-
-/// The name of a model that has none, as MuJoCo calls it.
-const NAME: &str = "MuJoCo Model";
 
 /// Reads a description; what is wrong stands in [`Description::faults`].
 ///
@@ -30,7 +26,7 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
     let root = files.root();
     let description = root.and_then(|root| {
         let beside = Beside { reading, include };
-        read(&mut reader, &files, root, &source, &beside)
+        read(&mut reader, &files, root, &source, beside)
     });
     Description {
         faults: once(reader.faults.into_told()),
@@ -38,74 +34,38 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
     }
 }
 
-/// What the caller says beside the model.
-struct Beside<'a> {
-    reading: &'a Reading,
-    include: Include<'a>,
-}
-
 /// The description in an element, but for the faults; `None` where it is no model.
-fn read(
+fn read<'d>(
     reader: &mut Reader,
-    files: &Files<'_>,
-    root: Element<'_>,
+    files: &'d Files<'d>,
+    root: Element<'d>,
     source: &Source,
-    beside: &Beside<'_>,
+    beside: Beside<'d>,
 ) -> Option<Description> {
-    if root.name() != "mujoco" {
-        let found = shown(root.name());
-        let fault = format!("the root element is `{found}`; expected `mujoco`");
-        let fault = Diagnostic::error(fault).at(root.span(), "expected `mujoco`");
-        reader.faults.push(fault);
-        return None;
+    let models = Models::read(reader, files, root, beside)?;
+    let main = models.main();
+    others::read(reader, main);
+    let found = bodies::read(reader, &models);
+    let attached: BTreeSet<usize> = found.attached.iter().map(|around| around.model).collect();
+    for number in attached {
+        others::read(reader, &models.list[number]);
     }
-    let known = Known {
-        attributes: &["model"],
-        ..Known::NONE
-    };
-    reader.unknown_attributes(root, "`mujoco`", &known);
-    let name = match root.attribute("model") {
-        Some(name) => Spanned::new(name.value.to_owned(), name.span),
-        None => Spanned::new(NAME.to_owned(), root.span()),
-    };
-    let sections = files.children(root);
-    for section in &sections {
-        if !known::IGNORED_SECTIONS.contains(&section.name()) {
-            reader.unknown_child(*section, "`mujoco`", &known::SECTIONS);
-        }
-    }
-    let named = |name: &str| -> Vec<Element<'_>> {
-        let named = sections.iter().filter(|section| section.name() == name);
-        named.copied().collect()
-    };
-    let settings = settings::read(
-        reader,
-        files,
-        &named("compiler"),
-        &named("option"),
-        root.span(),
-        beside.reading,
-    );
-    let defaults = defaults::read(reader, files, &named("default"));
-    let meshes = Meshes::gather(reader, files, &defaults, &named("asset"), beside.include);
-    let model = Model {
-        files,
-        reading: beside.reading,
-        settings,
-        defaults,
-        meshes,
-        copies: Copies::default(),
-    };
-    for section in &sections {
-        others::read(reader, &model, *section);
-    }
-    let worlds = named("worldbody");
-    let ties = equalities::read(reader, &model, &named("equality"), &worlds);
-    let (bodies, frames) = bodies::read(reader, &model, &worlds, &ties);
+    let ties = equalities::read(reader, &models, &found);
+    let remaining = lifted::remaining(reader, main, &found.lifted);
+    let gravity = main.settings.gravity.map(|entry| Spanned {
+        value: entry.value * remaining + 0.0,
+        ..entry
+    });
+    let total_mass = main.settings.total_mass;
+    let mut bodies = found.bodies.written(reader, total_mass, &ties.held());
+    ties.apply(reader, &mut bodies.list, &bodies.references);
+    finite::check(reader, &bodies.list);
+    let frames = sites::written(reader, &models, &found.sites, &bodies.list);
+    let worlds = main.named("worldbody");
     let world = worlds.first().map_or(root.span(), |w| w.span());
     Some(Description {
-        name: Some(name),
-        gravity: model.settings.gravity.map(|entry| Some(baked(entry))),
+        name: Some(models::name(root)),
+        gravity: gravity.map(|entry| Some(baked(entry))),
         lower_bodies: Some(Spanned::new(bodies.lower, world)),
         bodies: bodies.list,
         frames,

@@ -6,7 +6,7 @@ use crate::description::mjcf::angles::euler;
 use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::known;
-use crate::description::mjcf::model::Model;
+use crate::description::mjcf::models::Models;
 use crate::description::mjcf::placement::Placement;
 use crate::description::too_many;
 use crate::description::xml::{Element, Reader};
@@ -17,13 +17,14 @@ use crate::limits::BODIES;
 /// What is around each copy of the elements in a `replicate`.
 pub(super) fn copies<'d>(
     reader: &mut Reader,
-    model: &Model<'d>,
+    models: &Models<'d>,
     element: Element<'d>,
     around: &Around,
     owner: &str,
 ) -> Vec<Around> {
     let owner = format!("a `replicate` of {owner}");
     let given = Attributes::of(reader, element, &owner, &known::REPLICATE);
+    let model = &models.list[around.model];
     for child in model.files.children(element) {
         if ["joint", "freejoint", "inertial"].contains(&child.name()) {
             let message = format!("{owner} has a `{}`; expected it in a body", child.name());
@@ -45,14 +46,14 @@ pub(super) fn copies<'d>(
     let mut moved = Placement::SAME;
     for number in 0..count {
         // Empty ones count too: there may be many in one another.
-        if !model.copies.count(reader, element.span()) {
+        if !models.copies.count(reader, element.span()) {
             break;
         }
         let suffix = format!("{separator}{number:0digits$}{}", around.suffix);
         copies.push(Around {
             frame: around.frame.then(&moved),
-            class: around.class,
             suffix: Rc::from(suffix),
+            ..around.clone()
         });
         // MuJoCo adds up the angles, not the rotations, and moves along the axes of the copy before.
         moved.position = moved.point(offset);

@@ -2,7 +2,7 @@
 
 use crate::description::mjcf::angles::{AngleUnit, EulerAxis, XYZ};
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::include::Files;
+use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::xml::{Element, Reader, shown};
@@ -38,6 +38,21 @@ pub(super) struct Settings {
     pub(super) springs: Switch,
     pub(super) dampers: Switch,
     pub(super) equalities: Switch,
+}
+
+impl Settings {
+    /// Takes over what holds for all from the model to which this one is attached; `folder` is that of this one.
+    pub(super) fn attach_to(&mut self, main: &Self, folder: &str) {
+        self.gravity = main.gravity;
+        self.total_mass = main.total_mass;
+        self.springs = main.springs;
+        self.dampers = main.dampers;
+        self.equalities = main.equalities;
+        let is_absolute = self.mesh_folder.starts_with('/');
+        if !folder.is_empty() && !is_absolute {
+            self.mesh_folder = format!("{folder}/{}", self.mesh_folder);
+        }
+    }
 }
 
 /// Whether something is done.

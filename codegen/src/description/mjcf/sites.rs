@@ -9,7 +9,7 @@ use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::contents::Inside;
 use crate::description::mjcf::defaults::ElementKind;
 use crate::description::mjcf::inertial::baked;
-use crate::description::mjcf::model::Model;
+use crate::description::mjcf::models::Models;
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::segment::Segment;
@@ -35,7 +35,7 @@ pub(super) struct Site<'d> {
 /// The sites as a description has them. One that is called as a body is gives way to that.
 pub(super) fn written<'d>(
     reader: &mut Reader,
-    model: &Model<'d>,
+    models: &Models<'d>,
     sites: &[Site<'d>],
     bodies: &[WrittenBody],
 ) -> Vec<WrittenFrame> {
@@ -44,7 +44,7 @@ pub(super) fn written<'d>(
     let sites = sites.iter();
     sites
         .filter_map(|site| {
-            let frame = frame(reader, model, site, bodies)?;
+            let frame = frame(reader, models, site, bodies)?;
             let mut name = frame.name?;
             while taken.contains(name.value.as_str()) {
                 name.value.push_str("_site");
@@ -59,11 +59,12 @@ pub(super) fn written<'d>(
 
 fn frame<'d>(
     reader: &mut Reader,
-    model: &Model<'d>,
+    models: &Models<'d>,
     site: &Site<'d>,
     bodies: &[WrittenBody],
 ) -> Option<WrittenFrame> {
     let Site { inside, body } = site;
+    let model = &models.list[inside.around.model];
     let element = inside.element;
     let name = inside.name()?;
     let owner = format!("site `{}`", shown(&name.value));

@@ -34,6 +34,9 @@ pub(in crate::description::mjcf) const FRAME: Known<'static> = Known::attributes
 pub(in crate::description::mjcf) const REPLICATE: Known<'static> =
     Known::attributes(&["count", "euler", "offset", "sep"], &[]);
 
+pub(in crate::description::mjcf) const ATTACH: Known<'static> =
+    Known::attributes(&["model", "body", "prefix"], &[]);
+
 pub(in crate::description::mjcf) const INERTIAL: Known<'static> = Known::attributes(
     &[
         "pos",

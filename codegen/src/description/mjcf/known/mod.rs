@@ -9,7 +9,7 @@ mod sections;
 mod settings;
 
 pub(super) use assets::MESH;
-pub(super) use bodies::{BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT, REPLICATE, SITE};
+pub(super) use bodies::{ATTACH, BODY, FRAME, FREE_JOINT, GEOM, INERTIAL, JOINT, REPLICATE, SITE};
 pub(super) use others::{ACTUATOR, EQUALITY, TENDON};
 pub(super) use sections::{
     ACTUATORS, EQUALITIES, IGNORED_IN_BODY, IGNORED_SECTIONS, IN_BODY, SECTIONS,

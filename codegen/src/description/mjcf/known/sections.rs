@@ -48,7 +48,7 @@ pub(in crate::description::mjcf) const EQUALITIES: [&str; 6] =
     ["connect", "weld", "joint", "tendon", "flex", "flexstrain"];
 
 /// Elements that stand in a body.
-pub(in crate::description::mjcf) const IN_BODY: [&str; 8] = [
+pub(in crate::description::mjcf) const IN_BODY: [&str; 9] = [
     "body",
     "inertial",
     "joint",
@@ -56,6 +56,7 @@ pub(in crate::description::mjcf) const IN_BODY: [&str; 8] = [
     "geom",
     "frame",
     "replicate",
+    "attach",
     "include",
 ];
 
@@ -63,5 +64,5 @@ pub(in crate::description::mjcf) const IN_BODY: [&str; 8] = [
 pub(in crate::description::mjcf) const IGNORED_IN_BODY: [&str; 2] = ["camera", "light"];
 
 /// Elements in a body that make others, or forces of their own.
-pub(in crate::description::mjcf) const UNSUPPORTED_IN_BODY: [&str; 4] =
-    ["attach", "composite", "flexcomp", "plugin"];
+pub(in crate::description::mjcf) const UNSUPPORTED_IN_BODY: [&str; 3] =
+    ["composite", "flexcomp", "plugin"];

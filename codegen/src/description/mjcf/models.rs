@@ -1,0 +1,125 @@
+//! A model with those that it attaches, and those that these attach.
+
+use std::collections::BTreeMap;
+
+use crate::description::mjcf::copies::Copies;
+use crate::description::mjcf::files::Files;
+use crate::description::mjcf::model::{Beside, Model};
+use crate::description::xml::{Element, Reader, shown};
+use crate::diagnostic::{Diagnostic, Spanned};
+
+/// The name of a model that has none, as MuJoCo calls it.
+const NAME: &str = "MuJoCo Model";
+
+/// The main model, number 0, and those that are attached, directly or by others. No model attaches itself.
+#[derive(Debug)]
+pub(super) struct Models<'d> {
+    pub(super) list: Vec<Model<'d>>,
+    /// How many elements `replicate` and `attach` copied.
+    pub(super) copies: Copies,
+}
+
+impl<'d> Models<'d> {
+    /// Reads all models; `None` where the root is none, or where a model is an asset of itself.
+    pub(super) fn read(
+        reader: &mut Reader,
+        files: &'d Files<'d>,
+        root: Element<'d>,
+        beside: Beside<'d>,
+    ) -> Option<Self> {
+        if !is_model(reader, root) {
+            return None;
+        }
+        let mut list = vec![Model::read(reader, files, root, None, beside)];
+        // By the number of the file; the main file is read anew where it is an asset, which is refused below.
+        let mut numbers = BTreeMap::new();
+        let mut index = 0;
+        while let Some(model) = list.get(index) {
+            let assets = model.named("asset");
+            let elements = assets.into_iter().flat_map(|asset| files.children(asset));
+            for element in elements.filter(|element| element.name() == "model") {
+                // What is wrong with its file was said as that was loaded.
+                let Some((file, root)) = files.named(element) else {
+                    continue;
+                };
+                let number = *numbers.entry(file).or_insert(list.len());
+                if number == list.len() {
+                    if !is_model(reader, root) {
+                        return None;
+                    }
+                    let main = Some(&list[0].settings);
+                    list.push(Model::read(reader, files, root, main, beside));
+                }
+                let name = element.attribute("name").or(root.attribute("model"));
+                let name = name.map_or(NAME, |name| name.value);
+                if list[index].assets.insert(name, number).is_some() {
+                    let message = format!("model `{}` is given twice", shown(name));
+                    let fault = Diagnostic::error(message).at(element.span(), "the second one");
+                    reader.faults.push(fault);
+                }
+            }
+            index += 1;
+        }
+        let models = Self {
+            list,
+            copies: Copies::default(),
+        };
+        models.check_that_none_attaches_itself(reader)?;
+        Some(models)
+    }
+
+    /// The main model.
+    pub(super) fn main(&self) -> &Model<'d> {
+        &self.list[0]
+    }
+
+    fn check_that_none_attaches_itself(&self, reader: &mut Reader) -> Option<()> {
+        let mut owners = vec![0_usize; self.list.len()];
+        for asset in self.list.iter().flat_map(|model| model.assets.values()) {
+            owners[*asset] += 1;
+        }
+        let mut open: Vec<usize> = (0..owners.len()).filter(|n| owners[*n] == 0).collect();
+        while let Some(model) = open.pop() {
+            for asset in self.list[model].assets.values() {
+                owners[*asset] -= 1;
+                if owners[*asset] == 0 {
+                    open.push(*asset);
+                }
+            }
+        }
+        let cyclic = owners.iter().position(|owners| *owners > 0);
+        let Some(cyclic) = cyclic.and_then(|number| self.list.get(number)) else {
+            return Some(());
+        };
+        let message = "a model is an asset of itself, directly or by another one";
+        let assets = cyclic.named("asset").into_iter();
+        let mut models = assets.flat_map(|asset| cyclic.files.children(asset));
+        let place = models.find(|element| element.name() == "model");
+        let fault = Diagnostic::error(message);
+        reader.faults.push(match place {
+            Some(element) => fault.at(element.span(), "one of the assets"),
+            None => fault,
+        });
+        None
+    }
+}
+
+/// The name of the model with this root.
+pub(super) fn name(root: Element<'_>) -> Spanned<String> {
+    match root.attribute("model") {
+        Some(name) => Spanned::new(name.value.to_owned(), name.span),
+        None => Spanned::new(NAME.to_owned(), root.span()),
+    }
+}
+
+/// Refuses a root that is no model.
+fn is_model(reader: &mut Reader, root: Element<'_>) -> bool {
+    let is_model = root.name() == "mujoco";
+    if !is_model {
+        let found = shown(root.name());
+        let fault = format!("the root element is `{found}`; expected `mujoco`");
+        let fault = Diagnostic::error(fault).at(root.span(), "expected `mujoco`");
+        reader.faults.push(fault);
+    }
+    is_model
+}
