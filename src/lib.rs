@@ -125,7 +125,12 @@ pub mod conventions {}
 
 // The code of pages, compiled and run as tests of this documentation. Compiled code does not depend on them, or their every change would
 // compile all that calls this crate anew.
-#[cfg(all(doctest, feature = "cart_pole", feature = "eight_body"))]
+#[cfg(all(
+    doctest,
+    feature = "cart_pole",
+    feature = "eight_body",
+    feature = "wide"
+))]
 mod pages {
     #[doc = include_str!("../README.md")]
     mod readme {}

@@ -25,12 +25,12 @@ use super::{
 
 /// Tell whether generated files are what their models say; write nothing
 ///
-/// Generates in memory and compares. Where every file is up to date, nothing is printed; what there is to say of the models, --verbose says. For each file that differs, standard
-/// output gets how many of its lines changed and in which functions, and the functions whose operations changed, were added or
-/// were removed; with --lines the lines too, as a unified diff. Then come the command that brings the files up to date, and the
-/// functions that need more operations than `budget` in kane.toml gives them. When all of
-/// kane.toml is checked, files that nothing in it produces are reported too: in a folder named `generated` every file but
-/// `mod.rs` and hidden ones, in other folders that hold outputs those that begin as ours do.
+/// Generates in memory and compares. If every file is up to date, it prints nothing; --verbose also shows warnings about the models.
+/// For each file that differs, it prints how many lines changed and in which functions, and which functions have other operation
+/// counts, are new or are gone. --lines adds the lines as a unified diff. It then prints the command that brings the files up to
+/// date, and the functions that need more operations than `budget` in kane.toml allows. If it checks all of kane.toml, it also
+/// reports files that nothing in it produces: in a folder named `generated` every file except `mod.rs` and hidden files, and in
+/// other output folders the files that begin with a banner of `kane`.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every file is up to date\n  \

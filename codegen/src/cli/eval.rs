@@ -43,6 +43,8 @@ use super::{
     {\"force\": [0, 0, 1], \"moment\": [0, 0, 0]}\n    \
     ],\n    \
     \"w_rel\": [[0, 0, 1]],      one a body: relative angular velocity, for angle_rates\n    \
+    \"point\": [0, 0, 0],         for point_jacobian; \"force\" and \"moment\" for generalized_force\n    \
+    \"q_direction\": [1.0, 0.0],  for jvp, one number a column of each variable; \"multiplier\" for vjp and hessian\n    \
     \"parameters\": {\"arm_mass\": 2.0}    where they differ from the nominal values\n  \
     }\n\
     What the function does not need may be absent.\n\n\

@@ -22,10 +22,10 @@ use super::{
 
 /// Write the Rust modules of one model, or of everything in kane.toml
 ///
-/// Either every file is written or none: if any model is faulty, all faults of all models are reported and no file is
-/// touched. A file that holds its text already is left alone, and one that does not begin as ours do is refused.
-/// The text depends on the model and the options alone: it is the same in every folder and on every machine. Functions that
-/// need more operations than `budget` in kane.toml gives them are warned of.
+/// Writes all files or none: if a model is faulty, it reports all faults of all models and changes no file. It does not touch a
+/// file that is up to date, and it refuses to overwrite a file without a banner of `kane`. The text depends only on the model and
+/// the options: it is the same in every folder and on every machine. It warns of functions that need more operations than
+/// `budget` in kane.toml allows.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane generate\n  \

@@ -67,10 +67,10 @@ pub(crate) use voice::{Voice, say};
         kane check                                         is it up to date?\n  \
         kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
         kane diff HEAD:models/arm.toml models/arm.toml     what changed?\n  \
-        kane info models/arm.toml                          tree, coordinates, partitions, operation counts\n  \
+        kane info models/arm.toml                          tree, coordinates, operation counts\n  \
         kane eval models/arm.toml --function mass_matrix --state state.json\n  \
         kane convert panda.urdf --output models/panda.toml\n  \
-        kane verify generated/arm.rs --object              no call, no jump, no panic: the machine code\n\n\
+        kane verify generated/arm.rs --object              check the machine code\n\n\
         kane.toml, with paths relative to it:\n  \
         [[system]]\n  \
         model = \"models/arm.toml\"\n  \

@@ -28,7 +28,8 @@ pub(crate) struct OptionsArguments {
     #[arg(long, value_name = "A,B", requires = "model")]
     functions: Option<Vec<String>>,
 
-    /// How sums over bodies are associated: as in the notes, along the tree, or whichever needs fewer operations
+    /// How sums over bodies are computed: `notes`, term by term as in the lecture notes that docs/equations.md cites; `recursive`,
+    /// along the tree; `cheapest`, whichever needs fewer operations
     #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
 

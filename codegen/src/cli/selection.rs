@@ -26,22 +26,22 @@ use super::{
 pub(crate) struct Selection {
     /// The model; without it, everything in `kane.toml`
     ///
-    /// If the `kane.toml` in the model's folder or the nearest above lists the model, output and options are those
-    /// written there, as far as no option says otherwise. If not, --output says where the module goes; where there is no
-    /// `kane.toml` and no --output, it goes into the current folder under the model's own name, `panda.rs` for `panda.urdf`.
+    /// If the `kane.toml` in the model's folder or the nearest one above lists the model, it gives the output and the options; options
+    /// on the command line override it. If it does not list the model, --output names the file. Without `kane.toml` and without
+    /// --output, the module goes to the current folder: `panda.rs` for `panda.urdf`.
     #[arg(value_name = "MODEL")]
     model: Option<PathBuf>,
 
     /// The file to write; `-` is standard output
     ///
-    /// Relative to the current folder. What is not said by options then has its default; what `kane.toml` says counts
-    /// only if it lists this model with this very file.
+    /// The path is relative to the current folder. `kane.toml` gives options only if it lists this model with this file; otherwise
+    /// options have their defaults.
     #[arg(long, short, value_name = "FILE", requires = "model")]
     output: Option<PathBuf>,
 
     /// Write the manifest beside the module too: what it holds, as JSON, `panda.json` for `panda.rs`
     ///
-    /// `--manifest=false` stands above `manifest = true` in `kane.toml`.
+    /// `--manifest=false` overrides `manifest = true` in `kane.toml`.
     #[arg(
         long,
         value_name = "BOOL",
@@ -54,7 +54,7 @@ pub(crate) struct Selection {
 
     /// Write tests of the module beside it too, `panda_tests.rs` for `panda.rs`
     ///
-    /// `--with-tests=false` stands above `tests = true` in `kane.toml`.
+    /// `--with-tests=false` overrides `tests = true` in `kane.toml`.
     #[arg(
         long,
         value_name = "BOOL",

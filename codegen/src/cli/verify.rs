@@ -14,11 +14,11 @@ use super::{Failures, Outcome, json, parse::one_of};
 
 /// Check what is promised of generated functions on their machine code
 ///
-/// Compiles each module with rustc and reads every instruction of its functions. None jumps, but to touch a large stack page by
-/// page; none calls anything but its own stages and the runtime's sines and cosines, which are read too, so none can panic; none uses memory but what its arguments refer to,
-/// its stack and constants, and no address depends on a value. Standard output gets a table: bytes of machine code, the most
-/// bytes of stack, instructions of a call; and every broken promise, with the instruction. All of it follows from the compiler,
-/// its target and options, and stands in no generated file for that reason; `--format json` is for programs that keep it.
+/// Compiles each module with rustc and reads every instruction of its functions. No function may jump, except to touch a large
+/// stack page by page. A function may call only its own stages and the runtime's sines and cosines, which are read too; so none
+/// can panic. It may use only its arguments, its stack and constants as memory, and no address may depend on a value. The output
+/// is a table of bytes of machine code, bytes of stack and instructions of a call, and a list of broken promises. The numbers
+/// depend on the compiler, its target and its options. --format json is for programs.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every promise holds\n  \

@@ -25,8 +25,9 @@ use super::{
 
 /// Show a model's tree, coordinates, parameters, the mass matrix's zeros and operation counts
 ///
-/// Bodies and partitions are counted from 1: of N bodies, partition J belongs to the angles of body J and
-/// partition N + J to its translations. Places in q and u are counted from 0, as in code.
+/// Bodies are numbered from 1, places in q and u from 0, as in code. A partition is the block of columns of a partial velocity that
+/// belongs to one body's angles or translations: of N bodies, partition J belongs to the angles of body J, and partition N + J to
+/// its translations.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "Keys of --json, which stay as they are; more may come:\n  \
@@ -44,8 +45,8 @@ use super::{
     partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero; null for more than 250 bodies\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
-    cheapest (the one with fewer operations); without those that would be too large, of which null is the cheapest,\n                  \
-    and, beyond 100 speeds or parts, only what --functions names\n\n\
+    cheapest (the one with fewer operations). A formulation that would be too large is absent; if both\n                  \
+    are, cheapest is null. Beyond 100 speeds or parts: only what --functions names\n\n\
     Examples:\n  \
     kane info models/arm.toml\n  \
     kane info models/arm.toml --svg > arm.svg\n  \
@@ -65,7 +66,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "A,B")]
     functions: Option<Vec<String>>,
 
-    /// Show which partitions of the partial velocities are zero, Eqs. (16) and (30)
+    /// Show which partitions of the partial velocities are zero, Eqs. (16) and (30) of docs/equations.md
     #[arg(long)]
     partitions: bool,
 

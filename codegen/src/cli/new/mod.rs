@@ -59,7 +59,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     reading: ReadingArguments,
 
-    /// The folder of the crate `kane`, in place of the one on crates.io
+    /// The folder of the crate `kane`; without it, the package depends on the version on crates.io
     #[arg(long, value_name = "FOLDER")]
     kane: Option<PathBuf>,
 }
