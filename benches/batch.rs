@@ -1,7 +1,8 @@
-//! A batch of 1024 states: the scalar functions one state after the other, and lanes. What is shown is the whole batch.
+//! Batches of states: the scalar functions one state after the other, and lanes. What is shown is the whole batch.
 //!
-//! The scalar takes its states one after the other from memory, as one would keep them for it; lanes take them as
-//! [`Batch`] does. Vectors are as fast as the target they are compiled for: `RUSTFLAGS="-C target-cpu=native"`.
+//! The scalar takes its states one after the other from memory, as one would keep them for it; lanes take rows, and groups that
+//! lie together, as [`Batch`] does. A batch of 1024 states fits a cache, one of 60,000 fits none. Vectors are as fast as the
+//! target they are compiled for: `RUSTFLAGS="-C target-cpu=native"`.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -13,30 +14,44 @@ use kane::functions::{Bias, ForwardDynamics, InverseDynamics};
 use kane::wide::{f32x8, f32x16, f64x2, f64x4, f64x8};
 use kane::{Lanes, Real};
 
-const STATES: usize = 1024;
+const STATES: [usize; 2] = [1024, 60_000];
 
 /// Rows of all states, none of their numbers like its neighbours.
-fn rows<S: Real>(rows: usize, start: f64) -> Vec<S> {
+fn rows<S: Real>(states: usize, rows: usize, start: f64) -> Vec<S> {
     let number = |place: usize| (start + 0.37 * place as f64) % 1.6 - 0.8;
-    (0..rows * STATES)
+    (0..rows * states)
         .map(|place| S::from_f64(number(place)))
         .collect()
 }
 
 /// The same numbers, state after state.
-fn states<const N: usize>(start: f64) -> Vec<[f64; N]> {
-    let rows = rows::<f64>(N, start);
-    let state = |state: usize| core::array::from_fn(|row| rows[row * STATES + state]);
-    (0..STATES).map(state).collect()
+fn arrays<const N: usize>(states: usize, start: f64) -> Vec<[f64; N]> {
+    let rows = rows::<f64>(states, N, start);
+    let state = |state: usize| core::array::from_fn(|row| rows[row * states + state]);
+    (0..states).map(state).collect()
+}
+
+/// The same numbers, group after group.
+fn grouped<L: Lanes, const N: usize>(batch: Batch<L>, states: usize, start: f64) -> Vec<[L; N]> {
+    let mut groups = vec![[L::from_f64(0.0); N]; batch.n_groups()];
+    let rows = rows::<L::Scalar>(states, N, start);
+    batch
+        .to_groups(&rows, &mut groups)
+        .expect("both are of this batch");
+    groups
 }
 
 fn scalar(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("eight_body/batch of 1024");
-    group.throughput(Throughput::Elements(STATES as u64));
+    STATES.map(|states| scalar_of(criterion, states));
+}
+
+fn scalar_of(criterion: &mut Criterion, states: usize) {
+    let mut group = criterion.benchmark_group(format!("eight_body/batch of {states}"));
+    group.throughput(Throughput::Elements(states as u64));
     let system = Prepared::<f64>::nominal();
-    let q = states::<NQ>(0.1);
-    let [u, third] = [0.3, 0.5].map(states::<NU>);
-    let mut out = vec![[0.0; NU]; STATES];
+    let q = arrays::<NQ>(states, 0.1);
+    let [u, third] = [0.3, 0.5].map(|start| arrays::<NU>(states, start));
+    let mut out = vec![[0.0; NU]; states];
     group.bench_function("bias/scalar", |bencher| {
         bencher.iter(|| {
             for ((out, q), u) in out.iter_mut().zip(&q).zip(&u) {
@@ -65,13 +80,17 @@ fn scalar(criterion: &mut Criterion) {
 }
 
 fn lanes<L: Lanes>(criterion: &mut Criterion, name: &str) {
-    let mut group = criterion.benchmark_group("eight_body/batch of 1024");
-    group.throughput(Throughput::Elements(STATES as u64));
+    STATES.map(|states| lanes_of::<L>(criterion, name, states));
+}
+
+fn lanes_of<L: Lanes>(criterion: &mut Criterion, name: &str, states: usize) {
+    let mut group = criterion.benchmark_group(format!("eight_body/batch of {states}"));
+    group.throughput(Throughput::Elements(states as u64));
     let system = Prepared::<L>::nominal();
-    let batch = Batch::<L>::new(STATES);
-    let q = rows::<L::Scalar>(NQ, 0.1);
-    let [u, third] = [0.3, 0.5].map(|start| rows::<L::Scalar>(NU, start));
-    let mut out = rows::<L::Scalar>(NU, 0.0);
+    let batch = Batch::<L>::new(states);
+    let q = rows::<L::Scalar>(states, NQ, 0.1);
+    let [u, third] = [0.3, 0.5].map(|start| rows::<L::Scalar>(states, NU, start));
+    let mut out = rows::<L::Scalar>(states, NU, 0.0);
     group.bench_function(format!("bias/{name}"), |bencher| {
         bencher.iter(|| black_box(batch.bias(&system, &q, &u, &mut out)));
     });
@@ -80,6 +99,19 @@ fn lanes<L: Lanes>(criterion: &mut Criterion, name: &str) {
     });
     group.bench_function(format!("forward_dynamics/{name}"), |bencher| {
         bencher.iter(|| black_box(batch.forward_dynamics(&system, &q, &u, &third, &mut out)));
+    });
+    let q = grouped::<L, NQ>(batch, states, 0.1);
+    let [u, third] = [0.3, 0.5].map(|start| grouped::<L, NU>(batch, states, start));
+    let mut out = vec![[L::from_f64(0.0); NU]; batch.n_groups()];
+    group.bench_function(format!("inverse_dynamics/{name}, groups"), |bencher| {
+        bencher.iter(|| {
+            black_box(batch.inverse_dynamics_of_groups(&system, &q, &u, &third, &mut out))
+        });
+    });
+    group.bench_function(format!("forward_dynamics/{name}, groups"), |bencher| {
+        bencher.iter(|| {
+            black_box(batch.forward_dynamics_of_groups(&system, &q, &u, &third, &mut out))
+        });
     });
     group.finish();
 }

@@ -14,6 +14,8 @@ pub const MESH_POINTS: usize = 500_000;
 pub const MESH_FACES: usize = 500_000;
 /// Steps that the meshes of a model take: points tried at faces of convex hulls, and corners at others of their polygons.
 pub const MESH_STEPS: usize = 300_000_000;
+/// Updates of a mass matrix that is factorised in numbers, for the springs that `springdamper` of an MJCF makes.
+pub const SPRING_UPDATES: usize = 500_000_000;
 /// Bytes of a file that is compared with what is generated, or replaced by it.
 pub const OUTPUT_BYTES: usize = 256 << 20;
 /// Entries of a list of a model, its bodies among them.

@@ -6,7 +6,7 @@ use ::toml::Spanned as TomlSpanned;
 use ::toml::de::{DeTable, DeValue};
 
 use crate::description::too_many;
-use crate::diagnostic::{Diagnostic, Faults, Severity, Source, Span, Spanned, nearest};
+use crate::diagnostic::{Diagnostic, Faults, Severity, Source, Span, Spanned, backquoted, nearest};
 use crate::limits::TOLD;
 
 /// A TOML value with its place.
@@ -172,8 +172,8 @@ impl Reader {
                     table.misspelt.push(known.to_owned());
                     format!("did you mean `{known}`?")
                 }
-                None if known.len() == 1 => format!("the only key here is {}", list(known)),
-                None => format!("the keys here are {}", list(known)),
+                None if known.len() == 1 => format!("the only key here is {}", backquoted(known)),
+                None => format!("the keys here are {}", backquoted(known)),
             };
             self.faults.push(
                 Diagnostic::error(message)
@@ -349,10 +349,4 @@ fn filled_lines(text: &str) -> Vec<usize> {
         start += line.len();
     }
     starts
-}
-
-/// Names in backquotes, with commas.
-pub(crate) fn list(names: &[&str]) -> String {
-    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    names.join(", ")
 }

@@ -65,45 +65,23 @@ fn snippet<'a>(
     let places = || labels.iter().map(|(_, place, _)| place);
     let first = places().map(|place| place.start).min().unwrap_or(0);
     let last = places().map(|place| place.end).max().unwrap_or(0);
-    let lines = lines(text, first, last);
+    let lines = file.lines(first, last);
     let mut each = text[lines.clone()].split('\n');
     if each.any(|line| line.len() > LONGEST_LINE) {
         let main = places().next().map_or(0, |place| place.start);
-        return place_alone(file, main).into();
+        let (line, column) = file.line_and_column(main);
+        return Origin::path(file.name())
+            .line(line)
+            .char_column(column)
+            .into();
     }
     let annotations = labels.iter().map(|(kind, place, label)| {
         let here = place.start - lines.start..place.end - lines.start;
         kind.span(here).label(label.as_str())
     });
     Snippet::source(&text[lines.clone()])
-        .line_start(number(text, lines.start))
+        .line_start(file.line(lines.start))
         .path(file.name())
         .annotations(annotations)
         .into()
-}
-
-/// The line and the column of a place.
-fn place_alone(file: &SourceFile, at: usize) -> Origin<'_> {
-    let text = file.text();
-    let start = lines(text, at, at).start;
-    Origin::path(file.name())
-        .line(number(text, start))
-        .char_column(1 + text[start..at].chars().count())
-}
-
-/// The lines from one place to another, with their ends. The end of the file is the end of its last line, though that ends
-/// in a line's end.
-fn lines(text: &str, first: usize, last: usize) -> Range<usize> {
-    let before = match text[..first].strip_suffix('\n') {
-        Some(before) if first == text.len() => before,
-        _ => &text[..first],
-    };
-    let start = before.rfind('\n').map_or(0, |at| at + 1);
-    let rest = text[last..].find('\n');
-    start..rest.map_or(text.len(), |at| last + at + 1)
-}
-
-/// The number of the line that starts here.
-fn number(text: &str, start: usize) -> usize {
-    1 + text[..start].matches('\n').count()
 }

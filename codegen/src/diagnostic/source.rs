@@ -57,10 +57,7 @@ impl Source {
     pub fn line_and_column(&self, place: usize) -> String {
         let file = self.file_at(place);
         let at = file.clamp(Span::from(place..place)).start;
-        let before = &file.text[..at];
-        let line = 1 + before.matches('\n').count();
-        let start = before.rfind('\n').map_or(0, |end| end + 1);
-        let column = 1 + before[start..].chars().count();
+        let (line, column) = file.line_and_column(at);
         format!("{}:{line}:{column}", file.name)
     }
 
@@ -95,6 +92,29 @@ impl SourceFile {
     /// The place of the first byte.
     pub fn base(&self) -> usize {
         self.base
+    }
+
+    /// The lines from one byte of the text to another, with their ends. The end of the file is the end of its last line, though that
+    /// ends in a line's end.
+    pub(super) fn lines(&self, first: usize, last: usize) -> std::ops::Range<usize> {
+        let before = match self.text[..first].strip_suffix('\n') {
+            Some(before) if first == self.text.len() => before,
+            _ => &self.text[..first],
+        };
+        let start = before.rfind('\n').map_or(0, |at| at + 1);
+        let rest = self.text[last..].find('\n');
+        start..rest.map_or(self.text.len(), |at| last + at + 1)
+    }
+
+    /// The number of the line that starts at this byte, from 1.
+    pub(super) fn line(&self, start: usize) -> usize {
+        1 + self.text[..start].matches('\n').count()
+    }
+
+    /// The number of the line in which a byte of the text stands, and of the character in it, from 1.
+    pub(super) fn line_and_column(&self, at: usize) -> (usize, usize) {
+        let start = self.lines(at, at).start;
+        (self.line(start), 1 + self.text[start..at].chars().count())
     }
 
     /// The bytes of the text where the span lies in it at character boundaries, else what of it does.

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::limits::NAME_CHARACTERS;
+
 /// The text as a terminal may be given it: what would steer it, or turn the direction of writing, becomes `\u{fffd}`; lines end
 /// as they do.
 pub fn printable(text: &str) -> Cow<'_, str> {
@@ -19,15 +21,19 @@ pub(crate) fn is_unprintable(character: char) -> bool {
     character.is_control() || matches!(character, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
+/// Bytes of the longest word for which one that is near is looked for.
+const LONGEST: usize = 100;
+
 /// The candidate that `word` was probably meant to be, if one is near enough.
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let lower = word.to_lowercase();
-    // A very long word is near nothing, and the distance costs its square.
-    if lower.len() > 100 {
+    // A very long word is near nothing, and the distance costs the product of both lengths.
+    if lower.len() > LONGEST {
         return None;
     }
     candidates
         .iter()
+        .filter(|candidate| candidate.len() <= 2 * LONGEST)
         .map(|candidate| (edits(&lower, &candidate.to_lowercase()), *candidate))
         .filter(|(edits, candidate)| *edits <= candidate.chars().count() / 3)
         .min_by_key(|(edits, _)| *edits)
@@ -72,5 +78,30 @@ pub fn count(number: usize, one: &str) -> String {
     match number {
         1 => format!("1 {one}"),
         _ => format!("{number} {one}s"),
+    }
+}
+
+/// Names in backquotes, with commas.
+pub(crate) fn backquoted(names: &[&str]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    names.join(", ")
+}
+
+/// Characters of a value shown in a message.
+const MOST_SHOWN: usize = 40;
+
+/// Text for a message: escaped, and cut where it is long.
+pub(crate) fn shown(text: &str) -> String {
+    match text.char_indices().nth(MOST_SHOWN) {
+        Some((end, _)) => format!("{}...", text[..end].escape_debug()),
+        None => text.escape_debug().to_string(),
+    }
+}
+
+/// A name for a message: escaped, and cut where no name may be as long.
+pub(crate) fn shown_name(text: &str) -> String {
+    match text.char_indices().nth(NAME_CHARACTERS) {
+        Some((end, _)) => format!("{}...", text[..end].escape_debug()),
+        None => text.escape_debug().to_string(),
     }
 }

@@ -3,7 +3,7 @@
 //! In: where such a frame stands in the internal axes of the body that it is part of. Out: a [`Frame`] in the user's axes of
 //! that body.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, shown_name};
 use crate::geometry::{self, Rotation};
 use crate::id::BodyId;
 use crate::tree::body::{Body, Pose};
@@ -75,10 +75,10 @@ pub(crate) fn note_merged(frames: &[Frame], bodies: &[Body], findings: &mut Vec<
     let merged: Vec<String> = frames
         .iter()
         .map(|frame| {
-            let name = frame.name.escape_debug();
+            let name = shown_name(&frame.name);
             match frame.body {
                 Some(body) => {
-                    let body = bodies[body.index()].name.escape_debug();
+                    let body = shown_name(&bodies[body.index()].name);
                     format!("`{name}` of `{body}`")
                 }
                 None => format!("`{name}` of the inertial frame"),

@@ -63,6 +63,7 @@ files! {
     global_coordinates
     gravity_compensated
     gravity_too_short
+    height_field
     include_in_a_circle
     include_of_itself
     include_twice
@@ -75,9 +76,11 @@ files! {
     joint_in_the_world
     joint_type_unknown
     limited_without_range
+    merged_options
     mesh_file_is_missing
     mesh_is_unknown
     negative_geom_mass
+    negative_spring_damper
     not_closed
     numbers_with_commas
     outermost_class_named
@@ -98,6 +101,7 @@ files! {
     spring_that_yields
     tendon_with_damping_of_a_class
     tendon_with_stiffness
+    too_many_freedoms
     two_inertials
     two_orientations
     unknown_class

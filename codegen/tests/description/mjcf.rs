@@ -344,4 +344,69 @@ fn weight_that_is_lifted_off_all_bodies_that_move_is_a_smaller_gravity() {
     assert_eq!(errors(&model("0", "0.25")), 0);
     assert_eq!(errors(&model("0", "0")), 1);
     assert_eq!(errors(&model("0", "0.5")), 2);
+    // Without passive forces, and without a weight, nothing is lifted.
+    for option in [
+        "<option><flag spring=\"disable\" damper=\"disable\"/></option>",
+        "<option gravity=\"0 0 0\"/>",
+    ] {
+        let body = "<body gravcomp=\"1\"><joint/><geom size=\"1\"/></body>";
+        let other = body.replace("1\"><joint", "0.5\"><joint");
+        let text = format!("<mujoco>{option}<worldbody>{body}{other}</worldbody></mujoco>");
+        let model = parse(&text, &[]);
+        assert_eq!(errors(&model), 0);
+        let told = model
+            .faults
+            .iter()
+            .any(|fault| fault.message.contains("gravcomp"));
+        assert!(!told, "{}", faults(&model));
+    }
+}
+
+#[test]
+fn attached_models_have_the_mesh_settings_and_groups_that_mujoco_gives_them() {
+    let child = "<mujoco><compiler inertiagrouprange=\"2 3\" boundinertia=\"0.5\"/><worldbody>
+  <frame name=\"f\" pos=\"0 0 3\"><body name=\"x\"><joint/><geom size=\"1\" mass=\"1\" group=\"0\"/>
+    <geom size=\"1\" mass=\"2\" group=\"2\"/></body></frame>
+  <frame name=\"g\"><geom size=\"1\" mass=\"4\" group=\"0\"/><geom size=\"1\" mass=\"8\" group=\"2\"/></frame>
+</worldbody></mujoco>";
+    let text = "<mujoco><compiler inertiagrouprange=\"0 1\"/><asset><model name=\"m\" file=\"m.xml\"/></asset><worldbody>
+  <body><joint/><geom size=\"1\" mass=\"16\"/>
+    <attach model=\"m\" frame=\"f\" prefix=\"f_\"/><attach model=\"m\" frame=\"g\" prefix=\"g_\"/></body>
+</worldbody></mujoco>";
+    let model = parse(text, &[("m.xml", child)]);
+    let masses: Vec<f64> = model.bodies.iter().map(|body| number(body.mass)).collect();
+    // Of a frame's geoms the settings of the body count, of a body's its own.
+    assert_eq!(masses, [16.0 + 4.0, 2.0]);
+    assert_eq!(vector(model.bodies[1].joint.attachment), [0.0, 0.0, 3.0]);
+}
+
+#[test]
+fn class_of_a_replicate_is_that_of_what_it_holds() {
+    let model = read(
+        "<mujoco><default><default class=\"h\"><joint damping=\"3\"/></default></default><worldbody>
+  <replicate count=\"2\" childclass=\"h\"><body><joint/><geom size=\"1\"/></body></replicate>
+</worldbody></mujoco>",
+    );
+    assert!(
+        model
+            .bodies
+            .iter()
+            .all(|body| baked(&body.joint.damping) == Some(3.0))
+    );
+}
+
+#[test]
+fn geom_too_small_for_a_mass_has_none() {
+    let body = only(
+        "",
+        "<body><geom size=\"1e-5\" mass=\"1\"/><geom size=\"1\" mass=\"2\"/></body>",
+    );
+    assert_eq!(number(body.mass), 2.0);
+}
+
+#[test]
+fn inertia_that_a_bound_raises_may_be_absent() {
+    let before = "<compiler boundinertia=\"0.01\"/>";
+    let body = only(before, "<body><inertial pos=\"0 0 0\" mass=\"1\"/></body>");
+    assert_eq!(body.inertia.map(number), [0.01, 0.01, 0.01, 0.0, 0.0, 0.0]);
 }

@@ -245,3 +245,15 @@ fn equalities_of_an_attached_model_hold_where_all_that_they_name_is_attached() {
     });
     assert_eq!(errors(&model), welds);
 }
+
+#[test]
+fn equality_of_elements_in_a_replicate_holds_in_each_copy() {
+    let text = "<mujoco><worldbody><replicate count=\"2\" offset=\"9 0 0\" sep=\"_\">
+  <body><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/>
+    <body><joint name=\"b\" type=\"slide\"/><geom size=\"1\"/></body></body>
+</replicate></worldbody><equality><joint joint1=\"a\" joint2=\"b\"/></equality></mujoco>";
+    let model = parse(text, &[]);
+    assert_eq!(errors(&model), [""; 0]);
+    let expected = [("a_0", "b_0", 1.0, 0.0), ("a_1", "b_1", 1.0, 0.0)];
+    assert_eq!(mimics(&model), expected);
+}

@@ -168,18 +168,20 @@ fn capsule_is_the_sum_of_its_slices() {
 
 #[test]
 fn geoms_of_a_body_are_one_solid() {
-    // Two points, nearly, at 1 and 4 on a line: a mass of 3 at 3, with 1 · 2² + 2 · 1² about it.
+    // Two small spheres at 1 and 4 on a line: a mass of 3 at 3, with 1 · 2² + 2 · 1² about it. MuJoCo lets no smaller ones have a mass.
     let body = only(
         "",
         "<body>
-           <geom size=\"1e-9\" pos=\"1 0 0\" mass=\"1\"/>
-           <geom size=\"1e-9\" pos=\"4 0 0\" mass=\"2\"/>
+           <geom size=\"2e-5\" pos=\"1 0 0\" mass=\"1\"/>
+           <geom size=\"2e-5\" pos=\"4 0 0\" mass=\"2\"/>
            <geom size=\"9\" mass=\"0\"/>
          </body>",
     );
     assert_eq!(number(body.mass), 3.0);
     assert_eq!(vector(body.mass_center), [3.0, 0.0, 0.0]);
-    close(&body.inertia.map(number), &[0.0, 6.0, 6.0, 0.0, 0.0, 0.0]);
+    let own = 3.0 * 0.4 * 2e-5 * 2e-5;
+    let moments = [own, 6.0 + own, 6.0 + own, 0.0, 0.0, 0.0];
+    close(&body.inertia.map(number), &moments);
 }
 
 #[test]

@@ -22,8 +22,15 @@ pub(super) fn check(surface: &Surface, points: &[Vector]) -> Result<(), Fault> {
     match twice {
         Some(pair) => {
             let (a, b) = pair[0];
+            let point = |number: u32| {
+                #[expect(clippy::cast_possible_truncation, reason = "files have as many digits")]
+                let [x, y, z] = points[number as usize].map(|entry| entry as f32);
+                format!("({x}, {y}, {z})")
+            };
             let found = format!(
-                "has two faces that pass the edge between its points {a} and {b} in the same direction"
+                "has two faces that pass the edge from {} to {} in the same direction",
+                point(a),
+                point(b)
             );
             Err(Fault::new(found).help("let all faces look outward, or write `inertia=\"convex\"`"))
         }

@@ -41,7 +41,7 @@ impl AngleUnit {
 pub(super) struct EulerAxis {
     axis: Vector,
     /// In which axes it is given.
-    fixed: EulerFrame,
+    frame: EulerFrame,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,7 +63,7 @@ impl EulerAxis {
     const fn turned(axis: Vector) -> Self {
         Self {
             axis,
-            fixed: EulerFrame::Turned,
+            frame: EulerFrame::Turned,
         }
     }
 
@@ -75,12 +75,12 @@ impl EulerAxis {
             'z' => IDENTITY[2],
             _ => return None,
         };
-        let fixed = if letter.is_ascii_uppercase() {
+        let frame = if letter.is_ascii_uppercase() {
             EulerFrame::Outer
         } else {
             EulerFrame::Turned
         };
-        Some(Self { axis, fixed })
+        Some(Self { axis, frame })
     }
 }
 
@@ -89,7 +89,7 @@ pub(super) fn euler(axes: &[EulerAxis; 3], angles: [[f64; 2]; 3]) -> Rotation {
     let turns = axes.iter().zip(angles);
     turns.fold(IDENTITY, |so_far, (letter, angle)| {
         let turn = about(letter.axis, angle);
-        match letter.fixed {
+        match letter.frame {
             EulerFrame::Turned => then(&so_far, &turn),
             EulerFrame::Outer => then(&turn, &so_far),
         }

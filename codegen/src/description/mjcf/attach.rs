@@ -1,4 +1,4 @@
-//! `attach`: a body of another model, or all that stands in its world, with a prefix to the names.
+//! `attach`: a body or a frame of another model, or all that stands in its world, with a prefix to the names.
 
 use std::rc::Rc;
 
@@ -8,8 +8,8 @@ use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
 use crate::description::mjcf::models::Models;
 use crate::description::mjcf::unknown::unknown;
-use crate::description::xml::{Element, Reader, shown};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::description::xml::{Element, Reader};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// The elements that an `attach` stands for, and what is around them; `None` where it is faulty.
 pub(super) fn elements<'d>(
@@ -21,8 +21,8 @@ pub(super) fn elements<'d>(
 ) -> Option<(Rc<[Element<'d>]>, Around)> {
     let owner = format!("an `attach` of {owner}");
     let given = Attributes::of(reader, element, &owner, &known::ATTACH);
-    let name = required(reader, &given, "model");
     let prefix = required(reader, &given, "prefix");
+    let name = required(reader, &given, "model");
     let (name, prefix) = (name?, prefix?);
     let assets = &models.list[around.model].assets;
     let Some(number) = assets.get(name.value) else {
@@ -38,14 +38,19 @@ pub(super) fn elements<'d>(
         prefix: Rc::from(format!("{}{}", around.prefix, prefix.value)),
         suffix: Rc::clone(&around.suffix),
     };
-    let body = given.text("body").filter(|body| !body.value.is_empty());
-    let Some(body) = body else {
+    let part = |kind| Some((kind, given.text(kind)?));
+    let Some((kind, part)) = part("body").or_else(|| part("frame")) else {
         return Some((Rc::clone(&model.world), inner));
     };
-    let Some((element, class)) = model.bodies.get(body.value) else {
-        let (model_name, body_name) = (shown(name.value), shown(body.value));
-        let message = format!("the model `{model_name}` has no body `{body_name}`");
-        unknown(reader, message, body, model.bodies.keys().copied());
+    let parts = if kind == "body" {
+        &model.bodies
+    } else {
+        &model.frames
+    };
+    let Some((element, class)) = parts.get(part.value) else {
+        let (model_name, part_name) = (shown(name.value), shown(part.value));
+        let message = format!("the model `{model_name}` has no {kind} `{part_name}`");
+        unknown(reader, message, part, parts.keys().copied());
         return None;
     };
     // As in MuJoCo it brings its class, but not the frame in which it stands there.
@@ -61,7 +66,10 @@ fn required<'d>(
     let text = given.text(name);
     if text.is_none() {
         let message = format!("{} has no attribute `{name}`", given.owner);
-        let fault = Diagnostic::error(message).at(given.span, format!("`{name}` is missing"));
+        let mut fault = Diagnostic::error(message).at(given.span, format!("`{name}` is missing"));
+        if name == "model" {
+            fault = fault.help("parts of the same model cannot be attached to it");
+        }
         reader.faults.push(fault);
     }
     text

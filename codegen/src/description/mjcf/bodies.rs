@@ -3,7 +3,7 @@
 use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::chain::{Bodies, JointedBody};
-use crate::description::mjcf::contents::{Contents, Inside, child_class, gather};
+use crate::description::mjcf::contents::{Contents, Inside, gather};
 use crate::description::mjcf::defaults::ElementKind;
 use crate::description::mjcf::geoms::{self, Moves};
 use crate::description::mjcf::inertial::{self, MassProperties};
@@ -20,8 +20,8 @@ use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::sites::Site;
 use crate::description::mjcf::solid::together;
 use crate::description::too_many;
-use crate::description::xml::{Reader, shown};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::description::xml::Reader;
+use crate::diagnostic::{Diagnostic, Span, shown};
 use crate::limits::BODIES;
 
 /// A body that is still to be read.
@@ -37,8 +37,8 @@ struct Pending<'d> {
 pub(super) struct Found<'d> {
     pub(super) bodies: Bodies,
     pub(super) sites: Vec<Site<'d>>,
-    /// What is around each model that is attached.
-    pub(super) attached: Vec<Around>,
+    /// What is around each copy of elements, and each model that is attached.
+    pub(super) copies: Vec<Around>,
     /// How much of its weight is lifted off each body.
     pub(super) lifted: Vec<Lifted>,
 }
@@ -79,12 +79,17 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
 }
 
 impl<'d> Found<'d> {
+    /// True where another model is attached.
+    pub(super) fn attaches(&self) -> bool {
+        self.copies.iter().any(|around| around.model != 0)
+    }
+
     /// Keeps what stands in the last body; gives the bodies in it, which are still to be read.
     fn keep(&mut self, contents: Contents<'d>) -> Vec<Inside<'d>> {
         let body = self.bodies.count();
         let sites = contents.sites.into_iter();
         self.sites.extend(sites.map(|inside| Site { inside, body }));
-        self.attached.extend(contents.attached);
+        self.copies.extend(contents.copies);
         contents.bodies
     }
 }
@@ -129,19 +134,20 @@ fn body<'d>(
     let model = &models.list[around.model];
     let inner = Around {
         frame: Placement::SAME,
-        class: child_class(reader, model, &given, around.class),
+        class: model.child_class(reader, &given, around.class),
         ..around.clone()
     };
     let contents = gather(reader, models, element, &owner, inner);
     let own = placement(reader, &given, &model.settings);
     let place = around.frame.then(&own);
-    follows(reader, &given);
+    warn_of_mocap(reader, &given);
     let joints: Vec<JointElement> = contents
         .joints
         .iter()
         .take(BODIES + 1)
         .map(|inside| joint(reader, &models.list[inside.around.model], inside, &owner))
         .collect();
+    check_freedoms(reader, &joints, &owner);
     check_free(reader, model, &joints, next, &contents.bodies, &owner);
     let moves = if joints.is_empty() {
         next.lower_moves
@@ -191,8 +197,7 @@ fn lifted(
     }
 }
 
-/// Warns of a body that follows motion capture.
-fn follows(reader: &mut Reader, given: &Attributes<'_>) {
+fn warn_of_mocap(reader: &mut Reader, given: &Attributes<'_>) {
     let mocap = given.keyword(reader, "mocap", &TRUTH);
     if let Some(mocap) = mocap.filter(|mocap| mocap.value == Switch::On) {
         let message = format!(
@@ -232,6 +237,32 @@ fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str
         model.reading.chart,
     );
     joint.named(inside.name())
+}
+
+/// As in MuJoCo a body has no more than six freedoms, and no joint turns it after a ball joint.
+fn check_freedoms(reader: &mut Reader, joints: &[JointElement], owner: &str) {
+    let freedoms = |joint: &JointElement| match joint.kind {
+        JointType::Hinge | JointType::Slide => 1,
+        JointType::Ball => 3,
+        JointType::Free => 6,
+    };
+    // A free joint beside others is told below.
+    let others = joints.iter().filter(|joint| joint.kind != JointType::Free);
+    let (mut count, mut after_ball) = (0, false);
+    for joint in others {
+        count += freedoms(joint);
+        let message = if count > 6 {
+            format!("the joints of {owner} have more than six freedoms")
+        } else if after_ball && matches!(joint.kind, JointType::Hinge | JointType::Ball) {
+            format!("a joint of {owner} turns it after a ball joint")
+        } else {
+            after_ball |= joint.kind == JointType::Ball;
+            continue;
+        };
+        let fault = Diagnostic::error(message).at(joint.span, "one too many, as in MuJoCo");
+        reader.faults.push(fault);
+        return;
+    }
 }
 
 /// A free joint is alone, and joins a body to the world.
@@ -335,13 +366,14 @@ fn mass(
     } else {
         moves
     };
+    let matters = (counts, settings.groups);
     let mut solids = Vec::new();
     for inside in &contents.geoms {
         let owner = owner(inside, "geom", body);
         let given = geom_attributes(reader, models, inside, &owner);
         let model = &models.list[inside.around.model];
         if infer {
-            let solid = geoms::solid(reader, &given, model, &inside.around.frame, counts);
+            let solid = geoms::solid(reader, &given, model, &inside.around.frame, matters);
             solids.extend(solid);
         }
     }

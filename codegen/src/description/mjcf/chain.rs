@@ -137,6 +137,7 @@ impl Bodies {
             mass: body.solid(factor),
         });
         let inertias = inertias(&drawn.collect::<Vec<_>>());
+        let inertias = inertias.unwrap_or_else(|| vec![None; self.list.len()]);
         for (body, inertia) in self.list.iter_mut().zip(inertias) {
             let Some(joint) = &mut body.joint else {
                 continue;
@@ -144,16 +145,15 @@ impl Bodies {
             let Some(place) = joint.spring_damper() else {
                 continue;
             };
-            match inertia.filter(|inertia| inertia.is_finite() && *inertia > 0.0) {
-                Some(inertia) => joint.settle(inertia),
-                None => {
-                    let message = "`springdamper` makes a spring from the inertia of a joint, but has none where the model is drawn";
-                    let fault = Diagnostic::error(message).at(place, "no inertia");
-                    reader
-                        .faults
-                        .push(fault.help("give `stiffness` and `damping` as numbers"));
-                }
+            if let Some(inertia) = inertia.filter(|inertia| inertia.is_finite() && *inertia > 0.0) {
+                joint.settle(inertia);
+                continue;
             }
+            let message = "the inertia of this joint, from which `springdamper` makes a spring, cannot be had";
+            let fault = Diagnostic::error(message).at(place, "no inertia");
+            reader
+                .faults
+                .push(fault.help("give `stiffness` and `damping` as numbers"));
         }
     }
 

@@ -5,9 +5,7 @@ use std::rc::Rc;
 use crate::description::mjcf::around::Around;
 use crate::description::mjcf::attach;
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
-use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::replicate;
@@ -38,8 +36,8 @@ pub(super) struct Contents<'d> {
     pub(super) geoms: Vec<Inside<'d>>,
     pub(super) sites: Vec<Inside<'d>>,
     pub(super) bodies: Vec<Inside<'d>>,
-    /// What is around each model that is attached here.
-    pub(super) attached: Vec<Around>,
+    /// What is around each copy of elements, and each model that is attached here.
+    pub(super) copies: Vec<Around>,
 }
 
 /// Gathers what stands in a body; `around` is what is around the body's elements.
@@ -80,7 +78,7 @@ pub(super) fn gather<'d>(
                 let around = inside.around;
                 let around = Around {
                     frame: around.frame.then(&inner),
-                    class: child_class(reader, model, &given, around.class),
+                    class: model.child_class(reader, &given, around.class),
                     ..around
                 };
                 open.push((children(element), 0, around));
@@ -88,6 +86,7 @@ pub(super) fn gather<'d>(
             "replicate" => {
                 let copies = replicate::copies(reader, models, element, &inside.around, owner);
                 let elements = children(element);
+                contents.copies.extend(copies.iter().cloned());
                 let copies = copies.into_iter().rev();
                 open.extend(copies.map(|copy| (Rc::clone(&elements), 0, copy)));
             }
@@ -98,7 +97,7 @@ pub(super) fn gather<'d>(
                 }
                 let found = attach::elements(reader, models, element, &inside.around, owner);
                 if let Some((elements, around)) = found {
-                    contents.attached.push(around.clone());
+                    contents.copies.push(around.clone());
                     open.push((elements, 0, around));
                 }
             }
@@ -116,16 +115,4 @@ pub(super) fn gather<'d>(
         }
     }
     contents
-}
-
-/// The class around the elements inside: the one that is named, or else that from outside.
-pub(super) fn child_class(
-    reader: &mut Reader,
-    model: &Model<'_>,
-    given: &Attributes<'_>,
-    around: Class,
-) -> Class {
-    let name = given.text("childclass");
-    let class = name.and_then(|name| model.defaults.class(reader, name));
-    class.unwrap_or(around)
 }

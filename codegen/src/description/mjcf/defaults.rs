@@ -10,8 +10,8 @@ use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
 use crate::description::mjcf::unknown::unknown;
 use crate::description::too_many;
-use crate::description::xml::{Element, Known, Reader, shown};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::description::xml::{Element, Known, Reader};
+use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 
 /// Kinds of elements whose defaults matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -15,37 +15,40 @@ use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
 use crate::description::mjcf::settings::{Switch, TRUTH};
 use crate::description::mjcf::ties::{Equation, Ties};
-use crate::description::xml::{Element, Reader, shown};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::description::xml::{Element, Reader};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// What words call several of them.
 const PLURAL: &str = "equalities that are left out";
 
-/// Reads the equalities of all models: how joints are tied. Those of a model that is attached hold where all that they name is
-/// attached, as in MuJoCo.
+/// Reads the equalities of all models: how joints are tied. As in MuJoCo, those of a model that is attached hold where all that
+/// they name is attached, and those that name elements inside a `replicate` hold in each of its copies.
 pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>, found: &Found<'d>) -> Ties {
-    let mut ties = Ties::default();
-    let mut sections = Sections::new();
-    section(
-        reader,
+    let mut all = Equalities {
         models,
-        &Around::world(),
-        None,
-        (&mut sections, &mut ties),
-    );
-    if !found.attached.is_empty() {
-        let names = Names::of(found);
-        for around in &found.attached {
-            let names = Some(&names);
-            section(reader, models, around, names, (&mut sections, &mut ties));
-        }
+        names: Names::of(found),
+        sections: BTreeMap::new(),
+        copied: BTreeSet::new(),
+        ties: Ties::default(),
+    };
+    for around in &found.copies {
+        all.section(reader, around);
     }
-    check_names(reader, models.main(), &ties);
-    ties
+    all.section(reader, &Around::world());
+    check_names(reader, models.main(), &all.ties);
+    all.ties
 }
 
-/// The equalities of each model, by its number, with what follows motion capture where that was asked for.
-type Sections<'d> = BTreeMap<usize, (Vec<Element<'d>>, Option<Mocap<'d>>)>;
+/// The equalities of all models.
+struct Equalities<'d, 'f> {
+    models: &'f Models<'d>,
+    names: Names<'f>,
+    /// Those of each model, by its number, with what follows motion capture where that was asked for.
+    sections: BTreeMap<usize, (Vec<Element<'d>>, Option<Mocap<'d>>)>,
+    /// The places of those that hold in copies.
+    copied: BTreeSet<usize>,
+    ties: Ties,
+}
 
 /// What has a name: joints, bodies and sites.
 struct Names<'f> {
@@ -65,54 +68,63 @@ impl<'f> Names<'f> {
     }
 }
 
-/// Reads the equalities of a model; `names` are those of what is there.
-fn section<'d>(
-    reader: &mut Reader,
-    models: &Models<'d>,
-    around: &Around,
-    names: Option<&Names<'_>>,
-    (sections, ties): (&mut Sections<'d>, &mut Ties),
-) {
-    let model = &models.list[around.model];
-    let (elements, mocap) = sections.entry(around.model).or_insert_with(|| {
-        let sections = model.named("equality").into_iter();
-        let elements = sections.flat_map(|section| model.files.children(section));
-        (elements.collect(), None)
-    });
-    for element in elements.iter().copied() {
-        if around.is_copy() && !models.copies.count(reader, element.span()) {
-            return;
-        }
-        reader.unknown_child(element, "`equality`", &known::EQUALITIES);
-        if !known::EQUALITIES.contains(&element.name()) {
-            continue;
-        }
-        let equality = Equality::of(reader, model, element, around);
-        if names.is_some_and(|names| !equality.is_within(names)) {
-            continue;
-        }
-        ties.equalities.extend(equality.name.clone());
-        if !equality.active || model.settings.equalities == Switch::Off {
-            continue;
-        }
-        if equality.is_left_out(model) {
-            let message = format!("{} is left out", equality.owner);
-            equality.leave_out(reader, message);
-        } else if element.name() == "joint" {
-            equality.tie(reader, ties);
-        } else {
+impl<'d> Equalities<'d, '_> {
+    /// Reads the equalities of a model, for a copy those alone that hold in it.
+    fn section(&mut self, reader: &mut Reader, around: &Around) {
+        let models = self.models;
+        let model = &models.list[around.model];
+        let (elements, mut mocap) = self.sections.remove(&around.model).unwrap_or_else(|| {
+            let sections = model.named("equality").into_iter();
+            let elements = sections.flat_map(|section| model.files.children(section));
+            (elements.collect(), None)
+        });
+        for element in elements.iter().copied() {
+            if around.is_copy() && !models.copies.count(reader, element.span()) {
+                break;
+            }
+            reader.unknown_child(element, "`equality`", &known::EQUALITIES);
+            if !known::EQUALITIES.contains(&element.name()) {
+                continue;
+            }
+            let equality = Equality::of(reader, model, element, around);
+            let place = element.span().start;
+            let may_be_elsewhere = around.is_copy() || self.copied.contains(&place);
+            if may_be_elsewhere && !equality.is_within(&self.names) {
+                continue;
+            }
+            if around.is_copy() {
+                self.copied.insert(place);
+            }
+            self.ties.equalities.extend(equality.name.clone());
             let mocap =
                 mocap.get_or_insert_with(|| Mocap::of(model.files, &model.named("worldbody")));
-            if equality.follows(mocap) {
-                let message = format!(
-                    "{} with a body that follows motion capture is left out",
-                    equality.owner
-                );
-                equality.leave_out(reader, message);
-            } else {
-                let message = format!("{} is active", equality.owner);
-                equality.refuse(reader, &message, "constraints like this are not supported");
-            }
+            self.one(reader, model, &equality, mocap);
+        }
+        self.sections.insert(around.model, (elements, mocap));
+    }
+
+    /// Ties joints, leaves an equality out, or refuses it.
+    fn one(
+        &mut self,
+        reader: &mut Reader,
+        model: &Model<'d>,
+        equality: &Equality<'_, '_>,
+        mocap: &Mocap<'_>,
+    ) {
+        let owner = &equality.owner;
+        if !equality.active || model.settings.equalities == Switch::Off {
+            return;
+        }
+        if equality.is_left_out(model) {
+            equality.leave_out(reader, format!("{owner} is left out"));
+        } else if equality.element.name() == "joint" {
+            equality.tie(reader, &mut self.ties);
+        } else if equality.follows(mocap) {
+            let message = format!("{owner} with a body that follows motion capture is left out");
+            equality.leave_out(reader, message);
+        } else {
+            let message = format!("{owner} is active");
+            equality.refuse(reader, &message, "constraints like this are not supported");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Numbers that were computed from others fit a float.
 
-use crate::description::xml::{Reader, shown};
+use crate::description::xml::Reader;
 use crate::description::{Given, Optional, Rotation, Scalar, WrittenBody};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, shown};
 
 /// Reports the bodies of which a number became infinite on the way.
 pub(super) fn check(reader: &mut Reader, bodies: &[WrittenBody]) {

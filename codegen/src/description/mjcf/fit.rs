@@ -30,7 +30,7 @@ pub(super) fn fitted(
         GeomType::Cylinder => Primitive::Cylinder { radius: a, half: b },
         GeomType::Ellipsoid => Primitive::Ellipsoid([a, b, c]),
         GeomType::Box => Primitive::Box([a, b, c]),
-        GeomType::Surface | GeomType::Mesh => return None,
+        GeomType::Surface | GeomType::HeightField | GeomType::Mesh => return None,
     };
     let needed = match kind {
         GeomType::Sphere => 1,

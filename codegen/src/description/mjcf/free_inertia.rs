@@ -5,6 +5,7 @@ use crate::description::mjcf::joints::JointElement;
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::solid::{Solid, Tensor, turned};
 use crate::geometry::{Vector, cross, dot, scaled, sum};
+use crate::limits::SPRING_UPDATES;
 
 /// A body where the model is drawn, behind its lower body in the list.
 pub(super) struct DrawnBody<'b> {
@@ -31,7 +32,7 @@ struct Inertia {
     tensor: Tensor,
 }
 
-/// A row of the mass matrix, of one speed: its entries with the speeds below it, from the nearest, and last with itself first.
+/// A speed, which is a row of the mass matrix.
 struct Row {
     body: usize,
     axis: Axis,
@@ -40,11 +41,12 @@ struct Row {
     below: Vec<usize>,
 }
 
-/// The inertia of each body's joint, if that has one speed; kg m² or kg.
-pub(super) fn inertias(bodies: &[DrawnBody<'_>]) -> Vec<Option<f64>> {
+/// The inertia of each body's joint, if that has one speed; kg m² or kg. `None` where there are too many speeds.
+pub(super) fn inertias(bodies: &[DrawnBody<'_>]) -> Option<Vec<Option<f64>>> {
     let mut places = vec![Placement::SAME];
     let mut composites = vec![Inertia::NONE];
     let mut rows: Vec<Row> = Vec::new();
+    let mut updates = 0;
     // The last speed of each body, or of the nearest below that has one.
     let mut last: Vec<Option<usize>> = vec![None];
     for (index, body) in bodies.iter().enumerate() {
@@ -57,6 +59,10 @@ pub(super) fn inertias(bodies: &[DrawnBody<'_>]) -> Vec<Option<f64>> {
             if let Some(nearest) = below {
                 chain.push(nearest);
                 chain.extend(&rows[nearest].below);
+            }
+            updates += chain.len() * chain.len();
+            if updates > SPRING_UPDATES {
+                return None;
             }
             below = Some(rows.len());
             let body = index + 1;
@@ -81,7 +87,7 @@ pub(super) fn inertias(bodies: &[DrawnBody<'_>]) -> Vec<Option<f64>> {
         let has_one = joint.is_some_and(|joint| joint.axis.is_some());
         inertias[own.body - 1] = has_one.then(|| 1.0 / inverse_entry(&rows, &factors, row));
     }
-    inertias
+    Some(inertias)
 }
 
 /// `L` below the diagonal, along each row's speeds below, and `D`: the mass matrix is `Lᵀ D L`.

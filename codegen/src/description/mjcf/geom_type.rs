@@ -8,8 +8,9 @@ pub(super) enum GeomType {
     Cylinder,
     Ellipsoid,
     Box,
-    /// A plane or a height field: without mass.
+    /// A plane: without mass.
     Surface,
+    HeightField,
     /// A mesh, or one that is known by the distance from it.
     Mesh,
 }
@@ -22,7 +23,7 @@ pub(super) const TYPES: [(&str, GeomType); 9] = [
     ("ellipsoid", GeomType::Ellipsoid),
     ("box", GeomType::Box),
     ("plane", GeomType::Surface),
-    ("hfield", GeomType::Surface),
+    ("hfield", GeomType::HeightField),
     ("mesh", GeomType::Mesh),
     ("sdf", GeomType::Mesh),
 ];

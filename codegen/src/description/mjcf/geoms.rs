@@ -16,7 +16,7 @@ use crate::geometry::{IDENTITY, length};
 /// Density where a geom says nothing, kg/m³.
 const WATER: f64 = 1000.0;
 
-/// Volume from which on MuJoCo lets a mesh have the mass that its geom gives it, m³ (m² of a shell).
+/// Volume from which on MuJoCo lets a geom have the mass that it is given, m³ (m² of a shell).
 const LEAST: f64 = 1e-14;
 
 /// Whether it matters what mass a geom has.
@@ -27,19 +27,19 @@ pub(super) enum Moves {
     No,
 }
 
-/// The mass of a geom; `None` where it has none, or where it is faulty.
+/// The mass of a geom; `None` where it has none, or where it is faulty. `groups` are the first and the last that count for its body.
 pub(super) fn solid(
     reader: &mut Reader,
     geom: &Attributes<'_>,
     model: &Model<'_>,
     around: &Placement,
-    moves: Moves,
+    (moves, groups): (Moves, [f64; 2]),
 ) -> Option<Solid> {
     let settings = &model.settings;
     let group = geom
         .number(reader, "group")
         .map_or(0.0, |group| group.value);
-    if group < settings.groups[0] || group > settings.groups[1] {
+    if group < groups[0] || group > groups[1] {
         return None;
     }
     let kind = match geom.keyword(reader, "type", &TYPES) {
@@ -50,6 +50,12 @@ pub(super) fn solid(
     };
     let amount = amount(reader, geom);
     if kind == GeomType::Surface || matches!(amount, Amount::Mass(0.0) | Amount::Density(0.0)) {
+        return None;
+    }
+    if kind == GeomType::HeightField {
+        if moves == Moves::Yes {
+            reader.faults.push(height_field(geom));
+        }
         return None;
     }
     let is_of_mesh = kind == GeomType::Mesh || geom.has("mesh");
@@ -63,6 +69,9 @@ pub(super) fn solid(
     }
     let (placement, half) = span_of(reader, geom, settings, kind)?;
     let shape = shape(reader, geom, kind, half)?;
+    if is_too_small(reader, geom, amount, shape.volume()) {
+        return None;
+    }
     Some(shape.solid(amount, &around.then(&placement)))
 }
 
@@ -89,7 +98,7 @@ fn amount(reader: &mut Reader, geom: &Attributes<'_>) -> Amount {
     Amount::Density(WATER)
 }
 
-/// What a geom has a mesh, and no mass that matters, is told as.
+/// The warning of a geom whose mass follows from a mesh and does not matter.
 fn at_rest(geom: &Attributes<'_>) -> Diagnostic {
     let owner = &geom.owner;
     let message = format!(
@@ -102,14 +111,30 @@ fn at_rest(geom: &Attributes<'_>) -> Diagnostic {
     )
 }
 
-fn too_small(geom: &Attributes<'_>, volume: f64) -> Diagnostic {
+/// True where a geom is given a mass that MuJoCo does not let it have, with a warning.
+fn is_too_small(reader: &mut Reader, geom: &Attributes<'_>, amount: Amount, volume: f64) -> bool {
+    let is_too_small = matches!(amount, Amount::Mass(_)) && volume <= LEAST;
+    if is_too_small {
+        let message = format!(
+            "{} has a volume of {volume:.2e} m³; as in MuJoCo it gets no mass with less than {LEAST:e}",
+            geom.owner
+        );
+        let warning = Diagnostic::warning(message).at(geom.place("mass"), "taken without mass");
+        let help = "check the size, or the `scale` of the mesh, or give the body an `inertial`";
+        let warning = warning.help(help);
+        let kind = "geoms that are too small for a mass";
+        reader.faults.push(warning.one_of(kind, &*geom.owner));
+    }
+    is_too_small
+}
+
+fn height_field(geom: &Attributes<'_>) -> Diagnostic {
     let message = format!(
-        "the mesh of {} has a volume of {volume:.2e} m³; as in MuJoCo it gets no mass with less than {LEAST:e}",
+        "{} is a height field, whose mass is not computed",
         geom.owner
     );
-    let warning = Diagnostic::warning(message).at(geom.place("mass"), "taken without mass");
-    let warning = warning.help("check the `scale` of the mesh, or give the body an `inertial`");
-    warning.one_of("geoms whose meshes are too small for a mass", &*geom.owner)
+    let fault = Diagnostic::error(message).at(geom.place("type"), "on a body that moves");
+    fault.help("give the geom `mass=\"0\"`, or the body an `inertial`")
 }
 
 fn mesh_place(geom: &Attributes<'_>) -> Span {
@@ -158,10 +183,7 @@ fn of_mesh(
             position: mesh.center,
             rotation: IDENTITY,
         };
-        if let Amount::Mass(_) = amount
-            && mesh.volume <= LEAST
-        {
-            reader.faults.push(too_small(geom, mesh.volume));
+        if is_too_small(reader, geom, amount, mesh.volume) {
             return None;
         }
         return Some(uniform(
@@ -184,6 +206,9 @@ fn of_mesh(
         reader.faults.push(fault.help("choose another `type`"));
         return None;
     };
+    if is_too_small(reader, geom, amount, shape.volume()) {
+        return None;
+    }
     Some(shape.solid(amount, &place.then(&frame)))
 }
 
@@ -265,6 +290,6 @@ fn shape(
         GeomType::Cylinder => Some(Primitive::Cylinder { radius, half }),
         GeomType::Ellipsoid => Some(Primitive::Ellipsoid(three)),
         GeomType::Box => Some(Primitive::Box(three)),
-        GeomType::Surface | GeomType::Mesh => None,
+        GeomType::Surface | GeomType::HeightField | GeomType::Mesh => None,
     }
 }

@@ -6,9 +6,9 @@
 use std::collections::BTreeMap;
 use std::io;
 
-use crate::description::xml::{Document, Element, Known, Mended, Reader, shown};
+use crate::description::xml::{Document, Element, Known, Mended, Reader};
 use crate::description::{Include, too_large, utf8};
-use crate::diagnostic::{Diagnostic, Source, Span};
+use crate::diagnostic::{Diagnostic, Source, Span, shown};
 
 /// How deep elements may be nested in a file; MuJoCo's own limit.
 const DEEPEST: usize = 500;
@@ -30,6 +30,8 @@ pub(super) struct Included {
     paths: BTreeMap<(usize, String), usize>,
     /// The number of the first file of each attached model, by its path.
     model_paths: BTreeMap<String, usize>,
+    /// What could not be read, and why: it is not tried twice.
+    failed: BTreeMap<String, (io::ErrorKind, String)>,
 }
 
 /// An element that names a file.
@@ -56,7 +58,7 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
         Some((folder, name)) => (format!("{folder}/"), name.to_owned()),
         None => (String::new(), source.name().to_owned()),
     };
-    included.add(0, name, None);
+    included.add(0, &name, None);
     loop {
         let index = included.usable.len();
         let Some(targets) = targets_of(reader, source, &included, index) else {
@@ -78,7 +80,7 @@ pub(super) fn load(reader: &mut Reader, source: &mut Source, read: Include<'_>) 
                     }
                     let number = included.from.len();
                     included.named.insert(target.element.start, number);
-                    included.add(model, path, Some((target.element, index)));
+                    included.add(model, &path, Some((target.element, index)));
                 }
                 Found::Known(known) if target.is_model => {
                     included.named.insert(target.element.start, known);
@@ -132,16 +134,6 @@ fn label(is_model: bool) -> &'static str {
     }
 }
 
-impl Found {
-    fn at(path: &str, known: Option<usize>, read: Include<'_>) -> Self {
-        if let Some(known) = known {
-            return Self::Known(known);
-        }
-        let text = read(path).and_then(utf8);
-        text.map_or_else(Self::Missing, Self::Text)
-    }
-}
-
 impl Target {
     fn label(&self) -> &'static str {
         label(self.is_model)
@@ -160,24 +152,24 @@ impl Target {
 
 impl Included {
     /// Adds a file of a model, which is that of the model's first file.
-    fn add(&mut self, model: usize, path: String, from: Option<(Span, usize)>) {
+    fn add(&mut self, model: usize, path: &str, from: Option<(Span, usize)>) {
         let number = self.from.len();
         let folder = if from.is_some() {
-            folder_of(&path)
+            folder_of(path)
         } else {
             String::new()
         };
         if number == model && from.is_some() {
-            self.model_paths.insert(normal(&path), number);
+            self.model_paths.insert(normal(path), number);
         }
-        self.paths.insert((model, normal(&path)), number);
+        self.paths.insert((model, normal(path)), number);
         self.folders.push(folder);
         self.models.push(model);
         self.from.push(from);
     }
 
     /// What stands beside the model's first file, or else beside the file that names it.
-    fn look(&self, index: usize, target: &Target, read: Include<'_>) -> (String, Found) {
+    fn look(&mut self, index: usize, target: &Target, read: Include<'_>) -> (String, Found) {
         let model = self.models[index];
         let known = |path: &str| {
             let path = normal(path);
@@ -188,15 +180,35 @@ impl Included {
             }
         };
         let first = self.beside(model, &target.path);
-        let found = Found::at(&first, known(&first), read);
         let other = self.beside(index, &target.path);
+        let first_known = known(&first);
+        let other_known = known(&other);
+        let found = self.at(&first, first_known, read);
         if matches!(found, Found::Missing(_)) && other != first {
-            let there = Found::at(&other, known(&other), read);
+            let there = self.at(&other, other_known, read);
             if !matches!(there, Found::Missing(_)) {
                 return (other, there);
             }
         }
         (first, found)
+    }
+
+    fn at(&mut self, path: &str, known: Option<usize>, read: Include<'_>) -> Found {
+        if let Some(known) = known {
+            return Found::Known(known);
+        }
+        let again = |(kind, why): &(io::ErrorKind, String)| io::Error::new(*kind, why.clone());
+        if let Some(failed) = self.failed.get(path) {
+            return Found::Missing(again(failed));
+        }
+        match read(path).and_then(utf8) {
+            Ok(text) => Found::Text(text),
+            Err(error) => {
+                let failed = (error.kind(), error.to_string());
+                self.failed.insert(path.to_owned(), failed);
+                Found::Missing(error)
+            }
+        }
     }
 
     /// The path from the main file's folder of what stands beside a file.
@@ -285,8 +297,15 @@ fn repeated(included: &Included, known: usize, index: usize, target: &Target) ->
 /// A path in which `./` and `folder/../` make no difference.
 fn normal(path: &str) -> String {
     let mut places: Vec<&str> = Vec::new();
-    for part in path.split('/').filter(|part| *part != ".") {
-        if part == ".." && places.last().is_some_and(|last| *last != "..") {
+    let parts = path.split('/').enumerate();
+    // An empty part at the beginning is the root.
+    let parts = parts.filter(|(index, part)| *part != "." && (*index == 0 || !part.is_empty()));
+    for (_, part) in parts {
+        let last = places.last().copied();
+        if part == ".." && last == Some("") {
+            continue;
+        }
+        if part == ".." && last.is_some_and(|last| last != "..") {
             places.pop();
         } else {
             places.push(part);

@@ -187,7 +187,7 @@ pub(super) fn read(
     let mass = inertial.number(reader, "mass");
     let center = inertial.numbers(reader, "pos");
     let axes = rotation(reader, inertial, settings);
-    let inertia = moments(reader, inertial)?;
+    let inertia = moments(reader, inertial, settings)?;
     let center: [Spanned<f64>; 3] = center?;
     let moved: Vector = around.point(center.map(|entry| entry.value));
     let span = ORIENTATION.into_iter().find(|name| inertial.has(name));
@@ -200,7 +200,11 @@ pub(super) fn read(
     })
 }
 
-fn moments(reader: &mut Reader, inertial: &Attributes<'_>) -> Option<[Spanned<f64>; 6]> {
+fn moments(
+    reader: &mut Reader,
+    inertial: &Attributes<'_>,
+    settings: &Settings,
+) -> Option<[Spanned<f64>; 6]> {
     let owner = &inertial.owner;
     if inertial.has("fullinertia") {
         let mut beside = std::iter::once("diaginertia").chain(ORIENTATION);
@@ -212,6 +216,10 @@ fn moments(reader: &mut Reader, inertial: &Attributes<'_>) -> Option<[Spanned<f6
             reader.faults.push(fault);
         }
         return inertial.numbers(reader, "fullinertia");
+    }
+    if !inertial.has("diaginertia") && settings.least_inertia.is_some() {
+        // `boundinertia` raises it.
+        return Some([Spanned::new(0.0, inertial.span); 6]);
     }
     if !inertial.has("diaginertia") {
         let message = format!("{owner} has neither `diaginertia` nor `fullinertia`");

@@ -116,10 +116,22 @@ fn spring_damper(
 ) -> Option<Spanned<SpringDamper>> {
     let [time_constant, damping_ratio]: [Spanned<f64>; 2] =
         given.numbers(reader, "springdamper")?;
-    if time_constant.value <= 0.0 || damping_ratio.value <= 0.0 {
+    let span = given.place("springdamper");
+    let pair = [time_constant.value, damping_ratio.value];
+    if pair == [0.0; 2] {
         return None;
     }
-    let span = given.place("springdamper");
+    if pair.iter().any(|entry| *entry <= 0.0) {
+        let message = format!(
+            "{} is {} {}; expected two positive numbers",
+            given.what("springdamper"),
+            pair[0],
+            pair[1]
+        );
+        let fault = Diagnostic::error(message).at(span, "expected more than 0");
+        reader.faults.push(fault);
+        return None;
+    }
     if !matches!(kind, JointType::Hinge | JointType::Slide) {
         let message = format!(
             "{} makes a spring about all axes, which is not supported",

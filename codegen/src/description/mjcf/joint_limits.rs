@@ -54,7 +54,9 @@ fn limited(
     let found = given.keyword(reader, switch, &words);
     let found = found.and_then(|found| found.value);
     let range: Option<[_; 2]> = given.numbers(reader, name);
-    if found.is_none() && settings.auto_limits == Switch::Off && given.has(name) {
+    let is_zero = range.is_some_and(|range| range.iter().all(|end| end.value == 0.0));
+    let is_open = found.is_none() && settings.auto_limits == Switch::Off;
+    if is_open && given.has(name) && !is_zero {
         let message = format!(
             "{} has `{name}`, but does not say whether it is in force",
             given.owner
@@ -65,7 +67,7 @@ fn limited(
         )));
         return None;
     }
-    if found == Some(Switch::Off) {
+    if found == Some(Switch::Off) || is_open {
         return None;
     }
     let [lower, upper] = match range {

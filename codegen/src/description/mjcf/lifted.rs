@@ -5,6 +5,7 @@
 use crate::description::LeftOut;
 use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::mjcf::model::Model;
+use crate::description::mjcf::settings::Switch;
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span};
 
@@ -22,6 +23,12 @@ pub(super) struct Lifted {
 
 /// The part of gravity that remains for all bodies.
 pub(super) fn remaining(reader: &mut Reader, model: &Model<'_>, bodies: &[Lifted]) -> f64 {
+    let settings = &model.settings;
+    // MuJoCo then computes no passive forces at all; and nothing is lifted where nothing weighs.
+    let has_passive = settings.springs == Switch::On || settings.dampers == Switch::On;
+    if !has_passive || settings.gravity.iter().all(|entry| entry.value == 0.0) {
+        return 1.0;
+    }
     let lifted = || bodies.iter().filter(|body| body.share != 0.0);
     if model.reading.leaves_out(LeftOut::Gravcomp) {
         for body in lifted() {

@@ -1,16 +1,16 @@
 //! `mesh`: where its points and faces come from, and what happens to them.
 
-use std::cell::Cell;
 use std::io;
 
 use crate::description::Include;
-use crate::description::mesh::{self, Change, Effort, Fault, Filling, Format, MeshShape, Surface};
+use crate::description::mesh::{self, Change, Fault, Filling, Format, MeshShape, Surface};
 use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::budget::Budget;
 use crate::description::mjcf::settings::{Settings, Switch};
-use crate::description::xml::{Reader, shown};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::description::xml::Reader;
+use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 use crate::geometry::{IDENTITY, of_quaternion};
-use crate::limits::MESHES_BYTES;
+use crate::limits::{MESH_BYTES, MESHES_BYTES};
 
 const FILLINGS: [(&str, Filling); 4] = [
     ("convex", Filling::Convex),
@@ -22,7 +22,7 @@ const FILLINGS: [(&str, Filling); 4] = [
 const WITHOUT: &str = "give the body an `inertial`, or the geom `mass=\"0\"`";
 
 /// A mesh that is to be read, and why.
-pub(super) struct Reading<'r> {
+pub(super) struct WantedMesh<'r> {
     pub(super) mesh: &'r Attributes<'r>,
     /// The folder of the file that names it, from the main file's.
     pub(super) folder: &'r str,
@@ -32,14 +32,11 @@ pub(super) struct Reading<'r> {
     pub(super) geom: &'r Attributes<'r>,
     pub(super) settings: &'r Settings,
     pub(super) include: Include<'r>,
-    /// Bytes of the mesh files so far.
-    pub(super) bytes: &'r Cell<usize>,
-    /// The work that is left for meshes.
-    pub(super) effort: &'r Cell<Effort>,
+    pub(super) budget: &'r Budget,
 }
 
 /// What a mesh weighs; `None` where that cannot be had.
-pub(super) fn shape(reader: &mut Reader, reading: &Reading<'_>) -> Option<MeshShape> {
+pub(super) fn shape(reader: &mut Reader, reading: &WantedMesh<'_>) -> Option<MeshShape> {
     let mesh = reading.mesh;
     let filling = match mesh.keyword(reader, "inertia", &FILLINGS) {
         Some(filling) => filling.value,
@@ -50,9 +47,9 @@ pub(super) fn shape(reader: &mut Reader, reading: &Reading<'_>) -> Option<MeshSh
     let most_corners = most_corners(reader, mesh)?;
     let surface = surface(reader, reading)?;
     tell_left_out(reader, mesh, &surface);
-    let mut effort = reading.effort.get();
+    let mut effort = reading.budget.effort.get();
     let shape = mesh::shape(&surface, filling, &change, most_corners, &mut effort);
-    reading.effort.set(effort);
+    reading.budget.effort.set(effort);
     match shape {
         Ok(shape) => Some(shape),
         Err(fault) => {
@@ -135,7 +132,7 @@ fn most_corners(reader: &mut Reader, mesh: &Attributes<'_>) -> Option<usize> {
 }
 
 /// Points and faces: those of the file, or those in the model.
-fn surface(reader: &mut Reader, reading: &Reading<'_>) -> Option<Surface> {
+fn surface(reader: &mut Reader, reading: &WantedMesh<'_>) -> Option<Surface> {
     let mesh = reading.mesh;
     let made = mesh.has("builtin").then(|| mesh.place("builtin"));
     if let Some(place) = made.or(reading.plugin) {
@@ -205,7 +202,7 @@ fn leads_out(path: &str) -> bool {
     is_absolute(path)
 }
 
-fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Option<Surface> {
+fn read(reader: &mut Reader, reading: &WantedMesh<'_>, file: Spanned<&str>) -> Option<Surface> {
     let path = path(reading.settings, file.value);
     let seen = shown(&path);
     let mut refuse = |message: String, help: &str| {
@@ -222,15 +219,23 @@ fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Opti
         let message = format!("the mesh file `{seen}` is of no kind that can be read");
         return refuse(message, "write the mesh as STL, OBJ or MSH");
     };
+    if reading.budget.bytes.get() > MESHES_BYTES {
+        return None;
+    }
     let bytes = match reading.bytes_of(&path, file.value) {
         Ok(bytes) => bytes,
         Err(error) => {
+            // One that is too large was read up to the limit.
+            if error.kind() != io::ErrorKind::NotFound {
+                let all = reading.budget.bytes.get() + MESH_BYTES;
+                reading.budget.bytes.set(all);
+            }
             let message = format!("the mesh file `{seen}` cannot be read: {error}");
             return refuse(message, WITHOUT);
         }
     };
-    let total = reading.bytes.get().saturating_add(bytes.len());
-    reading.bytes.set(total);
+    let total = reading.budget.bytes.get().saturating_add(bytes.len());
+    reading.budget.bytes.set(total);
     if total > MESHES_BYTES {
         let message = format!(
             "the mesh files up to `{seen}` have {total} bytes; expected at most {MESHES_BYTES}"
@@ -246,9 +251,9 @@ fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Opti
         let warning = warning.one_of("mesh files outside of the model's folder", seen);
         reader.faults.push(warning);
     }
-    let mut effort = reading.effort.get();
+    let mut effort = reading.budget.effort.get();
     let surface = format.read(&bytes, &mut effort);
-    reading.effort.set(effort);
+    reading.budget.effort.set(effort);
     match surface {
         Ok(surface) => Some(surface),
         Err(fault) => {
@@ -259,7 +264,7 @@ fn read(reader: &mut Reader, reading: &Reading<'_>, file: Spanned<&str>) -> Opti
 }
 
 /// Points and faces that stand in the model.
-fn inline(reader: &mut Reader, reading: &Reading<'_>) -> Option<Surface> {
+fn inline(reader: &mut Reader, reading: &WantedMesh<'_>) -> Option<Surface> {
     let mesh = reading.mesh;
     if !mesh.has("vertex") {
         let message = format!(
@@ -321,7 +326,7 @@ fn triples<T: Copy + std::str::FromStr>(
     Some(triples.to_vec())
 }
 
-impl Reading<'_> {
+impl WantedMesh<'_> {
     /// The bytes of a file, which may also stand beside the included file that names it.
     fn bytes_of(&self, path: &str, file: &str) -> io::Result<Vec<u8>> {
         let found = (self.include)(path);

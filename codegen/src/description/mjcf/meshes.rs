@@ -1,27 +1,26 @@
 //! The meshes of a model, by name. A file is read where a mass first follows from it, and once.
 
-use std::cell::{Cell, OnceCell};
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::description::mesh::{Effort, MeshShape};
+use crate::description::mesh::MeshShape;
 use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::budget::Budget;
 use crate::description::mjcf::defaults::{Class, Defaults, ElementKind};
 use crate::description::mjcf::files::Files;
-use crate::description::mjcf::mesh_asset::{self, Reading, file_name};
+use crate::description::mjcf::mesh_asset::{self, WantedMesh, file_name};
 use crate::description::mjcf::settings::Settings;
 use crate::description::mjcf::unknown::unknown;
-use crate::description::xml::{Element, Reader, shown};
+use crate::description::xml::{Element, Reader};
 use crate::description::{Include, too_many};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Span, shown};
 
 /// The meshes of a model.
 pub(super) struct Meshes<'d> {
     list: BTreeMap<String, Mesh<'d>>,
     include: Include<'d>,
-    /// Bytes of the files that were read.
-    bytes: Cell<usize>,
-    effort: Cell<Effort>,
+    budget: &'d Budget,
 }
 
 struct Mesh<'d> {
@@ -49,7 +48,7 @@ impl<'d> Meshes<'d> {
         files: &'d Files<'_>,
         defaults: &Defaults<'d>,
         sections: &[Element<'d>],
-        include: Include<'d>,
+        (include, budget): (Include<'d>, &'d Budget),
     ) -> Self {
         let mut list: BTreeMap<String, Mesh<'d>> = BTreeMap::new();
         let elements = sections.iter().flat_map(|section| files.children(*section));
@@ -88,8 +87,7 @@ impl<'d> Meshes<'d> {
         Self {
             list,
             include,
-            bytes: Cell::new(0),
-            effort: Cell::new(Effort::new()),
+            budget,
         }
     }
 
@@ -120,15 +118,14 @@ impl<'d> Meshes<'d> {
                 reader.faults.push(fault);
                 return None;
             }
-            let reading = Reading {
+            let reading = WantedMesh {
                 mesh: &mesh.given,
                 folder: mesh.folder,
                 plugin: mesh.plugin,
                 geom,
                 settings,
                 include: self.include,
-                bytes: &self.bytes,
-                effort: &self.effort,
+                budget: self.budget,
             };
             mesh_asset::shape(reader, &reading)
         })

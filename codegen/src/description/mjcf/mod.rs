@@ -13,6 +13,7 @@ mod around;
 mod attach;
 mod attributes;
 mod bodies;
+mod budget;
 mod chain;
 mod contents;
 mod copies;

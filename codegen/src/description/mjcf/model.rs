@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use crate::description::mjcf::attributes::Attributes;
+use crate::description::mjcf::budget::Budget;
 use crate::description::mjcf::defaults::{self, Class, Defaults};
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
@@ -16,7 +18,11 @@ use crate::description::{Include, Reading};
 pub(super) struct Beside<'d> {
     pub(super) reading: &'d Reading,
     pub(super) include: Include<'d>,
+    pub(super) budget: &'d Budget,
 }
+
+/// Elements by name, each with the class around it.
+pub(super) type Parts<'d> = BTreeMap<&'d str, (Element<'d>, Class)>;
 
 /// What a model says, beside its bodies.
 #[derive(Debug)]
@@ -30,10 +36,10 @@ pub(super) struct Model<'d> {
     pub(super) sections: Vec<Element<'d>>,
     /// The models among its assets, by name: their numbers in [`Models`](super::models::Models).
     pub(super) assets: BTreeMap<&'d str, usize>,
-    /// What stands in its world, and its bodies by name, each with the class around it: what can be attached, so that there is
-    /// none for the main model.
+    /// What stands in its world, and its bodies and frames by name: what can be attached, so that there is none for the main model.
     pub(super) world: Rc<[Element<'d>]>,
-    pub(super) bodies: BTreeMap<&'d str, (Element<'d>, Class)>,
+    pub(super) bodies: Parts<'d>,
+    pub(super) frames: Parts<'d>,
 }
 
 impl<'d> Model<'d> {
@@ -74,7 +80,13 @@ impl<'d> Model<'d> {
             settings.attach_to(main, files.folder(root.span()));
         }
         let defaults = defaults::read(reader, files, &named("default"));
-        let meshes = Meshes::gather(reader, files, &defaults, &named("asset"), beside.include);
+        let meshes = Meshes::gather(
+            reader,
+            files,
+            &defaults,
+            &named("asset"),
+            (beside.include, beside.budget),
+        );
         let mut model = Self {
             files,
             reading: beside.reading,
@@ -85,11 +97,24 @@ impl<'d> Model<'d> {
             assets: BTreeMap::new(),
             world: Rc::from([]),
             bodies: BTreeMap::new(),
+            frames: BTreeMap::new(),
         };
         if main.is_some() {
-            model.find_bodies();
+            model.find_parts();
         }
         model
+    }
+
+    /// The class around the elements inside: the one that is named, or else that from outside.
+    pub(super) fn child_class(
+        &self,
+        reader: &mut Reader,
+        given: &Attributes<'_>,
+        around: Class,
+    ) -> Class {
+        let name = given.text("childclass");
+        let class = name.and_then(|name| self.defaults.class(reader, name));
+        class.unwrap_or(around)
     }
 
     /// The sections of this name.
@@ -97,7 +122,7 @@ impl<'d> Model<'d> {
         sections_named(&self.sections, name)
     }
 
-    fn find_bodies(&mut self) {
+    fn find_parts(&mut self) {
         let worlds = self.named("worldbody").into_iter();
         let mut open: Vec<_> = worlds.map(|world| (world, Class::MAIN)).collect();
         let inside = open
@@ -106,13 +131,13 @@ impl<'d> Model<'d> {
         self.world = inside.collect();
         while let Some((element, around)) = open.pop() {
             for child in self.files.children(element) {
-                if !matches!(child.name(), "body" | "frame") {
-                    continue;
-                }
-                if child.name() == "body"
-                    && let Some(name) = child.attribute("name")
-                {
-                    self.bodies.entry(name.value).or_insert((child, around));
+                let parts = match child.name() {
+                    "body" => &mut self.bodies,
+                    "frame" => &mut self.frames,
+                    _ => continue,
+                };
+                if let Some(name) = child.attribute("name") {
+                    parts.entry(name.value).or_insert((child, around));
                 }
                 let class = child.attribute("childclass");
                 let class = class.and_then(|name| self.defaults.known(name.value));

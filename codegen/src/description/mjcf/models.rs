@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::model::{Beside, Model};
-use crate::description::xml::{Element, Reader, shown};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::description::xml::{Element, Reader};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// The name of a model that has none, as MuJoCo calls it.
 const NAME: &str = "MuJoCo Model";

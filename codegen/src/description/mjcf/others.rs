@@ -6,8 +6,8 @@ use crate::description::mjcf::defaults::{Class, ElementKind};
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{self, advice};
 use crate::description::mjcf::model::Model;
-use crate::description::xml::{Element, Reader, shown};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::description::xml::{Element, Reader};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// Looks through the sections of a root that make no bodies.
 pub(super) fn read(reader: &mut Reader, model: &Model<'_>) {
@@ -63,7 +63,7 @@ fn coefficients<'n>(
 
 fn not_supported(given: &Attributes<'_>, name: &str, bad: Spanned<f64>) -> String {
     format!(
-        "{} has {} {}, which acts on the joints and is not supported",
+        "{} has `{}` {}, which acts on the joints and is not supported",
         given.owner, name, bad.value
     )
 }
@@ -114,7 +114,7 @@ fn tendons<'d>(
             let names = ["stiffness", "damping", "armature", "frictionloss"];
             for (name, bad) in coefficients(reader, &given, &names) {
                 if model.reading.leaves_out(LeftOut::Tendons) {
-                    let message = format!("{} of {} is left out", name, given.owner);
+                    let message = format!("`{name}` of {} is left out", given.owner);
                     let kind = ("forces of tendons that are left out", &*given.owner);
                     leaving::left_out(reader, message, bad.span, kind);
                 } else {

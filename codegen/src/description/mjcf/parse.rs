@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::description::mjcf::budget::Budget;
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::model::Beside;
@@ -24,8 +25,13 @@ pub fn parse(source: &Source, reading: &Reading, include: Include<'_>) -> Descri
         .collect();
     let files = Files::parse(&source, &texts, included);
     let root = files.root();
+    let budget = Budget::new();
     let description = root.and_then(|root| {
-        let beside = Beside { reading, include };
+        let beside = Beside {
+            reading,
+            include,
+            budget: &budget,
+        };
         read(&mut reader, &files, root, &source, beside)
     });
     Description {
@@ -46,8 +52,14 @@ fn read<'d>(
     let main = models.main();
     others::read(reader, main);
     let found = bodies::read(reader, &models);
-    let attached: BTreeSet<usize> = found.attached.iter().map(|around| around.model).collect();
-    for number in attached {
+    if let Some(span) = main.settings.merges.filter(|_| found.attaches()) {
+        let message =
+            "`conflict` of `compiler` is `merge`, which is not supported where models are attached";
+        let fault = Diagnostic::error(message).at(span, "expected `warning` or `error`");
+        reader.faults.push(fault);
+    }
+    let attached: BTreeSet<usize> = found.copies.iter().map(|around| around.model).collect();
+    for number in attached.into_iter().filter(|number| *number != 0) {
         others::read(reader, &models.list[number]);
     }
     let ties = equalities::read(reader, &models, &found);

@@ -10,7 +10,7 @@ use crate::description::mjcf::models::Models;
 use crate::description::mjcf::placement::Placement;
 use crate::description::too_many;
 use crate::description::xml::{Element, Reader};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 use crate::geometry::Vector;
 use crate::limits::BODIES;
 
@@ -39,6 +39,7 @@ pub(super) fn copies<'d>(
     let offset = given.vector(reader, "offset").unwrap_or_default();
     let angles: Vector = given.vector(reader, "euler").unwrap_or_default();
     let settings = &model.settings;
+    let class = model.child_class(reader, &given, around.class);
     let separator = given.text("sep").map_or("", |separator| separator.value);
     // As many digits as the last number needs.
     let digits = (count - 1).to_string().len();
@@ -52,6 +53,7 @@ pub(super) fn copies<'d>(
         let suffix = format!("{separator}{number:0digits$}{}", around.suffix);
         copies.push(Around {
             frame: around.frame.then(&moved),
+            class,
             suffix: Rc::from(suffix),
             ..around.clone()
         });
@@ -75,15 +77,15 @@ fn count(reader: &mut Reader, given: &Attributes<'_>) -> Option<usize> {
     let Spanned { value, span } = text;
     let fault = match value.trim().parse::<usize>() {
         Ok(count) if count > 0 && count <= BODIES => return Some(count),
-        Ok(count) if count > 0 => too_many(&format!("{} is", given.what("count")), count)?,
-        _ => Diagnostic::error(format!(
-            "{} is `{}`; expected a whole number from 1 on",
-            given.what("count"),
-            value.escape_debug()
-        )),
+        Ok(count) if count > 0 => {
+            too_many(&format!("{} is", given.what("count")), count)?.at(span, "expected fewer")
+        }
+        _ => {
+            let (what, found) = (given.what("count"), shown(value));
+            let message = format!("{what} is `{found}`; expected a whole number from 1 on");
+            Diagnostic::error(message).at(span, "expected one or more")
+        }
     };
-    reader
-        .faults
-        .push(fault.at(span, "expected fewer, or one or more"));
+    reader.faults.push(fault);
     None
 }

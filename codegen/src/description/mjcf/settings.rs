@@ -5,9 +5,9 @@ use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{advice, left_out};
-use crate::description::xml::{Element, Reader, shown};
+use crate::description::xml::{Element, Reader};
 use crate::description::{LeftOut, Reading};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 
 /// What holds for the whole model.
 #[derive(Debug)]
@@ -38,6 +38,8 @@ pub(super) struct Settings {
     pub(super) springs: Switch,
     pub(super) dampers: Switch,
     pub(super) equalities: Switch,
+    /// Where it says that options of attached models count.
+    pub(super) merges: Option<Span>,
 }
 
 impl Settings {
@@ -48,6 +50,8 @@ impl Settings {
         self.springs = main.springs;
         self.dampers = main.dampers;
         self.equalities = main.equalities;
+        self.strip_path = main.strip_path;
+        self.fit_bounds = main.fit_bounds;
         let is_absolute = self.mesh_folder.starts_with('/');
         if !folder.is_empty() && !is_absolute {
             self.mesh_folder = format!("{folder}/{}", self.mesh_folder);
@@ -102,6 +106,7 @@ pub(super) fn read<'d>(
         springs: Switch::On,
         dampers: Switch::On,
         equalities: Switch::On,
+        merges: None,
     };
     for element in compilers {
         let attributes = Attributes::of(reader, *element, "`compiler`", &known::COMPILER);
@@ -189,6 +194,9 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
                 "MuJoCo 2.3.3 and older can load such a model and save it in local coordinates",
             ),
         );
+    }
+    if let Some(conflict) = attributes.text("conflict") {
+        settings.merges = (conflict.value == "merge").then_some(conflict.span);
     }
     euler_sequence(reader, attributes, settings);
     mesh_files(reader, attributes, settings);

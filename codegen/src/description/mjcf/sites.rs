@@ -3,7 +3,7 @@
 //! A site without a name is left out, for nothing can ask for it. Its shape does not matter, but where that leads from one
 //! point to another (`fromto`): the site is then in their middle.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::contents::Inside;
@@ -13,9 +13,9 @@ use crate::description::mjcf::models::Models;
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::segment::Segment;
-use crate::description::xml::{Reader, shown};
-use crate::description::{Carrier, FrameRotation, WrittenBody, WrittenFrame};
-use crate::diagnostic::Spanned;
+use crate::description::xml::Reader;
+use crate::description::{Carrier, FrameRotation, WrittenBody, WrittenFrame, too_many};
+use crate::diagnostic::{Spanned, shown};
 
 /// The shapes of sites, and whether they can lead from one point to another. A site is a sphere where it does not say.
 const TYPES: [(&str, bool); 5] = [
@@ -41,20 +41,43 @@ pub(super) fn written<'d>(
 ) -> Vec<WrittenFrame> {
     let names = bodies.iter().filter_map(|body| body.name.as_ref());
     let taken: BTreeSet<&str> = names.map(|name| name.value.as_str()).collect();
-    let sites = sites.iter();
-    sites
-        .filter_map(|site| {
-            let frame = frame(reader, models, site, bodies)?;
-            let mut name = frame.name?;
-            while taken.contains(name.value.as_str()) {
-                name.value.push_str("_site");
-            }
-            Some(WrittenFrame {
-                name: Some(name),
-                ..frame
-            })
-        })
-        .collect()
+    // What sites are called whose names are taken.
+    let mut others: BTreeMap<String, String> = BTreeMap::new();
+    let mut written = Vec::new();
+    for site in sites {
+        let Some(frame) = frame(reader, models, site, bodies) else {
+            continue;
+        };
+        if let Some(fault) = too_many(
+            "the number of sites with names is at least",
+            written.len() + 1,
+        ) {
+            reader.faults.push(fault.at(frame.span, "one too many"));
+            break;
+        }
+        let name = frame.name.map(|name| Spanned {
+            value: free(&taken, &mut others, name.value),
+            span: name.span,
+        });
+        written.push(WrittenFrame { name, ..frame });
+    }
+    written
+}
+
+/// The name, or another one where a body has it.
+fn free(taken: &BTreeSet<&str>, others: &mut BTreeMap<String, String>, name: String) -> String {
+    if !taken.contains(name.as_str()) {
+        return name;
+    }
+    if let Some(other) = others.get(&name) {
+        return other.clone();
+    }
+    let mut other = name.clone();
+    while taken.contains(other.as_str()) {
+        other.push_str("_site");
+    }
+    others.insert(name, other.clone());
+    other
 }
 
 fn frame<'d>(

@@ -4,9 +4,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::description::xml::{Reader, shown};
+use crate::description::xml::Reader;
 use crate::description::{JointKind, Mimic, WrittenBody};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 
 /// An equality between joints.
 #[derive(Clone, Debug)]

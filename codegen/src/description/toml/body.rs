@@ -3,7 +3,7 @@
 use crate::description::toml::{joint, value};
 use crate::description::toml_reader::{Item, Reader, span};
 use crate::description::{Given, INERTIA_COMPONENTS, Scalar, WrittenBody, WrittenJoint};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Span, shown_name};
 
 const KEYS: [&str; 5] = ["name", "mass", "mass_center", "inertia", "inertia_rotation"];
 
@@ -15,7 +15,7 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Writt
         .and_then(|table| table.get("name"))
         .and_then(|name| name.get_ref().as_str());
     let owner = match name {
-        Some(name) if !name.is_empty() => format!("body `{}`", name.escape_debug()),
+        Some(name) if !name.is_empty() => format!("body `{}`", shown_name(name)),
         _ => format!("body {number}"),
     };
     let keys = [&KEYS[..], &joint::KEYS].concat();

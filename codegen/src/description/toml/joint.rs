@@ -1,12 +1,12 @@
 //! The joint of a `[[body]]` with its lower body.
 
 use crate::description::toml::value;
-use crate::description::toml_reader::{Item, Reader, Table, list, span};
+use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{
     Chart, CoordinateName, Given, JointKind, Limits, Mimic, Optional, PerCoordinate, Scalar,
     Speeds, WrittenJoint,
 };
-use crate::diagnostic::{Diagnostic, Spanned, nearest};
+use crate::diagnostic::{Diagnostic, Spanned, backquoted, nearest};
 
 /// The keys of a body that are about its joint.
 pub(super) const KEYS: [&str; 17] = [
@@ -125,8 +125,8 @@ fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> G
             Some(near) => format!("did you mean `{near}`?"),
             None => format!(
                 "a joint is one of {}, or a list of those of {} that are free to move",
-                list(&names),
-                list(&CoordinateName::NAMES)
+                backquoted(&names),
+                backquoted(&CoordinateName::NAMES)
             ),
         };
         let fault = fault.at(span(item), "unknown joint").help(help);
@@ -159,7 +159,7 @@ fn axis(
                 .at(kind.span, "this joint has none");
             reader.faults.push(fault.help(format!(
                 "the joints with an axis are {}; the axes of others are turned by `attachment_rotation`",
-                list(&with_axis)
+                backquoted(&with_axis)
             )));
             None
         }

@@ -1,8 +1,8 @@
 //! Values of our own format: numbers, vectors, rotations, coordinates, and what is given for each coordinate.
 
-use crate::description::toml_reader::{Item, Reader, Table, list, span};
+use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{CoordinateName, Given, Optional, PerCoordinate, Rotation, Scalar};
-use crate::diagnostic::{Diagnostic, Span, Spanned, nearest};
+use crate::diagnostic::{Diagnostic, Span, Spanned, backquoted, nearest};
 
 /// How far the rows of a rotation matrix may be from unit length and from right angles.
 const ORTHONORMAL: f64 = 1e-6;
@@ -178,12 +178,12 @@ pub(super) fn coordinate(
         let help = match nearest(name, &CoordinateName::NAMES) {
             Some(near) => format!("did you mean `{near}`?"),
             None if beside.is_empty() => {
-                format!("the coordinates are {}", list(&CoordinateName::NAMES))
+                format!("the coordinates are {}", backquoted(&CoordinateName::NAMES))
             }
             None => format!(
                 "the keys are {} for all coordinates, or the coordinates {}",
-                list(beside),
-                list(&CoordinateName::NAMES)
+                backquoted(beside),
+                backquoted(&CoordinateName::NAMES)
             ),
         };
         reader

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::description::Given;
-use crate::description::xml::{Element, Reader, shown};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::description::xml::{Element, Reader};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// Elements without influence on the dynamics, wherever they stand.
 pub(super) const IGNORED: [&str; 8] = [

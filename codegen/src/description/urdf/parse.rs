@@ -6,12 +6,12 @@ use crate::description::urdf::joint::{self, JointElement};
 use crate::description::urdf::link::{self, LinkElement};
 use crate::description::urdf::named::{IGNORED, Names};
 use crate::description::urdf::structure;
-use crate::description::xml::{Document, Element, Known, Mended, Reader, root_name, shown};
+use crate::description::xml::{Document, Element, Known, Mended, Reader, root_name};
 use crate::description::{
     Base, Chart, Description, Given, JointKind, Optional, Reading, Scalar, WrittenBody,
     WrittenJoint, too_many,
 };
-use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Source, Span, Spanned, shown};
 
 /// Gravity, m/s², against z.
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
@@ -20,7 +20,7 @@ const ROOT_JOINT: &str = "root_joint";
 
 /// True for a file whose root element is `robot`.
 pub fn is_urdf(source: &Source) -> bool {
-    root_name(source.text()) == Some("robot")
+    root_name(Mended::of(source.text(), 0).text()) == Some("robot")
 }
 
 /// Reads a description; what is wrong stands in [`Description::faults`].

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use crate::description::cycles::cycles;
 use crate::description::urdf::joint::JointElement;
 use crate::description::urdf::link::LinkElement;
-use crate::description::xml::{Reader, shown};
-use crate::diagnostic::{Diagnostic, Spanned, nearest};
+use crate::description::xml::Reader;
+use crate::diagnostic::{Diagnostic, Spanned, nearest, shown};
 
 /// The most links of a cycle, or roots, that a message names.
 const MOST_NAMED: usize = 8;

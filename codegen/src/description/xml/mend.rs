@@ -39,6 +39,11 @@ struct Edit {
 }
 
 impl<'t> Mended<'t> {
+    /// The text as XML has it.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Mends a text whose first byte has the place `base`.
     pub(crate) fn of(written: &'t str, base: usize) -> Self {
         let mut scan = Scan::new(written, base);

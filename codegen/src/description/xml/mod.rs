@@ -13,10 +13,8 @@ mod mend;
 mod numbers;
 mod prolog;
 mod reader;
-mod shown;
 
 pub(crate) use document::{Document, Element};
 pub(crate) use mend::Mended;
 pub(crate) use prolog::root_name;
 pub(crate) use reader::{Known, Reader};
-pub(crate) use shown::shown;

@@ -2,8 +2,7 @@
 
 use crate::description::xml::document::Element;
 use crate::description::xml::reader::Reader;
-use crate::description::xml::shown::shown;
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
 
 impl Reader {
     /// A finite number, of an attribute that may be absent.

@@ -1,9 +1,7 @@
 //! The reading of elements and attributes, and of their names.
 
-use crate::description::toml_reader::list;
 use crate::description::xml::document::Element;
-use crate::description::xml::shown::shown;
-use crate::diagnostic::{Diagnostic, Faults, Severity, Spanned, nearest};
+use crate::diagnostic::{Diagnostic, Faults, Severity, Spanned, backquoted, nearest, shown};
 
 /// The names that an element's reader knows; it says something about all others.
 #[derive(Clone, Copy, Debug)]
@@ -95,7 +93,7 @@ impl Reader {
         } else if let [only] = known {
             warning = warning.help(format!("the only {what} here is `{only}`"));
         } else if !known.is_empty() {
-            warning = warning.help(format!("the {what}s here are {}", list(known)));
+            warning = warning.help(format!("the {what}s here are {}", backquoted(known)));
         }
         self.faults.push(warning);
     }
@@ -171,7 +169,7 @@ impl Reader {
         let fault = format!(
             "{what} is `{}`; expected one of {}",
             shown(value.value),
-            list(&names)
+            backquoted(&names)
         );
         let mut fault = Diagnostic::error(fault).at(value.span, "unknown");
         if let Some(near) = nearest(value.value, &names) {

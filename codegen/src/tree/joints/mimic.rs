@@ -10,6 +10,9 @@ use crate::tree::names::{joint_name, shown};
 /// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
 const MOST_COMPARED: (usize, usize) = (20, 5000);
 
+/// The most joints of a cycle that are named behind the first.
+const MOST_TOLD: usize = 8;
+
 /// The joints with every mimicking coordinate following a free one, or held where that one is held.
 pub(crate) fn follow(
     description: &Description,
@@ -266,13 +269,22 @@ fn cycle(description: &Description, chain: &[usize]) -> Diagnostic {
     let [first, rest @ ..] = chain else {
         return Diagnostic::error("joints mimic one another");
     };
-    let others: Vec<String> = rest.iter().chain([first]).map(name).collect();
-    let fault = format!(
-        "joints mimic one another: {} mimics {}",
-        name(first),
-        others.join(", that ")
-    );
-    let places = chain.iter().filter_map(|body| {
+    let others: Vec<String> = rest.iter().take(MOST_TOLD).map(name).collect();
+    let others = match rest.len().saturating_sub(MOST_TOLD) {
+        0 => others.join(", which mimics "),
+        more => format!(
+            "{}, and so on for {more} more",
+            others.join(", which mimics ")
+        ),
+    };
+    let fault = match rest {
+        [] => format!("{} mimics itself", name(first)),
+        _ => format!(
+            "joints mimic one another: {first} mimics {others}, which mimics {first}",
+            first = name(first)
+        ),
+    };
+    let places = chain.iter().take(MOST_TOLD).filter_map(|body| {
         let mimic = description.bodies[*body].joint.mimic.as_ref()?;
         Some((mimic.value.joint.span, *body))
     });

@@ -7,6 +7,9 @@ use crate::diagnostic::{Diagnostic, Spanned, nearest};
 use crate::tree::names::lookup::listed;
 use crate::tree::names::rules::check_one;
 
+/// The most names that are looked through for the one that was meant; fewer for each further one that is unknown.
+const MOST_COMPARED: usize = 10_000;
+
 /// Names that are empty, unprintable, or given to another frame or a body too; and bodies that are not there.
 pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnostic>) {
     let bodies = description.bodies.iter();
@@ -21,6 +24,7 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
         .collect();
     // A body whose name is missing, or a list that is not there, is the fault then.
     let all_named = !names.is_empty() && bodies.count() == description.bodies.len();
+    let mut n_unknown = 0;
     for (index, frame) in description.frames.iter().enumerate() {
         check_one(
             frame.name.as_ref(),
@@ -47,7 +51,10 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
             && all_named
             && !names.contains(body.value.as_str())
         {
-            let names: Vec<&str> = written_names(description).collect();
+            n_unknown += 1;
+            let names = written_names(description);
+            // Looking through very many names very often would take too long.
+            let names: Vec<&str> = names.take(MOST_COMPARED / n_unknown).collect();
             findings.push(unknown_body(index + 1, body, &names));
         }
     }
@@ -67,7 +74,9 @@ fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagno
     let fault = Diagnostic::error(format!(
         "frame {number} is fixed in `{shown}`, which is no body"
     ));
-    let help = if let Some(near) = nearest(&body.value, names) {
+    let help = if names.is_empty() {
+        "without `body` it is fixed in the inertial frame".to_owned()
+    } else if let Some(near) = nearest(&body.value, names) {
         format!("did you mean `{}`?", near.escape_debug())
     } else {
         let names = listed(names);

@@ -1,7 +1,7 @@
 //! Names that a user gives: the joint that has one, and what to say of one that is none.
 
 use crate::description::{Description, WrittenBody};
-use crate::diagnostic::nearest;
+use crate::diagnostic::{nearest, shown_name};
 use crate::tree::names::shown::joint_name;
 
 /// The place in the user's list of the body whose joint has this name, or which has it itself.
@@ -27,7 +27,7 @@ const MOST_LISTED: usize = 40;
 /// Names for people to read, and how many more there are.
 pub(crate) fn listed(names: &[&str]) -> String {
     let first = names.iter().take(MOST_LISTED);
-    let first: Vec<String> = first.map(|name| name.escape_debug().to_string()).collect();
+    let first: Vec<String> = first.map(|name| shown_name(name)).collect();
     let first = first.join(", ");
     match names.len().saturating_sub(MOST_LISTED) {
         0 => first,

@@ -32,10 +32,10 @@ pub(in crate::description::mjcf) const FRAME: Known<'static> = Known::attributes
 );
 
 pub(in crate::description::mjcf) const REPLICATE: Known<'static> =
-    Known::attributes(&["count", "euler", "offset", "sep"], &[]);
+    Known::attributes(&["count", "euler", "offset", "sep", "childclass"], &[]);
 
 pub(in crate::description::mjcf) const ATTACH: Known<'static> =
-    Known::attributes(&["model", "body", "prefix"], &[]);
+    Known::attributes(&["model", "body", "frame", "prefix"], &[]);
 
 pub(in crate::description::mjcf) const INERTIAL: Known<'static> = Known::attributes(
     &[

@@ -44,16 +44,24 @@ pub(in crate::description::mjcf) const ACTUATORS: [&str; 13] = [
 ];
 
 /// Elements of `equality`.
-pub(in crate::description::mjcf) const EQUALITIES: [&str; 6] =
-    ["connect", "weld", "joint", "tendon", "flex", "flexstrain"];
+pub(in crate::description::mjcf) const EQUALITIES: [&str; 7] = [
+    "connect",
+    "weld",
+    "joint",
+    "tendon",
+    "flex",
+    "flexvert",
+    "flexstrain",
+];
 
 /// Elements that stand in a body.
-pub(in crate::description::mjcf) const IN_BODY: [&str; 9] = [
+pub(in crate::description::mjcf) const IN_BODY: [&str; 10] = [
     "body",
     "inertial",
     "joint",
     "freejoint",
     "geom",
+    "site",
     "frame",
     "replicate",
     "attach",

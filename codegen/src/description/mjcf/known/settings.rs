@@ -19,9 +19,9 @@ pub(in crate::description::mjcf) const COMPILER: Known<'static> = Known::attribu
         "meshdir",
         "strippath",
         "fitaabb",
+        "conflict",
     ],
     &[
-        "conflict",
         "convexhull",
         "discardvisual",
         "exactmeshinertia",
