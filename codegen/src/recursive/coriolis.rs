@@ -59,9 +59,16 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
+            arrived.hint(graph, "composite_on_lower");
+            changing.hint(graph, "composite_on_lower");
+            for column in &others {
+                column.hint(graph, tree, lower);
+            }
             graph.enter(lower);
             moments[lower] = moments[lower].plus(graph, &arrived);
             rates[lower] = rates[lower].plus(graph, &changing);
+            moments[lower].hint(graph, "composite");
+            rates[lower].hint(graph, "composite");
             columns[lower].extend(others);
         }
     }
@@ -128,6 +135,8 @@ pub(super) struct Column {
     /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
     pub(super) body: BodyId,
     pub(super) motion: Motion,
+    /// Of the motion among the six of the joint.
+    place: usize,
     /// Angular and linear: what the change of J needs.
     pub(super) needed: [Vector; 2],
     /// Angular and linear momentum.
@@ -171,6 +180,7 @@ impl Column {
         Self {
             body,
             motion,
+            place: axis,
             needed: [
                 graph.sub_vectors(seen, turned),
                 graph.add_vectors(moving, turning),
@@ -202,6 +212,7 @@ impl Column {
         Self {
             body,
             motion,
+            place: 3 + axis,
             needed: [graph.cross(moments.first, axis_rate), force],
             momentum: [
                 graph.cross(moments.first, unit),
@@ -219,6 +230,26 @@ impl Column {
         } else {
             self.arrived.unwrap_or(self.needed[1])[place - 3]
         }
+    }
+
+    /// The name of its motion.
+    pub(super) fn name(&self, tree: &Tree) -> &'static str {
+        tree.body(self.body).joint.motion_names()[self.place]
+    }
+
+    /// Names by hints what has come to a link: moment and force that are needed `n`, `f`, angular and linear momentum `l`, `p`, and
+    /// the couple `c`.
+    pub(super) fn hint(&self, graph: &mut ExprGraph, tree: &Tree, at: BodyId) {
+        let (name, at) = (self.name(tree), &tree.body(at).identifier);
+        graph.enter(self.body);
+        graph.hint(|graph| {
+            let [moment, force] = self.needed;
+            let [angular, linear] = self.momentum;
+            let vectors = [moment, force, angular, linear, self.couple];
+            for (vector, letter) in vectors.into_iter().zip(["n", "f", "l", "p", "c"]) {
+                graph.name_vector(vector, &format!("{name}_{letter}_{at}"));
+            }
+        });
     }
 
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {

@@ -47,9 +47,16 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
+            arrived.hint(graph, "composite_on_lower");
+            changing.hint(graph, "composite_on_lower");
+            for column in &others {
+                column.hint(graph, tree, lower);
+            }
             graph.enter(lower);
             moments[lower] = moments[lower].plus(graph, &arrived);
             rates[lower] = rates[lower].plus(graph, &changing);
+            moments[lower].hint(graph, "composite");
+            rates[lower].hint(graph, "composite");
             columns[lower].extend(others);
         }
     }
@@ -63,11 +70,26 @@ struct Column {
     /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
     body: BodyId,
     motion: Motion,
+    /// Of the motion among the six of the joint.
+    place: usize,
     momentum: [Vector; 2],
     rate: [Vector; 2],
 }
 
 impl Column {
+    /// Names by hints what has come to a link: angular and linear momentum `l`, `p`, and their rates.
+    fn hint(&self, graph: &mut ExprGraph, tree: &Tree, at: BodyId) {
+        let name = tree.body(self.body).joint.motion_names()[self.place];
+        let at = &tree.body(at).identifier;
+        graph.enter(self.body);
+        graph.hint(|graph| {
+            for ([angular, linear], dot) in [(self.momentum, ""), (self.rate, "_dot")] {
+                graph.name_vector(angular, &format!("{name}_l{dot}_{at}"));
+                graph.name_vector(linear, &format!("{name}_p{dot}_{at}"));
+            }
+        });
+    }
+
     /// Before a rotation, seen from the axes before it.
     fn undriven(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         graph.enter(self.body);
@@ -145,6 +167,7 @@ impl Carried<'_> {
         self.columns.push(Column {
             body: self.body,
             motion,
+            place,
             momentum,
             rate,
         });

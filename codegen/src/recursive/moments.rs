@@ -5,7 +5,7 @@
 //! `tr(S) 1 - S`. Whatever moves is seen from the link that has been reached: `f = sum m r_dot`, `N = sum m r_dot r^T`. The
 //! link's own masses add nothing to these, and a joint adds what its rate alone does.
 
-use super::{link::Link, passage::Drive, rotation::Turn};
+use super::{inertia, link::Link, passage::Drive, rotation::Turn};
 use crate::expr::{Axis, Expr, ExprGraph, Matrix, Symmetric, Vector};
 
 /// Mass, first and second moment about a point.
@@ -86,6 +86,14 @@ impl Moments {
         }
     }
 
+    /// Names the first moment `text_h`, the second `text_s`, by hints.
+    pub(super) fn hint(&self, graph: &mut ExprGraph, text: &str) {
+        graph.hint(|graph| {
+            graph.name_vector(self.first, &format!("{text}_h"));
+            inertia::name(graph, &self.second, &format!("{text}_s"));
+        });
+    }
+
     /// Both together, about the same point.
     pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {
@@ -126,6 +134,16 @@ pub(super) trait Changing: Sized {
             let turned = self.turned_back(graph, rotation);
             turned.driven(graph, moments, w)
         }
+    }
+}
+
+impl Rates {
+    /// Names the linear momentum `text_p`, the rate of the second moment `text_n`, by hints.
+    pub(super) fn hint(&self, graph: &mut ExprGraph, text: &str) {
+        graph.hint(|graph| {
+            graph.name_vector(self.first, &format!("{text}_p"));
+            graph.name_matrix(&self.second, &format!("{text}_n"));
+        });
     }
 }
 

@@ -2,6 +2,7 @@
 //! [`Rates`](super::moments::Rates), of which fewer numbers pass.
 
 use super::{
+    inertia,
     moments::{self, Changing, Moments},
     rotation::Turn,
 };
@@ -14,6 +15,16 @@ pub(super) struct Spreading {
     pub(super) first: Vector,
     /// `S_dot`, kg m²/s.
     pub(super) second: Symmetric,
+}
+
+impl Spreading {
+    /// Names `h_dot` and `S_dot` `text_h_dot` and `text_s_dot`, by hints.
+    pub(super) fn hint(&self, graph: &mut ExprGraph, text: &str) {
+        graph.hint(|graph| {
+            graph.name_vector(self.first, &format!("{text}_h_dot"));
+            inertia::name(graph, &self.second, &format!("{text}_s_dot"));
+        });
+    }
 }
 
 impl Changing for Spreading {

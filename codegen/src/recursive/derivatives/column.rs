@@ -5,7 +5,11 @@ use super::super::{
     rotation::Turn,
     shortcut::{Sent, Shortcut},
 };
-use crate::expr::{Expr, ExprGraph, Vector};
+use crate::{
+    expr::{Expr, ExprGraph, Vector},
+    id::BodyId,
+    tree::Tree,
+};
 
 /// What the masses that a motion moves need and have, about the origin and along the axes that have been reached.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +38,17 @@ impl Column {
         self.carrying.shift(graph, offset);
         let lever = graph.cross(offset, self.displaced[1]);
         self.displaced[0] = graph.add_vectors(self.displaced[0], lever);
+    }
+
+    /// Names by hints what has come to a link, of a change of the coordinate `n_by_q`, `f_by_q`.
+    pub(super) fn hint(&self, graph: &mut ExprGraph, tree: &Tree, at: BodyId) {
+        self.carrying.hint(graph, tree, at);
+        let (name, at) = (self.carrying.name(tree), &tree.body(at).identifier);
+        graph.hint(|graph| {
+            let [moment, force] = self.displaced;
+            graph.name_vector(moment, &format!("{name}_n_by_q_{at}"));
+            graph.name_vector(force, &format!("{name}_f_by_q_{at}"));
+        });
     }
 
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {

@@ -94,9 +94,16 @@ pub fn of_inverse_dynamics(
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
+            arrived.hint(graph, "composite_on_lower");
+            changing.hint(graph, "composite_on_lower");
+            for column in &others {
+                column.hint(graph, tree, lower);
+            }
             graph.enter(lower);
             moments[lower] = moments[lower].plus(graph, &arrived);
             rates[lower] = rates[lower].plus(graph, &changing);
+            moments[lower].hint(graph, "composite");
+            rates[lower].hint(graph, "composite");
             wrenches[lower] = wrenches[lower].plus(graph, &wrench);
             columns[lower].extend(others);
         }
