@@ -338,7 +338,6 @@ files! { FILES, description_is_refused:
     name_that_turns_the_writing
     name_with_line_end
     negative_armature
-    negative_damping
     negative_friction
     negative_lower_body
     negative_mass

@@ -28,6 +28,12 @@ fn moments_of_a_plate_in_six_digits_are_accepted() {
 }
 
 #[test]
+fn damper_that_pushes_is_a_warning() {
+    let text = system("[0]", &[("a", "[\"theta1\"]")]) + "damping = -0.1\n";
+    insta::assert_snapshot!(build(&text).unwrap().warnings);
+}
+
+#[test]
 fn rounded_right_angle_between_free_angles_is_a_warning() {
     let text =
         system("[0]", &[("a", "[\"theta1\", \"theta3\"]")]) + "locked = { theta2 = -1.5708 }\n";

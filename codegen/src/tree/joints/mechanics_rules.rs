@@ -28,7 +28,7 @@ pub(super) fn mechanics(
     check.coordinates("armature", &written.armature);
     check.coordinates("friction", &written.friction);
     check.coordinates("limits", &written.limits);
-    check.not_negative("damping", &written.damping, |value| value.nominal());
+    check.dampers(&written.damping);
     check.not_negative("armature", &written.armature, |value| value.nominal());
     check.not_negative("friction", &written.friction, |value| *value);
     check.springs(&written.stiffness);
@@ -96,6 +96,22 @@ impl Check<'_> {
                     self.name
                 );
                 self.fault(message, value.span, "negative");
+            }
+        }
+    }
+
+    /// Warns of dampers that push: nothing else becomes wrong by them.
+    fn dampers(&mut self, damping: &PerCoordinate<Scalar>) {
+        for value in values(damping) {
+            let found = value.value.nominal();
+            if found < 0.0 {
+                let name = self.name;
+                let message = format!(
+                    "`damping` of {name} is {found:?}: it adds energy; it is computed as given"
+                );
+                let warning = Diagnostic::warning(message).at(value.span, "negative");
+                let warning = warning.one_of("joints whose damping adds energy", name);
+                self.findings.push(warning);
             }
         }
     }
