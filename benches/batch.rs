@@ -42,7 +42,9 @@ fn grouped<L: Lanes, const N: usize>(batch: Batch<L>, states: usize, start: f64)
 }
 
 fn scalar(criterion: &mut Criterion) {
-    STATES.map(|states| scalar_of(criterion, states));
+    for states in STATES {
+        scalar_of(criterion, states);
+    }
 }
 
 fn scalar_of(criterion: &mut Criterion, states: usize) {
@@ -80,7 +82,9 @@ fn scalar_of(criterion: &mut Criterion, states: usize) {
 }
 
 fn lanes<L: Lanes>(criterion: &mut Criterion, name: &str) {
-    STATES.map(|states| lanes_of::<L>(criterion, name, states));
+    for states in STATES {
+        lanes_of::<L>(criterion, name, states);
+    }
 }
 
 fn lanes_of<L: Lanes>(criterion: &mut Criterion, name: &str, states: usize) {
