@@ -86,6 +86,12 @@ def jacobians(model, data):
     return linear, angular
 
 
+def lifted(model, data):
+    """The potential energy of the forces of `gravcomp`, which MuJoCo leaves out."""
+    masses = model.body_gravcomp * model.body_mass
+    return masses @ (data.xipos @ model.opt.gravity)
+
+
 def qpos(model, random):
     values = random.uniform(-1.5, 1.5, model.nq)
     for joint in range(model.njnt):
@@ -117,7 +123,7 @@ def state(model, random):
         "xpos": data.xpos[1:].copy(),
         "xquat": data.xquat[1:].copy(),
         "xipos": centers(model, data.xipos, data.xpos)[1:],
-        "potential_energy": data.energy[0],
+        "potential_energy": data.energy[0] + lifted(model, data),
         "kinetic_energy": data.energy[1],
     }
     if sites(model):

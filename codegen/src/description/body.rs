@@ -20,6 +20,8 @@ pub struct WrittenBody {
     pub inertia: [Given<Scalar>; 6],
     /// From the body's axes to those in which the inertia is given; absent: the same.
     pub inertia_rotation: Optional<Rotation>,
+    /// The share of the weight that a force at the mass centre lifts; absent: zero.
+    pub gravity_compensation: Optional<Scalar>,
     /// The joint with its lower body.
     pub joint: WrittenJoint,
 }

@@ -148,13 +148,23 @@ pub(super) fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix
     a
 }
 
+/// With what is needed beside the motion of bodies: for springs, dampers and rotors, less what lifts bodies, which is found by the
+/// notes' equations where there is no plan.
 pub(super) fn with_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
+    plan: Option<&Plan>,
     accelerations: Accelerations<'_>,
     mut tau: Vec<Expr>,
 ) -> Vec<Expr> {
     mechanics::add_forces(graph, tree, accelerations, &mut tau);
+    if tree.lifts_some() {
+        let lifting = match plan {
+            None => dynamics::lifting_forces(graph, tree),
+            Some(plan) => gravity::lifting_forces(graph, tree, plan),
+        };
+        solve::subtract(graph, tree, &mut tau, &lifting);
+    }
     tau
 }
 
@@ -207,28 +217,28 @@ pub(super) fn generalized_forces_recursive(
 
 pub(super) fn forcing(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let f = dynamics::forcing(graph, tree);
-    less_forces(graph, tree, f)
+    less_forces(graph, tree, None, f)
 }
 
 pub(super) fn forcing_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let f = inverse_dynamics::forcing(graph, tree, plan);
-    less_forces(graph, tree, f)
+    less_forces(graph, tree, Some(plan), f)
 }
 
-fn less_forces(graph: &mut ExprGraph, tree: &Tree, f: Vec<Expr>) -> Vec<Expr> {
+fn less_forces(graph: &mut ExprGraph, tree: &Tree, plan: Option<&Plan>, f: Vec<Expr>) -> Vec<Expr> {
     let minus = f.into_iter().map(|entry| -entry).collect();
-    let sum = with_forces(graph, tree, Accelerations::Zero, minus);
+    let sum = with_forces(graph, tree, plan, Accelerations::Zero, minus);
     sum.into_iter().map(|entry| -entry).collect()
 }
 
 pub(super) fn bias(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let tau = dynamics::inverse_dynamics(graph, tree, Accelerations::Zero);
-    with_forces(graph, tree, Accelerations::Zero, tau)
+    with_forces(graph, tree, None, Accelerations::Zero, tau)
 }
 
 pub(super) fn bias_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let tau = inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero);
-    with_forces(graph, tree, Accelerations::Zero, tau)
+    with_forces(graph, tree, Some(plan), Accelerations::Zero, tau)
 }
 
 pub(super) fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -245,7 +255,7 @@ pub(super) fn gravity_forces_recursive(
 
 pub(super) fn inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let tau = dynamics::inverse_dynamics(graph, tree, Accelerations::Given);
-    with_forces(graph, tree, Accelerations::Given, tau)
+    with_forces(graph, tree, None, Accelerations::Given, tau)
 }
 
 pub(super) fn inverse_dynamics_recursive(
@@ -254,7 +264,7 @@ pub(super) fn inverse_dynamics_recursive(
     plan: &Plan,
 ) -> Vec<Expr> {
     let tau = inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Given);
-    with_forces(graph, tree, Accelerations::Given, tau)
+    with_forces(graph, tree, Some(plan), Accelerations::Given, tau)
 }
 
 pub(super) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -286,7 +296,7 @@ pub(super) fn accelerated_recursive(
 ) -> Vec<Expr> {
     let mut net = applied(graph, tree);
     let zero = vec![graph.zero(); net.len()];
-    let taken = with_forces(graph, tree, Accelerations::Zero, zero);
+    let taken = with_forces(graph, tree, Some(plan), Accelerations::Zero, zero);
     solve::subtract(graph, tree, &mut net, &taken);
     recursive::forward_dynamics::forward_dynamics(graph, tree, plan, net, loads)
 }

@@ -52,7 +52,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
         Loads::Absent => inverse_dynamics::inverse_dynamics(graph, tree, plan, zero),
         Loads::Given => inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, zero),
     };
-    let bias = derive::with_forces(graph, tree, zero, bias);
+    let bias = derive::with_forces(graph, tree, Some(plan), zero, bias);
     let mut net = derive::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &bias);
     let u_dot = factors.solve(graph, net);
@@ -60,7 +60,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     let given = Accelerations::Values(&u_dot);
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, given, loads);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
-    add_mechanics(graph, tree, zero, &mut all);
+    add_mechanics(graph, tree, plan, zero, &mut all);
     let turned = turned_roots(graph, tree, &u_dot, &inverse);
     for column in turned.iter().map(|(speed, _)| speed.index()) {
         // They are known without a solution.
@@ -83,7 +83,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
 }
 
 /// How accelerations change as a root that floats is turned, speed by speed: with it turns all that it carries, but neither
-/// gravity nor the forces that act along its translations.
+/// gravity nor the forces that act along its translations. None is where bodies are lifted, whose forces do not turn with it.
 ///
 /// For a turn about `e` it is `M^-1` times the forces `F × e` there, and `e × (s_ddot - g)` of the translations themselves.
 fn turned_roots(
@@ -92,12 +92,15 @@ fn turned_roots(
     u_dot: &[Expr],
     inverse: &SpeedMatrix,
 ) -> Vec<(SpeedId, Vec<Expr>)> {
+    if tree.lifts_some() {
+        return Vec::new();
+    }
     let zero = Accelerations::Zero;
     let none = vec![graph.zero(); tree.n_speeds];
-    let taken = derive::with_forces(graph, tree, zero, none);
+    let taken = derive::with_forces(graph, tree, None, zero, none);
     let mut net = derive::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &taken);
-    let gravity = given::gravity(graph, tree);
+    let gravity = given::acting_gravity(graph, tree);
     let mut turned = Vec::new();
     for body in tree.body_ids().filter(|body| floats(tree, *body)) {
         graph.enter(body);
@@ -158,19 +161,20 @@ fn of_forces(
     if accelerations == Accelerations::Given {
         all.push((Argument::UDot, found.by_u_dot));
     }
-    add_mechanics(graph, tree, accelerations, &mut all);
+    add_mechanics(graph, tree, plan, accelerations, &mut all);
     all
 }
 
-/// Adds how springs, dampers and rotors change.
+/// Adds how springs, dampers, rotors and what lifts bodies change.
 fn add_mechanics(
     graph: &mut ExprGraph,
     tree: &Tree,
+    plan: &Plan,
     accelerations: Accelerations<'_>,
     all: &mut Jacobians,
 ) {
     let none = vec![graph.zero(); tree.n_speeds];
-    let acting = derive::with_forces(graph, tree, accelerations, none);
+    let acting = derive::with_forces(graph, tree, Some(plan), accelerations, none);
     let mut seeds = Seeds::new();
     for (place, (argument, _)) in all.iter().enumerate() {
         let first = place * tree.n_speeds;

@@ -13,7 +13,7 @@ use crate::{
 pub(super) fn hybrid_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let given = Accelerations::GivenOf(&tree.prescribed);
     let needed = dynamics::inverse_dynamics(graph, tree, given);
-    let needed = with_forces(graph, tree, given, needed);
+    let needed = with_forces(graph, tree, None, given, needed);
     let a = matrix(graph, tree);
     let tau = applied(graph, tree);
     let found = solve::partitioned(graph, tree, a, &tree.prescribed, tau, &needed);
@@ -28,7 +28,7 @@ pub(super) fn hybrid_dynamics_recursive(
     let given = Accelerations::GivenOf(&tree.prescribed);
     let mut net = applied(graph, tree);
     let zero = vec![graph.zero(); net.len()];
-    let taken = with_forces(graph, tree, given, zero);
+    let taken = with_forces(graph, tree, Some(plan), given, zero);
     solve::subtract(graph, tree, &mut net, &taken);
     let solved = recursive::hybrid_dynamics::hybrid_dynamics;
     let mut found = solved(graph, tree, plan, net, &tree.prescribed, Loads::Absent);

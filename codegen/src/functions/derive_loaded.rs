@@ -15,7 +15,7 @@ use crate::{
 
 pub(super) fn loaded_inverse_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let tau = dynamics::loaded_inverse_dynamics(graph, tree, Accelerations::Given);
-    with_forces(graph, tree, Accelerations::Given, tau)
+    with_forces(graph, tree, None, Accelerations::Given, tau)
 }
 
 pub(super) fn loaded_inverse_dynamics_recursive(
@@ -25,12 +25,12 @@ pub(super) fn loaded_inverse_dynamics_recursive(
 ) -> Vec<Expr> {
     let given = Accelerations::Given;
     let tau = inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, given);
-    with_forces(graph, tree, Accelerations::Given, tau)
+    with_forces(graph, tree, Some(plan), Accelerations::Given, tau)
 }
 
 pub(super) fn loaded_forward_dynamics(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let needed = dynamics::loaded_inverse_dynamics(graph, tree, Accelerations::Zero);
-    let needed = with_forces(graph, tree, Accelerations::Zero, needed);
+    let needed = with_forces(graph, tree, None, Accelerations::Zero, needed);
     accelerated(graph, tree, &needed)
 }
 

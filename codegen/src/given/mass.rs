@@ -68,6 +68,34 @@ pub fn mass_center(graph: &mut ExprGraph, body: &Body) -> Vector {
     graph.scale(inverse, moment)
 }
 
+/// What is lifted of the weights of a body and of all that is fixed to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Lifted {
+    /// The sum of the shares of the masses, kg.
+    pub mass: Expr,
+    /// The sum of their first moments about the internal origin, internal axes, kg m.
+    pub moment: Vector,
+}
+
+/// What is lifted of a body; `None` where nothing is.
+pub fn lifted(graph: &mut ExprGraph, body: &Body) -> Option<Lifted> {
+    let mut parts = body.parts.iter().filter(|part| part.is_lifted()).peekable();
+    parts.peek()?;
+    let mut sum = Lifted {
+        mass: graph.zero(),
+        moment: graph.zero_vector(),
+    };
+    for part in parts {
+        let (share, mass) = (value(graph, part.lifted), value(graph, part.mass));
+        let mass = graph.mul(share, mass);
+        let center = fixed(graph, &part.mass_center);
+        let moment = graph.scale(mass, center);
+        sum.mass = graph.add(sum.mass, mass);
+        sum.moment = graph.add_vectors(sum.moment, moment);
+    }
+    Some(sum)
+}
+
 /// `I_GK`: the inertia of a body with all that is fixed to it about its mass centre, internal axes.
 pub fn inertia(graph: &mut ExprGraph, body: &Body) -> Symmetric {
     if let [part] = &body.parts[..] {

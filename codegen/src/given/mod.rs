@@ -18,5 +18,7 @@ pub use joint::{
     speed,
 };
 pub use loads::{Loads, force, moment, relative_angular_velocity};
-pub use mass::{inertia, inverse_total_mass, mass, mass_center, over_total_mass, part_inertia};
-pub use numbers::{constant, constant_back, fixed, gravity, value, vector};
+pub use mass::{
+    Lifted, inertia, inverse_total_mass, lifted, mass, mass_center, over_total_mass, part_inertia,
+};
+pub use numbers::{acting_gravity, constant, constant_back, fixed, gravity, value, vector};

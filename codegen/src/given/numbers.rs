@@ -25,6 +25,13 @@ pub fn gravity(graph: &mut ExprGraph, tree: &Tree) -> Vector {
     vector(graph, tree.gravity)
 }
 
+/// Gravity as weights feel it, less what is lifted of all alike: inertial components.
+pub fn acting_gravity(graph: &mut ExprGraph, tree: &Tree) -> Vector {
+    let gravity = gravity(graph, tree);
+    let share = graph.number(tree.weight);
+    graph.scale(share, gravity)
+}
+
 /// A vector fixed in a body, along the axes of the whole.
 pub fn fixed(graph: &mut ExprGraph, offset: &Offset) -> Vector {
     let mut sum = graph.zero_vector();

@@ -3,7 +3,7 @@
 use super::{orientation, velocity};
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Purpose, Symmetric, Vector, negated},
-    given::{self, Accelerations},
+    given::{self, Accelerations, Lifted},
     id::{BodyId, BodyMap, SpeedId},
     partition::Row,
     solve::SpeedMatrix,
@@ -17,6 +17,23 @@ pub struct Wrench {
     pub force: Vector,
     /// The moment about the mass centre, N m.
     pub moment: Vector,
+}
+
+impl Wrench {
+    fn zero(graph: &mut ExprGraph) -> Self {
+        Self {
+            force: graph.zero_vector(),
+            moment: graph.zero_vector(),
+        }
+    }
+
+    /// This one less another.
+    pub(super) fn minus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            force: graph.sub_vectors(self.force, other.force),
+            moment: graph.sub_vectors(self.moment, other.moment),
+        }
+    }
 }
 
 /// `A = sum_K m_K V_G_K^T V_G_K + W_K^T I_K W_K`, Eq. (42).
@@ -147,20 +164,48 @@ pub fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     generalized(graph, tree, &loads)
 }
 
-/// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`.
+/// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`, less what lifts.
 pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let relative = orientation::relative(graph, tree);
     let gravity = gravity_in_bodies(graph, tree, &relative);
+    let lifts = lifts(graph, tree);
     let supports = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let mass = given::mass(graph, tree.body(body));
         let weight = graph.scale(mass, gravity[body]);
-        Wrench {
+        let support = Wrench {
             force: negated(weight),
             moment: graph.zero_vector(),
-        }
+        };
+        support.minus(graph, &lifts[body])
     });
     generalized(graph, tree, &supports)
+}
+
+/// `sum_K V_G_K^T F_K + W_K^T M_K` of what lifts bodies.
+pub fn lifting_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let lifts = lifts(graph, tree);
+    generalized(graph, tree, &lifts)
+}
+
+/// What lifts each body: `-c m g` at the mass centre of each of its parts, `c` the share of the part's weight.
+pub(super) fn lifts(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
+    let relative = orientation::relative(graph, tree);
+    let gravity = gravity_in_bodies(graph, tree, &relative);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        graph.enter(body);
+        let Some(Lifted { mass, moment }) = given::lifted(graph, tree.body(body)) else {
+            return Wrench::zero(graph);
+        };
+        let center = given::mass_center(graph, tree.body(body));
+        let at_center = graph.scale(mass, center);
+        let around = graph.sub_vectors(moment, at_center);
+        let weight = graph.scale(mass, gravity[body]);
+        Wrench {
+            force: negated(weight),
+            moment: graph.cross(gravity[body], around),
+        }
+    })
 }
 
 /// The loads as wrenches.
@@ -222,7 +267,7 @@ pub(super) fn gravity_in_bodies(
     relative: &BodyMap<Matrix>,
 ) -> BodyMap<Vector> {
     graph.begin(Purpose::Weight);
-    let inertial = given::gravity(graph, tree);
+    let inertial = given::acting_gravity(graph, tree);
     BodyMap::outward(tree.bodies.len(), |body, gravity: &BodyMap<Vector>| {
         graph.enter(body);
         let below = tree.lower(body).map_or(inertial, |lower| gravity[lower]);

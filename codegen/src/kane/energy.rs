@@ -49,7 +49,7 @@ fn twice_kinetic(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
     })
 }
 
-/// `-sum_K m_K g · p_G_K`, zero at the inertial origin, and that of the springs, zero at rest, J.
+/// `-sum_K m_K g · p_G_K` less what is lifted of it, zero at the inertial origin, and that of the springs, zero at rest, J.
 pub fn potential(graph: &mut ExprGraph, tree: &Tree) -> Expr {
     let potentials = of_weight(graph, tree);
     let of_weights = gather(graph, tree, potentials);
@@ -68,7 +68,7 @@ pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
     })
 }
 
-/// `-m_K g · p_G_K`.
+/// `-m_K g · p_G_K`, less what is lifted of it.
 fn of_weight(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
     graph.begin(Purpose::Energy);
     let relative = orientation::relative(graph, tree);
@@ -79,7 +79,15 @@ fn of_weight(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Expr> {
         graph.enter(body);
         let mass = given::mass(graph, tree.body(body));
         let along = graph.dot(gravity[body], centers[body]);
-        -graph.mul(mass, along)
+        let depth = graph.mul(mass, along);
+        let Some(lifted) = given::lifted(graph, tree.body(body)) else {
+            return -depth;
+        };
+        let along = graph.dot(gravity[body], origins[body]);
+        let of_origin = graph.mul(lifted.mass, along);
+        let beyond = graph.dot(gravity[body], lifted.moment);
+        let lifted = graph.add(of_origin, beyond);
+        graph.sub(lifted, depth)
     })
 }
 

@@ -15,6 +15,7 @@ use crate::{
 /// where the joint sits: internal axes.
 pub fn joint_wrenches(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
     let needed = dynamics::needed(graph, tree, Accelerations::Given);
+    let lifts = dynamics::lifts(graph, tree);
     let relative = orientation::relative(graph, tree);
     let rotations = orientation::absolute(graph, tree, &relative);
     let origins = position::origin(graph, tree, &relative);
@@ -22,7 +23,7 @@ pub fn joint_wrenches(graph: &mut ExprGraph, tree: &Tree) -> BodyMap<Wrench> {
     // About the inertial origin, inertial components.
     let mut sums = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let Wrench { force, moment } = needed[body];
+        let Wrench { force, moment } = needed[body].minus(graph, &lifts[body]);
         let lever = graph.cross(centers[body], force);
         let moment = graph.add_vectors(moment, lever);
         let back = transpose(&rotations[body]);

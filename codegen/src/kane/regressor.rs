@@ -27,6 +27,7 @@ pub const COMPONENTS: [[usize; 2]; 6] = [[0, 0], [0, 1], [1, 1], [0, 2], [1, 2],
 /// For each speed, body and parameter what `tau` has of it: Eq. (36) of the inertia forces of a body that has this parameter
 /// of one, and no other.
 pub fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let tree = &*tree.with_whole_weights();
     let motion = velocity::accelerations(graph, tree, Accelerations::Given);
     let relative = &motion.rotational.relative;
     let gravity = dynamics::gravity_in_bodies(graph, tree, relative);

@@ -2,6 +2,7 @@
 //! link here, for then the sum alone would be right.
 
 use super::{
+    gravity::Weight,
     link::{self, Link},
     link_velocity,
     passage::{Drive, Passenger},
@@ -43,11 +44,11 @@ pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyM
     })
 }
 
-/// `-m_K g · p_G_K`, zero at the inertial origin, and that of the springs of its joint, J, of each body.
+/// `-m_K g · p_G_K` less what is lifted of it, zero at the inertial origin, and that of the springs of its joint, J, of each body.
 pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
     let links = link::links(graph, tree, &whole(plan));
     graph.begin(Purpose::Energy);
-    let gravity = given::gravity(graph, tree);
+    let gravity = given::acting_gravity(graph, tree);
     let depths = BodyMap::outward(tree.bodies.len(), |body, depths: &BodyMap<Depth>| {
         graph.enter(body);
         let depth = match tree.lower(body) {
@@ -61,9 +62,9 @@ pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Bod
     BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let Depth { of_origin, gravity } = depths[body];
-        let inertia = &links[body].inertia;
-        let at_origin = graph.mul(inertia.mass, of_origin);
-        let from_there = graph.dot(gravity, inertia.moment);
+        let weight = Weight::left(graph, tree, &links[body], body);
+        let at_origin = graph.mul(weight.mass, of_origin);
+        let from_there = graph.dot(gravity, weight.moment);
         let of_weight = -graph.add(at_origin, from_there);
         let twice = mechanics::twice_potential_of(graph, tree, body);
         let half = graph.number(0.5);

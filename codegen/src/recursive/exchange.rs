@@ -36,7 +36,7 @@ pub(super) fn accelerations(graph: &mut ExprGraph, linkage: &Linkage<'_>, soluti
     let Linkage {
         tree, links, axes, ..
     } = linkage;
-    let gravity = given::gravity(graph, tree);
+    let gravity = given::acting_gravity(graph, tree);
     graph.begin(Purpose::Accelerations);
     for body in tree.body_ids() {
         graph.enter(body);

@@ -5,24 +5,24 @@
 //! joint reads off where both stand in the same axes, so no force is carried.
 
 use super::{
-    link,
+    link::{self, Link},
     passage::{Drive, Passenger},
     plan::Plan,
     rotation::Turn,
-    wrench,
+    wrench::{self, Wrench},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Purpose, Vector, negated},
-    given,
+    given::{self, Lifted},
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
 };
 
 /// Mass and first moment about a point.
 #[derive(Clone, Copy, Debug)]
-struct Weight {
-    mass: Expr,
-    moment: Vector,
+pub(super) struct Weight {
+    pub(super) mass: Expr,
+    pub(super) moment: Vector,
 }
 
 /// The upward acceleration that stands for gravity, on its way outward through a joint.
@@ -34,12 +34,54 @@ struct Upward {
     at_motions: Vec<Vector>,
 }
 
-/// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`.
+/// The `tau` that holds the system at rest against weight: `-sum_K V_G_K^T m_K g`, less what lifts.
 pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let links = link::links(graph, tree, plan);
     graph.begin(Purpose::Weight);
-    let gravity = given::gravity(graph, tree);
-    let upward = BodyMap::outward(tree.bodies.len(), |body, upward: &BodyMap<Upward>| {
+    let weights = BodyMap::outward(tree.bodies.len(), |body, _| {
+        Weight::left(graph, tree, &links[body], body)
+    });
+    holding(graph, tree, &links, weights)
+}
+
+/// The generalized forces of what lifts bodies: what would hold as much weight.
+pub fn lifting_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    if !tree.lifts_some() {
+        return vec![graph.zero(); tree.n_speeds];
+    }
+    let links = link::links(graph, tree, plan);
+    graph.begin(Purpose::Weight);
+    let weights = BodyMap::outward(tree.bodies.len(), |body, _| {
+        let lifted = Weight::lifted(graph, tree, &links[body], body);
+        lifted.unwrap_or_else(|| Weight::zero(graph))
+    });
+    holding(graph, tree, &links, weights)
+}
+
+/// What lifts each body, about its link's origin; `None` where nothing does.
+pub(super) fn lifts(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+) -> BodyMap<Option<Wrench>> {
+    if !tree.lifts_some() {
+        return BodyMap::outward(tree.bodies.len(), |_, _| None);
+    }
+    graph.begin(Purpose::Weight);
+    let upward = upward(graph, tree, links);
+    BodyMap::outward(tree.bodies.len(), |body, _| {
+        let weight = Weight::lifted(graph, tree, &links[body], body)?;
+        let a = upward[body].a;
+        Some(Wrench {
+            force: graph.scale(weight.mass, a),
+            moment: graph.cross(weight.moment, a),
+        })
+    })
+}
+
+fn upward(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> BodyMap<Upward> {
+    let gravity = given::acting_gravity(graph, tree);
+    BodyMap::outward(tree.bodies.len(), |body, upward: &BodyMap<Upward>| {
         let below = tree.lower(body).map(|lower| upward[lower].a);
         graph.enter(body);
         let mut passing = Upward {
@@ -49,11 +91,17 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Ex
         links[body].passage.outward(graph, &mut passing);
         graph.name_vector(passing.a, "a");
         passing
-    });
-    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| Weight {
-        mass: links[body].inertia.mass,
-        moment: links[body].inertia.moment,
-    });
+    })
+}
+
+/// The `tau` that holds weights about the origins of their links.
+fn holding(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+    mut weights: BodyMap<Weight>,
+) -> Vec<Expr> {
+    let upward = upward(graph, tree, links);
     let mut tau = vec![graph.zero(); tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
@@ -135,6 +183,39 @@ impl Passenger for Hanging<'_> {
 }
 
 impl Weight {
+    fn zero(graph: &mut ExprGraph) -> Self {
+        Self {
+            mass: graph.zero(),
+            moment: graph.zero_vector(),
+        }
+    }
+
+    /// What is left of a link's weight beside what is lifted, about the link's origin.
+    pub(super) fn left(graph: &mut ExprGraph, tree: &Tree, link: &Link, body: BodyId) -> Self {
+        let (mass, moment) = (link.inertia.mass, link.inertia.moment);
+        match Self::lifted(graph, tree, link, body) {
+            None => Self { mass, moment },
+            Some(lifted) => Self {
+                mass: graph.sub(mass, lifted.mass),
+                moment: graph.sub_vectors(moment, lifted.moment),
+            },
+        }
+    }
+
+    /// What is lifted of a body, about its link's origin; `None` where nothing is.
+    fn lifted(graph: &mut ExprGraph, tree: &Tree, link: &Link, body: BodyId) -> Option<Self> {
+        graph.enter(body);
+        let Lifted { mass, moment } = given::lifted(graph, tree.body(body))?;
+        let zero = graph.zero_vector();
+        let from_link = link.point_of_body(graph, zero);
+        let about_body = link.of_body(graph, moment);
+        let own = Self {
+            mass,
+            moment: about_body,
+        };
+        Some(own.moved(graph, from_link))
+    }
+
     /// The component of `moment × a` along an axis.
     fn moment_about(&self, graph: &mut ExprGraph, axis: Axis, a: Vector) -> Expr {
         let (b, c) = axis.others();

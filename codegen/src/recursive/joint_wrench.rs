@@ -3,6 +3,7 @@
 //! Links keep all their inertia here: what a joint does not move of a link is carried by the joint all the same.
 
 use super::{
+    gravity,
     linkage::Linkage,
     loaded,
     plan::{Plan, Technique},
@@ -21,7 +22,14 @@ pub fn joint_wrenches(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMa
     let plan = plan.with(Technique::Regroup, false);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let mut wrenches = loaded::needed(graph, &linkage, Accelerations::Given, Loads::Given);
+    let lifts = gravity::lifts(graph, tree, &linkage.links);
     graph.begin(Purpose::Forces);
+    for body in tree.body_ids() {
+        if let Some(lift) = &lifts[body] {
+            graph.enter(body);
+            wrenches[body] = wrenches[body].minus(graph, lift);
+        }
+    }
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut passing = wrenches[body];

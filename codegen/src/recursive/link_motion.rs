@@ -45,7 +45,7 @@ pub(super) fn motions(
         tree, links, falls, ..
     } = linkage;
     graph.begin(Purpose::Motion);
-    let gravity = given::gravity(graph, tree);
+    let gravity = given::acting_gravity(graph, tree);
     BodyMap::outward(tree.bodies.len(), |body, motions: &BodyMap<LinkMotion>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| &motions[lower]);

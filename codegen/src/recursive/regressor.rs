@@ -26,6 +26,7 @@ use crate::{
 
 /// For each speed, body and parameter what `tau` has of it.
 pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    let tree = &*tree.with_whole_weights();
     let shared = shared::shared(graph, tree, plan);
     let whole = plan.with(Technique::Regroup, false);
     let linkage = Linkage::of_speeds(graph, tree, &whole);

@@ -41,6 +41,8 @@ pub struct RigidPart {
     pub inertia: Inertia,
     /// From the body's internal axes to those of the inertia.
     pub axes: Rotation,
+    /// The share of its weight that a force at its mass centre lifts, beyond what is lifted of all bodies alike.
+    pub lifted: Value,
 }
 
 /// Where a frame stands that is fixed in a body, or in the inertial frame.
@@ -65,6 +67,13 @@ pub struct Inertia {
     pub xy: Value,
     pub xz: Value,
     pub yz: Value,
+}
+
+impl RigidPart {
+    /// True where something lifts it, or may at run time.
+    pub fn is_lifted(&self) -> bool {
+        self.lifted != Value::Baked(0.0)
+    }
 }
 
 impl Pose {

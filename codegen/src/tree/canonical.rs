@@ -27,6 +27,9 @@ pub fn canonical(tree: &Tree) -> String {
         &mut text,
         format_args!("gravity{}", values(tree, &tree.gravity)),
     );
+    if tree.weight != 1.0 {
+        line(&mut text, format_args!("weight {:?}", tree.weight));
+    }
     for parameter in &tree.parameters {
         let (name, nominal) = (&parameter.name, parameter.nominal);
         line(&mut text, format_args!("parameter {name} {nominal:?}"));
@@ -56,6 +59,10 @@ pub fn canonical(tree: &Tree) -> String {
             ];
             let (components, axes) = (values(tree, &components), rotation(&part.axes));
             line(&mut text, format_args!("inertia{components}{axes}"));
+            if part.is_lifted() {
+                let lifted = values(tree, &[part.lifted]);
+                line(&mut text, format_args!("lifted{lifted}"));
+            }
         }
         let (axes, origin) = (
             rotation(&body.pose.rotation),

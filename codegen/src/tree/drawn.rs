@@ -161,6 +161,11 @@ impl Drawn {
                 yz,
             },
             axes: rotation(&mut self.values),
+            lifted: if part.is_lifted() {
+                self.value(part.lifted)
+            } else {
+                part.lifted
+            },
         }
     }
 

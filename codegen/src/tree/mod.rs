@@ -28,6 +28,7 @@ mod changes;
 mod crumbs;
 mod inertia;
 mod joints;
+mod lifted;
 mod massless;
 mod mobility;
 mod names;

@@ -1,11 +1,12 @@
 //! The checked, numbered tree of a multibody system, and what follows from its structure alone.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use crate::description::Order;
 use crate::id::{BodyId, SpeedId};
 use crate::tree::base_parameter::BaseParameters;
-use crate::tree::body::Body;
+use crate::tree::body::{Body, RigidPart};
 use crate::tree::frames::Frame;
 use crate::tree::joint::{ChartCoordinates, Coordinate, Joint, Orientation};
 use crate::tree::value::{Parameter, Value};
@@ -17,6 +18,8 @@ pub struct Tree {
     pub name: String,
     /// Gravity, inertial components, m/s².
     pub gravity: [Value; 3],
+    /// The part of every weight that is left where the same share of all is lifted; else one.
+    pub weight: f64,
     /// The order of coordinates and speeds.
     pub order: Order,
     /// The bodies; `bodies[k]` is `BodyId::new(k)`.
@@ -143,6 +146,23 @@ impl Tree {
     /// How many bodies it has with all that is fixed to them.
     pub fn n_parts(&self) -> usize {
         self.bodies.iter().map(|body| body.parts.len()).sum()
+    }
+
+    /// True where the weights of some bodies are lifted, and not those of all alike.
+    pub fn lifts_some(&self) -> bool {
+        let mut parts = self.bodies.iter().flat_map(|body| &body.parts);
+        parts.any(RigidPart::is_lifted)
+    }
+
+    /// The same with nothing lifted of all bodies alike.
+    pub(crate) fn with_whole_weights(&self) -> Cow<'_, Self> {
+        if self.weight == 1.0 {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(Self {
+            weight: 1.0,
+            ..self.clone()
+        })
     }
 
     /// True where a coordinate follows another: one speed then moves several joints.

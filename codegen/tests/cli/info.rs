@@ -293,3 +293,21 @@ fn a_floating_robot_shows_its_joints_speeds_and_what_is_fixed() {
     let (description, _) = ran.out.split_once("Operations by formulation").unwrap();
     insta::assert_snapshot!(description);
 }
+
+#[test]
+fn weights_that_are_lifted_are_shown() {
+    let shown = |name: &str| {
+        let path = repository(&format!("tests/mjcf/{name}/{name}.xml"));
+        let ran = Project::empty().kane(&["info", path.to_str().unwrap(), "--quiet"]);
+        assert_eq!(ran.code, 0, "{ran:?}");
+        ran.out
+    };
+    let text = shown("weightless");
+    assert!(
+        text.contains("\nGravity compensation: 0.75 of all weights\n"),
+        "{text}"
+    );
+    let text = shown("lifted");
+    let expected = "parts of the weights of these bodies\n\n  base, shoulder, wrist, head\n";
+    assert!(text.contains(expected), "{text}");
+}

@@ -61,7 +61,6 @@ files! {
     fromto_of_a_point
     full_inertia_turned
     global_coordinates
-    gravity_compensated
     gravity_too_short
     height_field
     include_in_a_circle

@@ -316,50 +316,23 @@ fn user_says_how_orientations_are_described() {
 }
 
 #[test]
-fn weight_that_is_lifted_off_all_bodies_that_move_is_a_smaller_gravity() {
-    let model = |still: &str, second: &str| {
-        let text = format!(
-            "<mujoco><option gravity=\"1 0 -8\"/><worldbody>
-  <body gravcomp=\"{still}\"><geom size=\"1\"/></body>
-  <body gravcomp=\"0.25\"><joint/><geom size=\"1\"/>
-    <body gravcomp=\"{second}\"><joint/><geom size=\"1\" pos=\"0 1 0\"/></body>
-  </body>
-</worldbody></mujoco>"
-        );
-        parse(&text, &[])
+fn weight_that_is_lifted_is_a_share_of_each_body() {
+    let body = |share: &str| {
+        format!("<body name=\"body{share}\" gravcomp=\"{share}\"><joint/><geom size=\"1\"/></body>")
     };
-    for still in ["0", "0.25", "1"] {
-        let same = model(still, "0.25");
-        assert_eq!(vector(same.gravity), [0.75, 0.0, -6.0]);
-        let told = faults(&same).to_string();
-        assert!(
-            told.contains("`gravcomp` 0.25: all functions take 0.75 times"),
-            "{told}"
-        );
-    }
-    let errors = |model: &Description| {
-        let errors = model.faults.iter().filter(|fault| fault.is_error());
-        errors.count()
-    };
-    assert_eq!(errors(&model("0", "0.25")), 0);
-    assert_eq!(errors(&model("0", "0")), 1);
-    assert_eq!(errors(&model("0", "0.5")), 2);
-    // Without passive forces, and without a weight, nothing is lifted.
-    for option in [
-        "<option><flag spring=\"disable\" damper=\"disable\"/></option>",
-        "<option gravity=\"0 0 0\"/>",
-    ] {
-        let body = "<body gravcomp=\"1\"><joint/><geom size=\"1\"/></body>";
-        let other = body.replace("1\"><joint", "0.5\"><joint");
-        let text = format!("<mujoco>{option}<worldbody>{body}{other}</worldbody></mujoco>");
+    let bodies = [body("0.25"), body("0"), body("-2")].concat();
+    let shares = |option: &str| {
+        let text = format!("<mujoco>{option}<worldbody>{bodies}</worldbody></mujoco>");
         let model = parse(&text, &[]);
-        assert_eq!(errors(&model), 0);
-        let told = model
-            .faults
-            .iter()
-            .any(|fault| fault.message.contains("gravcomp"));
-        assert!(!told, "{}", faults(&model));
-    }
+        assert_eq!(faults(&model).to_string(), "");
+        let shares = model.bodies.iter().map(|body| body.gravity_compensation);
+        let shares = shares.map(|share| share.map(|share| share.value.nominal()));
+        shares.collect::<Vec<_>>()
+    };
+    assert_eq!(shares(""), [Some(0.25), None, Some(-2.0)]);
+    // MuJoCo then has no passive forces.
+    let without = "<option><flag spring=\"disable\" damper=\"disable\"/></option>";
+    assert_eq!(shares(without), [None; 3]);
 }
 
 #[test]

@@ -287,7 +287,9 @@ fn check_state(description: &Description, own: &[usize], sites: &[Value], state:
         motions.push(motion);
         let arm = out(&motion.rotation, vector(body.mass_center));
         let mass = value(body.mass);
-        potential += spring - mass * dot(gravity, add(motion.position, arm));
+        let lifted = body.gravity_compensation;
+        let weight = mass * (1.0 - lifted.map_or(0.0, |share| share.value.nominal()));
+        potential += spring - weight * dot(gravity, add(motion.position, arm));
         let w = motion
             .rotation
             .map(|axis| dot(axis, motion.angular_velocity));

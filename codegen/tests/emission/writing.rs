@@ -70,6 +70,7 @@ inertia_rotation = [
     [-0.8, 0.6, 0.0],
     [ 0.0, 0.0, 1.0],
 ]
+gravity_compensation = { runtime = 0.5 }
 attachment = [0.0, 0.0, { runtime = 0.3 }]
 joint = "free"
 joint_name = "base"
@@ -400,6 +401,7 @@ fn random_description(random: &mut Random) -> Description {
         mass_center: vector(random),
         inertia: [(); 6].map(|()| Some(at(scalar(random)))),
         inertia_rotation: perhaps(random, rotation),
+        gravity_compensation: perhaps(random, scalar),
         joint: joint(random),
     };
     let frame = |random: &mut Random| WrittenFrame {

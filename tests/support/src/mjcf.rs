@@ -18,6 +18,7 @@ macro_rules! mjcf_models {
             humanoid
             inertias
             legged
+            lifted
             mixed_angles
             no_gravity
             orientations
@@ -27,6 +28,7 @@ macro_rules! mjcf_models {
             spring_dampers
             two_link_arm
             walker
+            weightless
             welded
         }
     };

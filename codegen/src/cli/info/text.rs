@@ -10,7 +10,7 @@ use kane_codegen::{
     functions::Formulation,
     limits::{COUNTED, DRAWN_BODIES},
     report::{self, Cell, Counts, Partitions},
-    tree::{Frame, Order, Tree},
+    tree::{Frame, Order, RigidPart, Tree},
 };
 
 use super::facts::{Shown, gravity, is_default, is_drawn, lower_number, operations};
@@ -44,6 +44,7 @@ pub(super) fn write(
     let lower = lower.map(|number| number.to_string());
     writeln!(out)?;
     write_wrapped(out, "lower bodies [", lower.collect::<Vec<_>>(), ", ", "]")?;
+    write_lifted(out, tree)?;
     write_frames(out, "Fixed to bodies, and part of them", tree, &tree.frames)?;
     write_frames(out, "Frames", tree, &tree.markers)?;
     write_coordinates(out, tree)?;
@@ -64,6 +65,28 @@ pub(super) fn write(
         );
     }
     write_counts(out, counts, shown)
+}
+
+/// Of which bodies forces carry weights.
+fn write_lifted(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
+    if tree.weight != 1.0 {
+        return writeln!(
+            out,
+            "\nGravity compensation: {} of all weights",
+            1.0 - tree.weight
+        );
+    }
+    let bodies = tree.bodies.iter();
+    let lifted = bodies.filter(|body| body.parts.iter().any(RigidPart::is_lifted));
+    let names: Vec<String> = lifted.map(|body| body.name.clone()).collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "\nGravity compensation, of parts of the weights of these bodies\n"
+    )?;
+    write_wrapped(out, "", names, ", ", "")
 }
 
 fn bodies(number: usize) -> String {

@@ -10,7 +10,7 @@ use crate::description::mjcf::inertial::{self, MassProperties};
 use crate::description::mjcf::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
-use crate::description::mjcf::lifted::Lifted;
+use crate::description::mjcf::lifted::lifted;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
 use crate::description::mjcf::names::Wish;
@@ -39,8 +39,6 @@ pub(super) struct Found<'d> {
     pub(super) sites: Vec<Site<'d>>,
     /// What is around each copy of elements, and each model that is attached.
     pub(super) copies: Vec<Around>,
-    /// How much of its weight is lifted off each body.
-    pub(super) lifted: Vec<Lifted>,
 }
 
 /// Reads the bodies of all `worldbody` elements, and the sites in them.
@@ -167,9 +165,7 @@ fn body<'d>(
         (&owner, around),
         moves,
     );
-    found
-        .lifted
-        .push(lifted(reader, &given, mass.as_ref(), moves));
+    let lifted = lifted(reader, models.main(), &given);
     found.bodies.add(JointedBody {
         joints,
         place,
@@ -177,24 +173,9 @@ fn body<'d>(
         lower: next.lower,
         wish,
         mass,
+        lifted,
     });
     (contents, moves)
-}
-
-/// What the force against a body's weight is of that.
-fn lifted(
-    reader: &mut Reader,
-    given: &Attributes<'_>,
-    mass: Option<&MassProperties>,
-    moves: Moves,
-) -> Lifted {
-    let written = given.number(reader, "gravcomp");
-    Lifted {
-        owner: given.owner.to_string(),
-        share: written.map_or(0.0, |written| written.value),
-        span: written.map_or(given.span, |written| written.span),
-        matters: moves == Moves::Yes && mass.is_none_or(|mass| mass.mass() != 0.0),
-    }
 }
 
 fn warn_of_mocap(reader: &mut Reader, given: &Attributes<'_>) {

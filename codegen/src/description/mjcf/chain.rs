@@ -9,7 +9,7 @@ use crate::description::mjcf::seat::{fixed, held, joined};
 use crate::description::mjcf::solid::Solid;
 use crate::description::mjcf::ties::Held;
 use crate::description::xml::Reader;
-use crate::description::{Given, WrittenBody, WrittenJoint};
+use crate::description::{Given, Optional, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 
 /// The bodies of a model, before they have their names, weights and seats.
@@ -32,6 +32,8 @@ struct ChainedBody {
     lower: usize,
     wish: Wish,
     weight: Weight,
+    /// The share of its weight that is lifted.
+    lifted: Optional<Scalar>,
 }
 
 /// What a body weighs.
@@ -54,6 +56,8 @@ pub(super) struct JointedBody {
     pub(super) wish: Wish,
     /// `None` where it is faulty.
     pub(super) mass: Option<MassProperties>,
+    /// The share of its weight that is lifted; absent: zero.
+    pub(super) lifted: Optional<Scalar>,
 }
 
 /// The bodies as a description has them.
@@ -109,6 +113,7 @@ impl Bodies {
                     span,
                 },
                 weight: Weight::Nothing,
+                lifted: None,
             });
             lower = self.list.len();
             place = Placement::SAME;
@@ -121,6 +126,7 @@ impl Bodies {
             lower,
             wish: parts.wish,
             weight: Weight::Given(parts.mass.map(Box::new)),
+            lifted: parts.lifted,
         });
     }
 
@@ -238,6 +244,7 @@ impl ChainedBody {
             mass_center: mass.center,
             inertia: mass.inertia,
             inertia_rotation: mass.rotation,
+            gravity_compensation: self.lifted,
             joint,
         }
     }

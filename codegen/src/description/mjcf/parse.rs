@@ -7,7 +7,7 @@ use crate::description::mjcf::files::Files;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::model::Beside;
 use crate::description::mjcf::models::{self, Models};
-use crate::description::mjcf::{bodies, equalities, finite, include, lifted, others, sites};
+use crate::description::mjcf::{bodies, equalities, finite, include, others, sites};
 use crate::description::xml::{Element, Mended, Reader};
 use crate::description::{Description, Include, Reading};
 use crate::diagnostic::{Diagnostic, Source, Spanned};
@@ -63,11 +63,6 @@ fn read<'d>(
         others::read(reader, &models.list[number]);
     }
     let ties = equalities::read(reader, &models, &found);
-    let remaining = lifted::remaining(reader, main, &found.lifted);
-    let gravity = main.settings.gravity.map(|entry| Spanned {
-        value: entry.value * remaining + 0.0,
-        ..entry
-    });
     let total_mass = main.settings.total_mass;
     let mut bodies = found.bodies.written(reader, total_mass, &ties.held());
     ties.apply(reader, &mut bodies.list, &bodies.references);
@@ -77,7 +72,7 @@ fn read<'d>(
     let world = worlds.first().map_or(root.span(), |w| w.span());
     Some(Description {
         name: Some(models::name(root)),
-        gravity: gravity.map(|entry| Some(baked(entry))),
+        gravity: main.settings.gravity.map(|entry| Some(baked(entry))),
         lower_bodies: Some(Spanned::new(bodies.lower, world)),
         bodies: bodies.list,
         frames,

@@ -5,7 +5,14 @@ use crate::description::toml_reader::{Item, Reader, span};
 use crate::description::{Given, INERTIA_COMPONENTS, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Span, shown_name};
 
-const KEYS: [&str; 5] = ["name", "mass", "mass_center", "inertia", "inertia_rotation"];
+const KEYS: [&str; 6] = [
+    "name",
+    "mass",
+    "mass_center",
+    "inertia",
+    "inertia_rotation",
+    "gravity_compensation",
+];
 
 /// Reads a body, the `number`-th of the file.
 pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> WrittenBody {
@@ -35,6 +42,7 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Writt
         "inertia",
         "inertia = { xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 }",
     );
+    let lifted = table.get("gravity_compensation");
     WrittenBody {
         span: span(item),
         name,
@@ -44,6 +52,8 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Writt
             inertia(reader, item, &table.what("inertia"))
         }),
         inertia_rotation: value::rotation(reader, &table, "inertia_rotation"),
+        gravity_compensation: lifted
+            .and_then(|item| value::scalar(reader, item, &table.what("gravity_compensation"))),
         joint: joint::read(reader, &table),
     }
 }
@@ -57,6 +67,7 @@ fn nothing(span: Span) -> WrittenBody {
         mass_center: [None; 3],
         inertia: [None; 6],
         inertia_rotation: None,
+        gravity_compensation: None,
         joint: WrittenJoint::new(None, [None; 3]),
     }
 }

@@ -147,6 +147,9 @@ impl Writer {
         if let Some(rotation) = &body.inertia_rotation {
             self.line("inertia_rotation", matrix(&rotation.value));
         }
+        if body.gravity_compensation.is_some() {
+            self.line("gravity_compensation", scalar(body.gravity_compensation));
+        }
         self.joint(&body.joint);
     }
 

@@ -43,6 +43,7 @@ impl LinkElement<'_> {
             mass_center: inertial.mass_center,
             inertia: inertial.inertia,
             inertia_rotation: inertial.rotation,
+            gravity_compensation: None,
             joint,
         }
     }

@@ -47,7 +47,7 @@ pub(super) fn ways(
     accelerations: Accelerations<'_>,
 ) -> BodyMap<Went> {
     let tree = linkage.tree;
-    let gravity = given::gravity(graph, tree);
+    let gravity = given::acting_gravity(graph, tree);
     BodyMap::outward(tree.bodies.len(), |body, ways: &BodyMap<Went>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| &ways[lower]);

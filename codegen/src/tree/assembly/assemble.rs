@@ -13,6 +13,7 @@ use crate::tree::assembly::settled::Settled;
 use crate::tree::base_parameter::BaseParameters;
 use crate::tree::frames::note_merged;
 use crate::tree::joints::ResolvedJoint;
+use crate::tree::lifted;
 use crate::tree::names;
 use crate::tree::numbering::{Numbered, note_moved, number};
 use crate::tree::system::Tree;
@@ -38,7 +39,8 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
         values: &values.bodies,
         placed: &placed,
     };
-    let bodies = pieces.bodies(&merged, numbered.joints);
+    let mut bodies = pieces.bodies(&merged, numbered.joints);
+    let weight = lifted::remaining(&mut bodies);
     let frames = pieces.frames(&merged, &bodies, &values.parameters);
     let markers = markers.into_iter().zip(&values.frames);
     let markers = markers.map(|(marker, own)| {
@@ -51,6 +53,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     let tree = Tree {
         name: description.name.as_ref()?.value.clone(),
         gravity: values.gravity,
+        weight,
         order,
         bodies,
         frames,

@@ -106,6 +106,7 @@ impl Placing<'_> {
             mass_center: pose.origin.clone().join(&center, false),
             inertia: self.values.inertia,
             axes: self.product(&pose.rotation, &self.rotations.inertia),
+            lifted: self.values.lifted,
         }
     }
 }

@@ -33,6 +33,8 @@ pub(crate) struct BodyValues {
     pub(crate) mass_center: [Value; 3],
     /// About the mass centre.
     pub(crate) inertia: Inertia,
+    /// Share of the weight.
+    pub(crate) lifted: Value,
     /// From the lower body's origin to where the joint sits, lower-body components, m.
     pub(crate) attachment: [Value; 3],
     /// From the body's origin to where the joint sits in it, m, if not in its origin.
@@ -108,6 +110,13 @@ fn of_body(
     let mass_center = parameters.vector(&written.mass_center, &name("mass_center"), host, "m")?;
     let inertia = negligible.inertia(written.inertia);
     let inertia = parameters.inertia(&inertia, &name("inertia"), host)?;
+    let lifted = match written.gravity_compensation {
+        Some(given) => {
+            let name = name("gravity_compensation");
+            parameters.value(Some(given), name, host, "1")?
+        }
+        None => Value::Baked(0.0),
+    };
     let attachment = parameters.vector(&at.attachment, &name("attachment"), host, "m")?;
     let body_attachment = match &at.body_attachment {
         Some(given) => Some(parameters.vector(given, &name("body_attachment"), host, "m")?),
@@ -121,6 +130,7 @@ fn of_body(
         mass,
         mass_center,
         inertia,
+        lifted,
         attachment,
         body_attachment,
         mechanics,

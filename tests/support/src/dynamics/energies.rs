@@ -138,7 +138,7 @@ pub fn energies_and_momenta_are_sums_over_bodies(model: &dyn Model, state: &Stat
             times(&turn, positions[k]),
         );
         kinetic += 0.5 * (m * dot(&velocities[k], &velocities[k]) + dot(&h, &omegas[k]));
-        potential -= m * dot(&gravity(tree), &r);
+        potential += solid.potential(times(&rotations[k], gravity(tree)), positions[k]);
         linear = sum(linear, p);
         angular = sum(angular, sum(cross(r, p), times(&turn, h)));
         most[0] = larger(most[0], m * largest(&gravity(tree)) * largest(&r));
@@ -175,7 +175,7 @@ pub fn energies_by_body_are_those_of_bodies(model: &dyn Model, state: &State) ->
         let (m, g) = (solid.mass, times(&rotations[k], gravity(tree)));
         let h = times(&solid.inertia, omegas[k]);
         kinetic.push(0.5 * (m * dot(&velocities[k], &velocities[k]) + dot(&h, &omegas[k])));
-        potential.push(-m * dot(&g, &positions[k]));
+        potential.push(solid.potential(g, positions[k]));
         most = larger(most, m * largest(&g) * largest(&positions[k]));
     }
     for acting in model.composition().acting() {
@@ -247,16 +247,16 @@ fn momentum_error(model: &dyn Model, state: &State) -> f64 {
     for (k, solid) in model.composition().solids().iter().enumerate() {
         let (turn, m) = (transposed(&rotations[k]), solid.mass);
         let load = state.loads[k];
-        let f = sum(
-            times(&turn, [load[0], load[1], load[2]]),
-            scaled(m, gravity(tree)),
-        );
+        let g = times(&rotations[k], gravity(tree));
+        let [weight, around] = solid.weight(g).map(|part| times(&turn, part));
+        let f = sum(times(&turn, [load[0], load[1], load[2]]), weight);
         let r = times(&turn, positions[k]);
         force = sum(force, f);
         moment = sum(
             moment,
             sum(cross(r, f), times(&turn, [load[3], load[4], load[5]])),
         );
+        moment = sum(moment, around);
         let inertial = m * largest(&accelerations[k]) + largest(&f);
         most[0] = larger(most[0], inertial);
         let turning = largest(&times(&solid.inertia, alphas[k]));

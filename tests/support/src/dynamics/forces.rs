@@ -101,7 +101,7 @@ pub fn forcing_is_loads_less_bias(model: &dyn Model, state: &State) -> f64 {
     )
 }
 
-/// `gravity_forces = -sum_K V_G_K^T m_K g`.
+/// `gravity_forces = -sum_K V_G_K^T m_K g`, less what lifts.
 pub fn gravity_forces_hold_the_weight(model: &dyn Model, state: &State) -> f64 {
     let rotations = matrices(model, "rotation", state);
     let solids = model.composition().solids();
@@ -109,12 +109,27 @@ pub fn gravity_forces_hold_the_weight(model: &dyn Model, state: &State) -> f64 {
         .iter()
         .zip(&rotations)
         .map(|(solid, turn)| {
-            let [x, y, z] = scaled(-solid.mass, times(turn, gravity(model.tree())));
-            [x, y, z, 0.0, 0.0, 0.0]
+            let weight = solid.weight(times(turn, gravity(model.tree())));
+            let [[x, y, z], [a, b, c]] = weight.map(|part| scaled(-1.0, part));
+            [x, y, z, a, b, c]
         })
         .collect();
     let (expected, most) = projected(model, state, &supports);
     relative_to(most, &model.evaluate("gravity_forces", state), &expected)
+}
+
+/// The generalized forces of what lifts bodies.
+pub(super) fn lifting_forces(model: &dyn Model, state: &State) -> Vec<f64> {
+    let rotations = matrices(model, "rotation", state);
+    let solids = model.composition().solids().into_iter();
+    let lifts = solids.zip(&rotations).map(|(solid, turn)| {
+        let g = times(turn, gravity(model.tree()));
+        let whole = scaled(solid.mass, g);
+        let [left, [a, b, c]] = solid.weight(g);
+        let [x, y, z] = sum(left, scaled(-1.0, whole));
+        [x, y, z, a, b, c]
+    });
+    projected(model, state, &lifts.collect::<Vec<_>>()).0
 }
 
 /// `sum_K V_G_K^T F_K + W_K^T M_K`, and the largest term of it.
@@ -145,7 +160,7 @@ pub fn generalized_forces_are_projected_loads(model: &dyn Model, state: &State) 
 }
 
 /// Newton and Euler, projected, and what acts in joints:
-/// `inverse_dynamics = sum_K V_G_K^T m (a_K - g) + W_K^T (I alpha_K + w_K x I w_K)` and rotors, dampers and springs.
+/// `inverse_dynamics = sum_K V_G_K^T m (a_K - g) + W_K^T (I alpha_K + w_K x I w_K)`, less what lifts, and rotors, dampers and springs.
 pub fn inverse_dynamics_is_newton_euler(model: &dyn Model, state: &State) -> f64 {
     let tree = model.tree();
     let rotations = matrices(model, "rotation", state);
@@ -157,11 +172,12 @@ pub fn inverse_dynamics_is_newton_euler(model: &dyn Model, state: &State) -> f64
         .iter()
         .enumerate()
         .map(|(k, solid)| {
-            let weight = times(&rotations[k], gravity(tree));
-            let felt = sum(accelerations[k], scaled(-1.0, weight));
-            let force = scaled(solid.mass, felt);
+            let weight = solid.weight(times(&rotations[k], gravity(tree)));
+            let [weight, around] = weight.map(|part| scaled(-1.0, part));
+            let force = sum(scaled(solid.mass, accelerations[k]), weight);
             let i = &solid.inertia;
             let moment = sum(times(i, alphas[k]), cross(omegas[k], times(i, omegas[k])));
+            let moment = sum(moment, around);
             [
                 force[0], force[1], force[2], moment[0], moment[1], moment[2],
             ]

@@ -106,10 +106,12 @@ pub fn joint_wrenches_balance_bodies(model: &dyn Model, state: &State) -> f64 {
             let [fx, fy, fz, nx, ny, nz] = state.loads[k];
             let i = &solid.inertia;
             let spin = sum(times(i, alphas[k]), cross(omegas[k], times(i, omegas[k])));
-            let felt = sum(times(&back, accelerations[k]), scaled(-1.0, gravity(tree)));
-            let needed = scaled(solid.mass, felt);
+            let weight = solid.weight(times(&rotations[k], gravity(tree)));
+            let [weight, around] = weight.map(|part| scaled(-1.0, times(&back, part)));
+            let needed = sum(scaled(solid.mass, times(&back, accelerations[k])), weight);
             let mut force = sum(times(&back, [fx, fy, fz]), scaled(-1.0, needed));
             let mut moment = times(&back, sum([nx, ny, nz], scaled(-1.0, spin)));
+            moment = sum(moment, scaled(-1.0, around));
             let mut add = |joint: usize, sign: f64| {
                 let lever = sum(points[joint], scaled(-1.0, center));
                 force = sum(force, scaled(sign, forces[joint]));

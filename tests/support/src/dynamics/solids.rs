@@ -1,7 +1,7 @@
 //! What every body weighs with all that is fixed to it.
 
 use super::composition::{Composition, Placed, nominal, rotation, vector};
-use crate::rotation::{Rotation, Vector, dot, product, scaled, sum, times, transposed};
+use crate::rotation::{Rotation, Vector, cross, dot, product, scaled, sum, times, transposed};
 
 /// A body of the tree with all that is fixed to it, in the user's axes.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,25 @@ pub struct Solid {
     pub center: Vector,
     /// About the mass centre.
     pub inertia: Rotation,
+    /// How much of the mass is lifted.
+    pub lifted: f64,
+    /// Its first moment about the mass centre.
+    pub lifted_moment: Vector,
+}
+
+impl Solid {
+    /// Force and moment of what is left of the weight, about the mass centre, where gravity is `g` in its axes.
+    pub fn weight(&self, g: Vector) -> [Vector; 2] {
+        [
+            scaled(self.mass - self.lifted, g),
+            cross(g, self.lifted_moment),
+        ]
+    }
+
+    /// The potential energy of that, with the mass centre at `center`.
+    pub fn potential(&self, g: Vector, center: Vector) -> f64 {
+        dot(g, self.lifted_moment) - (self.mass - self.lifted) * dot(g, center)
+    }
 }
 
 impl Composition {
@@ -42,6 +61,8 @@ impl Composition {
             mass: 0.0,
             center: [0.0; 3],
             inertia: [[0.0; 3]; 3],
+            lifted: 0.0,
+            lifted_moment: [0.0; 3],
         };
         let of_part = |&place: &usize| {
             let body = &self.description.bodies[place];
@@ -76,6 +97,10 @@ impl Composition {
             );
             let turned = product(&product(&turn, &tensor), &transposed(&turn));
             let d = sum(center, scaled(-1.0, solid.center));
+            let share = body.gravity_compensation;
+            let lifted = mass * share.map_or(0.0, |share| share.value.nominal());
+            solid.lifted += lifted;
+            solid.lifted_moment = sum(solid.lifted_moment, scaled(lifted, d));
             for i in 0..3 {
                 for j in 0..3 {
                     let around = if i == j { dot(d, d) } else { 0.0 };

@@ -19,6 +19,8 @@ pub(crate) struct Body {
     /// xx, yy, zz, xy, xz, yz.
     pub(crate) inertia: [Number; 6],
     pub(crate) inertia_rotation: Option<Rotation>,
+    /// The share of the weight that is lifted.
+    pub(crate) lifted: Option<Number>,
     pub(crate) joint: Joint,
 }
 
@@ -213,7 +215,8 @@ impl Body {
         joint.attachment.iter_mut().for_each(&mut *f);
         joint.body_attachment.iter_mut().flatten().for_each(&mut *f);
         let mechanics = joint.mechanics.iter_mut();
-        mechanics.flat_map(Quantity::numbers).for_each(f);
+        mechanics.flat_map(Quantity::numbers).for_each(&mut *f);
+        self.lifted.iter_mut().for_each(f);
     }
 
     /// The name of a body's joint is its own, or that of the body.
@@ -238,6 +241,9 @@ impl Body {
         );
         if let Some(rotation) = &self.inertia_rotation {
             text += &line("inertia_rotation", &format!("{rotation:?}"));
+        }
+        if let Some(lifted) = self.lifted {
+            text += &line("gravity_compensation", &lifted.toml());
         }
         if self.joint.has_name {
             text += &line("joint_name", &format!("\"{}\"", self.joint_name()));

@@ -49,6 +49,7 @@ fn candidate(seed: u64, attempt: u64, sizes: Sizes, style: Style) -> RandomSyste
     if style == Style::Framed {
         joints::frame(&mut bodies, random, sizes.speeds);
     }
+    lift(&mut bodies, Random::new(seed));
     let system = RandomSystem {
         name: format!("random_{seed}"),
         gravity: gravity.map(Number::baked),
@@ -62,6 +63,25 @@ fn candidate(seed: u64, attempt: u64, sizes: Sizes, style: Style) -> RandomSyste
         runtime: runtime.borrow_mut().chance(is_runtime),
         ..number
     })
+}
+
+/// Lifts the weights of some bodies of some systems, or those of all alike.
+fn lift(bodies: &mut [Body], mut random: Random) {
+    let chance = match random.below(8) {
+        0 => 0.5,
+        1 => 1.0,
+        _ => return,
+    };
+    let share = random.written(0.0, 1.5);
+    for body in bodies {
+        if random.chance(chance) {
+            body.lifted = Some(Number::baked(if chance < 1.0 && random.chance(0.5) {
+                random.written(-0.5, 1.0)
+            } else {
+                share
+            }));
+        }
+    }
 }
 
 fn free(random: &mut Random, is_root: bool, most: usize) -> [bool; 6] {
@@ -112,6 +132,7 @@ fn body(random: &mut Random, number: usize, lower: Option<usize>, free: [bool; 6
         mass_center: mass_center.map(Number::baked),
         inertia: inertia.map(Number::baked),
         inertia_rotation: None,
+        lifted: None,
         joint: Joint::plain(attachment, free, locked),
     }
 }

@@ -57,6 +57,12 @@ impl RandomSystem {
         })
     }
 
+    /// The same tree, nothing lifting anything.
+    #[must_use]
+    pub fn unlifted(&self) -> Self {
+        self.with_bodies(|body| body.lifted = None)
+    }
+
     /// The same tree, nothing following anything.
     #[must_use]
     pub fn without_followers(&self) -> Self {
