@@ -71,7 +71,8 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     for (_, matrix) in &mut all {
         let columns = transposed(matrix).into_iter();
         let needed = columns.map(|column| column.into_iter().map(|entry| -entry).collect());
-        *matrix = transposed(&factors.solutions(graph, tree, needed));
+        let needed: Vec<_> = needed.collect();
+        *matrix = transposed(&factors.solutions(graph, tree, &needed));
     }
     for (speed, column) in turned {
         for (row, entry) in all[0].1.iter_mut().zip(column) {

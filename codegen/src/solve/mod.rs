@@ -127,16 +127,25 @@ impl Factors {
     }
 
     /// `L^-T b`: the first half of a solution.
-    fn eliminated(&self, graph: &mut ExprGraph, mut b: Vec<Expr>) -> Vec<Expr> {
+    fn eliminated(&self, graph: &mut ExprGraph, b: Vec<Expr>) -> Vec<Expr> {
+        let mut columns = [b];
+        self.eliminate(graph, &mut columns);
+        let [half] = columns;
+        half
+    }
+
+    /// The same of several columns, row by row.
+    fn eliminate(&self, graph: &mut ExprGraph, columns: &mut [Vec<Expr>]) {
         graph.begin(Purpose::Solution);
         for (&k, row) in self.order.iter().zip(&self.couplings) {
             for &(speed, factor) in row {
                 graph.enter(speed.body);
-                let term = graph.mul(factor, b[k.index()]);
-                b[speed.index()] = graph.sub(b[speed.index()], term);
+                for b in &mut *columns {
+                    let term = graph.mul(factor, b[k.index()]);
+                    b[speed.index()] = graph.sub(b[speed.index()], term);
+                }
             }
         }
-        b
     }
 
     /// `D^-1 b`.
