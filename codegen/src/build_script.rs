@@ -111,7 +111,7 @@ impl Build {
         self
     }
 
-    /// Ignores parts of an MJCF that are not supported, with a warning: `equalities`, `fluid`, `tendons` or `gravcomp`, or the equality
+    /// Ignores parts of an MJCF, with a warning: `equalities`, `fluid`, `tendons` or `gravcomp`, or the equality
     /// of this name.
     #[must_use]
     pub fn leave_out(mut self, what: impl Into<String>) -> Self {

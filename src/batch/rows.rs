@@ -82,10 +82,11 @@ impl fmt::Display for LengthError {
             rows,
             states,
         } = self;
-        write!(
-            f,
-            "`{argument}` has a length of {found}; expected {rows} rows of {states}"
-        )
+        write!(f, "`{argument}` has a length of {found}; expected ")?;
+        match rows {
+            1 => write!(f, "{states}"),
+            _ => write!(f, "{rows} rows of {states}"),
+        }
     }
 }
 

@@ -22,7 +22,7 @@ pub(crate) struct ReadingArguments {
     #[arg(long, value_name = "CHART", requires = "model", value_parser = one_of(Chart::NAMED))]
     chart: Option<Chart>,
 
-    /// Ignore parts of an MJCF that are not supported, with a warning: equalities, fluid, tendons, gravcomp, or the name of
+    /// Ignore parts of an MJCF, with a warning: equalities, fluid, tendons, gravcomp, or the name of
     /// an equality; with commas between them
     ///
     /// `equalities` are all that are active, `connect`, `weld` and so on those of a kind; `fluid` is the forces that `density` and

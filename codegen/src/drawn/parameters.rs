@@ -46,7 +46,7 @@ pub fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
 /// What a model has of a unit. States turn by about a radian in a second, so the unit of time is the second.
 fn scale(tree: &Tree, units: &Units, unit: &str) -> f64 {
     match unit {
-        "rad" => 1.0,
+        "rad" | "1" => 1.0,
         "m" => units.length,
         "kg" | "N/m" | "N s/m" => units.mass,
         "m/s^2" => {

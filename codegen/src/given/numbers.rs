@@ -28,7 +28,7 @@ pub fn gravity(graph: &mut ExprGraph, tree: &Tree) -> Vector {
 /// Gravity as weights feel it, less what is lifted of all alike: inertial components.
 pub fn acting_gravity(graph: &mut ExprGraph, tree: &Tree) -> Vector {
     let gravity = gravity(graph, tree);
-    let share = graph.number(tree.weight);
+    let share = graph.number(1.0 - tree.lifted);
     graph.scale(share, gravity)
 }
 

@@ -27,8 +27,8 @@ pub fn canonical(tree: &Tree) -> String {
         &mut text,
         format_args!("gravity{}", values(tree, &tree.gravity)),
     );
-    if tree.weight != 1.0 {
-        line(&mut text, format_args!("weight {:?}", tree.weight));
+    if tree.lifted != 0.0 {
+        line(&mut text, format_args!("lifted {:?}", tree.lifted));
     }
     for parameter in &tree.parameters {
         let (name, nominal) = (&parameter.name, parameter.nominal);

@@ -33,6 +33,8 @@ impl Tree {
             parameters,
         };
         let tree = Self {
+            // Which entries are zero does not depend on how much is lifted.
+            lifted: 0.0,
             gravity: self.gravity.map(|component| drawn.value(component)),
             bodies: self.bodies.iter().map(|body| drawn.body(body)).collect(),
             frames: self.frames.iter().map(|own| drawn.frame(own)).collect(),

@@ -7,8 +7,8 @@ use crate::tree::value::Value;
 
 const NOTHING: Value = Value::Baked(0.0);
 
-/// The part of every weight that is left where the same share of all is lifted, which is then no part's own; else one.
-pub(crate) fn remaining(bodies: &mut [Body]) -> f64 {
+/// The share that is lifted of every weight, where it is the same for all and then no part's own; else zero.
+pub(crate) fn of_all(bodies: &mut [Body]) -> f64 {
     let parts = bodies.iter_mut().flat_map(|body| &mut body.parts);
     let mut heavy: Vec<&mut RigidPart> = Vec::new();
     for part in parts {
@@ -19,13 +19,13 @@ pub(crate) fn remaining(bodies: &mut [Body]) -> f64 {
         }
     }
     let Some(Value::Baked(share)) = heavy.first().map(|part| part.lifted) else {
-        return 1.0;
+        return 0.0;
     };
     if heavy.iter().any(|part| part.lifted != Value::Baked(share)) {
-        return 1.0;
+        return 0.0;
     }
     for part in heavy {
         part.lifted = NOTHING;
     }
-    1.0 - share
+    share
 }

@@ -18,8 +18,8 @@ pub struct Tree {
     pub name: String,
     /// Gravity, inertial components, m/s².
     pub gravity: [Value; 3],
-    /// The part of every weight that is left where the same share of all is lifted; else one.
-    pub weight: f64,
+    /// The share that is lifted of every weight, where it is the same for all; else zero.
+    pub lifted: f64,
     /// The order of coordinates and speeds.
     pub order: Order,
     /// The bodies; `bodies[k]` is `BodyId::new(k)`.
@@ -156,11 +156,11 @@ impl Tree {
 
     /// The same with nothing lifted of all bodies alike.
     pub(crate) fn with_whole_weights(&self) -> Cow<'_, Self> {
-        if self.weight == 1.0 {
+        if self.lifted == 0.0 {
             return Cow::Borrowed(self);
         }
         Cow::Owned(Self {
-            weight: 1.0,
+            lifted: 0.0,
             ..self.clone()
         })
     }

@@ -308,6 +308,6 @@ fn weights_that_are_lifted_are_shown() {
         "{text}"
     );
     let text = shown("lifted");
-    let expected = "parts of the weights of these bodies\n\n  base, shoulder, wrist, head\n";
+    let expected = "Bodies with gravity compensation\n\n  base, shoulder, wrist, head\n";
     assert!(text.contains(expected), "{text}");
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::io;
 
-use kane_codegen::description::{Chart, Description, JointKind, PerCoordinate, Reading, mjcf};
+use kane_codegen::description::{Chart, JointKind, PerCoordinate, Reading, mjcf};
 use kane_codegen::diagnostic::{Severity, Source};
 
 use crate::mjcf_support::{
@@ -330,9 +330,69 @@ fn weight_that_is_lifted_is_a_share_of_each_body() {
         shares.collect::<Vec<_>>()
     };
     assert_eq!(shares(""), [Some(0.25), None, Some(-2.0)]);
-    // MuJoCo then has no passive forces.
+    // MuJoCo then has no such forces, and no passive forces at all.
+    let text = format!("<mujoco><worldbody>{}</worldbody></mujoco>", body("-2"));
+    assert_eq!(parse(&text, &[]).bodies[0].gravity_compensation, None);
     let without = "<option><flag spring=\"disable\" damper=\"disable\"/></option>";
     assert_eq!(shares(without), [None; 3]);
+}
+
+#[test]
+fn weights_that_actuators_lift_are_refused_where_weights_are_lifted() {
+    let model = |share: &str| {
+        let text = format!(
+            "<mujoco><worldbody><body gravcomp=\"{share}\">
+  <joint actuatorgravcomp=\"true\"/><geom size=\"1\"/></body></worldbody></mujoco>"
+        );
+        let model = parse(&text, &[]);
+        model.faults.iter().filter(|fault| fault.is_error()).count()
+    };
+    assert_eq!([model("1"), model("0")], [1, 0]);
+}
+
+#[test]
+fn inertials_are_not_copied() {
+    let child = "<mujoco><worldbody><frame name=\"f\">
+  <inertial pos=\"0 0 0\" mass=\"7\" diaginertia=\"1 1 1\"/><geom size=\"1\" mass=\"2\"/></frame></worldbody></mujoco>";
+    let text = "<mujoco><asset><model name=\"m\" file=\"m.xml\"/></asset><worldbody>
+  <body><joint/><geom size=\"1\" mass=\"1\"/><attach model=\"m\" frame=\"f\" prefix=\"p_\"/></body>
+</worldbody></mujoco>";
+    let model = parse(text, &[("m.xml", child)]);
+    assert_eq!(number(model.bodies[0].mass), 3.0);
+    let told = faults(&model).to_string();
+    assert!(told.contains("MuJoCo does not copy it"), "{told}");
+}
+
+#[test]
+fn numbers_of_copies_have_as_many_digits_as_their_count() {
+    let text = "<mujoco><worldbody><replicate count=\"10\" offset=\"1 0 0\">
+  <body name=\"b\"><joint/><geom size=\"1\"/></body></replicate></worldbody></mujoco>";
+    let model = parse(text, &[]);
+    let names: Vec<&str> = model
+        .bodies
+        .iter()
+        .map(|body| &*body.name.as_ref().unwrap().value)
+        .collect();
+    assert_eq!((names[0], names[9]), ("b00", "b09"));
+}
+
+#[test]
+fn names_of_copies_grow_no_longer_than_names_may_be() {
+    let long = "p".repeat(300);
+    let attach = format!(
+        "<mujoco><asset><model name=\"m\" file=\"m.xml\"/></asset><worldbody><attach model=\"m\" prefix=\"{long}\"/></worldbody></mujoco>"
+    );
+    let child = "<mujoco><worldbody><body name=\"a\"><joint/><geom size=\"1\"/></body></worldbody></mujoco>";
+    let replicate = format!(
+        "<mujoco><worldbody><replicate count=\"2\" sep=\"{long}\"><body name=\"a\"><joint/><geom size=\"1\"/></body></replicate></worldbody></mujoco>"
+    );
+    for text in [attach, replicate] {
+        let told = faults(&parse(&text, &[("m.xml", child)])).to_string();
+        assert!(
+            told.contains("characters to names; expected at most 250"),
+            "{told}"
+        );
+    }
 }
 
 #[test]

@@ -247,6 +247,40 @@ fn equalities_of_an_attached_model_hold_where_all_that_they_name_is_attached() {
 }
 
 #[test]
+fn joint_may_be_called_as_a_fixed_body_before_it() {
+    let text = "<mujoco><worldbody><body name=\"j\"><geom size=\"1\"/></body>
+  <body name=\"a\"><joint name=\"j\" type=\"slide\"/><geom size=\"1\"/>
+    <body name=\"b\"><joint name=\"k\" type=\"slide\"/><geom size=\"1\"/></body></body>
+</worldbody><equality><joint joint1=\"k\" joint2=\"j\"/></equality></mujoco>";
+    let model = parse(text, &[]);
+    assert_eq!(errors(&model), [""; 0]);
+    assert_eq!(mimics(&model), [("k", "j", 1.0, 0.0)]);
+    let tree = kane_codegen::tree::build(&model).unwrap().tree;
+    assert_eq!((tree.n_coordinates, tree.bodies.len()), (1, 2));
+}
+
+#[test]
+fn equalities_with_the_world_hold_for_all_that_is_copied() {
+    let child = "<mujoco><worldbody>
+  <body name=\"tip\"><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/>
+    <body><joint name=\"b\" type=\"slide\"/><geom size=\"1\"/></body></body>
+</worldbody><equality>
+  <connect body1=\"tip\" body2=\"world\" anchor=\"0 0 0\"/>
+  <weld body1=\"tip\" body2=\"\"/>
+  <joint joint1=\"b\" joint2=\"\"/>
+</equality></mujoco>";
+    let text = "<mujoco><asset><model name=\"m\" file=\"m.xml\"/></asset><worldbody>
+  <attach model=\"m\" prefix=\"p_\"/></worldbody></mujoco>";
+    let model = parse(text, &[("m.xml", child)]);
+    assert_eq!(errors(&model).len(), 2);
+    // Held where it is drawn.
+    assert!(mimics(&model).is_empty());
+    let kinds = model.bodies.iter().map(|body| body.joint.kind.as_ref());
+    let kinds: Vec<_> = kinds.map(|kind| &kind.unwrap().value).collect();
+    assert_eq!(*kinds[1], JointKind::Fixed);
+}
+
+#[test]
 fn equality_of_elements_in_a_replicate_holds_in_each_copy() {
     let text = "<mujoco><worldbody><replicate count=\"2\" offset=\"9 0 0\" sep=\"_\">
   <body><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/>

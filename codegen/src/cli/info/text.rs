@@ -69,11 +69,11 @@ pub(super) fn write(
 
 /// Of which bodies forces carry weights.
 fn write_lifted(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
-    if tree.weight != 1.0 {
+    if tree.lifted != 0.0 {
         return writeln!(
             out,
             "\nGravity compensation: {} of all weights",
-            1.0 - tree.weight
+            tree.lifted
         );
     }
     let bodies = tree.bodies.iter();
@@ -82,10 +82,7 @@ fn write_lifted(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
     if names.is_empty() {
         return Ok(());
     }
-    writeln!(
-        out,
-        "\nGravity compensation, of parts of the weights of these bodies\n"
-    )?;
+    writeln!(out, "\nBodies with gravity compensation\n")?;
     write_wrapped(out, "", names, ", ", "")
 }
 

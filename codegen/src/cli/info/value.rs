@@ -36,6 +36,9 @@ pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
     });
+    if tree.lifted != 0.0 {
+        value["gravity_compensation"] = tree.lifted.into();
+    }
     if !tree.markers.is_empty() {
         value["markers"] = tree.markers.iter().map(frame_value).collect();
     }

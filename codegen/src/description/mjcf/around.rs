@@ -4,6 +4,9 @@ use std::rc::Rc;
 
 use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::placement::Placement;
+use crate::description::xml::Reader;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::limits::NAME_CHARACTERS;
 
 /// What is around an element: frames, a class, the model in which it is written, and copies.
 #[derive(Clone, Debug)]
@@ -35,8 +38,27 @@ impl Around {
         format!("{}{written}{}", self.prefix, self.suffix)
     }
 
+    /// True where both stand in the same copy, or in none.
+    pub(super) fn is_same_copy(&self, other: &Self) -> bool {
+        self.model == other.model && self.prefix == other.prefix && self.suffix == other.suffix
+    }
+
     /// True for elements that stand in the file once and in the tree more often.
     pub(super) fn is_copy(&self) -> bool {
         self.model != 0 || !self.suffix.is_empty()
     }
+}
+
+/// Whether what is added to names of copies is no longer than a name may be.
+pub(super) fn fits(reader: &mut Reader, added: &str, what: &str, place: Span) -> bool {
+    let n_characters = added.chars().count();
+    if n_characters <= NAME_CHARACTERS {
+        return true;
+    }
+    let message = format!(
+        "{what} add {n_characters} characters to names; expected at most {NAME_CHARACTERS}"
+    );
+    let fault = Diagnostic::error(message).at(place, "too long");
+    reader.faults.push(fault);
+    false
 }

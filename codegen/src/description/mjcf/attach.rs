@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::description::mjcf::around::Around;
+use crate::description::mjcf::around::{self, Around};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
@@ -24,6 +24,10 @@ pub(super) fn elements<'d>(
     let prefix = required(reader, &given, "prefix");
     let name = required(reader, &given, "model");
     let (name, prefix) = (name?, prefix?);
+    let whole = format!("{}{}", around.prefix, prefix.value);
+    if !around::fits(reader, &whole, "prefixes", element.span()) {
+        return None;
+    }
     let assets = &models.list[around.model].assets;
     let Some(number) = assets.get(name.value) else {
         let message = format!("there is no model `{}` among the assets", shown(name.value));
@@ -35,7 +39,7 @@ pub(super) fn elements<'d>(
         frame: around.frame,
         class: Class::MAIN,
         model: *number,
-        prefix: Rc::from(format!("{}{}", around.prefix, prefix.value)),
+        prefix: Rc::from(whole),
         suffix: Rc::clone(&around.suffix),
     };
     let part = |kind| Some((kind, given.text(kind)?));
@@ -68,7 +72,7 @@ fn required<'d>(
         let message = format!("{} has no attribute `{name}`", given.owner);
         let mut fault = Diagnostic::error(message).at(given.span, format!("`{name}` is missing"));
         if name == "model" {
-            fault = fault.help("parts of the same model cannot be attached to it");
+            fault = fault.help("`kane` does not attach parts of the same model");
         }
         reader.faults.push(fault);
     }

@@ -10,6 +10,7 @@ use crate::description::mjcf::inertial::{self, MassProperties};
 use crate::description::mjcf::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
+use crate::description::mjcf::leaving::advice;
 use crate::description::mjcf::lifted::lifted;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
@@ -19,8 +20,8 @@ use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::sites::Site;
 use crate::description::mjcf::solid::together;
-use crate::description::too_many;
 use crate::description::xml::Reader;
+use crate::description::{LeftOut, too_many};
 use crate::diagnostic::{Diagnostic, Span, shown};
 use crate::limits::BODIES;
 
@@ -39,6 +40,8 @@ pub(super) struct Found<'d> {
     pub(super) sites: Vec<Site<'d>>,
     /// What is around each copy of elements, and each model that is attached.
     pub(super) copies: Vec<Around>,
+    /// Where joints leave it to actuators to lift weights.
+    by_actuators: Vec<Span>,
 }
 
 /// Reads the bodies of all `worldbody` elements, and the sites in them.
@@ -63,6 +66,9 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
         push(&mut pending, bodies, 0, Moves::No);
     }
     while let Some(next) = pending.pop() {
+        if models.copies.is_exhausted() {
+            break;
+        }
         let count = found.bodies.count();
         if let Some(fault) = too_many("the number of bodies is at least", count + 1) {
             let place = next.inside.element.span();
@@ -73,6 +79,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
         let bodies = found.keep(contents);
         push(&mut pending, bodies, found.bodies.count(), moves);
     }
+    found.settle_lifted(reader);
     found
 }
 
@@ -80,6 +87,21 @@ impl<'d> Found<'d> {
     /// True where another model is attached.
     pub(super) fn attaches(&self) -> bool {
         self.copies.iter().any(|around| around.model != 0)
+    }
+
+    /// As in MuJoCo nothing is lifted where nothing is lifted upward.
+    fn settle_lifted(&mut self, reader: &mut Reader) {
+        if !self.bodies.lifts_upward() {
+            self.bodies.lift_nothing();
+            return;
+        }
+        for span in &self.by_actuators {
+            let message = "`actuatorgravcomp` leaves it to an actuator to lift weights, which is not supported";
+            let fault = Diagnostic::error(message).at(*span, "expected `false`");
+            reader
+                .faults
+                .push(fault.help(advice(LeftOut::Gravcomp.name())));
+        }
     }
 
     /// Keeps what stands in the last body; gives the bodies in it, which are still to be read.
@@ -166,6 +188,8 @@ fn body<'d>(
         moves,
     );
     let lifted = lifted(reader, models.main(), &given);
+    let by_actuators = joints.iter().filter_map(JointElement::by_actuator);
+    found.by_actuators.extend(by_actuators);
     found.bodies.add(JointedBody {
         joints,
         place,
@@ -235,12 +259,12 @@ fn check_freedoms(reader: &mut Reader, joints: &[JointElement], owner: &str) {
         let message = if count > 6 {
             format!("the joints of {owner} have more than six freedoms")
         } else if after_ball && matches!(joint.kind, JointType::Hinge | JointType::Ball) {
-            format!("a joint of {owner} turns it after a ball joint")
+            format!("{owner} has a hinge or ball joint after a ball joint")
         } else {
             after_ball |= joint.kind == JointType::Ball;
             continue;
         };
-        let fault = Diagnostic::error(message).at(joint.span, "one too many, as in MuJoCo");
+        let fault = Diagnostic::error(message).at(joint.span, "MuJoCo refuses this joint");
         reader.faults.push(fault);
         return;
     }

@@ -75,6 +75,19 @@ impl Bodies {
         self.list.len()
     }
 
+    /// True where a share of some weight is lifted upward.
+    pub(super) fn lifts_upward(&self) -> bool {
+        let mut shares = self.list.iter().filter_map(|body| body.lifted);
+        shares.any(|share| share.value.nominal() > 0.0)
+    }
+
+    /// Lifts no weight.
+    pub(super) fn lift_nothing(&mut self) {
+        for body in &mut self.list {
+            body.lifted = None;
+        }
+    }
+
     /// The names of all joints.
     pub(super) fn joint_names(&self) -> impl Iterator<Item = &str> {
         let joints = self.list.iter().filter_map(|body| body.joint.as_ref());

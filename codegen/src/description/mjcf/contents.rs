@@ -49,6 +49,7 @@ pub(super) fn gather<'d>(
     around: Around,
 ) -> Contents<'d> {
     let mut contents = Contents::default();
+    let own = around.clone();
     // Copies share their elements.
     let files = models.main().files;
     let children = |element: Element<'d>| Rc::<[Element<'d>]>::from(files.children(element));
@@ -66,6 +67,13 @@ pub(super) fn gather<'d>(
         }
         let inside = Inside { element, around };
         match element.name() {
+            "inertial" if !inside.around.is_same_copy(&own) => {
+                let message = format!(
+                    "an `inertial` of {owner} stands in what is copied; MuJoCo does not copy it"
+                );
+                let warning = Diagnostic::warning(message).at(element.span(), "left out");
+                reader.faults.push(warning);
+            }
             "inertial" => contents.inertials.push(inside),
             "joint" | "freejoint" => contents.joints.push(inside),
             "geom" => contents.geoms.push(inside),

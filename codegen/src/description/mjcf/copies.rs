@@ -11,6 +11,11 @@ use crate::limits::XML_NODES;
 pub(super) struct Copies(Cell<u32>);
 
 impl Copies {
+    /// True once there were too many.
+    pub(super) fn is_exhausted(&self) -> bool {
+        self.0.get() > XML_NODES
+    }
+
     /// Counts an element that is copied; false where there are too many, which is told once.
     pub(super) fn count(&self, reader: &mut Reader, span: Span) -> bool {
         let count = self.0.get();

@@ -212,7 +212,9 @@ impl<'d, 'a> Equality<'d, 'a> {
     fn is_within(&self, names: &Names<'_>) -> bool {
         let named = |name: &str| {
             let text = self.given.text(name)?;
-            Some(self.around.name(text.value))
+            // Neither is the name of something that is copied.
+            let is_copied = !matches!(text.value, "" | "world");
+            is_copied.then(|| self.around.name(text.value))
         };
         let joint = |name: &str| named(name).is_none_or(|name| names.joints.contains(&*name));
         let place = |name: &str| named(name).is_none_or(|name| names.places.contains(&name));
@@ -249,6 +251,7 @@ impl<'d, 'a> Equality<'d, 'a> {
             *place = given.value;
         }
         let leader = self.given.text("joint2");
+        let leader = leader.filter(|leader| !leader.value.is_empty());
         if leader.is_some() && polynomial[2..] != [0.0; 3] {
             let message = format!("{} is active and not linear", self.owner);
             self.refuse(reader, &message, "such constraints are not supported");

@@ -56,7 +56,7 @@ impl MassProperties {
             return none;
         };
         let message = format!(
-            "`boundmass` of `compiler` gives {owner} a mass; its mass centre is as far from its origin as that from its lower body's, as in MuJoCo"
+            "`boundmass` of `compiler` gives {owner} a mass; as in MuJoCo its mass centre is at the body's own `pos`, measured from the body's origin"
         );
         let warning =
             Diagnostic::warning(message).at(span, "no `inertial`, and no geom with a mass");

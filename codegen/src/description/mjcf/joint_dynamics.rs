@@ -3,11 +3,11 @@
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::inertial::baked;
 use crate::description::mjcf::joint_type::{JointType, angle_unit};
-use crate::description::mjcf::settings::{Settings, Switch};
+use crate::description::mjcf::settings::{Settings, Switch, TRUTH};
 use crate::description::mjcf::spring_damper::SpringDamper;
 use crate::description::xml::Reader;
 use crate::description::{PerCoordinate, Scalar};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 
 /// What acts along the coordinates of a joint.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +19,8 @@ pub(super) struct Dynamics {
     pub(super) friction: PerCoordinate<f64>,
     /// Where spring and damper follow from the inertia: the rule, and which of the two there are.
     pub(super) spring_damper: Option<(Spanned<SpringDamper>, [Switch; 2])>,
+    /// Where it is left to an actuator to lift weights.
+    pub(super) by_actuator: Option<Span>,
 }
 
 impl Dynamics {
@@ -70,7 +72,10 @@ pub(super) fn dynamics(
     let not_zero = |number: Option<Spanned<f64>>| number.filter(|number| number.value != 0.0);
     let armature = not_zero(given.number(reader, "armature"));
     let friction = not_zero(given.number(reader, "frictionloss"));
+    let by_actuator = given.keyword(reader, "actuatorgravcomp", &TRUTH);
+    let by_actuator = by_actuator.filter(|by| by.value == Switch::On);
     Dynamics {
+        by_actuator: by_actuator.map(|by| by.span),
         stiffness: same(stiffness),
         rest: same(rest),
         damping: same(damping),

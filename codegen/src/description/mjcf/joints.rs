@@ -52,6 +52,11 @@ impl JointElement {
         }
     }
 
+    /// Where it leaves it to an actuator to lift weights.
+    pub(super) fn by_actuator(&self) -> Option<Span> {
+        self.dynamics.by_actuator
+    }
+
     /// The rotor's inertia, kg m² or kg.
     pub(super) fn armature(&self) -> f64 {
         match &self.dynamics.armature {

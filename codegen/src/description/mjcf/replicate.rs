@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use crate::description::mjcf::angles::euler;
-use crate::description::mjcf::around::Around;
+use crate::description::mjcf::around::{self, Around};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::known;
 use crate::description::mjcf::models::Models;
@@ -41,8 +41,12 @@ pub(super) fn copies<'d>(
     let settings = &model.settings;
     let class = model.child_class(reader, &given, around.class);
     let separator = given.text("sep").map_or("", |separator| separator.value);
-    // As many digits as the last number needs.
-    let digits = (count - 1).to_string().len();
+    // As in MuJoCo as many digits as their number needs, not the last one.
+    let digits = count.to_string().len();
+    let longest = format!("{separator}{count}{}", around.suffix);
+    if !around::fits(reader, &longest, "`sep` and numbers", element.span()) {
+        return Vec::new();
+    }
     let mut copies = Vec::new();
     let mut moved = Placement::SAME;
     for number in 0..count {

@@ -195,8 +195,9 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
             ),
         );
     }
-    if let Some(conflict) = attributes.text("conflict") {
-        settings.merges = (conflict.value == "merge").then_some(conflict.span);
+    let words = [("warning", false), ("error", false), ("merge", true)];
+    if let Some(conflict) = attributes.keyword(reader, "conflict", &words) {
+        settings.merges = conflict.value.then_some(conflict.span);
     }
     euler_sequence(reader, attributes, settings);
     mesh_files(reader, attributes, settings);

@@ -87,7 +87,10 @@ impl Ties {
     ) {
         let named = places(bodies, |body| body.joint.name.as_ref());
         let answering = places(bodies, |body| {
-            body.joint.name.as_ref().or(body.name.as_ref())
+            let kind = body.joint.kind.as_ref().map(|kind| &kind.value);
+            let of_body = body.name.as_ref();
+            let of_body = of_body.filter(|_| kind != Some(&JointKind::Fixed));
+            body.joint.name.as_ref().or(of_body)
         });
         let held = self.held();
         for equation in self.joints.values() {

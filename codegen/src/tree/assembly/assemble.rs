@@ -40,7 +40,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
         placed: &placed,
     };
     let mut bodies = pieces.bodies(&merged, numbered.joints);
-    let weight = lifted::remaining(&mut bodies);
+    let lifted = lifted::of_all(&mut bodies);
     let frames = pieces.frames(&merged, &bodies, &values.parameters);
     let markers = markers.into_iter().zip(&values.frames);
     let markers = markers.map(|(marker, own)| {
@@ -53,7 +53,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     let tree = Tree {
         name: description.name.as_ref()?.value.clone(),
         gravity: values.gravity,
-        weight,
+        lifted,
         order,
         bodies,
         frames,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::description::{Description, JointKind, Mimic};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
-use crate::tree::names::{joint_name, shown};
+use crate::tree::names::{by_joints, joint_name, shown};
 
 /// The most unknown joints for which a similar name is looked for, and the most joints among which it is.
 const MOST_COMPARED: (usize, usize) = (20, 5000);
@@ -161,7 +161,7 @@ struct JointNames<'d> {
 impl<'d> JointNames<'d> {
     fn of(description: &'d Description) -> Self {
         let mut places = BTreeMap::new();
-        for body in 0..description.bodies.len() {
+        for body in by_joints(description) {
             if let Some(name) = joint_name(description, body) {
                 places.entry(name).or_insert(body);
             }

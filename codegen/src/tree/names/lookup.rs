@@ -2,11 +2,11 @@
 
 use crate::description::{Description, WrittenBody};
 use crate::diagnostic::{nearest, shown_name};
-use crate::tree::names::shown::joint_name;
+use crate::tree::names::shown::{by_joints, joint_name};
 
 /// The place in the user's list of the body whose joint has this name, or which has it itself.
 pub(crate) fn joint_named(description: &Description, name: &str) -> Option<usize> {
-    let mut bodies = 0..description.bodies.len();
+    let mut bodies = by_joints(description);
     let of_joint = bodies.find(|body| joint_name(description, *body) == Some(name));
     let is_named = |body: &WrittenBody| body.name.as_ref().is_some_and(|known| known.value == name);
     of_joint.or_else(|| description.bodies.iter().position(is_named))

@@ -10,4 +10,4 @@ pub(crate) use frames::check_frames;
 pub(crate) use identifiers::{frame_identifiers, identifiers, joint_identifiers};
 pub(crate) use lookup::{joint_named, meant};
 pub(crate) use rules::{check, check_coordinates, note_order};
-pub(crate) use shown::{joint_name, shown};
+pub(crate) use shown::{by_joints, joint_name, shown};

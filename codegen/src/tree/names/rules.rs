@@ -17,7 +17,7 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
             &format!("body {}'s", index + 1),
             findings,
         );
-        let joint = format!("the joint of body {}, its", index + 1);
+        let joint = format!("body {}'s joint's", index + 1);
         check_one(body.joint.name.as_ref(), &joint, findings);
         let Some(name) = body.name.as_ref().filter(|name| !name.value.is_empty()) else {
             continue;

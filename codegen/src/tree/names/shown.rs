@@ -1,6 +1,6 @@
 //! How messages call what a description names.
 
-use crate::description::Description;
+use crate::description::{Description, JointKind};
 
 /// "body `hub`", or "body 3" where it has no name.
 pub(crate) fn shown(description: &Description, body: usize) -> String {
@@ -19,4 +19,16 @@ pub(crate) fn joint_name(description: &Description, body: usize) -> Option<&str>
     let body = description.bodies.get(body)?;
     let name = body.joint.name.as_ref().or(body.name.as_ref())?;
     Some(&name.value)
+}
+
+/// The bodies, first those whose joints names mean before others of the same name: a fixed body's has none, unless of its own.
+pub(crate) fn by_joints(description: &Description) -> impl Iterator<Item = usize> {
+    let bodies = &description.bodies;
+    let is_meant = |body: &usize| {
+        let joint = &bodies[*body].joint;
+        let kind = joint.kind.as_ref().map(|kind| &kind.value);
+        joint.name.is_some() || kind != Some(&JointKind::Fixed)
+    };
+    let meant = (0..bodies.len()).filter(is_meant);
+    meant.chain((0..bodies.len()).filter(move |body| !is_meant(body)))
 }

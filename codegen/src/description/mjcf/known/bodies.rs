@@ -71,9 +71,9 @@ pub(in crate::description::mjcf) const JOINT: Known<'static> = Known::attributes
         "damping",
         "armature",
         "frictionloss",
+        "actuatorgravcomp",
     ],
     &[
-        "actuatorgravcomp",
         "group",
         "margin",
         "solimpfriction",
