@@ -1,8 +1,8 @@
 //! A body, as the user wrote it.
 
-use crate::description::joint::WrittenJoint;
+use crate::description::joint::{JointKind, WrittenJoint};
 use crate::description::value::{Given, Optional, Scalar};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Span, Spanned};
 use crate::geometry::Rotation;
 
 /// A body, as the user wrote it.
@@ -24,6 +24,16 @@ pub struct WrittenBody {
     pub gravity_compensation: Optional<Scalar>,
     /// The joint with its lower body.
     pub joint: WrittenJoint,
+}
+
+impl WrittenBody {
+    /// What its joint is called elsewhere: by its own name, or by the body's, which means no joint where the body is fixed.
+    pub fn joint_name(&self) -> Option<&Spanned<String>> {
+        let is_fixed = |kind: &Spanned<JointKind>| kind.value == JointKind::Fixed;
+        let of_body = self.name.as_ref();
+        let of_body = of_body.filter(|_| !self.joint.kind.as_ref().is_some_and(is_fixed));
+        self.joint.name.as_ref().or(of_body)
+    }
 }
 
 /// Names of the components of [`WrittenBody::inertia`], in its order.

@@ -46,9 +46,6 @@ pub fn gravity_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Ex
 
 /// The generalized forces of what lifts bodies: what would hold as much weight.
 pub fn lifting_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
-    if !tree.lifts_some() {
-        return vec![graph.zero(); tree.n_speeds];
-    }
     let links = link::links(graph, tree, plan);
     graph.begin(Purpose::Weight);
     let weights = BodyMap::outward(tree.bodies.len(), |body, _| {
@@ -64,9 +61,6 @@ pub(super) fn lifts(
     tree: &Tree,
     links: &BodyMap<Link>,
 ) -> BodyMap<Option<Wrench>> {
-    if !tree.lifts_some() {
-        return BodyMap::outward(tree.bodies.len(), |_, _| None);
-    }
     graph.begin(Purpose::Weight);
     let upward = upward(graph, tree, links);
     BodyMap::outward(tree.bodies.len(), |body, _| {

@@ -22,14 +22,15 @@ pub fn joint_wrenches(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMa
     let plan = plan.with(Technique::Regroup, false);
     let linkage = Linkage::of_speeds(graph, tree, &plan);
     let mut wrenches = loaded::needed(graph, &linkage, Accelerations::Given, Loads::Given);
-    let lifts = gravity::lifts(graph, tree, &linkage.links);
-    graph.begin(Purpose::Forces);
-    for body in tree.body_ids() {
-        if let Some(lift) = &lifts[body] {
+    if tree.lifts_some() {
+        let lifts = gravity::lifts(graph, tree, &linkage.links);
+        wrenches = BodyMap::outward(tree.bodies.len(), |body, _| {
             graph.enter(body);
-            wrenches[body] = wrenches[body].minus(graph, lift);
-        }
+            let lift = lifts[body].as_ref();
+            lift.map_or(wrenches[body], |lift| wrenches[body].minus(graph, lift))
+        });
     }
+    graph.begin(Purpose::Forces);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut passing = wrenches[body];

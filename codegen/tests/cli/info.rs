@@ -308,6 +308,6 @@ fn weights_that_are_lifted_are_shown() {
         "{text}"
     );
     let text = shown("lifted");
-    let expected = "Bodies with gravity compensation\n\n  base, shoulder, wrist, head\n";
+    let expected = "Gravity compensation, in parts of the weights\n\n  base 0.300, shoulder 0.885, wrist 1.000, head 1.500\n";
     assert!(text.contains(expected), "{text}");
 }

@@ -164,6 +164,28 @@ fn joint_named_twice_is_pointed_at_by_both_names() {
 }
 
 #[test]
+fn joint_may_be_called_as_a_fixed_body_before_it() {
+    let body = |name: &str, joint: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = 1.5\nmass_center = [0.1, 0.02, -0.4]\n\
+             inertia = {{ xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.0, xz = 0.01, yz = 0.0 }}\n\
+             attachment = [0.0, 0.0, -1.0]\n{joint}\n"
+        )
+    };
+    let model = format!(
+        "name = \"arm\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n{}{}{}",
+        body("j", "joint = \"fixed\""),
+        body("upper", "joint = [\"theta1\"]\njoint_name = \"j\""),
+        body(
+            "hand",
+            "joint = [\"theta2\"]\nmimic = { joint = \"j\", multiplier = 2.0 }"
+        ),
+    );
+    let ran = project(&model, r#"["j"]"#, "").kane(&["generate"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}
+
+#[test]
 fn names_that_are_no_text_are_pointed_at() {
     let model = followed("joint = [\"theta3\"]");
     let ran = project(&model, "[1]", "").kane(&["generate"]);

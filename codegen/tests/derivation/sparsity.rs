@@ -6,7 +6,7 @@ use kane_codegen::{
     description::{Base, Reading},
     functions::{Packed, Request, Sparsity, colors},
     recursive::Plan,
-    tree::{Motion, Tree},
+    tree::{Motion, Tree, Value},
 };
 use kane_test_support::{
     compare::{assert_within, larger, largest},
@@ -170,6 +170,28 @@ fn packed_derivatives_are_those_of_all_that_are_not_left_out() {
                 assert_eq!(numbers(&packed), expected, "{seed}, {text}");
             }
         }
+    }
+}
+
+#[test]
+fn pattern_is_the_same_however_much_of_the_weights_is_lifted() {
+    let reading = Reading::default();
+    let tree = read("tests/robots/ur5/ur5.urdf", &reading);
+    let half = Value::Baked(0.5);
+    for text in [
+        "packed(d(inverse_dynamics)/d(q))",
+        "packed(d(gravity_forces)/d(q))",
+        "packed(d(forward_dynamics)/d(q, tau))",
+    ] {
+        let places = sparsity(&tree, text).places;
+        for share in [0.5, 1.0] {
+            let mut lifted = tree.clone();
+            lifted.lifted = share;
+            assert_eq!(sparsity(&lifted, text).places, places, "{share}, {text}");
+        }
+        let mut lifted = tree.clone();
+        lifted.bodies[2].parts[0].lifted = half;
+        assert_eq!(sparsity(&lifted, text).places, places, "one body, {text}");
     }
 }
 

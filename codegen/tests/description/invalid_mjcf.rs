@@ -78,12 +78,14 @@ files! {
     merged_options
     mesh_file_is_missing
     mesh_is_unknown
+    models_in_a_circle
     negative_geom_mass
     negative_spring_damper
     not_closed
     numbers_with_commas
     outermost_class_named
     overflow
+    own_parts
     polynomial_damping
     quaternion_is_zero
     range_reversed

@@ -247,6 +247,33 @@ fn equalities_of_an_attached_model_hold_where_all_that_they_name_is_attached() {
 }
 
 #[test]
+fn equalities_hold_once_more_in_an_attached_part_that_holds_all_they_name() {
+    let text = "<mujoco><worldbody>
+  <body name=\"root\"><joint name=\"a\" type=\"slide\"/><geom size=\"1\"/>
+    <body name=\"tip\"><joint name=\"b\" type=\"slide\"/><geom size=\"1\"/></body>
+  </body>
+  <body name=\"other\"><joint name=\"c\" type=\"slide\"/><geom size=\"1\"/>
+    <attach body=\"root\" prefix=\"x_\"/></body>
+  <body name=\"last\"><joint name=\"d\" type=\"slide\"/><geom size=\"1\"/>
+    <attach body=\"other\" prefix=\"y_\"/></body>
+</worldbody><equality>
+  <joint joint1=\"a\" joint2=\"b\" polycoef=\"0 2\"/>
+  <joint joint1=\"c\" joint2=\"d\"/>
+</equality></mujoco>";
+    let model = parse(text, &[]);
+    assert_eq!(errors(&model), [""; 0]);
+    assert_eq!(
+        mimics(&model),
+        [
+            ("a", "b", 2.0, 0.0),
+            ("c", "d", 1.0, 0.0),
+            ("x_a", "x_b", 2.0, 0.0),
+            ("y_x_a", "y_x_b", 2.0, 0.0),
+        ]
+    );
+}
+
+#[test]
 fn joint_may_be_called_as_a_fixed_body_before_it() {
     let text = "<mujoco><worldbody><body name=\"j\"><geom size=\"1\"/></body>
   <body name=\"a\"><joint name=\"j\" type=\"slide\"/><geom size=\"1\"/>

@@ -22,6 +22,7 @@ macro_rules! mjcf_models {
             mixed_angles
             no_gravity
             orientations
+            own_parts
             replicated
             several_joints
             sites

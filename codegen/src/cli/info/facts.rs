@@ -1,8 +1,12 @@
 //! What is shown of a model, and what the text and the JSON both say of it.
 
 use kane_codegen::{
-    functions::Formulation, id::BodyId, limits::DRAWN_BODIES, program::Operations, report::Counts,
-    tree::Tree,
+    functions::Formulation,
+    id::BodyId,
+    limits::DRAWN_BODIES,
+    program::Operations,
+    report::Counts,
+    tree::{RigidPart, Tree},
 };
 
 /// What people are shown beside the tree.
@@ -43,4 +47,20 @@ pub(super) fn lower_number(tree: &Tree, body: BodyId) -> usize {
 
 pub(super) fn gravity(tree: &Tree) -> [f64; 3] {
     tree.gravity.map(|component| tree.nominal(component))
+}
+
+/// The share of a body's weight that is lifted, with all that is fixed to it; `None` where nothing is.
+pub(super) fn lifted(tree: &Tree, body: BodyId) -> Option<f64> {
+    let parts = &tree.body(body).parts;
+    if tree.lifted == 0.0 && !parts.iter().any(RigidPart::is_lifted) {
+        return None;
+    }
+    let mut masses = [0.0; 2];
+    for part in parts {
+        let mass = tree.nominal(part.mass);
+        masses[0] += mass;
+        masses[1] += mass * tree.nominal(part.lifted);
+    }
+    let [whole, own] = masses;
+    Some(tree.lifted + if whole == 0.0 { 0.0 } else { own / whole })
 }

@@ -36,7 +36,8 @@ use super::{
     order           \"body\" or \"notes\"\n  \
     bodies          number, user_number (in the model), name, identifier (in code), joint, lower_body (0: inertial\n                  \
     frame), free (list of motions, theta1 or w1 .. s3), locked (object of coordinates and values, rad or m),\n                  \
-    mimics (object of coordinates: coordinate, the place in q of the one that is followed, multiplier, offset)\n  \
+    mimics (object of coordinates: coordinate, the place in q of the one that is followed, multiplier, offset),\n                  \
+    gravity_compensation (the part of its weight that is lifted, nominal; absent: none)\n  \
     coordinates     place (in q), name, body, kind (theta1 .. theta3, e0 .. e3, s1 .. s3), unit\n  \
     speeds          names, in the order of u\n  \
     frames          what is fixed to bodies and part of them: name, body (0: inertial frame), rotation (by rows, from the\n                  \

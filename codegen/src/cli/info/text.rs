@@ -10,10 +10,10 @@ use kane_codegen::{
     functions::Formulation,
     limits::{COUNTED, DRAWN_BODIES},
     report::{self, Cell, Counts, Partitions},
-    tree::{Frame, Order, RigidPart, Tree},
+    tree::{Frame, Order, Tree},
 };
 
-use super::facts::{Shown, gravity, is_default, is_drawn, lower_number, operations};
+use super::facts::{Shown, gravity, is_default, is_drawn, lifted, lower_number, operations};
 
 /// Columns of a line.
 const WIDTH: usize = 100;
@@ -67,23 +67,27 @@ pub(super) fn write(
     write_counts(out, counts, shown)
 }
 
-/// Of which bodies forces carry weights.
+/// Which shares of weights are lifted.
 fn write_lifted(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
     if tree.lifted != 0.0 {
-        return writeln!(
-            out,
-            "\nGravity compensation: {} of all weights",
-            tree.lifted
-        );
+        let share = tree.lifted;
+        return writeln!(out, "\nGravity compensation: {share} of all weights");
     }
-    let bodies = tree.bodies.iter();
-    let lifted = bodies.filter(|body| body.parts.iter().any(RigidPart::is_lifted));
-    let names: Vec<String> = lifted.map(|body| body.name.clone()).collect();
-    if names.is_empty() {
+    let shares: Vec<String> = tree
+        .body_ids()
+        .filter_map(|body| {
+            Some(format!(
+                "{} {:.3}",
+                tree.body(body).name,
+                lifted(tree, body)?
+            ))
+        })
+        .collect();
+    if shares.is_empty() {
         return Ok(());
     }
-    writeln!(out, "\nBodies with gravity compensation\n")?;
-    write_wrapped(out, "", names, ", ", "")
+    writeln!(out, "\nGravity compensation, in parts of the weights\n")?;
+    write_wrapped(out, "", shares, ", ", "")
 }
 
 fn bodies(number: usize) -> String {

@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use crate::cli::json;
 
-use super::facts::{gravity, is_default, is_drawn, lower_number};
+use super::facts::{gravity, is_default, is_drawn, lifted, lower_number};
 
 pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
     let order = match tree.order {
@@ -36,9 +36,6 @@ pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
     });
-    if tree.lifted != 0.0 {
-        value["gravity_compensation"] = tree.lifted.into();
-    }
     if !tree.markers.is_empty() {
         value["markers"] = tree.markers.iter().map(frame_value).collect();
     }
@@ -68,7 +65,7 @@ fn body_value(tree: &Tree, id: BodyId) -> Value {
             }
         }
     }
-    json!({
+    let mut value = json!({
         "number": id.index() + 1,
         "user_number": body.user_number,
         "name": body.name,
@@ -78,7 +75,11 @@ fn body_value(tree: &Tree, id: BodyId) -> Value {
         "free": free,
         "locked": locked,
         "mimics": mimics,
-    })
+    });
+    if let Some(share) = lifted(tree, id) {
+        value["gravity_compensation"] = share.into();
+    }
+    value
 }
 
 fn frame_value(frame: &tree::Frame) -> Value {

@@ -15,7 +15,7 @@ pub(super) struct Around {
     pub(super) class: Class,
     /// The number of the model in which the element stands.
     pub(super) model: usize,
-    /// What stands before the names in a model that is attached.
+    /// What stands before the names in what is attached.
     pub(super) prefix: Rc<str>,
     /// What stands behind the names in a copy that `replicate` makes.
     pub(super) suffix: Rc<str>,
@@ -45,7 +45,7 @@ impl Around {
 
     /// True for elements that stand in the file once and in the tree more often.
     pub(super) fn is_copy(&self) -> bool {
-        self.model != 0 || !self.suffix.is_empty()
+        self.model != 0 || !self.prefix.is_empty() || !self.suffix.is_empty()
     }
 }
 

@@ -1,4 +1,4 @@
-//! `attach`: a body or a frame of another model, or all that stands in its world, with a prefix to the names.
+//! `attach`: a body or a frame of a model, or all that stands in the world of another one, with a prefix to the names.
 
 use std::rc::Rc;
 
@@ -6,6 +6,7 @@ use crate::description::mjcf::around::{self, Around};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
+use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
 use crate::description::mjcf::unknown::unknown;
 use crate::description::xml::{Element, Reader};
@@ -21,60 +22,79 @@ pub(super) fn elements<'d>(
 ) -> Option<(Rc<[Element<'d>]>, Around)> {
     let owner = format!("an `attach` of {owner}");
     let given = Attributes::of(reader, element, &owner, &known::ATTACH);
-    let prefix = required(reader, &given, "prefix");
-    let name = required(reader, &given, "model");
-    let (name, prefix) = (name?, prefix?);
-    let whole = format!("{}{}", around.prefix, prefix.value);
-    if !around::fits(reader, &whole, "prefixes", element.span()) {
-        return None;
-    }
-    let assets = &models.list[around.model].assets;
-    let Some(number) = assets.get(name.value) else {
-        let message = format!("there is no model `{}` among the assets", shown(name.value));
-        unknown(reader, message, name, assets.keys().copied());
-        return None;
+    let whole = prefix(reader, &given, around)?;
+    let number = match given.text("model") {
+        Some(name) => asset(reader, &models.list[around.model], name)?,
+        None => around.model,
     };
-    let model = &models.list[*number];
+    let is_own = given.text("model").is_none();
+    let model = &models.list[number];
     let mut inner = Around {
         frame: around.frame,
         class: Class::MAIN,
-        model: *number,
+        model: number,
         prefix: Rc::from(whole),
         suffix: Rc::clone(&around.suffix),
     };
     let part = |kind| Some((kind, given.text(kind)?));
-    let Some((kind, part)) = part("body").or_else(|| part("frame")) else {
-        return Some((Rc::clone(&model.world), inner));
+    let Some((kind, name)) = part("body").or_else(|| part("frame")) else {
+        if is_own {
+            let message = format!("{owner} has none of `model`, `body` and `frame`");
+            let fault = Diagnostic::error(message).at(given.span, "does not say what to attach");
+            reader.faults.push(fault);
+            return None;
+        }
+        return Some((Rc::clone(&model.parts.world), inner));
     };
-    let parts = if kind == "body" {
-        &model.bodies
-    } else {
-        &model.frames
+    let parts = match kind {
+        "body" => &model.parts.bodies,
+        _ => &model.parts.frames,
     };
-    let Some((element, class)) = parts.get(part.value) else {
-        let (model_name, part_name) = (shown(name.value), shown(part.value));
-        let message = format!("the model `{model_name}` has no {kind} `{part_name}`");
-        unknown(reader, message, part, parts.keys().copied());
+    let Some(part) = parts.get(name.value).copied() else {
+        let whose = given.text("model");
+        let whose = whose.map_or("this model".to_owned(), |name| {
+            format!("the model `{}`", shown(name.value))
+        });
+        let message = format!(
+            "{whose} has no {kind} `{}` (those in copies cannot be named)",
+            shown(name.value)
+        );
+        unknown(reader, message, name, parts.keys().copied());
         return None;
     };
+    if is_own && !model.parts.is_before(part, element) {
+        let message = format!(
+            "{owner} asks for {kind} `{}`, which does not end before it",
+            shown(name.value)
+        );
+        let fault =
+            Diagnostic::error(message).at(name.span, "expected one that ends before the `attach`");
+        reader.faults.push(fault);
+        return None;
+    }
     // As in MuJoCo it brings its class, but not the frame in which it stands there.
-    inner.class = *class;
-    Some((Rc::from([*element]), inner))
+    inner.class = part.class;
+    Some((Rc::from([part.element]), inner))
 }
 
-fn required<'d>(
-    reader: &mut Reader,
-    given: &Attributes<'d>,
-    name: &str,
-) -> Option<Spanned<&'d str>> {
-    let text = given.text(name);
-    if text.is_none() {
-        let message = format!("{} has no attribute `{name}`", given.owner);
-        let mut fault = Diagnostic::error(message).at(given.span, format!("`{name}` is missing"));
-        if name == "model" {
-            fault = fault.help("`kane` does not attach parts of the same model");
-        }
+/// What stands before the names of what is attached.
+fn prefix(reader: &mut Reader, given: &Attributes<'_>, around: &Around) -> Option<String> {
+    let Some(prefix) = given.text("prefix") else {
+        let message = format!("{} has no attribute `prefix`", given.owner);
+        let fault = Diagnostic::error(message).at(given.span, "`prefix` is missing");
         reader.faults.push(fault);
+        return None;
+    };
+    let whole = format!("{}{}", around.prefix, prefix.value);
+    around::fits(reader, &whole, "prefixes", given.span).then_some(whole)
+}
+
+/// The number of a model among the assets.
+fn asset(reader: &mut Reader, model: &Model<'_>, name: Spanned<&str>) -> Option<usize> {
+    let asset = model.assets.get(name.value);
+    if asset.is_none() {
+        let message = format!("there is no model `{}` among the assets", shown(name.value));
+        unknown(reader, message, name, model.assets.keys().copied());
     }
-    text
+    asset.map(|asset| asset.number)
 }

@@ -10,8 +10,7 @@ use crate::description::mjcf::inertial::{self, MassProperties};
 use crate::description::mjcf::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
-use crate::description::mjcf::leaving::advice;
-use crate::description::mjcf::lifted::lifted;
+use crate::description::mjcf::lifted;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
 use crate::description::mjcf::names::Wish;
@@ -20,8 +19,8 @@ use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::sites::Site;
 use crate::description::mjcf::solid::together;
+use crate::description::too_many;
 use crate::description::xml::Reader;
-use crate::description::{LeftOut, too_many};
 use crate::diagnostic::{Diagnostic, Span, shown};
 use crate::limits::BODIES;
 
@@ -79,7 +78,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
         let bodies = found.keep(contents);
         push(&mut pending, bodies, found.bodies.count(), moves);
     }
-    found.settle_lifted(reader);
+    lifted::settle(reader, &mut found.bodies, &found.by_actuators);
     found
 }
 
@@ -87,21 +86,6 @@ impl<'d> Found<'d> {
     /// True where another model is attached.
     pub(super) fn attaches(&self) -> bool {
         self.copies.iter().any(|around| around.model != 0)
-    }
-
-    /// As in MuJoCo nothing is lifted where nothing is lifted upward.
-    fn settle_lifted(&mut self, reader: &mut Reader) {
-        if !self.bodies.lifts_upward() {
-            self.bodies.lift_nothing();
-            return;
-        }
-        for span in &self.by_actuators {
-            let message = "`actuatorgravcomp` leaves it to an actuator to lift weights, which is not supported";
-            let fault = Diagnostic::error(message).at(*span, "expected `false`");
-            reader
-                .faults
-                .push(fault.help(advice(LeftOut::Gravcomp.name())));
-        }
     }
 
     /// Keeps what stands in the last body; gives the bodies in it, which are still to be read.
@@ -187,7 +171,7 @@ fn body<'d>(
         (&owner, around),
         moves,
     );
-    let lifted = lifted(reader, models.main(), &given);
+    let lifted = lifted::of_body(reader, models.main(), &given);
     let by_actuators = joints.iter().filter_map(JointElement::by_actuator);
     found.by_actuators.extend(by_actuators);
     found.bodies.add(JointedBody {

@@ -11,6 +11,7 @@ use crate::description::mjcf::ties::Held;
 use crate::description::xml::Reader;
 use crate::description::{Given, Optional, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::limits::SPRING_UPDATES;
 
 /// The bodies of a model, before they have their names, weights and seats.
 #[derive(Debug, Default)]
@@ -155,8 +156,20 @@ impl Bodies {
             joint: body.joint.as_ref(),
             mass: body.solid(factor),
         });
-        let inertias = inertias(&drawn.collect::<Vec<_>>());
-        let inertias = inertias.unwrap_or_else(|| vec![None; self.list.len()]);
+        let Some(inertias) = inertias(&drawn.collect::<Vec<_>>()) else {
+            let mut joints = self.list.iter().filter_map(|body| body.joint.as_ref());
+            let message = format!(
+                "springs of `springdamper` follow from the mass matrix, which takes more than {SPRING_UPDATES} steps here"
+            );
+            let fault =
+                Diagnostic::error(message).help("give `stiffness` and `damping` as numbers");
+            let place = joints.find_map(JointElement::spring_damper);
+            reader.faults.push(match place {
+                Some(place) => fault.at(place, "the first one"),
+                None => fault,
+            });
+            return;
+        };
         for (body, inertia) in self.list.iter_mut().zip(inertias) {
             let Some(joint) = &mut body.joint else {
                 continue;

@@ -68,11 +68,7 @@ pub(super) fn gather<'d>(
         let inside = Inside { element, around };
         match element.name() {
             "inertial" if !inside.around.is_same_copy(&own) => {
-                let message = format!(
-                    "an `inertial` of {owner} stands in what is copied; MuJoCo does not copy it"
-                );
-                let warning = Diagnostic::warning(message).at(element.span(), "left out");
-                reader.faults.push(warning);
+                reader.faults.push(copied_inertial(element, owner));
             }
             "inertial" => contents.inertials.push(inside),
             "joint" | "freejoint" => contents.joints.push(inside),
@@ -111,16 +107,26 @@ pub(super) fn gather<'d>(
             }
             name if known::IGNORED_IN_BODY.contains(&name) => {}
             name if known::UNSUPPORTED_IN_BODY.contains(&name) => {
-                let message = format!("`{name}` of {owner} is not supported");
-                let fault = Diagnostic::error(message).at(element.span(), "not supported");
-                reader.faults.push(if name == "plugin" {
-                    fault
-                } else {
-                    fault.help("let MuJoCo save the model: it writes out what this stands for")
-                });
+                reader.faults.push(unsupported(element, owner));
             }
             _ => reader.unknown_child(element, owner, &known::IN_BODY),
         }
     }
     contents
+}
+
+fn copied_inertial(element: Element<'_>, owner: &str) -> Diagnostic {
+    let message =
+        format!("an `inertial` of {owner} stands in what is copied; MuJoCo does not copy it");
+    Diagnostic::warning(message).at(element.span(), "left out")
+}
+
+fn unsupported(element: Element<'_>, owner: &str) -> Diagnostic {
+    let name = element.name();
+    let message = format!("`{name}` of {owner} is not supported");
+    let fault = Diagnostic::error(message).at(element.span(), "not supported");
+    if name == "plugin" {
+        return fault;
+    }
+    fault.help("let MuJoCo save the model: it writes out what this stands for")
 }

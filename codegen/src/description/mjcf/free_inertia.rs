@@ -41,7 +41,7 @@ struct Row {
     below: Vec<usize>,
 }
 
-/// The inertia of each body's joint, if that has one speed; kg m² or kg. `None` where there are too many speeds.
+/// The inertia of each body's joint, if that has one speed; kg m² or kg. `None` where that takes too many steps.
 pub(super) fn inertias(bodies: &[DrawnBody<'_>]) -> Option<Vec<Option<f64>>> {
     let mut places = vec![Placement::SAME];
     let mut composites = vec![Inertia::NONE];

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::io;
 
+use crate::description::mjcf::paths::is_absolute;
 use crate::description::xml::{Document, Element, Known, Mended, Reader};
 use crate::description::{Include, too_large, utf8};
 use crate::diagnostic::{Diagnostic, Source, Span, shown};
@@ -214,7 +215,7 @@ impl Included {
     /// The path from the main file's folder of what stands beside a file.
     fn beside(&self, file: usize, path: &str) -> String {
         let folder = &self.folders[file];
-        if path.starts_with('/') {
+        if is_absolute(path) {
             path.to_owned()
         } else {
             format!("{folder}{path}")

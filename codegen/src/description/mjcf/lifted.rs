@@ -1,15 +1,16 @@
 //! `gravcomp`: forces against the weights of bodies.
 
 use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::leaving::left_out;
+use crate::description::mjcf::chain::Bodies;
+use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::settings::Switch;
 use crate::description::xml::Reader;
 use crate::description::{LeftOut, Optional, Scalar};
-use crate::diagnostic::Spanned;
+use crate::diagnostic::{Diagnostic, Span, Spanned};
 
 /// The share of a body's weight that is lifted; `None` where nothing is. What the main model says of forces holds for all.
-pub(super) fn lifted(
+pub(super) fn of_body(
     reader: &mut Reader,
     main: &Model<'_>,
     body: &Attributes<'_>,
@@ -28,4 +29,20 @@ pub(super) fn lifted(
         return None;
     }
     Some(Spanned::new(Scalar::Baked(share.value), share.span))
+}
+
+/// Settles what all bodies together decide. As in MuJoCo nothing is lifted where no share is positive; else none may be left to
+/// actuators, as joints in these places say.
+pub(super) fn settle(reader: &mut Reader, bodies: &mut Bodies, by_actuators: &[Span]) {
+    if !bodies.lifts_upward() {
+        bodies.lift_nothing();
+        return;
+    }
+    for span in by_actuators {
+        let message =
+            "`actuatorgravcomp` leaves it to an actuator to lift weights, which is not supported";
+        let fault = Diagnostic::error(message).at(*span, "expected `false`");
+        let help = advice(LeftOut::Gravcomp.name());
+        reader.faults.push(fault.help(help));
+    }
 }

@@ -6,6 +6,7 @@ use crate::description::Include;
 use crate::description::mesh::{self, Change, Fault, Filling, Format, MeshShape, Surface};
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::budget::Budget;
+use crate::description::mjcf::paths::{file_name, is_absolute};
 use crate::description::mjcf::settings::{Settings, Switch};
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
@@ -160,15 +161,6 @@ fn surface(reader: &mut Reader, reading: &WantedMesh<'_>) -> Option<Surface> {
         return None;
     }
     read(reader, reading, file)
-}
-
-/// The name of a file without folders.
-pub(super) fn file_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
-
-fn is_absolute(path: &str) -> bool {
-    path.starts_with(['/', '\\']) || path.contains(":/") || path.contains(":\\")
 }
 
 /// The path of a mesh file from the model's folder.

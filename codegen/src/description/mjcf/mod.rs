@@ -43,6 +43,8 @@ mod names;
 mod orientation;
 mod others;
 mod parse;
+mod parts;
+mod paths;
 mod placement;
 mod replicate;
 mod seat;

@@ -1,7 +1,6 @@
 //! What a model says, beside its bodies.
 
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
 use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::budget::Budget;
@@ -9,9 +8,11 @@ use crate::description::mjcf::defaults::{self, Class, Defaults};
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
 use crate::description::mjcf::meshes::Meshes;
+use crate::description::mjcf::parts::Parts;
 use crate::description::mjcf::settings::{self, Settings};
 use crate::description::xml::{Element, Known, Reader};
 use crate::description::{Include, Reading};
+use crate::diagnostic::Span;
 
 /// What the caller says beside a model.
 #[derive(Clone, Copy)]
@@ -21,8 +22,13 @@ pub(super) struct Beside<'d> {
     pub(super) budget: &'d Budget,
 }
 
-/// Elements by name, each with the class around it.
-pub(super) type Parts<'d> = BTreeMap<&'d str, (Element<'d>, Class)>;
+/// A model among the assets of another one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ModelAsset {
+    /// Its number in [`Models`](super::models::Models).
+    pub(super) number: usize,
+    pub(super) place: Span,
+}
 
 /// What a model says, beside its bodies.
 #[derive(Debug)]
@@ -34,12 +40,10 @@ pub(super) struct Model<'d> {
     pub(super) meshes: Meshes<'d>,
     /// The sections of the root, in the order of the file.
     pub(super) sections: Vec<Element<'d>>,
-    /// The models among its assets, by name: their numbers in [`Models`](super::models::Models).
-    pub(super) assets: BTreeMap<&'d str, usize>,
-    /// What stands in its world, and its bodies and frames by name: what can be attached, so that there is none for the main model.
-    pub(super) world: Rc<[Element<'d>]>,
-    pub(super) bodies: Parts<'d>,
-    pub(super) frames: Parts<'d>,
+    /// The models among its assets, by name.
+    pub(super) assets: BTreeMap<&'d str, ModelAsset>,
+    /// What of it can be attached.
+    pub(super) parts: Parts<'d>,
 }
 
 impl<'d> Model<'d> {
@@ -87,7 +91,8 @@ impl<'d> Model<'d> {
             &named("asset"),
             (beside.include, beside.budget),
         );
-        let mut model = Self {
+        let parts = Parts::of(files, &defaults, &named("worldbody"));
+        Self {
             files,
             reading: beside.reading,
             settings,
@@ -95,14 +100,8 @@ impl<'d> Model<'d> {
             meshes,
             sections,
             assets: BTreeMap::new(),
-            world: Rc::from([]),
-            bodies: BTreeMap::new(),
-            frames: BTreeMap::new(),
-        };
-        if main.is_some() {
-            model.find_parts();
+            parts,
         }
-        model
     }
 
     /// The class around the elements inside: the one that is named, or else that from outside.
@@ -120,30 +119,6 @@ impl<'d> Model<'d> {
     /// The sections of this name.
     pub(super) fn named(&self, name: &str) -> Vec<Element<'d>> {
         sections_named(&self.sections, name)
-    }
-
-    fn find_parts(&mut self) {
-        let worlds = self.named("worldbody").into_iter();
-        let mut open: Vec<_> = worlds.map(|world| (world, Class::MAIN)).collect();
-        let inside = open
-            .iter()
-            .flat_map(|(world, _)| self.files.children(*world));
-        self.world = inside.collect();
-        while let Some((element, around)) = open.pop() {
-            for child in self.files.children(element) {
-                let parts = match child.name() {
-                    "body" => &mut self.bodies,
-                    "frame" => &mut self.frames,
-                    _ => continue,
-                };
-                if let Some(name) = child.attribute("name") {
-                    parts.entry(name.value).or_insert((child, around));
-                }
-                let class = child.attribute("childclass");
-                let class = class.and_then(|name| self.defaults.known(name.value));
-                open.push((child, class.unwrap_or(around)));
-            }
-        }
     }
 }
 

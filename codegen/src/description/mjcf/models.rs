@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::files::Files;
-use crate::description::mjcf::model::{Beside, Model};
+use crate::description::mjcf::model::{Beside, Model, ModelAsset};
 use crate::description::xml::{Element, Reader};
 use crate::diagnostic::{Diagnostic, Spanned, shown};
 
@@ -52,10 +52,17 @@ impl<'d> Models<'d> {
                 }
                 let name = element.attribute("name").or(root.attribute("model"));
                 let name = name.map_or(NAME, |name| name.value);
-                if list[index].assets.insert(name, number).is_some() {
-                    let message = format!("model `{}` is given twice", shown(name));
-                    let fault = Diagnostic::error(message).at(element.span(), "the second one");
+                let assets = &mut list[index].assets;
+                if assets.contains_key(name) {
+                    let message = format!(
+                        "model `{}` is given twice; the first one counts",
+                        shown(name)
+                    );
+                    let fault = Diagnostic::warning(message).at(element.span(), "ignored");
                     reader.faults.push(fault);
+                } else {
+                    let place = element.span();
+                    assets.insert(name, ModelAsset { number, place });
                 }
             }
             index += 1;
@@ -64,8 +71,7 @@ impl<'d> Models<'d> {
             list,
             copies: Copies::default(),
         };
-        models.check_that_none_attaches_itself(reader)?;
-        Some(models)
+        models.attaches_none_to_itself(reader).then_some(models)
     }
 
     /// The main model.
@@ -73,34 +79,40 @@ impl<'d> Models<'d> {
         &self.list[0]
     }
 
-    fn check_that_none_attaches_itself(&self, reader: &mut Reader) -> Option<()> {
+    /// Refuses assets of which one leads back to itself.
+    fn attaches_none_to_itself(&self, reader: &mut Reader) -> bool {
         let mut owners = vec![0_usize; self.list.len()];
         for asset in self.list.iter().flat_map(|model| model.assets.values()) {
-            owners[*asset] += 1;
+            owners[asset.number] += 1;
         }
         let mut open: Vec<usize> = (0..owners.len()).filter(|n| owners[*n] == 0).collect();
         while let Some(model) = open.pop() {
             for asset in self.list[model].assets.values() {
-                owners[*asset] -= 1;
-                if owners[*asset] == 0 {
-                    open.push(*asset);
+                owners[asset.number] -= 1;
+                if owners[asset.number] == 0 {
+                    open.push(asset.number);
                 }
             }
         }
-        let cyclic = owners.iter().position(|owners| *owners > 0);
-        let Some(cyclic) = cyclic.and_then(|number| self.list.get(number)) else {
-            return Some(());
-        };
+        // What is left is in a circle, or an asset of one that is left: from asset to owner the way ends in a circle.
+        let mut inner = owners.iter().position(|owners| *owners > 0);
+        let mut place = None;
+        for _ in 0..self.list.len() {
+            let left = self.list.iter().enumerate();
+            let mut assets = left
+                .filter(|(owner, _)| owners[*owner] > 0)
+                .flat_map(|(owner, model)| model.assets.values().map(move |asset| (owner, asset)));
+            let found = assets.find(|(_, asset)| Some(asset.number) == inner);
+            inner = found.map(|(owner, _)| owner);
+            place = found.map(|(_, asset)| asset.place);
+        }
         let message = "a model is an asset of itself, directly or by another one";
-        let assets = cyclic.named("asset").into_iter();
-        let mut models = assets.flat_map(|asset| cyclic.files.children(asset));
-        let place = models.find(|element| element.name() == "model");
-        let fault = Diagnostic::error(message);
-        reader.faults.push(match place {
-            Some(element) => fault.at(element.span(), "one of the assets"),
-            None => fault,
-        });
-        None
+        let Some(place) = place else {
+            return true;
+        };
+        let fault = Diagnostic::error(message).at(place, "one of the assets");
+        reader.faults.push(fault);
+        false
     }
 }
 

@@ -5,6 +5,7 @@ use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{advice, left_out};
+use crate::description::mjcf::paths::is_absolute;
 use crate::description::xml::{Element, Reader};
 use crate::description::{LeftOut, Reading};
 use crate::diagnostic::{Diagnostic, Span, Spanned, shown};
@@ -52,8 +53,7 @@ impl Settings {
         self.equalities = main.equalities;
         self.strip_path = main.strip_path;
         self.fit_bounds = main.fit_bounds;
-        let is_absolute = self.mesh_folder.starts_with('/');
-        if !folder.is_empty() && !is_absolute {
+        if !folder.is_empty() && !is_absolute(&self.mesh_folder) {
             self.mesh_folder = format!("{folder}/{}", self.mesh_folder);
         }
     }

@@ -86,12 +86,7 @@ impl Ties {
         references: &[f64],
     ) {
         let named = places(bodies, |body| body.joint.name.as_ref());
-        let answering = places(bodies, |body| {
-            let kind = body.joint.kind.as_ref().map(|kind| &kind.value);
-            let of_body = body.name.as_ref();
-            let of_body = of_body.filter(|_| kind != Some(&JointKind::Fixed));
-            body.joint.name.as_ref().or(of_body)
-        });
+        let answering = places(bodies, WrittenBody::joint_name);
         let held = self.held();
         for equation in self.joints.values() {
             let joint = place(reader, bodies, &named, equation, &equation.joint);

@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{
-    Chart, CoordinateName, Description, JointKind, Speeds, WrittenBody, urdf,
-};
+use crate::description::{Chart, CoordinateName, Description, Speeds, WrittenBody, urdf};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::joints::mechanics_rules::mechanics;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
@@ -65,13 +63,7 @@ fn names_twice(description: &Description, findings: &mut Vec<Diagnostic>) {
     let mut first: BTreeMap<&str, (bool, Span)> = BTreeMap::new();
     for body in &description.bodies {
         let own = body.joint.name.as_ref();
-        // Nothing can mean the joint of a fixed body, unless it has a name of its own.
-        let kind = body.joint.kind.as_ref().map(|kind| &kind.value);
-        let of_body = body
-            .name
-            .as_ref()
-            .filter(|_| kind != Some(&JointKind::Fixed));
-        let Some(name) = own.or(of_body) else {
+        let Some(name) = body.joint_name() else {
             continue;
         };
         let Some((is_own, span)) = first.get(name.value.as_str()) else {

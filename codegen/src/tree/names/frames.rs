@@ -52,10 +52,10 @@ pub(crate) fn check_frames(description: &Description, findings: &mut Vec<Diagnos
             && !names.contains(body.value.as_str())
         {
             n_unknown += 1;
-            let names = written_names(description);
+            let names: Vec<&str> = written_names(description).collect();
             // Looking through very many names very often would take too long.
-            let names: Vec<&str> = names.take(MOST_COMPARED / n_unknown).collect();
-            findings.push(unknown_body(index + 1, body, &names));
+            let n_compared = names.len().min(MOST_COMPARED / n_unknown);
+            findings.push(unknown_body(index + 1, body, &names, n_compared));
         }
     }
 }
@@ -69,14 +69,20 @@ fn written_names(description: &Description) -> impl Iterator<Item = &str> {
     names.map(|name| name.value.as_str())
 }
 
-fn unknown_body(number: usize, body: &Spanned<String>, names: &[&str]) -> Diagnostic {
+/// `n_compared`: of how many names one may have been meant.
+fn unknown_body(
+    number: usize,
+    body: &Spanned<String>,
+    names: &[&str],
+    n_compared: usize,
+) -> Diagnostic {
     let shown = body.value.escape_debug();
     let fault = Diagnostic::error(format!(
         "frame {number} is fixed in `{shown}`, which is no body"
     ));
     let help = if names.is_empty() {
         "without `body` it is fixed in the inertial frame".to_owned()
-    } else if let Some(near) = nearest(&body.value, names) {
+    } else if let Some(near) = nearest(&body.value, &names[..n_compared]) {
         format!("did you mean `{}`?", near.escape_debug())
     } else {
         let names = listed(names);

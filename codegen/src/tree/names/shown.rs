@@ -1,6 +1,6 @@
 //! How messages call what a description names.
 
-use crate::description::{Description, JointKind};
+use crate::description::Description;
 
 /// "body `hub`", or "body 3" where it has no name.
 pub(crate) fn shown(description: &Description, body: usize) -> String {
@@ -21,14 +21,10 @@ pub(crate) fn joint_name(description: &Description, body: usize) -> Option<&str>
     Some(&name.value)
 }
 
-/// The bodies, first those whose joints names mean before others of the same name: a fixed body's has none, unless of its own.
+/// The places of the bodies, those first whose names, or whose joints' own, mean a joint.
 pub(crate) fn by_joints(description: &Description) -> impl Iterator<Item = usize> {
     let bodies = &description.bodies;
-    let is_meant = |body: &usize| {
-        let joint = &bodies[*body].joint;
-        let kind = joint.kind.as_ref().map(|kind| &kind.value);
-        joint.name.is_some() || kind != Some(&JointKind::Fixed)
-    };
+    let is_meant = |body: &usize| bodies[*body].joint_name().is_some();
     let meant = (0..bodies.len()).filter(is_meant);
     meant.chain((0..bodies.len()).filter(move |body| !is_meant(body)))
 }
