@@ -8,6 +8,7 @@ use crate::description::mjcf::defaults::Class;
 use crate::description::mjcf::known;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::models::Models;
+use crate::description::mjcf::parts::{self, Named};
 use crate::description::mjcf::unknown::unknown;
 use crate::description::xml::{Element, Reader};
 use crate::diagnostic::{Diagnostic, Spanned, shown};
@@ -50,31 +51,49 @@ pub(super) fn elements<'d>(
         "body" => &model.parts.bodies,
         _ => &model.parts.frames,
     };
-    let Some(part) = parts.get(name.value).copied() else {
-        let whose = given.text("model");
-        let whose = whose.map_or("this model".to_owned(), |name| {
-            format!("the model `{}`", shown(name.value))
-        });
-        let message = format!(
-            "{whose} has no {kind} `{}` (those in copies cannot be named)",
-            shown(name.value)
-        );
-        unknown(reader, message, name, parts.keys().copied());
+    let named = parts.get(name.value).map_or(&[][..], Vec::as_slice);
+    let found = if is_own {
+        model.parts.before(named, element)
+    } else {
+        parts::outermost(named)
+    };
+    let Some(part) = found else {
+        refuse(reader, &given, (kind, name), parts);
         return None;
     };
-    if is_own && !model.parts.is_before(part, element) {
-        let message = format!(
-            "{owner} asks for {kind} `{}`, which does not end before it",
-            shown(name.value)
-        );
-        let fault =
-            Diagnostic::error(message).at(name.span, "expected one that ends before the `attach`");
-        reader.faults.push(fault);
-        return None;
-    }
     // As in MuJoCo it brings its class, but not the frame in which it stands there.
     inner.class = part.class;
     Some((Rc::from([part.element]), inner))
+}
+
+/// Tells that there is no such part, or none yet.
+fn refuse(
+    reader: &mut Reader,
+    given: &Attributes<'_>,
+    (kind, name): (&str, Spanned<&str>),
+    parts: &Named<'_>,
+) {
+    let part = shown(name.value);
+    let model = given.text("model");
+    let own = parts
+        .iter()
+        .filter(|(_, named)| parts::outermost(named).is_some());
+    let own: Vec<&str> = own.map(|(name, _)| *name).collect();
+    if model.is_none() && own.contains(&name.value) {
+        let message = format!(
+            "{} asks for {kind} `{part}`, which does not end before it",
+            given.owner
+        );
+        let fault = Diagnostic::error(message);
+        let fault = fault.at(name.span, "expected one that ends before the `attach`");
+        reader.faults.push(fault);
+        return;
+    }
+    let whose = model.map_or("this model".to_owned(), |name| {
+        format!("the model `{}`", shown(name.value))
+    });
+    let message = format!("{whose} has no {kind} `{part}` (those in copies cannot be named)");
+    unknown(reader, message, name, own.into_iter());
 }
 
 /// What stands before the names of what is attached.

@@ -1,4 +1,4 @@
-//! What of a model can be attached: its bodies and frames by name, but for what stands in copies.
+//! What of a model can be attached: its bodies and frames by name. What a `replicate` copies has its own name inside that alone.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -12,17 +12,20 @@ use crate::description::xml::Element;
 pub(super) struct Part<'d> {
     pub(super) element: Element<'d>,
     pub(super) class: Class,
-    /// How many elements stand before its end.
-    end: usize,
+    /// How many elements stand before its end, and before the end of the innermost `replicate` around it.
+    ends: [usize; 2],
 }
+
+/// Parts by name.
+pub(super) type Named<'d> = BTreeMap<&'d str, Vec<Part<'d>>>;
 
 /// What of a model can be attached.
 #[derive(Debug)]
 pub(super) struct Parts<'d> {
     /// What stands in the world.
     pub(super) world: Rc<[Element<'d>]>,
-    pub(super) bodies: BTreeMap<&'d str, Part<'d>>,
-    pub(super) frames: BTreeMap<&'d str, Part<'d>>,
+    pub(super) bodies: Named<'d>,
+    pub(super) frames: Named<'d>,
     /// How many elements stand before each `attach`, by its place.
     attaches: BTreeMap<usize, usize>,
 }
@@ -32,9 +35,9 @@ struct Open<'d> {
     element: Element<'d>,
     /// The class around it, and that of what it holds.
     classes: [Class; 2],
-    /// What it holds stands in copies.
-    is_copied: bool,
     children: std::vec::IntoIter<Element<'d>>,
+    /// What was left in it and stands in no `replicate` that was left.
+    parts: Vec<(&'d str, Part<'d>)>,
 }
 
 impl<'d> Parts<'d> {
@@ -51,62 +54,85 @@ impl<'d> Parts<'d> {
             frames: BTreeMap::new(),
             attaches: BTreeMap::new(),
         };
-        let enter = |element: Element<'d>, around: Class, is_copied: bool| {
+        let enter = |element: Element<'d>, around: Class| {
             let class = element.attribute("childclass");
             let class = class.and_then(|name| defaults.known(name.value));
             Open {
                 element,
                 classes: [around, class.unwrap_or(around)],
-                is_copied: is_copied || element.name() == "replicate",
                 children: files.children(element).into_iter(),
+                parts: Vec::new(),
             }
         };
         let mut count = 0;
         for world in worlds {
-            let mut open = vec![enter(*world, Class::MAIN, false)];
+            let mut open = vec![enter(*world, Class::MAIN)];
             while let Some(last) = open.last_mut() {
-                match last.children.next() {
-                    Some(child) => {
-                        count += 1;
-                        if child.name() == "attach" {
-                            parts.attaches.insert(child.span().start, count);
-                        } else if ["body", "frame", "replicate"].contains(&child.name()) {
-                            let inner = enter(child, last.classes[1], last.is_copied);
-                            open.push(inner);
-                        }
+                if let Some(child) = last.children.next() {
+                    count += 1;
+                    if child.name() == "attach" {
+                        parts.attaches.insert(child.span().start, count);
+                    } else if ["body", "frame", "replicate"].contains(&child.name()) {
+                        let inner = enter(child, last.classes[1]);
+                        open.push(inner);
                     }
-                    None => {
-                        let left = open.pop();
-                        parts.extend(left, count);
-                    }
+                    continue;
+                }
+                let found = open.pop().map(|left| parts.leave(left, count));
+                let found = found.unwrap_or_default();
+                match open.last_mut() {
+                    Some(around) if around.parts.is_empty() => around.parts = found,
+                    Some(around) => around.parts.extend(found),
+                    None => parts.extend(found),
                 }
             }
         }
         parts
     }
 
-    /// Adds what was left, if it has a name of its own.
-    fn extend(&mut self, left: Option<Open<'d>>, end: usize) {
-        let Some(left) = left.filter(|left| !left.is_copied) else {
-            return;
-        };
-        let named = match left.element.name() {
-            "body" => &mut self.bodies,
-            "frame" => &mut self.frames,
-            _ => return,
-        };
+    /// What was found in an element and the element itself, as long as they have the names that are written.
+    fn leave(&mut self, left: Open<'d>, end: usize) -> Vec<(&'d str, Part<'d>)> {
+        let mut found = left.parts;
+        if left.element.name() == "replicate" {
+            for (_, part) in &mut found {
+                part.ends[1] = end;
+            }
+            self.extend(found);
+            return Vec::new();
+        }
         if let Some(name) = left.element.attribute("name") {
-            named.entry(name.value).or_insert(Part {
+            let part = Part {
                 element: left.element,
                 class: left.classes[0],
-                end,
-            });
+                ends: [end, usize::MAX],
+            };
+            found.push((name.value, part));
+        }
+        found
+    }
+
+    fn extend(&mut self, found: Vec<(&'d str, Part<'d>)>) {
+        for (name, part) in found {
+            let named = match part.element.name() {
+                "body" => &mut self.bodies,
+                "frame" => &mut self.frames,
+                _ => continue,
+            };
+            named.entry(name).or_default().push(part);
         }
     }
 
-    /// True for a part that ends before this `attach` of the same model.
-    pub(super) fn is_before(&self, part: Part<'d>, attach: Element<'d>) -> bool {
-        let place = self.attaches.get(&attach.span().start);
-        place.is_some_and(|place| part.end < *place)
+    /// The first of these parts that an `attach` of the same model finds: it ends before that, and stands in no `replicate` that
+    /// ended.
+    pub(super) fn before(&self, parts: &[Part<'d>], attach: Element<'d>) -> Option<Part<'d>> {
+        let place = *self.attaches.get(&attach.span().start)?;
+        let mut parts = parts.iter().copied();
+        parts.find(|part| part.ends[0] < place && place <= part.ends[1])
     }
+}
+
+/// The first of these parts that another model finds.
+pub(super) fn outermost<'d>(parts: &[Part<'d>]) -> Option<Part<'d>> {
+    let mut parts = parts.iter().copied();
+    parts.find(|part| part.ends[1] == usize::MAX)
 }
