@@ -7,7 +7,7 @@ use std::mem;
 use clap::Args;
 use kane_codegen::{
     functions::{Function, Parsed, RequestError, advice, split},
-    options::{Formulation, Functions, Options, has, is_set},
+    options::{ALL, Formulation, Functions, Options, is_in_all, is_set},
     recursive::Technique,
 };
 
@@ -174,9 +174,9 @@ pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
             failures.add(Failures::message(format!(
                 "--functions names `{name}` twice"
             )));
-        } else if let Some(set) = names.iter().find(|set| has(set, name)) {
+        } else if names.contains(&ALL) && is_in_all(name) {
             failures.add(Failures::message(format!(
-                "--functions names `{name}` beside `{set}`, which has it"
+                "--functions names `{name}` beside `{ALL}`, which has it"
             )));
         }
     }

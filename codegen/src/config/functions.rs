@@ -4,7 +4,7 @@ use crate::{
     description::toml_reader::{Reader, Table, span},
     diagnostic::{Diagnostic, Spanned},
     functions::{Parsed, RequestError, advice},
-    options::{Functions, has, is_set},
+    options::{ALL, Functions, is_in_all, is_set},
 };
 
 /// The functions that a system names, where they stand.
@@ -54,14 +54,13 @@ pub(super) fn read(
             names.push(name);
         }
     }
-    for name in &names {
-        let mut sets = names.iter();
-        if let Some(set) = sets.find(|set| has(&set.value, &name.value)) {
-            let fault = format!("{what} names `{}` beside `{}`", name.value, set.value);
+    if let Some(all) = names.iter().find(|name| name.value == ALL) {
+        for name in names.iter().filter(|name| is_in_all(&name.value)) {
+            let fault = format!("{what} names `{}` beside `{ALL}`", name.value);
             let fault = Diagnostic::error(fault).at(name.span, "one of them");
             reader
                 .faults
-                .push(fault.at(set.span, "this names them all"));
+                .push(fault.at(all.span, "this names them all"));
         }
     }
     let functions = Functions::of(names.iter().map(|name| name.value.clone()));

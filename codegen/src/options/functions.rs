@@ -33,7 +33,8 @@ impl Functions {
         if has(ALL) {
             Self::All(others)
         } else if has(DEFAULT) {
-            Self::Default(others)
+            let is_more = |name: &String| !alone(name).is_some_and(|function| function.is_default);
+            Self::Default(others.into_iter().filter(is_more).collect())
         } else {
             Self::Named(others)
         }
@@ -69,11 +70,7 @@ impl Functions {
 
     /// True where the function is among them.
     pub fn names(&self, function: &Function) -> bool {
-        let is_named = |name: &String| {
-            let named = Parsed::read(name).ok();
-            let named = named.and_then(|named| named.alone());
-            named.is_some_and(|named| named.name == function.name)
-        };
+        let is_named = |name: &String| alone(name).is_some_and(|named| named.name == function.name);
         self.set_has(function) || self.named().iter().any(is_named)
     }
 }
@@ -83,14 +80,12 @@ pub fn is_set(name: &str) -> bool {
     [ALL, DEFAULT].contains(&name)
 }
 
-/// True where a set has a function, or another set, of this name.
-pub fn has(set: &str, name: &str) -> bool {
-    let alone = || Parsed::read(name).ok().and_then(|named| named.alone());
-    match set {
-        ALL if name == DEFAULT => true,
-        _ if is_set(name) => false,
-        ALL => alone().is_some(),
-        DEFAULT => alone().is_some_and(|function| function.is_default),
-        _ => false,
-    }
+/// True for what `all` has: whoever names both has mistaken one of them.
+pub fn is_in_all(name: &str) -> bool {
+    name == DEFAULT || alone(name).is_some()
+}
+
+/// The function that a name asks for, if it asks for one alone.
+fn alone(name: &str) -> Option<&'static Function> {
+    Parsed::read(name).ok().and_then(|named| named.alone())
 }

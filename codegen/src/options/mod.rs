@@ -18,7 +18,7 @@ use std::{
 };
 
 pub use formulation::Formulation;
-pub use functions::{ALL, DEFAULT, Functions, has, is_set};
+pub use functions::{ALL, DEFAULT, Functions, is_in_all, is_set};
 
 use crate::{
     description::Reading,

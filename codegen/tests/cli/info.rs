@@ -192,7 +192,7 @@ fn sets_of_functions_are_counted_whole_and_all_holds_the_default_one() {
         let names = lines.filter_map(|line| line.split_whitespace().next());
         names.map(str::to_owned).collect()
     };
-    let (default, more) = (names("default"), names("default,linear_momentum"));
+    let (default, more) = (names("default"), names("default,rotation,linear_momentum"));
     assert_eq!(default.len(), 9);
     assert_eq!(
         more,

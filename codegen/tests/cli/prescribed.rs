@@ -6,24 +6,29 @@ use super::project::{Project, model, system};
 
 const FUNCTIONS: &str = "functions = [\"hybrid_dynamics\"]\n";
 
-/// An arm of three bodies: the second is fixed or moves as it is said, and the third follows the first.
-fn followed(joint: &str) -> String {
-    let body = |name: &str, joint: &str| {
+/// An arm of three bodies on one another, with these names and joints.
+fn arm(bodies: [(&str, &str); 3]) -> String {
+    let bodies = bodies.map(|(name, joint)| {
         format!(
             "[[body]]\nname = \"{name}\"\nmass = 1.5\nmass_center = [0.1, 0.02, -0.4]\n\
              inertia = {{ xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.0, xz = 0.01, yz = 0.0 }}\n\
              attachment = [0.0, 0.0, -1.0]\n{joint}\n"
         )
-    };
+    });
     format!(
-        "name = \"arm\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n{}{}{}",
-        body("upper", "joint = [\"theta1\"]\njoint_name = \"shoulder\""),
-        body("fore", joint),
-        body(
-            "hand",
-            "joint = [\"theta2\"]\nmimic = { joint = \"shoulder\", multiplier = 2.0 }"
-        ),
+        "name = \"arm\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n{}",
+        bodies.concat()
     )
+}
+
+/// An arm whose second body is fixed or moves as it is said, and whose third follows the first.
+fn followed(joint: &str) -> String {
+    let hand = "joint = [\"theta2\"]\nmimic = { joint = \"shoulder\", multiplier = 2.0 }";
+    arm([
+        ("upper", "joint = [\"theta1\"]\njoint_name = \"shoulder\""),
+        ("fore", joint),
+        ("hand", hand),
+    ])
 }
 
 /// A project with this model, these joints prescribed, and more lines in `kane.toml`.
@@ -165,22 +170,12 @@ fn joint_named_twice_is_pointed_at_by_both_names() {
 
 #[test]
 fn joint_may_be_called_as_a_fixed_body_before_it() {
-    let body = |name: &str, joint: &str| {
-        format!(
-            "[[body]]\nname = \"{name}\"\nmass = 1.5\nmass_center = [0.1, 0.02, -0.4]\n\
-             inertia = {{ xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.0, xz = 0.01, yz = 0.0 }}\n\
-             attachment = [0.0, 0.0, -1.0]\n{joint}\n"
-        )
-    };
-    let model = format!(
-        "name = \"arm\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0, 1, 2]\n{}{}{}",
-        body("j", "joint = \"fixed\""),
-        body("upper", "joint = [\"theta1\"]\njoint_name = \"j\""),
-        body(
-            "hand",
-            "joint = [\"theta2\"]\nmimic = { joint = \"j\", multiplier = 2.0 }"
-        ),
-    );
+    let hand = "joint = [\"theta2\"]\nmimic = { joint = \"j\", multiplier = 2.0 }";
+    let model = arm([
+        ("j", "joint = \"fixed\""),
+        ("upper", "joint = [\"theta1\"]\njoint_name = \"j\""),
+        ("hand", hand),
+    ]);
     let ran = project(&model, r#"["j"]"#, "").kane(&["generate"]);
     assert_eq!(ran.code, 0, "{}", ran.err);
 }

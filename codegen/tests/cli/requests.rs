@@ -119,3 +119,13 @@ fn frame_with_a_quote_in_its_name_is_asked_for_with_two() {
         "{module}"
     );
 }
+
+#[test]
+fn function_of_the_default_set_may_be_named_beside_it() {
+    let project = with_functions(r#"["default", "rotation", "kinetic_energy"]"#);
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let module = project.read("generated/arm.rs");
+    assert_eq!(module.matches("pub fn rotation<").count(), 1);
+    assert_eq!(module.matches("pub fn kinetic_energy<").count(), 1);
+}

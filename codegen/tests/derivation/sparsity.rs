@@ -175,9 +175,7 @@ fn packed_derivatives_are_those_of_all_that_are_not_left_out() {
 
 #[test]
 fn pattern_is_the_same_however_much_of_the_weights_is_lifted() {
-    let reading = Reading::default();
-    let tree = read("tests/robots/ur5/ur5.urdf", &reading);
-    let half = Value::Baked(0.5);
+    let tree = read("tests/robots/ur5/ur5.urdf", &Reading::default());
     for text in [
         "packed(d(inverse_dynamics)/d(q))",
         "packed(d(gravity_forces)/d(q))",
@@ -190,7 +188,7 @@ fn pattern_is_the_same_however_much_of_the_weights_is_lifted() {
             assert_eq!(sparsity(&lifted, text).places, places, "{share}, {text}");
         }
         let mut lifted = tree.clone();
-        lifted.bodies[2].parts[0].lifted = half;
+        lifted.bodies[2].parts[0].lifted = Value::Baked(0.5);
         assert_eq!(sparsity(&lifted, text).places, places, "one body, {text}");
     }
 }

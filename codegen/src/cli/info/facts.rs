@@ -55,12 +55,8 @@ pub(super) fn lifted(tree: &Tree, body: BodyId) -> Option<f64> {
     if tree.lifted == 0.0 && !parts.iter().any(RigidPart::is_lifted) {
         return None;
     }
-    let mut masses = [0.0; 2];
-    for part in parts {
-        let mass = tree.nominal(part.mass);
-        masses[0] += mass;
-        masses[1] += mass * tree.nominal(part.lifted);
-    }
-    let [whole, own] = masses;
-    Some(tree.lifted + if whole == 0.0 { 0.0 } else { own / whole })
+    let lifted = |part: &RigidPart| tree.nominal(part.mass) * tree.nominal(part.lifted);
+    let mass: f64 = parts.iter().map(|part| tree.nominal(part.mass)).sum();
+    let own: f64 = parts.iter().map(lifted).sum();
+    Some(tree.lifted + if mass == 0.0 { 0.0 } else { own / mass })
 }

@@ -73,16 +73,11 @@ fn write_lifted(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
         let share = tree.lifted;
         return writeln!(out, "\nGravity compensation: {share} of all weights");
     }
-    let shares: Vec<String> = tree
-        .body_ids()
-        .filter_map(|body| {
-            Some(format!(
-                "{} {:.3}",
-                tree.body(body).name,
-                lifted(tree, body)?
-            ))
-        })
-        .collect();
+    let share = |body| {
+        let share = lifted(tree, body)?;
+        Some(format!("{} {share:.3}", tree.body(body).name))
+    };
+    let shares: Vec<String> = tree.body_ids().filter_map(share).collect();
     if shares.is_empty() {
         return Ok(());
     }

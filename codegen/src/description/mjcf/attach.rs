@@ -24,11 +24,11 @@ pub(super) fn elements<'d>(
     let owner = format!("an `attach` of {owner}");
     let given = Attributes::of(reader, element, &owner, &known::ATTACH);
     let whole = prefix(reader, &given, around)?;
-    let number = match given.text("model") {
+    let other = given.text("model");
+    let number = match other {
         Some(name) => asset(reader, &models.list[around.model], name)?,
         None => around.model,
     };
-    let is_own = given.text("model").is_none();
     let model = &models.list[number];
     let mut inner = Around {
         frame: around.frame,
@@ -39,7 +39,7 @@ pub(super) fn elements<'d>(
     };
     let part = |kind| Some((kind, given.text(kind)?));
     let Some((kind, name)) = part("body").or_else(|| part("frame")) else {
-        if is_own {
+        if other.is_none() {
             let message = format!("{owner} has none of `model`, `body` and `frame`");
             let fault = Diagnostic::error(message).at(given.span, "does not say what to attach");
             reader.faults.push(fault);
@@ -52,13 +52,12 @@ pub(super) fn elements<'d>(
         _ => &model.parts.frames,
     };
     let named = parts.get(name.value).map_or(&[][..], Vec::as_slice);
-    let found = if is_own {
-        model.parts.before(named, element)
-    } else {
-        parts::outermost(named)
+    let found = match other {
+        Some(_) => parts::outermost(named),
+        None => model.parts.before(named, element),
     };
     let Some(part) = found else {
-        refuse(reader, &given, (kind, name), parts);
+        absent(reader, other, (&owner, kind, name), parts);
         return None;
     };
     // As in MuJoCo it brings its class, but not the frame in which it stands there.
@@ -67,31 +66,28 @@ pub(super) fn elements<'d>(
 }
 
 /// Tells that there is no such part, or none yet.
-fn refuse(
+fn absent(
     reader: &mut Reader,
-    given: &Attributes<'_>,
-    (kind, name): (&str, Spanned<&str>),
+    other: Option<Spanned<&str>>,
+    (owner, kind, name): (&str, &str, Spanned<&str>),
     parts: &Named<'_>,
 ) {
     let part = shown(name.value);
-    let model = given.text("model");
     let own = parts
         .iter()
         .filter(|(_, named)| parts::outermost(named).is_some());
     let own: Vec<&str> = own.map(|(name, _)| *name).collect();
-    if model.is_none() && own.contains(&name.value) {
-        let message = format!(
-            "{} asks for {kind} `{part}`, which does not end before it",
-            given.owner
-        );
-        let fault = Diagnostic::error(message);
-        let fault = fault.at(name.span, "expected one that ends before the `attach`");
-        reader.faults.push(fault);
-        return;
-    }
-    let whose = model.map_or("this model".to_owned(), |name| {
-        format!("the model `{}`", shown(name.value))
-    });
+    let whose = match other {
+        Some(model) => format!("the model `{}`", shown(model.value)),
+        None if own.contains(&name.value) => {
+            let message = format!("{owner} asks for {kind} `{part}`, which does not end before it");
+            let fault = Diagnostic::error(message);
+            let fault = fault.at(name.span, "expected one that ends before the `attach`");
+            reader.faults.push(fault);
+            return;
+        }
+        None => "this model".to_owned(),
+    };
     let message = format!("{whose} has no {kind} `{part}` (those in copies cannot be named)");
     unknown(reader, message, name, own.into_iter());
 }

@@ -1,6 +1,6 @@
 //! A model with those that it attaches, and those that these attach.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::mjcf::copies::Copies;
 use crate::description::mjcf::files::Files;
@@ -79,40 +79,33 @@ impl<'d> Models<'d> {
         &self.list[0]
     }
 
-    /// Refuses assets of which one leads back to itself.
+    /// Refuses an asset that leads back to the model whose asset it is.
     fn attaches_none_to_itself(&self, reader: &mut Reader) -> bool {
-        let mut owners = vec![0_usize; self.list.len()];
-        for asset in self.list.iter().flat_map(|model| model.assets.values()) {
-            owners[asset.number] += 1;
+        let models = self.list.iter().enumerate();
+        let mut assets =
+            models.flat_map(|(owner, model)| model.assets.values().map(move |own| (owner, own)));
+        let circular = assets.find(|(owner, own)| self.reached(own.number).contains(owner));
+        if let Some((_, asset)) = circular {
+            let message = "a model is an asset of itself, directly or by another one";
+            let fault = Diagnostic::error(message).at(asset.place, "one of the assets");
+            reader.faults.push(fault);
         }
-        let mut open: Vec<usize> = (0..owners.len()).filter(|n| owners[*n] == 0).collect();
+        circular.is_none()
+    }
+
+    /// A model and all among its assets, and among theirs.
+    fn reached(&self, number: usize) -> BTreeSet<usize> {
+        let mut reached = BTreeSet::from([number]);
+        let mut open = vec![number];
         while let Some(model) = open.pop() {
-            for asset in self.list[model].assets.values() {
-                owners[asset.number] -= 1;
-                if owners[asset.number] == 0 {
-                    open.push(asset.number);
-                }
-            }
+            let assets = self.list[model].assets.values();
+            open.extend(
+                assets
+                    .map(|asset| asset.number)
+                    .filter(|asset| reached.insert(*asset)),
+            );
         }
-        // What is left is in a circle, or an asset of one that is left: from asset to owner the way ends in a circle.
-        let mut inner = owners.iter().position(|owners| *owners > 0);
-        let mut place = None;
-        for _ in 0..self.list.len() {
-            let left = self.list.iter().enumerate();
-            let mut assets = left
-                .filter(|(owner, _)| owners[*owner] > 0)
-                .flat_map(|(owner, model)| model.assets.values().map(move |asset| (owner, asset)));
-            let found = assets.find(|(_, asset)| Some(asset.number) == inner);
-            inner = found.map(|(owner, _)| owner);
-            place = found.map(|(_, asset)| asset.place);
-        }
-        let message = "a model is an asset of itself, directly or by another one";
-        let Some(place) = place else {
-            return true;
-        };
-        let fault = Diagnostic::error(message).at(place, "one of the assets");
-        reader.faults.push(fault);
-        false
+        reached
     }
 }
 
