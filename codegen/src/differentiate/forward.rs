@@ -3,6 +3,7 @@
 use super::{
     partials::partials,
     row::{Row, Seeds, added, scaled},
+    turned::turned,
 };
 use crate::expr::{Expr, ExprGraph, Node, Purpose};
 
@@ -10,6 +11,7 @@ use crate::expr::{Expr, ExprGraph, Node, Purpose};
 pub fn forward(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row> {
     graph.begin(Purpose::Derivative);
     let needed = graph.reachable(roots);
+    let turned = turned(graph, roots);
     let mut rows: Vec<Row> = vec![Row::new(); needed.len()];
     for id in graph.ids().filter(|id| needed[id.index()]) {
         graph.enter(graph.scope(id));
@@ -18,7 +20,9 @@ pub fn forward(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row>
             continue;
         }
         let mut sum = Row::new();
-        for (operand, slope) in partials(graph, id, |id| !rows[id.index()].is_empty()) {
+        for (operand, slope) in partials(graph, id, turned[id.index()].as_ref(), |id| {
+            !rows[id.index()].is_empty()
+        }) {
             let term = scaled(graph, slope, &rows[operand.index()]);
             sum = added(graph, sum, term);
         }

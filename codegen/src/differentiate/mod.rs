@@ -12,6 +12,7 @@ mod partials;
 mod reverse;
 mod row;
 mod tangents;
+mod turned;
 
 pub use forward::forward;
 pub use reverse::reverse;

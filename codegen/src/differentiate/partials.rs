@@ -2,13 +2,23 @@
 
 use crate::expr::{Expr, ExprGraph, Node, NodeId};
 
-/// Each operand among those that `vary`, and how much the node changes with it.
+use super::turned::Turned;
+
+/// Each operand among those that `vary`, and how much the node changes with it; of a component of what is turned the angle and
+/// what is turned.
 pub(super) fn partials(
     graph: &mut ExprGraph,
     id: NodeId,
+    turned: Option<&Turned>,
     varies: impl Fn(NodeId) -> bool,
 ) -> Vec<(NodeId, Expr)> {
-    let mut found = Vec::with_capacity(2);
+    let mut found = Vec::with_capacity(3);
+    if let Some(turned) = turned.filter(|turned| varies(turned.by_angle.0)) {
+        found.push(turned.by_angle);
+        found.extend(&turned.by_others);
+        found.retain(|&(operand, _)| varies(operand));
+        return found;
+    }
     match graph.node(id) {
         Node::Number(_) | Node::Input(_) => {}
         Node::Sin(a) => found.push((a, graph.cos(Expr::of(a)))),

@@ -3,6 +3,7 @@
 use super::{
     partials::partials,
     row::{Row, Seeds, added, scaled},
+    turned::turned,
 };
 use crate::expr::{Expr, ExprGraph, Node, Purpose};
 
@@ -10,6 +11,7 @@ use crate::expr::{Expr, ExprGraph, Node, Purpose};
 pub fn reverse(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row> {
     graph.begin(Purpose::Derivative);
     let varies = varying(graph, seeds);
+    let turned = turned(graph, roots);
     // By how much the roots, by their places, change with each node.
     let mut slopes: Vec<Row> = vec![Row::new(); varies.len()];
     for (place, root) in roots.iter().enumerate() {
@@ -33,7 +35,9 @@ pub fn reverse(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row>
             }
             continue;
         }
-        for (operand, slope) in partials(graph, id, |id| varies[id.index()]) {
+        for (operand, slope) in partials(graph, id, turned[id.index()].as_ref(), |id| {
+            varies[id.index()]
+        }) {
             let term = scaled(graph, slope, &own);
             let before = std::mem::take(&mut slopes[operand.index()]);
             slopes[operand.index()] = added(graph, before, term);

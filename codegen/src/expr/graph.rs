@@ -89,6 +89,12 @@ impl ExprGraph {
         (0..u32::try_from(self.nodes.len()).expect("node ids are u32")).map(NodeId)
     }
 
+    /// A node, if it is there.
+    pub(super) fn known(&self, node: Node) -> Option<Expr> {
+        let id = self.known.get(&node)?;
+        Some(Expr::of(*id))
+    }
+
     /// How often each node is used: by the nodes that `roots` need, and by the roots themselves; zero for a dead node.
     pub fn uses(&self, roots: &[Expr]) -> Vec<u32> {
         let mut uses = vec![0; self.len()];

@@ -9,6 +9,7 @@
 mod dump;
 mod evaluate;
 mod graph;
+mod lookup;
 mod node;
 mod purpose;
 mod vector;
