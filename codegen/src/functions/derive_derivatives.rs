@@ -3,10 +3,10 @@
 use super::{argument::Argument, derive, variable::Variable};
 use crate::{
     differentiate::{Seeds, forward},
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Input, Purpose},
     given::{self, Accelerations, Loads, orientation},
     id::{BodyId, SpeedId},
-    recursive::{Plan, derivatives, inverse_dynamics},
+    recursive::{Plan, derivatives, gravity, inverse_dynamics},
     solve::{self, Carriers, SpeedMatrix},
     tree::{Orientation, Tree, Value},
 };
@@ -46,12 +46,9 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     let zero = Accelerations::Zero;
     // What is said of the mass matrix does not depend on accelerations, so that it is there for them.
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads);
+    let bias = unaccelerated(graph, tree, plan, loads, &found.by_u);
     let matrix = derive::with_rotors(graph, tree, found.by_u_dot);
     let factors = solve::factorise(graph, tree, matrix);
-    let bias = match loads {
-        Loads::Absent => inverse_dynamics::inverse_dynamics(graph, tree, plan, zero),
-        Loads::Given => inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, zero),
-    };
     let bias = derive::with_forces(graph, tree, Some(plan), zero, bias);
     let mut net = derive::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &bias);
@@ -81,6 +78,44 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     }
     all.push((Argument::Tau, inverse));
     all
+}
+
+/// The forces that bodies need where no speed changes. Those of motion are quadratic in the speeds, and so half of how they change
+/// with them, times these.
+fn unaccelerated(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    loads: Loads,
+    by_u: &SpeedMatrix,
+) -> Vec<Expr> {
+    if tree.lifts_some() {
+        // Their weight is whole there, and what lifts them apart.
+        return match loads {
+            Loads::Absent => inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero),
+            Loads::Given => inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, Accelerations::Zero),
+        };
+    }
+    let mut bias = gravity::gravity_forces(graph, tree, plan);
+    if loads == Loads::Given {
+        let given = inverse_dynamics::generalized_forces(graph, tree, plan);
+        solve::subtract(graph, tree, &mut bias, &given);
+    }
+    graph.begin(Purpose::Forces);
+    let half = graph.number(0.5);
+    let speeds = |body: BodyId| tree.body(body).joint.speeds().into_iter();
+    for body in tree.body_ids() {
+        graph.enter(body);
+        for (_, speed) in speeds(body) {
+            let u = graph.input(Input::U(speed));
+            let u = graph.mul(half, u);
+            for (row, bias) in by_u.iter().zip(&mut bias) {
+                let term = graph.mul(row[speed.index()], u);
+                *bias = graph.add(*bias, term);
+            }
+        }
+    }
+    bias
 }
 
 /// How accelerations change as a root that floats is turned, speed by speed: with it turns all that it carries, but neither

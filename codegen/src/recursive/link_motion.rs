@@ -35,6 +35,23 @@ pub(super) struct LinkMotion {
     pub(super) a: Vector,
 }
 
+impl LinkMotion {
+    /// How `U` changes per unit of a turn about an axis, along the axes that turn: `U tilde(e) - tilde(e) U`.
+    pub(super) fn seen_turned(&self, graph: &mut ExprGraph, axis: usize) -> Matrix {
+        let (a, (b, c)) = (axis, Axis::ALL[axis].others());
+        let two = graph.number(2.0);
+        let twice = graph.mul(two, self.products[a]);
+        let squares = graph.sub(self.squares[c], self.squares[b]);
+        let mut turned = [graph.zero_vector(); 3];
+        (turned[a][b], turned[a][c]) = (self.u[a][c], -self.u[a][b]);
+        (turned[b][a], turned[c][a]) = (self.u[c][a], -self.u[b][a]);
+        (turned[b][b], turned[c][c]) = (twice, -twice);
+        // The diagonal of U is of squares: `U_cc - U_bb = w_c^2 - w_b^2`.
+        (turned[b][c], turned[c][b]) = (squares, squares);
+        turned
+    }
+}
+
 /// How each link moves.
 pub(super) fn motions(
     graph: &mut ExprGraph,

@@ -163,16 +163,31 @@ impl Carried<'_, '_> {
         let u = reader.by_q[2];
         let d = reader.by_q[0];
         let a = graph.cross(at.after.a, e);
-        let moving = graph.cross(velocity[0], moments.first);
-        let moving = graph.add_vectors(rates.first, moving);
+        let swung = if graph.is_zero_vector(own) {
+            let seen = at.after.seen_turned(graph, axis);
+            let moved = graph.mul_vector(&seen, moments.first);
+            let passing = graph.cross(u, rates.first);
+            graph.add_vectors(moved, passing)
+        } else {
+            let moving = graph.cross(velocity[0], moments.first);
+            let moving = graph.add_vectors(rates.first, moving);
+            let (moved, passing) = (graph.cross(d, moments.first), graph.cross(u, moving));
+            graph.add_vectors(moved, passing)
+        };
         let force = [
             graph.cross(e, self.wrench.force),
             graph.scale(moments.mass, a),
-            graph.cross(d, moments.first),
-            graph.cross(u, moving),
+            swung,
         ];
-        let spread = graph.mul_symmetric(&moments.second, u);
-        let swept = graph.cross(velocity[0], spread);
+        // The couple has what is spread of `2 u`, but for an angular velocity's own part.
+        let twice = graph.cross(velocity[0], e);
+        let swept = if graph.is_zero_vector(own) {
+            let spread = graph.mul_symmetric(&moments.second, twice);
+            graph.cross(at.after.w, spread)
+        } else {
+            let spread = graph.mul_symmetric(&moments.second, u);
+            graph.cross(velocity[0], spread)
+        };
         let moment = [
             graph.cross(e, self.wrench.moment),
             graph.cross(moments.first, a),
