@@ -92,8 +92,12 @@ fn unaccelerated(
     if tree.lifts_some() {
         // Their weight is whole there, and what lifts them apart.
         return match loads {
-            Loads::Absent => inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero),
-            Loads::Given => inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, Accelerations::Zero),
+            Loads::Absent => {
+                inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero)
+            }
+            Loads::Given => {
+                inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, Accelerations::Zero)
+            }
         };
     }
     let mut bias = gravity::gravity_forces(graph, tree, plan);

@@ -36,8 +36,8 @@ pub(super) struct LinkMotion {
 }
 
 impl LinkMotion {
-    /// How `U` changes per unit of a turn about an axis, along the axes that turn: `U tilde(e) - tilde(e) U`.
-    pub(super) fn seen_turned(&self, graph: &mut ExprGraph, axis: usize) -> Matrix {
+    /// How `U` changes with a turn about an axis `e`, along the axes that turn: `U tilde(e) - tilde(e) U`.
+    pub(super) fn turned_field(&self, graph: &mut ExprGraph, axis: usize) -> Matrix {
         let (a, (b, c)) = (axis, Axis::ALL[axis].others());
         let two = graph.number(2.0);
         let twice = graph.mul(two, self.products[a]);

@@ -56,6 +56,44 @@ impl Moments {
         graph.add_vectors(sum, columns[2])
     }
 
+    /// The moment `sum m r × Q r`, where Q is the change of a field of accelerations about this axis
+    /// ([`turned_field`](super::link_motion::LinkMotion::turned_field)).
+    pub(super) fn needed(&self, graph: &mut ExprGraph, q: &Matrix, axis: usize) -> Vector {
+        let (a, (b, c)) = (axis, Axis::ALL[axis].others());
+        let s = |row, column| self.second.entry(row, column);
+        let two = graph.number(2.0);
+        let (unequal, mixed) = (graph.sub(s(b, b), s(c, c)), graph.mul(two, s(b, c)));
+        // Those of `(Q S)_kj - (Q S)_jk`, of which `Q_aa` is zero, `Q_cc = -Q_bb` and `Q_cb = Q_bc`.
+        let along_b = [
+            (q[a][b], s(b, c)),
+            (q[a][c], s(c, c)),
+            (-q[c][a], s(a, a)),
+            (-q[c][b], s(b, a)),
+            (-q[c][c], s(c, a)),
+        ];
+        let along_c = [
+            (q[b][a], s(a, a)),
+            (q[b][b], s(b, a)),
+            (q[b][c], s(c, a)),
+            (-q[a][b], s(b, b)),
+            (-q[a][c], s(c, b)),
+        ];
+        let along_a = [
+            (q[c][a], s(a, b)),
+            (-q[b][a], s(a, c)),
+            (q[b][c], unequal),
+            (-q[b][b], mixed),
+        ];
+        let mut needed = graph.zero_vector();
+        for (place, terms) in [(a, &along_a[..]), (b, &along_b), (c, &along_c)] {
+            for &(entry, moment) in terms {
+                let term = graph.mul(entry, moment);
+                needed[place] = graph.add(needed[place], term);
+            }
+        }
+        needed
+    }
+
     /// About a point from which this one's point lies at `d`: `h' = h + m d`, `S' = S + h d^T + d h'^T`.
     pub(super) fn moved(&self, graph: &mut ExprGraph, d: Vector) -> Self {
         let shift = graph.scale(self.mass, d);

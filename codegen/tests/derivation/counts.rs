@@ -186,6 +186,18 @@ fn derivatives_of_robots() {
     insta::assert_snapshot!(text);
 }
 
+/// A gradient with its value, a directional derivative, and a gradient of accelerations.
+const PRODUCTS: [&str; 3] = [
+    "inverse_dynamics+vjp(inverse_dynamics; q, u, u_dot)",
+    "jvp(inverse_dynamics; q, u, u_dot)",
+    "vjp(forward_dynamics; q, u, tau)",
+];
+
+#[test]
+fn products_with_derivatives_of_robots() {
+    insta::assert_snapshot!(of_robots(&PRODUCTS));
+}
+
 #[test]
 fn second_derivatives_of_robots() {
     let mut text = String::new();

@@ -10,6 +10,7 @@
 //! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
 
 mod column;
+mod displaced;
 mod reader;
 mod way;
 
@@ -160,40 +161,23 @@ impl Carried<'_, '_> {
             graph.sub_vectors(needed[1], swept),
         ];
 
-        let u = reader.by_q[2];
-        let d = reader.by_q[0];
-        let a = graph.cross(at.after.a, e);
-        let swung = if graph.is_zero_vector(own) {
-            let seen = at.after.seen_turned(graph, axis);
-            let moved = graph.mul_vector(&seen, moments.first);
-            let passing = graph.cross(u, rates.first);
-            graph.add_vectors(moved, passing)
+        let (u, a) = (reader.by_q[2], graph.cross(at.after.a, e));
+        let [moment, force] = if graph.is_zero_vector(own) {
+            displaced::by_angle(graph, moments, axis, &at.after)
         } else {
-            let moving = graph.cross(velocity[0], moments.first);
-            let moving = graph.add_vectors(rates.first, moving);
-            let (moved, passing) = (graph.cross(d, moments.first), graph.cross(u, moving));
-            graph.add_vectors(moved, passing)
-        };
-        let force = [
-            graph.cross(e, self.wrench.force),
-            graph.scale(moments.mass, a),
-            swung,
-        ];
-        // The couple has what is spread of `2 u`, but for an angular velocity's own part.
-        let twice = graph.cross(velocity[0], e);
-        let swept = if graph.is_zero_vector(own) {
-            let spread = graph.mul_symmetric(&moments.second, twice);
-            graph.cross(at.after.w, spread)
-        } else {
-            let spread = graph.mul_symmetric(&moments.second, u);
-            graph.cross(velocity[0], spread)
+            displaced::by_turn(graph, moments, reader.by_q[0], [at.after.w, u])
         };
         let moment = [
             graph.cross(e, self.wrench.moment),
             graph.cross(moments.first, a),
-            moments.spinning(graph, d),
+            moment,
             rates.times(graph, u),
-            swept.map(|along| -along),
+        ];
+        let force = [
+            graph.cross(e, self.wrench.force),
+            graph.scale(moments.mass, a),
+            force,
+            graph.cross(u, rates.first),
         ];
         Column {
             carrying,

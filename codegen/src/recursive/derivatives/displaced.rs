@@ -1,0 +1,53 @@
+//! What masses need because a turn of them, along with their relative motions, changes their accelerations by a multiple of where
+//! they are: `D × r + 2 u × (w × r)`.
+
+use super::{
+    super::{link_motion::LinkMotion, moments::Moments},
+    way::doubled,
+};
+use crate::expr::{ExprGraph, Vector};
+
+/// The most off-diagonal entries of the second moments with which an angle's moment is shorter as that of a matrix.
+const MOST_MIXED: usize = 1;
+
+/// Moment and force, where the angular velocity before the turn is another one than after it.
+pub(super) fn by_turn(
+    graph: &mut ExprGraph,
+    moments: &Moments,
+    d: Vector,
+    [w, u]: [Vector; 2],
+) -> [Vector; 2] {
+    let w = doubled(graph, w);
+    let moving = graph.cross(w, moments.first);
+    let (moved, passing) = (graph.cross(d, moments.first), graph.cross(u, moving));
+    let spread = graph.mul_symmetric(&moments.second, u);
+    let swept = graph.cross(w, spread);
+    let spun = moments.spinning(graph, d);
+    [
+        graph.sub_vectors(spun, swept),
+        graph.add_vectors(moved, passing),
+    ]
+}
+
+/// The same by an angle, about whose axis both are alike: then it is `Q r`, with Q the change of the field of accelerations.
+pub(super) fn by_angle(
+    graph: &mut ExprGraph,
+    moments: &Moments,
+    axis: usize,
+    motion: &LinkMotion,
+) -> [Vector; 2] {
+    let q = motion.turned_field(graph, axis);
+    let force = graph.mul_vector(&q, moments.first);
+    let mixed = moments.second.mixed.into_iter();
+    let n_mixed = mixed.filter(|mixed| !graph.is_zero(*mixed)).count();
+    if n_mixed <= MOST_MIXED {
+        return [moments.needed(graph, &q, axis), force];
+    }
+    // What is spread of `2 w × e` is there for the couple.
+    let (e, twice) = (graph.unit_vector(axis), doubled(graph, motion.w));
+    let twice = graph.cross(twice, e);
+    let spread = graph.mul_symmetric(&moments.second, twice);
+    let swept = graph.cross(motion.w, spread);
+    let spun = moments.spinning(graph, motion.u.map(|row| row[axis]));
+    [graph.sub_vectors(spun, swept), force]
+}
