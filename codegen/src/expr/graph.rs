@@ -27,7 +27,7 @@ pub struct ExprGraph {
     /// How far folding may have left numbers from the exact ones, where that is more than [`Self::DIGITS_LOST`].
     lost: FxHashMap<NodeId, f64>,
     // Only ever looked up, so that nothing depends on hash order.
-    known: FxHashMap<Node, NodeId>,
+    pub(super) known: FxHashMap<Node, NodeId>,
     scope: Option<BodyId>,
     purpose: Purpose,
     /// True while labels are hints.
@@ -87,12 +87,6 @@ impl ExprGraph {
     /// The nodes in order of creation, operands first.
     pub fn ids(&self) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
         (0..u32::try_from(self.nodes.len()).expect("node ids are u32")).map(NodeId)
-    }
-
-    /// A node, if it is there.
-    pub(super) fn known(&self, node: Node) -> Option<Expr> {
-        let id = self.known.get(&node)?;
-        Some(Expr::of(*id))
     }
 
     /// How often each node is used: by the nodes that `roots` need, and by the roots themselves; zero for a dead node.

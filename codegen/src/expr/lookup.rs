@@ -3,6 +3,10 @@
 use super::{Expr, ExprGraph, Node};
 
 impl ExprGraph {
+    fn known(&self, node: Node) -> Option<Expr> {
+        self.known.get(&node).copied().map(Expr::of)
+    }
+
     /// `sin(a)`, if it is there.
     pub fn known_sin(&self, a: Expr) -> Option<Expr> {
         let sine = self.known(Node::Sin(a.node()))?;

@@ -12,6 +12,7 @@ mod graph;
 mod lookup;
 mod node;
 mod purpose;
+mod substitute;
 mod vector;
 
 pub(crate) use evaluate::signed;

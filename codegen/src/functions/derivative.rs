@@ -307,7 +307,7 @@ impl Derivative {
     }
 
     /// How inputs change with the entries of all variables, and the columns of each.
-    fn seeds(&self, graph: &mut ExprGraph, tree: &Tree) -> (Seeds, Vec<Range<usize>>) {
+    pub(super) fn seeds(&self, graph: &mut ExprGraph, tree: &Tree) -> (Seeds, Vec<Range<usize>>) {
         let mut seeds = Seeds::new();
         let mut columns: Vec<Range<usize>> = Vec::with_capacity(self.by.len());
         for variable in &self.by {
@@ -339,7 +339,7 @@ impl Derivative {
     }
 
     /// How inputs change along the direction.
-    fn along(&self, graph: &mut ExprGraph, tree: &Tree, seeds: Seeds) -> Seeds {
+    pub(super) fn along(&self, graph: &mut ExprGraph, tree: &Tree, seeds: Seeds) -> Seeds {
         let directions = self.by.iter().filter_map(Variable::direction);
         let directions = directions.flat_map(|direction| direction.inputs(tree));
         let directions: Vec<Expr> = directions.map(|input| graph.input(input)).collect();
@@ -384,7 +384,7 @@ fn gradient(
 }
 
 /// The entry of a row in a column, zero where it has none.
-fn entry(graph: &mut ExprGraph, row: &Row, column: usize) -> Expr {
+pub(super) fn entry(graph: &mut ExprGraph, row: &Row, column: usize) -> Expr {
     let place = row.binary_search_by_key(&column, |&(place, _)| place);
     place.map_or_else(|_| graph.zero(), |place| row[place].1)
 }

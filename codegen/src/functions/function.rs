@@ -9,7 +9,12 @@ use super::{
     shape::{Dimension, Shape},
     subject::View,
 };
-use crate::{expr::ExprGraph, recursive::Plan, solve::SpeedMatrix, tree::Tree};
+use crate::{
+    expr::{Expr, ExprGraph},
+    recursive::Plan,
+    solve::SpeedMatrix,
+    tree::Tree,
+};
 
 /// The constant that says of which speeds the accelerations are given.
 pub const PRESCRIBED: &str = "PRESCRIBED";
@@ -35,6 +40,8 @@ pub struct Function {
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
     pub(super) derivatives: Option<Jacobians>,
+    /// The forces that given accelerations need, where its output is the accelerations that given forces make.
+    pub(super) needed: Option<Needed>,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
     /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
@@ -44,6 +51,9 @@ pub struct Function {
 
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
 pub(super) type Jacobians = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<(Argument, SpeedMatrix)>;
+
+/// Forces that accelerations need, which are inputs.
+pub(super) type Needed = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +86,7 @@ pub(super) const PLAIN: Function = Function {
     solves_for: None,
     prescribes: false,
     derivatives: None,
+    needed: None,
     doc: &[],
     candidates: &[],
 };

@@ -31,6 +31,7 @@ mod request;
 mod request_error;
 mod shape;
 mod signature;
+mod solved;
 mod sparsity;
 mod subject;
 pub mod syntax;

@@ -137,6 +137,23 @@ impl Part {
         })
     }
 
+    /// True where a product of derivatives with a direction or a multiplier is asked for.
+    fn is_product(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| {
+            matches!(
+                derivative.kind,
+                DerivativeKind::Forward | DerivativeKind::Reverse
+            )
+        })
+    }
+
+    /// True where its derivatives have a way of their own, beside the sweeps.
+    pub(super) fn has_own_way(&self) -> bool {
+        self.is_whole_derivative() && self.function.derivatives.is_some()
+            || self.is_product() && self.function.needed.is_some()
+    }
+
     /// True where entries are left out that the tree makes zero.
     pub(super) fn is_packed(&self) -> bool {
         let mut outputs = self.outputs().into_owned().into_iter();
@@ -384,6 +401,15 @@ impl Part {
             let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
             let sizes: Vec<usize> = sizes.collect();
             let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
+            if candidate.formulation == Formulation::Recursive
+                && plan.uses(Technique::Composite)
+                && self.is_product()
+                && let Some(needed) = self.function.needed
+            {
+                let (of, needed) = ((tree, plan), (first, needed));
+                derivative.apply_to_solution(derived, of, needed, &multipliers);
+                return;
+            }
             let is_reverse = plan.uses(Technique::Reverse);
             let own = (&multipliers[..], self.sparsity(tree));
             derivative.apply(derived, tree, (first, &sizes), is_reverse, own);

@@ -257,7 +257,7 @@ impl Request {
     /// True where some part is a derivative of dynamics, which composite bodies give.
     pub fn differentiates_dynamics(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(|part| part.is_whole_derivative() && part.function.derivatives.is_some())
+        parts.any(Part::has_own_way)
     }
 
     /// True where some part is a second derivative.

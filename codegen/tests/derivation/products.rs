@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use kane_codegen::{
     expr::Input,
-    functions::{Argument, Function, Of, Request},
-    recursive::Plan,
+    functions::{Argument, Formulation, Function, Of, Request},
+    recursive::{Plan, Technique},
     tree::Tree,
 };
 use kane_test_support::{compare::assert_within, dynamics::State, numeric::dot, systems::trees};
@@ -106,6 +106,38 @@ fn products_are_those_with_all_derivatives() {
                     let allowed = if inverts(function) { INVERTED } else { EXACT };
                     let what = format!("{seed}, {function}");
                     assert_within(what, relative(&found, &expected), allowed);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn products_of_accelerations_by_forces_are_those_by_a_sweep_through_the_solution() {
+    for seed in trees::tried(553..=564) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        let by_values = if tree.parameters.is_empty() {
+            ""
+        } else {
+            ", parameters"
+        };
+        let by_forces = Plan::full(&tree);
+        let by_factors = by_forces.with(Technique::Articulated, false);
+        let swept = by_forces.with(Technique::Composite, false);
+        for (function, by) in [
+            ("forward_dynamics", "q, u, tau"),
+            ("loaded_forward_dynamics", "loads, tau, u, q"),
+        ] {
+            for kind in ["jvp", "vjp"] {
+                let text = format!("{kind}({function}; {by}{by_values})");
+                let request = request(&tree, &text);
+                let numbers =
+                    |plan| evaluate_by(&tree, &request, Formulation::Recursive, plan, &state);
+                let expected = numbers(&swept);
+                for plan in [&by_forces, &by_factors] {
+                    let error = relative(&numbers(plan), &expected);
+                    assert_within(format!("{seed}, {text}"), error, INVERTED);
                 }
             }
         }

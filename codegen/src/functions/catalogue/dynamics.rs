@@ -132,6 +132,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     is_default: true,
     solves_for: Some(Unknown::Accelerations),
     derivatives: Some(derive_derivatives::forward_dynamics),
+    needed: Some(derive::inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",

@@ -34,6 +34,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
     derivatives: Some(derive_derivatives::loaded_forward_dynamics),
+    needed: Some(derive_loaded::loaded_inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
