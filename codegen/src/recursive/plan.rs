@@ -36,7 +36,8 @@ pub enum Technique {
     Carriers,
     /// Where accelerations are solved for, bodies that nothing holds are taken to fall, and gravity is added to the result.
     Fall,
-    /// Derivatives of dynamics come from composite bodies, and not from the values' own operations.
+    /// Derivatives of dynamics come from composite bodies, products with those of accelerations from forces and one more solution,
+    /// and not from the values' own operations.
     Composite,
     /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
     Reverse,
