@@ -4,11 +4,11 @@ use std::{path::Path, process::Command};
 
 #[allow(clippy::pedantic, unreachable_pub, reason = "generated")]
 #[rustfmt::skip]
-#[path = "../../../examples/c/src/cart_pole.rs"]
+#[path = "../../../examples/c/generated/cart_pole.rs"]
 mod cart_pole;
 #[allow(clippy::pedantic, unreachable_pub, reason = "generated")]
 #[rustfmt::skip]
-#[path = "../../../examples/c/src/panda.rs"]
+#[path = "../../../examples/c/generated/panda.rs"]
 mod panda;
 
 use kane::Real;
