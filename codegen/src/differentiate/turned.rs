@@ -1,7 +1,7 @@
 //! Components of what is turned: they change with the angle by one another.
 //!
-//! Of `x' = c x - s y` and `y' = s x + c y`, with sine and cosine of one angle, the first changes with the angle by `-y'` and the
-//! second by `x'`. So where both are there, nothing has to be known of how they change with sine and cosine.
+//! With the sine `s` and the cosine `c` of one angle, the derivative of `x' = c x - s y` by the angle is `-y'`, and that of
+//! `y' = s x + c y` is `x'`. A function that computes both needs no derivatives by sine and cosine.
 
 use crate::expr::{Expr, ExprGraph, Node, NodeId};
 

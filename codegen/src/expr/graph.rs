@@ -141,12 +141,7 @@ impl ExprGraph {
         self.written_negative[expr.node().index()] = written ^ expr.is_negative();
         if let Some(label) = other.label(original.node()) {
             let same = label.negative == original.is_negative();
-            let (expr, text) = (if same { expr } else { -expr }, label.text.clone());
-            if label.is_hint {
-                self.hint(|graph| graph.name(expr, text));
-            } else {
-                self.name(expr, text);
-            }
+            self.label_as(if same { expr } else { -expr }, label.clone());
         }
     }
 

@@ -1,4 +1,4 @@
-//! Finding what is there already, for those who would rather not build it.
+//! Nodes that are in the graph already; nothing is built.
 
 use super::{Expr, ExprGraph, Node};
 

@@ -6,13 +6,13 @@
 //! Does not: reorder sums, distribute products, or know mechanics: of bodies it knows the numbers alone, of which inputs are
 //! told by, and which are scopes, where the greater number is further out.
 
+mod copy;
 mod dump;
 mod evaluate;
 mod graph;
 mod lookup;
 mod node;
 mod purpose;
-mod substitute;
 mod vector;
 
 pub(crate) use evaluate::signed;

@@ -368,7 +368,7 @@ fn weighted(graph: &mut ExprGraph, tree: &Tree, multipliers: &[Argument], values
 }
 
 /// How that sum changes with each variable.
-fn gradient(
+pub(super) fn gradient(
     graph: &mut ExprGraph,
     tree: &Tree,
     (multipliers, values): (&[Argument], &[Expr]),

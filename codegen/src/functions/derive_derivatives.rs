@@ -4,7 +4,7 @@ use super::{argument::Argument, derive, variable::Variable};
 use crate::{
     differentiate::{Seeds, forward},
     expr::{Expr, ExprGraph, Input, Purpose},
-    given::{self, Accelerations, Loads, orientation},
+    given::{self, Accelerations, Loads, mechanics, orientation},
     id::{BodyId, SpeedId},
     recursive::{Plan, derivatives, gravity, inverse_dynamics},
     solve::{self, Carriers, SpeedMatrix},
@@ -46,10 +46,10 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     let zero = Accelerations::Zero;
     // What is said of the mass matrix does not depend on accelerations, so that it is there for them.
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads);
-    let bias = unaccelerated(graph, tree, plan, loads, &found.by_u);
+    let mut bias = bias_of(graph, tree, plan, loads, &found.by_u);
+    mechanics::add_forces(graph, tree, zero, &mut bias);
     let matrix = derive::with_rotors(graph, tree, found.by_u_dot);
     let factors = solve::factorise(graph, tree, matrix);
-    let bias = derive::with_forces(graph, tree, Some(plan), zero, bias);
     let mut net = derive::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &bias);
     let u_dot = factors.solve(graph, net);
@@ -80,26 +80,15 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     all
 }
 
-/// The forces that bodies need where no speed changes. Those of motion are quadratic in the speeds, and so half of how they change
-/// with them, times these.
-fn unaccelerated(
+/// The forces that bodies need where no speed changes: weight, less what lifts and the loads, and what motion needs. That is
+/// quadratic in the speeds: half of its derivatives by them, times the speeds.
+fn bias_of(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
     loads: Loads,
     by_u: &SpeedMatrix,
 ) -> Vec<Expr> {
-    if tree.lifts_some() {
-        // Their weight is whole there, and what lifts them apart.
-        return match loads {
-            Loads::Absent => {
-                inverse_dynamics::inverse_dynamics(graph, tree, plan, Accelerations::Zero)
-            }
-            Loads::Given => {
-                inverse_dynamics::loaded_inverse_dynamics(graph, tree, plan, Accelerations::Zero)
-            }
-        };
-    }
     let mut bias = gravity::gravity_forces(graph, tree, plan);
     if loads == Loads::Given {
         let given = inverse_dynamics::generalized_forces(graph, tree, plan);

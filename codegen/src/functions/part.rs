@@ -385,8 +385,9 @@ impl Part {
     ) {
         let candidate = self.function.candidate(formulation);
         let first = derived.roots.len();
-        if candidate.formulation == Formulation::Recursive
-            && plan.uses(Technique::Composite)
+        let in_own_way =
+            candidate.formulation == Formulation::Recursive && plan.uses(Technique::Composite);
+        if in_own_way
             && self.is_whole_derivative()
             && let Some(derivative) = &self.derivative
             && let Some(jacobians) = self.function.derivatives
@@ -401,8 +402,7 @@ impl Part {
             let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
             let sizes: Vec<usize> = sizes.collect();
             let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
-            if candidate.formulation == Formulation::Recursive
-                && plan.uses(Technique::Composite)
+            if in_own_way
                 && self.is_product()
                 && let Some(needed) = self.function.needed
             {

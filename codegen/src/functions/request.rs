@@ -254,7 +254,7 @@ impl Request {
         parts.any(|part| part.derivative.is_some())
     }
 
-    /// True where some part is a derivative of dynamics, which composite bodies give.
+    /// True where some part is a derivative of dynamics that has a way of its own, beside the sweeps.
     pub fn differentiates_dynamics(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(Part::has_own_way)

@@ -1,28 +1,28 @@
-//! Products with derivatives of accelerations. With forces `f(x, u_dot) = 0` and `df/du_dot = M` is `d(u_dot) = -M^-1 df`, so no sweep
-//! goes through the solution: along a direction it is one more solution, and the gradient is that of `-(M^-1 multiplier) · f`.
+//! Products with derivatives of accelerations, without a sweep through the solver.
+//!
+//! Let `f(x, u_dot) = 0` be the forces that are lacking, with `df/du_dot = -M`. Then `d(u_dot) = M^-1 df`: along a direction that is
+//! one more solution, and the gradient for a multiplier is that of `(M^-1 multiplier) · f` with the first factor kept.
 
 use std::collections::BTreeMap;
 
 use super::{
     argument::Argument,
-    derivative::{Derivative, DerivativeKind, entry},
+    derivative::{Derivative, DerivativeKind, entry, gradient},
     derive,
     derived::Derived,
     function::Needed,
 };
 use crate::{
-    differentiate::{forward, reverse},
+    differentiate::forward,
     expr::{Expr, Input},
     recursive::{Plan, inverse_mass},
     solve,
     tree::Tree,
 };
 
-/// Stands for a solution where it is not to vary; no product that is asked for has this number.
-const SOLUTION: usize = usize::MAX;
-
 impl Derivative {
-    /// Puts the product in the place of the accelerations that were derived last, by what forces these need; `multipliers` are its own.
+    /// Puts the product in the place of the accelerations that were derived last; `needed` gives the forces that accelerations need,
+    /// and `multipliers` are the product's own.
     pub(super) fn apply_to_solution(
         &self,
         derived: &mut Derived,
@@ -50,24 +50,18 @@ impl Derivative {
             derived.roots.extend(solved);
             return;
         }
-        let multipliers = multipliers.iter().flat_map(|own| own.inputs(tree));
-        let multipliers: Vec<Expr> = multipliers.map(|input| graph.input(input)).collect();
-        let solved = inverse_mass::solution(graph, tree, plan, multipliers);
-        graph.enter(None);
-        let mut weighted = graph.zero();
-        for (place, (&force, solved)) in lacking.iter().zip(solved).enumerate() {
-            let input = Input::Product(SOLUTION, place);
-            values.insert(input, solved);
-            let multiplier = graph.input(input);
-            let term = graph.mul(multiplier, force);
-            weighted = graph.add(weighted, term);
-        }
-        let rows = reverse(graph, &[weighted], &seeds);
-        let columns = 0..columns.last().map_or(0, |last| last.end);
-        let entries: Vec<Expr> = columns
-            .map(|column| entry(graph, &rows[0], column))
+        let n_columns = columns.last().map_or(0, |last| last.end);
+        let weighted = (multipliers, &lacking[..]);
+        let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
+        // The solution takes the place of the multiplier after the sweep, so that it does not vary.
+        let inputs: Vec<Input> = multipliers
+            .iter()
+            .flat_map(|own| own.inputs(tree))
             .collect();
-        let entries = graph.substituted(&entries, &values);
-        derived.roots.extend(entries);
+        let weights = inputs.iter().map(|input| graph.input(*input)).collect();
+        let solved = inverse_mass::solution(graph, tree, plan, weights);
+        values.extend(inputs.into_iter().zip(solved));
+        let gradient = graph.substituted(&gradient, &values);
+        derived.roots.extend(gradient);
     }
 }

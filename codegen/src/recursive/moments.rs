@@ -58,7 +58,7 @@ impl Moments {
 
     /// The moment `sum m r × Q r`, where Q is the change of a field of accelerations about this axis
     /// ([`turned_field`](super::link_motion::LinkMotion::turned_field)).
-    pub(super) fn needed(&self, graph: &mut ExprGraph, q: &Matrix, axis: usize) -> Vector {
+    pub(super) fn moment_of_field(&self, graph: &mut ExprGraph, q: &Matrix, axis: usize) -> Vector {
         let (a, (b, c)) = (axis, Axis::ALL[axis].others());
         let s = |row, column| self.second.entry(row, column);
         let two = graph.number(2.0);
@@ -84,14 +84,14 @@ impl Moments {
             (q[b][c], unequal),
             (-q[b][b], mixed),
         ];
-        let mut needed = graph.zero_vector();
+        let mut moment = graph.zero_vector();
         for (place, terms) in [(a, &along_a[..]), (b, &along_b), (c, &along_c)] {
-            for &(entry, moment) in terms {
-                let term = graph.mul(entry, moment);
-                needed[place] = graph.add(needed[place], term);
+            for &(entry, second) in terms {
+                let term = graph.mul(entry, second);
+                moment[place] = graph.add(moment[place], term);
             }
         }
-        needed
+        moment
     }
 
     /// About a point from which this one's point lies at `d`: `h' = h + m d`, `S' = S + h d^T + d h'^T`.

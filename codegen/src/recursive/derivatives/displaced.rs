@@ -1,5 +1,5 @@
-//! What masses need because a turn of them, along with their relative motions, changes their accelerations by a multiple of where
-//! they are: `D × r + 2 u × (w × r)`.
+//! What masses at `r` need where their accelerations change by `D × r + 2 u × (w × r)`: a turn displaces them, and their relative
+//! motions turn with them.
 
 use super::{
     super::{link_motion::LinkMotion, moments::Moments},
@@ -7,7 +7,7 @@ use super::{
 };
 use crate::expr::{ExprGraph, Vector};
 
-/// The most off-diagonal entries of the second moments with which an angle's moment is shorter as that of a matrix.
+/// With more off-diagonal second moments than this, the moment `sum m r × Q r` needs more operations than the terms one by one.
 const MOST_MIXED: usize = 1;
 
 /// Moment and force, where the angular velocity before the turn is another one than after it.
@@ -41,7 +41,7 @@ pub(super) fn by_angle(
     let mixed = moments.second.mixed.into_iter();
     let n_mixed = mixed.filter(|mixed| !graph.is_zero(*mixed)).count();
     if n_mixed <= MOST_MIXED {
-        return [moments.needed(graph, &q, axis), force];
+        return [moments.moment_of_field(graph, &q, axis), force];
     }
     // What is spread of `2 w × e` is there for the couple.
     let (e, twice) = (graph.unit_vector(axis), doubled(graph, motion.w));
