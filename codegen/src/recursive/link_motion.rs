@@ -13,7 +13,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Matrix, Purpose, Vector, negated},
+    expr::{Axis, Expr, ExprGraph, Matrix, Purpose, Vector, negated},
     given::{self, Accelerations},
     id::{BodyId, BodyMap},
     tree::{Joint, Motion},
@@ -125,6 +125,8 @@ pub(super) struct Moving<'a> {
     pub(super) w: Vector,
     pub(super) alpha: Vector,
     a: Vector,
+    /// The axis of its last angle, and the square of the angular velocity across it: the lower link has that already.
+    across: Option<(Axis, Expr)>,
 }
 
 impl<'a> Moving<'a> {
@@ -143,7 +145,23 @@ impl<'a> Moving<'a> {
             w,
             alpha,
             a,
+            across: None,
         }
+    }
+
+    /// `w_b^2 + w_c^2` of the lower link's components, where its axes are those that an angle is about to turn.
+    fn square_across(&self, graph: &mut ExprGraph, axis: Axis) -> Option<(Axis, Expr)> {
+        let below = self.lower?.w.map(Expr::node);
+        let (b, c) = axis.others();
+        let own = [self.w[b], self.w[c]];
+        if own
+            .iter()
+            .any(|w| graph.is_zero(*w) || !below.contains(&w.node()))
+        {
+            return None;
+        }
+        let [b, c] = own.map(|w| graph.mul(w, w));
+        Some((axis, graph.add(b, c)))
     }
 
     /// Adds a relative angular velocity: the lower axes turn under the new ones, by `w × relative`.
@@ -179,15 +197,18 @@ impl<'a> Moving<'a> {
 
     /// The motion where it has come.
     pub(super) fn reached(&self, graph: &mut ExprGraph) -> LinkMotion {
-        LinkMotion::new(graph, self.w, self.alpha, self.a)
+        let mut motion = LinkMotion::new(graph, self.w, self.alpha, self.a);
+        if let Some((axis, square)) = self.across {
+            motion.u[axis.index()][axis.index()] = -square;
+        }
+        motion
     }
 
     pub(super) fn arrived(self, graph: &mut ExprGraph) -> LinkMotion {
-        let Self { w, alpha, a, .. } = self;
-        graph.name_vector(w, "w");
-        graph.name_vector(alpha, "alpha");
-        graph.name_vector(a, "a");
-        let arrived = LinkMotion::new(graph, w, alpha, a);
+        graph.name_vector(self.w, "w");
+        graph.name_vector(self.alpha, "alpha");
+        graph.name_vector(self.a, "a");
+        let arrived = self.reached(graph);
         graph.name_matrix(&arrived.u, "u");
         arrived
     }
@@ -225,7 +246,14 @@ impl Passenger for Moving<'_> {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        [self.w, self.alpha] = [self.w, self.alpha].map(|v| rotation.forward(graph, v));
+        let turned = rotation.forward(graph, self.w);
+        self.across = match drive {
+            Drive::Angle(axis, _) => self.square_across(graph, axis),
+            Drive::Nothing => self.across.filter(|_| turned == self.w),
+            Drive::AngularVelocity(_) => None,
+        };
+        self.w = turned;
+        self.alpha = rotation.forward(graph, self.alpha);
         if let Drive::Angle(axis, motion) = drive {
             self.add_rate(graph, axis, motion);
         }

@@ -45,7 +45,6 @@ mod regroup;
 mod root;
 mod rotation;
 mod rounding;
-mod shared;
 mod shortcut;
 mod speed_matrix;
 mod spreading;

@@ -5,7 +5,7 @@
 //! every speed below the joint, and zero for the joint's own: base inertial parameters (Khalil and Kleinfinger 1987), read the
 //! other way round.
 
-use super::plan::{Plan, Regroup};
+use super::super::plan::{Plan, Regroup};
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Symmetric, Vector},
     geometry::Rotation,
@@ -17,17 +17,27 @@ use crate::{
 
 /// The columns of a body that its lower body's give.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Shared {
-    given: Vec<Given>,
+pub(super) enum Shared {
+    #[default]
+    Nothing,
+    OnAxis(OnAxis),
+    /// Of a body that turns as its lower body does, all components of the inertia.
+    Inertia([Symmetric; COMPONENTS.len()]),
 }
 
-/// One of them.
-#[derive(Clone, Debug)]
-struct Given {
-    parameter: usize,
-    /// What a unit of it, with as much of `beside`, is in parameters of the lower body.
-    of_lower: [Expr; PARAMETERS.len()],
-    beside: Option<usize>,
+/// Mass, first and second moment along a joint's axis. All vectors are along the lower body's user axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnAxis {
+    /// The user's axis that is the joint's.
+    own: usize,
+    /// Of the two moments of inertia about axes across it the one that is given, with as much of the one that is kept.
+    given: usize,
+    kept: usize,
+    /// The direction of the axis.
+    axis: Vector,
+    /// From the lower body's user origin to the body's: the part across the axis, and the length along it.
+    across: Vector,
+    along: Expr,
 }
 
 /// What each body's lower body gives, where the plan regroups it.
@@ -67,7 +77,7 @@ fn of_body(
     let own =
         (0..3).find(|&i| along[i].abs() == 1.0 && along.iter().filter(|x| **x != 0.0).count() == 1);
     match own.filter(|_| is_on_axis) {
-        Some(own) => on_axis(graph, tree, [body, lower], own, choice),
+        Some(own) => Shared::OnAxis(on_axis(graph, tree, [body, lower], own, choice)),
         None => Shared::default(),
     }
 }
@@ -79,57 +89,33 @@ fn on_axis(
     [body, lower]: [BodyId; 2],
     own: usize,
     choice: Regroup,
-) -> Shared {
-    let n = axes(graph, tree, body, lower)[own];
-    let p = origin(graph, tree, body, lower);
+) -> OnAxis {
     let (b, c) = ((own + 1) % 3, (own + 2) % 3);
     let (kept, given) = if choice == Regroup::Last {
         (c, b)
     } else {
         (b, c)
     };
-    let (zero, one) = (graph.zero(), graph.one());
-    let two = graph.number(2.0);
-    let around_point = around(graph, [p, p], one);
-    let around_both = around(graph, [n, p], two);
-    let around_axis = around(graph, [n, n], one);
-    let none = graph.zero_vector();
-    Shared {
-        given: vec![
-            Given {
-                parameter: 0,
-                of_lower: parameters(one, p, &around_point),
-                beside: None,
-            },
-            Given {
-                parameter: 1 + own,
-                of_lower: parameters(zero, n, &around_both),
-                beside: None,
-            },
-            Given {
-                parameter: component(given, given),
-                of_lower: parameters(zero, none, &around_axis),
-                beside: Some(component(kept, kept)),
-            },
-        ],
+    let axis = axes(graph, tree, body, lower)[own];
+    let point = origin(graph, tree, body, lower);
+    let along = graph.dot(axis, point);
+    let part = graph.scale(along, axis);
+    OnAxis {
+        own,
+        given: component(given, given),
+        kept: component(kept, kept),
+        axis,
+        across: graph.sub_vectors(point, part),
+        along,
     }
 }
 
 /// All of the inertia.
 fn turning_as_lower(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: BodyId) -> Shared {
     let axes = axes(graph, tree, body, lower);
-    let (zero, none) = (graph.zero(), graph.zero_vector());
-    let given = COMPONENTS.map(|[row, column]| {
-        let tensor = product(graph, axes[row], axes[column], row == column);
-        Given {
-            parameter: component(row, column),
-            of_lower: parameters(zero, none, &tensor),
-            beside: None,
-        }
-    });
-    Shared {
-        given: given.to_vec(),
-    }
+    Shared::Inertia(
+        COMPONENTS.map(|[row, column]| product(graph, axes[row], axes[column], row == column)),
+    )
 }
 
 /// The user's axes of a body along those of its lower body, where its joint does not turn it; of a hinge the axis alone means
@@ -205,21 +191,90 @@ fn product(graph: &mut ExprGraph, a: Vector, b: Vector, are_one: bool) -> Symmet
     tensor
 }
 
-fn parameters(mass: Expr, moment: Vector, inertia: &Symmetric) -> [Expr; PARAMETERS.len()] {
-    std::array::from_fn(|parameter| match parameter {
-        0 => mass,
-        1..4 => moment[parameter - 1],
-        _ => {
-            let [row, column] = COMPONENTS[parameter - 4];
-            inertia.entry(row, column)
+/// The entries of a lower body's columns of one speed.
+struct Lower<'a> {
+    entries: &'a [Expr],
+}
+
+impl Lower<'_> {
+    fn moment(&self, axis: usize) -> Expr {
+        self.entries[1 + axis]
+    }
+
+    fn inertia(&self, row: usize, column: usize) -> Expr {
+        self.entries[component(row.min(column), row.max(column))]
+    }
+
+    /// What a body of this inertia needs.
+    fn of_inertia(&self, graph: &mut ExprGraph, tensor: &Symmetric) -> Expr {
+        COMPONENTS
+            .into_iter()
+            .fold(graph.zero(), |sum, [row, column]| {
+                let entry = self.inertia(row, column);
+                let term = graph.mul(tensor.entry(row, column), entry);
+                graph.add(sum, term)
+            })
+    }
+
+    /// What a mass of one needs at a point.
+    fn of_mass(&self, graph: &mut ExprGraph, point: Vector) -> Expr {
+        let mut sum = self.entries[0];
+        for i in 0..3 {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let around = graph.add(self.inertia(j, j), self.inertia(k, k));
+            let of_square = graph.mul(point[i], around);
+            let mut factor = graph.add(self.moment(i), of_square);
+            for other in i + 1..3 {
+                let of_product = graph.mul(point[other], self.inertia(i, other));
+                factor = graph.sub(factor, of_product);
+            }
+            let share = graph.mul(point[i], factor);
+            sum = graph.add(sum, share);
         }
-    })
+        sum
+    }
+}
+
+impl OnAxis {
+    /// Of one speed: what mass, first moment and the given moment of inertia need. With `S` for a second moment along the axis,
+    /// a mass of one that has first moment `H` there has `H + 2 z S` farther along by `z`, and needs `z` times their mean more.
+    fn of_lower(&self, graph: &mut ExprGraph, lower: &Lower<'_>, kept: Expr) -> [Expr; 3] {
+        let [one, two, half] = [1.0, 2.0, 0.5].map(|number| graph.number(number));
+        let along_axis = around(graph, [self.axis, self.axis], one);
+        let second = lower.of_inertia(graph, &along_axis);
+        let beside = around(graph, [self.axis, self.across], two);
+        let mut nearest = lower.of_inertia(graph, &beside);
+        for i in 0..3 {
+            let share = graph.mul(self.axis[i], lower.moment(i));
+            nearest = graph.add(share, nearest);
+        }
+        let twice = graph.mul(two, self.along);
+        let farther = graph.mul(twice, second);
+        let first = graph.add(nearest, farther);
+        let half = graph.mul(half, self.along);
+        let both = graph.add(nearest, first);
+        let more = graph.mul(half, both);
+        let across = lower.of_mass(graph, self.across);
+        [graph.add(across, more), first, graph.sub(second, kept)]
+    }
 }
 
 impl Shared {
     /// True for a parameter whose column the lower body's give.
     pub(super) fn gives(&self, parameter: usize) -> bool {
-        self.given.iter().any(|given| given.parameter == parameter)
+        match self {
+            Self::Nothing => false,
+            Self::OnAxis(shared) => [0, 1 + shared.own, shared.given].contains(&parameter),
+            Self::Inertia(_) => parameter >= 4,
+        }
+    }
+
+    /// The user's axis that is the hinge's, where there is one.
+    pub(super) fn hinge_axis(&self) -> Option<usize> {
+        match self {
+            Self::OnAxis(shared) => Some(shared.own),
+            Self::Nothing | Self::Inertia(_) => None,
+        }
     }
 
     /// Writes these columns of a body, once those of its lower body are whole.
@@ -227,17 +282,25 @@ impl Shared {
         let Some(lower) = tree.lower(body) else {
             return;
         };
-        for given in &self.given {
-            for speed in 0..tree.n_speeds {
-                let mut sum = graph.zero();
-                for (parameter, &factor) in given.of_lower.iter().enumerate() {
-                    let term = graph.mul(factor, y[place(tree, speed, lower, parameter)]);
-                    sum = graph.add(sum, term);
+        for speed in 0..tree.n_speeds {
+            let first = place(tree, speed, lower, 0);
+            let entries = y[first..first + PARAMETERS.len()].to_vec();
+            let lower = Lower { entries: &entries };
+            let own = place(tree, speed, body, 0);
+            match self {
+                Self::Nothing => {}
+                Self::OnAxis(shared) => {
+                    let kept = y[own + shared.kept];
+                    let [mass, first, given] = shared.of_lower(graph, &lower, kept);
+                    y[own] = mass;
+                    y[own + 1 + shared.own] = first;
+                    y[own + shared.given] = given;
                 }
-                if let Some(beside) = given.beside {
-                    sum = graph.sub(sum, y[place(tree, speed, body, beside)]);
+                Self::Inertia(tensors) => {
+                    for (place, tensor) in tensors.iter().enumerate() {
+                        y[own + 4 + place] = lower.of_inertia(graph, tensor);
+                    }
                 }
-                y[place(tree, speed, body, given.parameter)] = sum;
             }
         }
     }

@@ -1,0 +1,202 @@
+//! Forces as they are linear in inertial parameters: the wrenches that a unit of each parameter needs are carried inward, and
+//! every speed reads its entry off them.
+//!
+//! First moments need forces and moments, inertias moments alone, which no offset changes. What a joint does not move of a
+//! body's inertia needs as much as if the lower body had it: its columns are sums of that body's (`shared`), and are not carried.
+//! A body's `own` columns are those of its own parameters, a [`column`] knows how it is carried.
+
+mod column;
+mod own;
+mod shared;
+
+use self::{column::UnitColumn, own::OnHinge};
+use super::{
+    ahead::{About, Ahead},
+    link_motion,
+    linkage::Linkage,
+    passage::{Drive, Passenger},
+    plan::{Plan, Technique},
+    rotation::Turn,
+    shortcut::Shortcuts,
+};
+use crate::{
+    expr::{Axis, Expr, ExprGraph, Purpose, Vector},
+    given::Accelerations,
+    id::{BodyId, BodyMap, SpeedId},
+    kane::regressor::{PARAMETERS, place},
+    tree::{Motion, Tree},
+};
+
+/// For each speed, body and parameter what `tau` has of it.
+pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    let tree = &*tree.with_whole_weights();
+    let shared = shared::shared(graph, tree, plan);
+    let whole = plan.with(Technique::Regroup, false);
+    let linkage = Linkage::of_speeds(graph, tree, &whole);
+    let motions = link_motion::motions(graph, &linkage, Accelerations::Given);
+    graph.begin(Purpose::Regressor);
+    let mut columns = BodyMap::outward(tree.bodies.len(), |body, _| {
+        let link = &linkage.links[body];
+        own::columns(graph, tree, body, link, &motions[body], &shared[body])
+    });
+    let mut shortcuts = Shortcuts::new(graph, &linkage);
+    let mut ahead = Ahead::new(graph, &linkage, None);
+    let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
+    for body in tree.body_ids().rev() {
+        let hinge = shared[body].hinge_axis();
+        let mut carried = Carried {
+            tree,
+            body,
+            hinge: hinge.and_then(|own| OnHinge::new(graph, &linkage, body, &motions, own)),
+            columns: std::mem::take(&mut columns[body]),
+            shortcuts: &mut shortcuts,
+            ahead: &mut ahead,
+            y: &mut y,
+        };
+        linkage.passages[body].inward(graph, &mut carried);
+        let arrived = carried.columns;
+        if let Some(lower) = tree.lower(body) {
+            columns[lower].extend(arrived);
+        }
+    }
+    for body in tree.body_ids() {
+        graph.enter(body);
+        shared[body].fill(graph, tree, body, &mut y);
+    }
+    y
+}
+
+/// Unit columns on their way inward through a joint, whose motions read off them what acts along them.
+struct Carried<'a, 'b> {
+    tree: &'a Tree,
+    body: BodyId,
+    /// Where the body's own columns are turned in a shorter way.
+    hinge: Option<OnHinge>,
+    columns: Vec<UnitColumn>,
+    shortcuts: &'a mut Shortcuts<'b>,
+    ahead: &'a mut Ahead<'b>,
+    y: &'a mut [Expr],
+}
+
+impl Carried<'_, '_> {
+    fn read_off(
+        &mut self,
+        graph: &mut ExprGraph,
+        motions: [Option<Motion>; 3],
+        part: fn(&UnitColumn) -> Vector,
+    ) {
+        for (axis, motion) in motions.into_iter().enumerate() {
+            let Some(Motion { speed, factor }) = motion else {
+                continue;
+            };
+            let factor = graph.number(factor);
+            for own in &self.columns {
+                graph.enter(own.body);
+                let share = graph.mul(factor, part(own)[axis]);
+                add(graph, self.tree, own, (speed, share), self.y);
+            }
+        }
+    }
+
+    /// Sends the forces on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) {
+        if !self.shortcuts.may(graph, self.body) {
+            return;
+        }
+        let n_forces = self.columns.iter().filter(|own| own.has_force(graph));
+        let n_forces = n_forces.count();
+        let Some(shortcut) = self.shortcuts.from(graph, self.body, n_forces) else {
+            return;
+        };
+        for own in &mut self.columns {
+            if own.has_force(graph) {
+                graph.enter(own.body);
+                own.send(graph, &shortcut, axis);
+            }
+        }
+    }
+
+    /// Reads off what joints below feel of moments alone, if that is cheaper than to carry them there.
+    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+        if !self.ahead.may(self.body) {
+            return;
+        }
+        let no_force = self.ahead.is_still(self.body);
+        let columns = std::mem::take(&mut self.columns);
+        let (mut moments, others): (Vec<_>, Vec<_>) = columns
+            .into_iter()
+            .partition(|own| no_force || !own.has_force(graph));
+        self.columns = others;
+        let Some(axes) = self.ahead.from(graph, self.body, moments.len()) else {
+            self.columns.extend(moments);
+            return;
+        };
+        for own in &mut moments {
+            graph.enter(own.body);
+            own.settle(graph);
+            for &About { motion, axis, .. } in &axes {
+                let along = graph.dot(axis, own.wrench.moment);
+                let factor = graph.number(motion.factor);
+                let share = graph.mul(factor, along);
+                add(graph, self.tree, own, (motion.speed, share), self.y);
+            }
+        }
+    }
+}
+
+/// Adds to a column's entry of a speed.
+fn add(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    column: &UnitColumn,
+    (speed, share): (SpeedId, Expr),
+    y: &mut [Expr],
+) {
+    let entry = &mut y[place(tree, speed.index(), column.body, column.parameter)];
+    *entry = graph.add(*entry, share);
+}
+
+impl Passenger for Carried<'_, '_> {
+    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        let below = self.tree.body(lower);
+        let hinge = below.joint.hinge_axis();
+        let leaves = self.shortcuts.may(graph, lower);
+        for own in &mut self.columns {
+            graph.enter(own.body);
+            own.reach(graph, offset);
+            match hinge {
+                Some(axis) if leaves || own.is_on(graph, axis) => own.settle_along(graph, axis),
+                _ => own.settle(graph),
+            }
+            let (name, at) = (PARAMETERS[own.parameter], &below.identifier);
+            graph.name_vector(own.wrench.force, &format!("{name}_f_{at}"));
+            graph.name_vector(own.wrench.moment, &format!("{name}_n_{at}"));
+        }
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        self.read_off(graph, drive.motions(), |own| own.wrench.moment);
+        if let Drive::Angle(axis, _) = drive {
+            self.take_shortcut(graph, axis);
+            self.read_ahead(graph);
+            for own in &mut self.columns {
+                if !own.is_on(graph, axis) {
+                    graph.enter(own.body);
+                    own.settle_across(graph, axis);
+                }
+            }
+        }
+        let before: Vec<Vector> = self.columns.iter().map(|own| own.wrench.moment).collect();
+        for own in &mut self.columns {
+            graph.enter(own.body);
+            own.turn(graph, rotation);
+        }
+        if let (Drive::Angle(..), Some(hinge)) = (drive, &self.hinge) {
+            hinge.shorten(graph, &mut self.columns, &before, rotation);
+        }
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        self.read_off(graph, motions, UnitColumn::force);
+    }
+}
