@@ -17,8 +17,8 @@ use crate::{
 pub(super) struct About {
     pub(super) motion: Motion,
     pub(super) axis: Vector,
-    /// How fast the axis turns, where that was asked for.
-    pub(super) rate: Vector,
+    /// The product with the axis that was asked for: how fast it turns, or what a weight's lever makes of it.
+    pub(super) crossed: Vector,
 }
 
 /// The links from which it may be read ahead.
@@ -26,17 +26,18 @@ pub(super) struct Ahead<'a> {
     linkage: &'a Linkage<'a>,
     /// Links that hinges alone carry, all of whose axes pass through the link's origin.
     is_still: BodyMap<bool>,
-    /// How fast each link turns, where it is asked how fast axes do.
-    angular_velocities: Option<BodyMap<Vector>>,
+    /// For each link what stands before the product with its axes, where one is asked for.
+    before: Option<BodyMap<Vector>>,
     /// The axes of the link's own joint and of those below, as far as they were asked for.
     axes: BodyMap<Option<Vec<About>>>,
 }
 
 impl<'a> Ahead<'a> {
+    /// With the products of a vector of each link, link components, and its joint's axes.
     pub(super) fn new(
         graph: &ExprGraph,
         linkage: &'a Linkage<'a>,
-        angular_velocities: Option<BodyMap<Vector>>,
+        before: Option<BodyMap<Vector>>,
     ) -> Self {
         let Linkage { tree, links, .. } = linkage;
         let is_still = BodyMap::outward(tree.bodies.len(), |body, is_still: &BodyMap<bool>| {
@@ -48,7 +49,7 @@ impl<'a> Ahead<'a> {
         Self {
             linkage,
             is_still,
-            angular_velocities,
+            before,
             axes: BodyMap::outward(tree.bodies.len(), |_, _| None),
         }
     }
@@ -95,13 +96,13 @@ impl<'a> Ahead<'a> {
         axes.map(|own| About {
             motion: own.motion,
             axis: self.to_link(graph, body, own.axis),
-            rate: self.to_link(graph, body, own.rate),
+            crossed: self.to_link(graph, body, own.crossed),
         })
         .collect()
     }
 
-    /// The same with the axis of its own joint first.
-    fn own(&mut self, graph: &mut ExprGraph, body: BodyId) -> Vec<About> {
+    /// The axes of a link's own joint and of those below, along its own.
+    pub(super) fn own(&mut self, graph: &mut ExprGraph, body: BodyId) -> Vec<About> {
         if let Some(known) = &self.axes[body] {
             return known.clone();
         }
@@ -112,10 +113,14 @@ impl<'a> Ahead<'a> {
             let Some(motion) = motion else { continue };
             graph.enter(body);
             let axis = graph.unit_vector(axis);
-            let w = self.angular_velocities.as_ref().map(|all| all[body]);
-            let w = w.unwrap_or_else(|| graph.zero_vector());
-            let rate = graph.cross(w, axis);
-            axes.push(About { motion, axis, rate });
+            let before = self.before.as_ref().map(|all| all[body]);
+            let before = before.unwrap_or_else(|| graph.zero_vector());
+            let crossed = graph.cross(before, axis);
+            axes.push(About {
+                motion,
+                axis,
+                crossed,
+            });
         }
         if let Some(lower) = tree.lower(body) {
             axes.extend(self.below(graph, body, lower));

@@ -336,7 +336,12 @@ impl Carried<'_, '_> {
         };
         for column in &moments {
             graph.enter(column.body);
-            for &About { motion, axis, rate } in &axes {
+            for &About {
+                motion,
+                axis,
+                crossed: rate,
+            } in &axes
+            {
                 let row = graph.dot(axis, column.needed[0]);
                 speed_matrix::add(graph, self.c, [motion, column.motion], row);
                 let turned = graph.dot(rate, column.momentum[0]);

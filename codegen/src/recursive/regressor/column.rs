@@ -17,7 +17,8 @@ pub(super) struct UnitColumn {
     pub(super) wrench: Wrench,
     /// From the origin that it has reached; of a moment along an axis nothing that the axis does not feel.
     lever: Vector,
-    /// The force where the root's translations are read, once it is there; the wrench's is then zero.
+    /// The force where the root's translations are read, once it has left for them; the wrench's is zero as soon as no offset
+    /// makes a moment of it any more.
     arrived: Option<Vector>,
 }
 
@@ -85,15 +86,49 @@ impl UnitColumn {
         }
     }
 
-    /// Sends the force on a shortcut past the origin, where the moment along the axis is settled.
-    pub(super) fn send(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
-        let (b, c) = axis.others();
-        let whole = graph.add_vectors(shortcut.offset, self.lever);
+    /// Sends the force on a shortcut past the next offset, turned: about the axis the moment is moved past it now.
+    pub(super) fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
         self.add_lever(graph, shortcut.offset, &[axis.index()]);
-        self.add_lever(graph, whole, &[b, c]);
-        self.lever = graph.zero_vector();
         self.arrived = Some(shortcut.arrived(graph, self.wrench.force));
+    }
+
+    /// True from then on until the offset is passed.
+    pub(super) fn is_departing(&self, graph: &ExprGraph) -> bool {
+        self.arrived.is_some() && self.has_force(graph)
+    }
+
+    /// Moves a departing column past the turned offset across the axis too.
+    pub(super) fn leave(&mut self, graph: &mut ExprGraph, offset: Vector, axis: Axis) {
+        let (b, c) = axis.others();
+        let whole = graph.add_vectors(offset, self.lever);
+        self.add_lever(graph, whole, &[b, c]);
+        self.drop_force(graph);
+    }
+
+    /// Keeps of a departing force what an offset across the axis makes a moment across it of: the part along the axis, which the
+    /// turn leaves as it is.
+    pub(super) fn keep_along(&mut self, graph: &mut ExprGraph, axis: Axis) {
+        self.settle_across(graph, axis);
+        let (b, c) = axis.others();
+        (self.wrench.force[b], self.wrench.force[c]) = (graph.zero(), graph.zero());
+    }
+
+    /// Passes the offset of a departing column.
+    pub(super) fn pass(&mut self, graph: &mut ExprGraph, offset: Vector) {
+        self.reach(graph, offset);
+        self.settle(graph);
+        self.drop_force(graph);
+    }
+
+    fn drop_force(&mut self, graph: &mut ExprGraph) {
+        self.lever = graph.zero_vector();
         self.wrench.force = graph.zero_vector();
+    }
+
+    /// True where no more than one component of the moment is across the axis.
+    pub(super) fn is_sparse_across(&self, graph: &ExprGraph, axis: Axis) -> bool {
+        let (b, c) = axis.others();
+        [b, c].iter().any(|i| graph.is_zero(self.wrench.moment[*i]))
     }
 
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {

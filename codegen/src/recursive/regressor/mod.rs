@@ -9,7 +9,7 @@ mod column;
 mod own;
 mod shared;
 
-use self::{column::UnitColumn, own::OnHinge};
+use self::{column::UnitColumn, own::OnHinge, shared::Shared};
 use super::{
     ahead::{About, Ahead},
     link_motion,
@@ -17,7 +17,7 @@ use super::{
     passage::{Drive, Passenger},
     plan::{Plan, Technique},
     rotation::Turn,
-    shortcut::Shortcuts,
+    shortcut::{Shortcut, Shortcuts},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Purpose, Vector},
@@ -35,12 +35,17 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let linkage = Linkage::of_speeds(graph, tree, &whole);
     let motions = link_motion::motions(graph, &linkage, Accelerations::Given);
     graph.begin(Purpose::Regressor);
+    let felt = BodyMap::outward(tree.bodies.len(), |body, _| motions[body].a);
+    let mut ahead = Ahead::new(graph, &linkage, Some(felt));
     let mut columns = BodyMap::outward(tree.bodies.len(), |body, _| {
         let link = &linkage.links[body];
-        own::columns(graph, tree, body, link, &motions[body], &shared[body])
+        let mut columns = own::columns(graph, tree, body, link, &motions[body], &shared[body]);
+        if is_weighed(&ahead, &shared, body) {
+            columns.retain(|own| !(1..4).contains(&own.parameter));
+        }
+        columns
     });
     let mut shortcuts = Shortcuts::new(graph, &linkage);
-    let mut ahead = Ahead::new(graph, &linkage, None);
     let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
     for body in tree.body_ids().rev() {
         let hinge = shared[body].hinge_axis();
@@ -61,9 +66,19 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     }
     for body in tree.body_ids() {
         graph.enter(body);
+        if is_weighed(&ahead, &shared, body) {
+            let axes = ahead.own(graph, body);
+            graph.enter(body);
+            own::weigh(graph, &linkage, body, &shared[body], &axes, &mut y);
+        }
         shared[body].fill(graph, tree, body, &mut y);
     }
     y
+}
+
+/// True for a link that feels nothing but weight where its axis is, about which its user's first moments are then read.
+fn is_weighed(ahead: &Ahead<'_>, shared: &BodyMap<Shared>, body: BodyId) -> bool {
+    ahead.is_still(body) && shared[body].hinge_axis().is_some()
 }
 
 /// Unit columns on their way inward through a joint, whose motions read off them what acts along them.
@@ -99,33 +114,33 @@ impl Carried<'_, '_> {
     }
 
     /// Sends the forces on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) {
+    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) -> Option<Shortcut> {
         if !self.shortcuts.may(graph, self.body) {
-            return;
+            return None;
         }
         let n_forces = self.columns.iter().filter(|own| own.has_force(graph));
         let n_forces = n_forces.count();
-        let Some(shortcut) = self.shortcuts.from(graph, self.body, n_forces) else {
-            return;
-        };
+        let shortcut = self.shortcuts.from(graph, self.body, n_forces)?;
         for own in &mut self.columns {
             if own.has_force(graph) {
                 graph.enter(own.body);
-                own.send(graph, &shortcut, axis);
+                own.depart(graph, &shortcut, axis);
             }
         }
+        Some(shortcut)
     }
 
     /// Reads off what joints below feel of moments alone, if that is cheaper than to carry them there.
-    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+    fn read_ahead(&mut self, graph: &mut ExprGraph, axis: Axis, shortcut: Option<Shortcut>) {
         if !self.ahead.may(self.body) {
             return;
         }
         let no_force = self.ahead.is_still(self.body);
         let columns = std::mem::take(&mut self.columns);
-        let (mut moments, others): (Vec<_>, Vec<_>) = columns
-            .into_iter()
-            .partition(|own| no_force || !own.has_force(graph));
+        let (mut moments, others): (Vec<_>, Vec<_>) = columns.into_iter().partition(|own| {
+            let departs = own.is_departing(graph) && !own.is_sparse_across(graph, axis);
+            no_force || departs || !own.has_force(graph)
+        });
         self.columns = others;
         let Some(axes) = self.ahead.from(graph, self.body, moments.len()) else {
             self.columns.extend(moments);
@@ -133,12 +148,35 @@ impl Carried<'_, '_> {
         };
         for own in &mut moments {
             graph.enter(own.body);
-            own.settle(graph);
+            match shortcut.filter(|_| own.is_departing(graph)) {
+                Some(shortcut) => own.leave(graph, shortcut.offset, axis),
+                None => own.settle(graph),
+            }
             for &About { motion, axis, .. } in &axes {
                 let along = graph.dot(axis, own.wrench.moment);
                 let factor = graph.number(motion.factor);
                 let share = graph.mul(factor, along);
                 add(graph, self.tree, own, (motion.speed, share), self.y);
+            }
+        }
+    }
+
+    /// Settles across the axis of a turn what cannot wait until after it.
+    fn settle_before_turn(
+        &mut self,
+        graph: &mut ExprGraph,
+        axis: Axis,
+        shortcut: Option<Shortcut>,
+    ) {
+        for own in &mut self.columns {
+            graph.enter(own.body);
+            match shortcut.filter(|_| own.is_departing(graph)) {
+                Some(shortcut) if graph.is_zero(shortcut.offset[axis.index()]) => {
+                    own.keep_along(graph, axis);
+                }
+                Some(shortcut) => own.leave(graph, shortcut.offset, axis),
+                None if own.is_on(graph, axis) => {}
+                None => own.settle_across(graph, axis),
             }
         }
     }
@@ -163,10 +201,14 @@ impl Passenger for Carried<'_, '_> {
         let leaves = self.shortcuts.may(graph, lower);
         for own in &mut self.columns {
             graph.enter(own.body);
-            own.reach(graph, offset);
-            match hinge {
-                Some(axis) if leaves || own.is_on(graph, axis) => own.settle_along(graph, axis),
-                _ => own.settle(graph),
+            if own.is_departing(graph) {
+                own.pass(graph, offset);
+            } else {
+                own.reach(graph, offset);
+                match hinge {
+                    Some(axis) if leaves || own.is_on(graph, axis) => own.settle_along(graph, axis),
+                    _ => own.settle(graph),
+                }
             }
             let (name, at) = (PARAMETERS[own.parameter], &below.identifier);
             graph.name_vector(own.wrench.force, &format!("{name}_f_{at}"));
@@ -177,14 +219,9 @@ impl Passenger for Carried<'_, '_> {
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         self.read_off(graph, drive.motions(), |own| own.wrench.moment);
         if let Drive::Angle(axis, _) = drive {
-            self.take_shortcut(graph, axis);
-            self.read_ahead(graph);
-            for own in &mut self.columns {
-                if !own.is_on(graph, axis) {
-                    graph.enter(own.body);
-                    own.settle_across(graph, axis);
-                }
-            }
+            let shortcut = self.take_shortcut(graph, axis);
+            self.read_ahead(graph, axis, shortcut);
+            self.settle_before_turn(graph, axis, shortcut);
         }
         let before: Vec<Vector> = self.columns.iter().map(|own| own.wrench.moment).collect();
         for own in &mut self.columns {

@@ -2,16 +2,17 @@
 
 use super::{
     super::{
-        link::Link, link_motion::LinkMotion, linkage::Linkage, rotation::Turn, wrench::Wrench,
+        ahead::About, link::Link, link_motion::LinkMotion, linkage::Linkage, rotation::Turn,
+        wrench::Wrench,
     },
     column::UnitColumn,
-    shared::Shared,
+    shared::{Shared, component},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Matrix, Vector, negated},
     given,
     id::{BodyId, BodyMap},
-    kane::regressor::{COMPONENTS, PARAMETERS},
+    kane::regressor::{COMPONENTS, PARAMETERS, place},
     tree::Tree,
 };
 
@@ -97,6 +98,49 @@ impl LinkMotion {
     }
 }
 
+/// Of a body on a hinge that stays where it is, what its first moments across the hinge's axis need: they feel the acceleration `a`
+/// of a point on the axis, about an axis `s` below by `a × s`. Farther along the hinge's axis by `z` they need `z` less of the
+/// product of inertia of both.
+pub(super) fn weigh(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    body: BodyId,
+    shared: &Shared,
+    below: &[About],
+    y: &mut [Expr],
+) {
+    let Some(own) = shared.hinge_axis() else {
+        return;
+    };
+    let (tree, link) = (linkage.tree, &linkage.links[body]);
+    let axes = users_axes(graph, tree, body, link);
+    let origin = given::fixed(graph, &tree.body(body).pose.origin);
+    let origin = link.point_of_body(graph, origin);
+    let along = graph.dot(axes[own], origin);
+    for other in (0..3).filter(|other| *other != own) {
+        for about in below {
+            let felt = graph.dot(axes[other], about.crossed);
+            let factor = graph.number(about.motion.factor);
+            let felt = graph.mul(factor, felt);
+            let speed = about.motion.speed.index();
+            let first = place(tree, speed, body, 0);
+            let farther = graph.mul(along, y[first + component(own, other)]);
+            let felt = graph.sub(felt, farther);
+            let entry = &mut y[first + 1 + other];
+            *entry = graph.add(*entry, felt);
+        }
+    }
+}
+
+/// The user's axes of a body by rows, link components.
+fn users_axes(graph: &mut ExprGraph, tree: &Tree, body: BodyId, link: &Link) -> Matrix {
+    let rotation = tree.body(body).pose.rotation;
+    graph.identity().map(|axis| {
+        let internal = given::constant_back(graph, &rotation, axis);
+        link.of_body(graph, internal)
+    })
+}
+
 /// A body on a hinge along one of the user's axes, where there are shorter ways to turn what its inertia needs.
 ///
 /// With the hinge's axis `e`, another of the user's axes `d`, the force `f` that a first moment along `d` needs, and
@@ -128,11 +172,7 @@ impl OnHinge {
         let (axis, lower) = (tree.body(body).joint.hinge_axis()?, tree.lower(body)?);
         let (link, motion) = (&links[body], &motions[body]);
         let a = axis.index();
-        let rotation = tree.body(body).pose.rotation;
-        let axes = graph.identity().map(|axis| {
-            let internal = given::constant_back(graph, &rotation, axis);
-            link.of_body(graph, internal)
-        });
+        let axes = users_axes(graph, tree, body, link);
         Some(Self {
             body,
             own,

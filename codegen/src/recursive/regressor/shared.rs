@@ -151,8 +151,9 @@ fn apply_back(rotation: &Rotation, v: [f64; 3]) -> [f64; 3] {
 }
 
 /// The place of a component of the inertia among the parameters.
-fn component(row: usize, column: usize) -> usize {
-    let found = COMPONENTS.iter().position(|place| *place == [row, column]);
+pub(super) fn component(row: usize, column: usize) -> usize {
+    let ordered = [row.min(column), row.max(column)];
+    let found = COMPONENTS.iter().position(|place| *place == ordered);
     4 + found.expect("shared: the six components are listed")
 }
 
@@ -202,7 +203,7 @@ impl Lower<'_> {
     }
 
     fn inertia(&self, row: usize, column: usize) -> Expr {
-        self.entries[component(row.min(column), row.max(column))]
+        self.entries[component(row, column)]
     }
 
     /// What a body of this inertia needs.
