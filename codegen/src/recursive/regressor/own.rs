@@ -122,12 +122,14 @@ pub(super) fn weigh(
             let felt = graph.dot(axes[other], about.crossed);
             let factor = graph.number(about.motion.factor);
             let felt = graph.mul(factor, felt);
-            let speed = about.motion.speed.index();
-            let first = place(tree, speed, body, 0);
-            let farther = graph.mul(along, y[first + component(own, other)]);
-            let felt = graph.sub(felt, farther);
-            let entry = &mut y[first + 1 + other];
+            let entry = &mut y[place(tree, about.motion.speed.index(), body, 1 + other)];
             *entry = graph.add(*entry, felt);
+        }
+        for speed in 0..tree.n_speeds {
+            let of_inertia = y[place(tree, speed, body, component(own, other))];
+            let farther = graph.mul(along, of_inertia);
+            let entry = &mut y[place(tree, speed, body, 1 + other)];
+            *entry = graph.sub(*entry, farther);
         }
     }
 }
@@ -229,7 +231,7 @@ impl OnHinge {
         let of_moment = columns
             .iter()
             .find(|column| column.body == self.body && column.parameter == 1 + other)?;
-        if !of_moment.has_force(graph) {
+        if !of_moment.has_force(graph) || of_moment.is_departing(graph) {
             return None;
         }
         let direction = rotation.backward(graph, self.axes[other]);
