@@ -1,8 +1,13 @@
 //! Columns of the mass matrix on their way inward.
 
-use super::{rotation::Turn, shortcut::Shortcut};
+use super::{
+    lever::Levered,
+    rotation::Turn,
+    shortcut::{Next, Shortcut},
+    wrench::Wrench,
+};
 use crate::{
-    expr::{Expr, ExprGraph, Vector},
+    expr::{Axis, Expr, ExprGraph, Vector},
     id::BodyId,
     tree::{Motion, Tree},
 };
@@ -15,37 +20,32 @@ pub(super) struct Column {
     pub(super) motion: Motion,
     /// The speed's coordinate among its body's: "theta1" or "w1" to "s3".
     coordinate: &'static str,
-    linear: Vector,
-    angular: Vector,
-    /// The linear part where its root's translations are read, once it is there; `linear` is then zero.
-    arrived: Option<Vector>,
+    momentum: Levered,
 }
 
 impl Column {
     pub(super) fn new(
+        graph: &mut ExprGraph,
         body: BodyId,
         motion: Motion,
         coordinate: &'static str,
-        linear: Vector,
-        angular: Vector,
+        [linear, angular]: [Vector; 2],
     ) -> Self {
+        let momentum = Wrench {
+            force: linear,
+            moment: angular,
+        };
         Self {
             body,
             motion,
             coordinate,
-            linear,
-            angular,
-            arrived: None,
+            momentum: Levered::new(graph, momentum),
         }
     }
 
     /// The momentum about (0 to 2) or along (3 to 5) an axis.
     pub(super) fn momentum(&self, place: usize) -> Expr {
-        if place < 3 {
-            self.angular[place]
-        } else {
-            self.arrived.unwrap_or(self.linear)[place - 3]
-        }
+        self.momentum.read(place)
     }
 
     /// The body that moves with the speed.
@@ -55,39 +55,54 @@ impl Column {
 
     /// Linear and angular momentum.
     pub(super) fn parts(&self) -> [Vector; 2] {
-        [self.linear, self.angular]
+        let Wrench { force, moment } = self.momentum.wrench;
+        [force, moment]
     }
 
     /// To the axes before a rotation.
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);
-        self.linear = rotation.backward(graph, self.linear);
-        self.angular = rotation.backward(graph, self.angular);
+        self.momentum.turn(graph, rotation);
+    }
+
+    /// To the link that comes next, from whose origin the last one lies at `offset`.
+    pub(super) fn reach(&mut self, graph: &mut ExprGraph, offset: Vector, next: Next) {
+        graph.enter(self.body);
+        self.momentum.reach(graph, offset, next);
     }
 
     /// To a point from which the origin lies at `offset`.
     pub(super) fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
-        graph.enter(self.body);
-        let lever = graph.cross(offset, self.linear);
-        self.angular = graph.add_vectors(self.angular, lever);
+        self.reach(graph, offset, Next::UNKNOWN);
     }
 
     /// True once its linear part is where its root's translations are read.
-    pub(super) fn has_arrived(&self) -> bool {
-        self.arrived.is_some()
+    pub(super) fn has_left(&self) -> bool {
+        self.momentum.has_left()
     }
 
     /// Sends the linear part on a shortcut, past the last offset on the way.
-    pub(super) fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
-        self.shift(graph, shortcut.offset);
-        self.arrived = Some(shortcut.arrived(graph, self.linear));
-        self.linear = graph.zero_vector();
+    pub(super) fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
+        graph.enter(self.body);
+        self.momentum.depart(graph, shortcut, axis);
+    }
+
+    /// Gets ready for a turn about an axis.
+    pub(super) fn before_turn(
+        &mut self,
+        graph: &mut ExprGraph,
+        axis: Axis,
+        shortcut: Option<Shortcut>,
+    ) {
+        graph.enter(self.body);
+        self.momentum.before_turn(graph, axis, shortcut);
     }
 
     /// Labels it by its coordinate and the body at whose origin it has arrived.
     pub(super) fn name(&self, graph: &mut ExprGraph, tree: &Tree, at: BodyId) {
         let at = &tree.body(at).identifier;
-        graph.name_vector(self.linear, &format!("{}_f_{at}", self.coordinate));
-        graph.name_vector(self.angular, &format!("{}_n_{at}", self.coordinate));
+        let Wrench { force, moment } = self.momentum.wrench;
+        graph.name_vector(force, &format!("{}_f_{at}", self.coordinate));
+        graph.name_vector(moment, &format!("{}_n_{at}", self.coordinate));
     }
 }

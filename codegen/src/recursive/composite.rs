@@ -12,7 +12,7 @@ use super::{
     speed_matrix,
 };
 use crate::{
-    expr::{ExprGraph, Purpose, Vector},
+    expr::{Axis, ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -87,15 +87,15 @@ impl Carried<'_, '_> {
         graph: &mut ExprGraph,
         motion: Motion,
         place: usize,
-        [linear, angular]: [Vector; 2],
+        momentum: [Vector; 2],
     ) {
         let names = self.tree.body(self.body).joint.motion_names();
         self.columns.push(Column::new(
+            graph,
             self.body,
             motion,
             names[place],
-            linear,
-            angular,
+            momentum,
         ));
         let last = self.columns.len() - 1;
         for (i, column) in self.columns.iter().enumerate() {
@@ -106,26 +106,31 @@ impl Carried<'_, '_> {
 }
 
 impl Carried<'_, '_> {
-    /// Sends the linear parts of columns on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph) {
+    /// Gets columns ready for a turn about an axis; their linear parts leave on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) {
         let body = self.body;
         let ends = self.shortcuts.ends(graph, body);
         // The body's own is turned with the composite's first moment, whose product with the axis it is.
-        let leaves = |own: &Column| !(own.has_arrived() || ends && own.body() == body);
+        let leaves = |own: &Column| !(own.has_left() || ends && own.body() == body);
         let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
-        if let Some(shortcut) = self.shortcuts.from(graph, body, n_columns) {
+        let shortcut = self.shortcuts.from(graph, body, n_columns);
+        if let Some(shortcut) = shortcut {
             for column in self.columns.iter_mut().filter(|own| leaves(own)) {
-                column.arrive(graph, &shortcut);
+                column.depart(graph, &shortcut, axis);
             }
-            graph.enter(body);
         }
+        for column in &mut self.columns {
+            column.before_turn(graph, axis, shortcut);
+        }
+        graph.enter(body);
     }
 }
 
 impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        let next = self.shortcuts.next(graph, lower);
         for column in &mut self.columns {
-            column.shift(graph, offset);
+            column.reach(graph, offset, next);
             column.name(graph, self.tree, lower);
         }
         graph.enter(self.body);
@@ -138,8 +143,8 @@ impl Passenger for Carried<'_, '_> {
             let momentum = self.composite.turned_about(graph, axis);
             self.begin(graph, motion, axis, momentum);
         }
-        if let Drive::Angle(..) = drive {
-            self.take_shortcut(graph);
+        if let Drive::Angle(axis, _) = drive {
+            self.take_shortcut(graph, axis);
         }
         self.composite = rotation.backward_composite(graph, &self.composite);
         for column in &mut self.columns {

@@ -10,16 +10,18 @@
 
 use super::{
     ahead::{About, Ahead},
+    lever::Levered,
     linkage::Linkage,
     moments::{Changing, Moments, Rates},
     passage::{Drive, Passenger, speeds},
     plan::Plan,
     rotation::Turn,
-    shortcut::{Sent, Shortcut, Shortcuts},
+    shortcut::{Next, Shortcut, Shortcuts},
     speed_matrix,
+    wrench::Wrench,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Purpose, Vector},
+    expr::{Axis, ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -137,13 +139,10 @@ pub(super) struct Column {
     pub(super) motion: Motion,
     /// Of the motion among the six of the joint.
     place: usize,
-    /// Angular and linear: what the change of J needs.
-    pub(super) needed: [Vector; 2],
-    /// Angular and linear momentum.
-    pub(super) momentum: [Vector; 2],
+    /// What the change of J needs.
+    pub(super) needed: Levered,
+    pub(super) momentum: Levered,
     pub(super) couple: Vector,
-    /// The force that is needed where the root's translations are read, once it is there; linear parts are then zero.
-    arrived: Option<Vector>,
 }
 
 /// What a composite body is made of, and how fast that changes.
@@ -177,17 +176,21 @@ impl Column {
         let carried = graph.cross(v, momentum);
         let couple = graph.add_vectors(seen_back, swept);
         let (moving, turning) = (graph.cross(unit, rates.first), graph.cross(w, momentum));
+        let own = Wrench {
+            force: momentum,
+            moment: moments.about(graph, axis),
+        };
+        let needed = Wrench {
+            moment: graph.sub_vectors(seen, turned),
+            force: graph.add_vectors(moving, turning),
+        };
         Self {
             body,
             motion,
             place: axis,
-            needed: [
-                graph.sub_vectors(seen, turned),
-                graph.add_vectors(moving, turning),
-            ],
-            momentum: [moments.about(graph, axis), momentum],
+            needed: Levered::new(graph, needed),
+            momentum: Levered::new(graph, own),
             couple: graph.add_vectors(couple, carried),
-            arrived: None,
         }
     }
 
@@ -207,28 +210,23 @@ impl Column {
         let axis_rate = graph.cross(w, unit);
         let force = graph.scale(moments.mass, axis_rate);
         let (carried, turned) = (graph.scale(moments.mass, v), graph.cross(w, moments.first));
+        let own = Wrench {
+            force: graph.scale(moments.mass, unit),
+            moment: graph.cross(moments.first, unit),
+        };
+        let needed = Wrench {
+            moment: graph.cross(moments.first, axis_rate),
+            force,
+        };
         let whole = graph.add_vectors(rates.first, carried);
         let whole = graph.add_vectors(whole, turned);
         Self {
             body,
             motion,
             place: 3 + axis,
-            needed: [graph.cross(moments.first, axis_rate), force],
-            momentum: [
-                graph.cross(moments.first, unit),
-                graph.scale(moments.mass, unit),
-            ],
+            needed: Levered::new(graph, needed),
+            momentum: Levered::new(graph, own),
             couple: graph.cross(whole, unit),
-            arrived: None,
-        }
-    }
-
-    /// What is needed about (0 to 2) or along (3 to 5) an axis.
-    fn needed(&self, place: usize) -> Expr {
-        if place < 3 {
-            self.needed[0][place]
-        } else {
-            self.arrived.unwrap_or(self.needed[1])[place - 3]
         }
     }
 
@@ -243,8 +241,11 @@ impl Column {
         let (name, at) = (self.name(tree), &tree.body(at).identifier);
         graph.enter(self.body);
         graph.hint(|graph| {
-            let [moment, force] = self.needed;
-            let [angular, linear] = self.momentum;
+            let Wrench { moment, force } = self.needed.wrench;
+            let Wrench {
+                moment: angular,
+                force: linear,
+            } = self.momentum.wrench;
             let vectors = [moment, force, angular, linear, self.couple];
             for (vector, letter) in vectors.into_iter().zip(["n", "f", "l", "p", "c"]) {
                 graph.name_vector(vector, &format!("{name}_{letter}_{at}"));
@@ -254,32 +255,36 @@ impl Column {
 
     pub(super) fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn) {
         graph.enter(self.body);
-        self.needed = self.needed.map(|v| rotation.backward(graph, v));
-        self.momentum = self.momentum.map(|v| rotation.backward(graph, v));
+        self.needed.turn(graph, rotation);
+        self.momentum.turn(graph, rotation);
         self.couple = rotation.backward(graph, self.couple);
     }
 
-    pub(super) fn shift(&mut self, graph: &mut ExprGraph, offset: Vector) {
+    /// To the link that comes next, from whose origin the last one lies at `offset`. Mirrored entries read all of momentum.
+    pub(super) fn reach(&mut self, graph: &mut ExprGraph, offset: Vector, next: Next) {
         graph.enter(self.body);
-        for [angular, linear] in [&mut self.needed, &mut self.momentum] {
-            let lever = graph.cross(offset, *linear);
-            *angular = graph.add_vectors(*angular, lever);
-        }
-    }
-}
-
-impl Sent for Column {
-    fn has_arrived(&self) -> bool {
-        self.arrived.is_some()
+        self.needed.reach(graph, offset, next);
+        self.momentum.reach(graph, offset, Next::UNKNOWN);
     }
 
-    /// Sends the linear parts on a shortcut: the root's translations are along axes that do not turn, so that there is no
-    /// mirrored entry to be read.
-    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut) {
-        self.shift(graph, shortcut.offset);
-        self.arrived = Some(shortcut.arrived(graph, self.needed[1]));
-        self.needed[1] = graph.zero_vector();
-        self.momentum[1] = graph.zero_vector();
+    /// Gets ready for a turn about an axis, where there is a shortcut for the force that is needed.
+    pub(super) fn before_turn(
+        &mut self,
+        graph: &mut ExprGraph,
+        axis: Axis,
+        shortcut: Option<Shortcut>,
+    ) {
+        graph.enter(self.body);
+        self.needed.before_turn(graph, axis, shortcut);
+        self.momentum.before_turn(graph, axis, shortcut);
+    }
+
+    /// Sends linear parts on a shortcut: the root's translations are along axes that do not turn, so that there is no mirrored
+    /// entry to be read.
+    fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
+        graph.enter(self.body);
+        self.needed.depart(graph, shortcut, axis);
+        self.momentum.depart(graph, shortcut, axis);
     }
 }
 
@@ -316,35 +321,48 @@ impl Carried<'_, '_> {
         }
     }
 
+    /// Sends linear parts on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) -> Option<Shortcut> {
+        let leaves = |own: &Column| !own.needed.has_left();
+        let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
+        let shortcut = self.shortcuts.from(graph, self.body, 2 * n_columns)?;
+        for column in self.columns.iter_mut().filter(|own| leaves(own)) {
+            column.depart(graph, &shortcut, axis);
+        }
+        Some(shortcut)
+    }
+
     /// Reads off what joints below make of columns of which moments alone are left, if that is cheaper than to carry them there.
-    fn read_ahead(&mut self, graph: &mut ExprGraph) {
+    fn read_ahead(&mut self, graph: &mut ExprGraph, axis: Axis, shortcut: Option<Shortcut>) {
         if !self.ahead.may(self.body) {
             return;
         }
         let no_force = self.ahead.is_still(self.body);
         let is_left = |graph: &ExprGraph, own: &Column| {
-            let linear = [own.needed[1], own.momentum[1]];
-            no_force || linear.iter().all(|part| graph.is_zero_vector(*part))
+            let is_left = |part: &Levered| part.has_left() || !part.has_force(graph);
+            no_force || is_left(&own.needed) && is_left(&own.momentum)
         };
         let columns = std::mem::take(&mut self.columns);
-        let (moments, others): (Vec<_>, Vec<_>) =
+        let (mut moments, others): (Vec<_>, Vec<_>) =
             columns.into_iter().partition(|own| is_left(graph, own));
         self.columns = others;
         let Some(axes) = self.ahead.from(graph, self.body, 3 * moments.len()) else {
             self.columns.extend(moments);
             return;
         };
-        for column in &moments {
+        for column in &mut moments {
             graph.enter(column.body);
+            column.needed.settle_past(graph, shortcut, axis);
+            column.momentum.settle_past(graph, shortcut, axis);
             for &About {
                 motion,
                 axis,
                 crossed: rate,
             } in &axes
             {
-                let row = graph.dot(axis, column.needed[0]);
+                let row = graph.dot(axis, column.needed.wrench.moment);
                 speed_matrix::add(graph, self.c, [motion, column.motion], row);
-                let turned = graph.dot(rate, column.momentum[0]);
+                let turned = graph.dot(rate, column.momentum.wrench.moment);
                 let couple = graph.dot(axis, column.couple);
                 let mirrored = graph.add(turned, couple);
                 speed_matrix::add(graph, self.c, [column.motion, motion], mirrored);
@@ -357,16 +375,18 @@ impl Carried<'_, '_> {
         let unit = graph.unit_vector(place % 3);
         let last = self.columns.len() - 1;
         for (i, column) in self.columns.iter().enumerate() {
-            let row = column.needed(place);
+            let row = column.needed.read(place);
             speed_matrix::add(graph, self.c, [motion, column.motion], row);
             if i == last {
                 continue;
             }
             let axis_rate = graph.cross(w, unit);
-            let mut mirrored = graph.dot(axis_rate, column.momentum[place / 3]);
+            let Wrench { moment, force } = column.momentum.wrench;
+            let momentum = if place < 3 { moment } else { force };
+            let mut mirrored = graph.dot(axis_rate, momentum);
             if place < 3 {
                 let origin_rate = graph.cross(v, unit);
-                let lever = graph.dot(origin_rate, column.momentum[1]);
+                let lever = graph.dot(origin_rate, force);
                 mirrored = graph.add(mirrored, lever);
                 mirrored = graph.add(mirrored, column.couple[place]);
             }
@@ -376,9 +396,10 @@ impl Carried<'_, '_> {
 }
 
 impl Passenger for Carried<'_, '_> {
-    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        let next = self.shortcuts.next(graph, lower);
         for column in &mut self.columns {
-            column.shift(graph, offset);
+            column.reach(graph, offset, next);
         }
         graph.enter(self.body);
         self.rates = self.rates.moved(graph, offset);
@@ -394,9 +415,12 @@ impl Passenger for Carried<'_, '_> {
                 self.read(graph, motion, axis, velocity);
             }
         }
-        if let Drive::Angle(..) = drive {
-            self.shortcuts.send(graph, self.body, &mut self.columns);
-            self.read_ahead(graph);
+        if let Drive::Angle(axis, _) = drive {
+            let shortcut = self.take_shortcut(graph, axis);
+            self.read_ahead(graph, axis, shortcut);
+            for column in &mut self.columns {
+                column.before_turn(graph, axis, shortcut);
+            }
         }
         for column in &mut self.columns {
             column.turn(graph, rotation);

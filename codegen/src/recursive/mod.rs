@@ -26,6 +26,7 @@ pub mod inverse_dynamics;
 pub mod inverse_mass;
 pub mod joint_wrench;
 mod layout;
+mod lever;
 mod link;
 mod link_axes;
 mod link_motion;

@@ -226,9 +226,15 @@ struct Carried<'a> {
 }
 
 impl Carried<'_> {
-    fn column(&self, motion: Motion, place: usize, [linear, angular]: [Vector; 2]) -> Column {
+    fn column(
+        &self,
+        graph: &mut ExprGraph,
+        motion: Motion,
+        place: usize,
+        momentum: [Vector; 2],
+    ) -> Column {
         let name = self.tree.body(self.body).joint.motion_names()[place];
-        Column::new(self.body, motion, name, linear, angular)
+        Column::new(graph, self.body, motion, name, momentum)
     }
 }
 
@@ -246,7 +252,8 @@ impl Passenger for Carried<'_> {
         for (axis, motion) in drive.motions().into_iter().enumerate() {
             let Some(motion) = motion else { continue };
             let momentum = self.composite.turned_about(graph, axis);
-            self.columns.push(self.column(motion, axis, momentum));
+            let own = self.column(graph, motion, axis, momentum);
+            self.columns.push(own);
         }
         self.composite = rotation.backward_composite(graph, &self.composite);
         for column in self.columns.iter_mut().chain(&mut self.through_center) {
@@ -261,10 +268,10 @@ impl Passenger for Carried<'_> {
             let [linear, angular] = self.composite.shifted_along(graph, axis);
             if self.is_alone {
                 let none = graph.zero_vector();
-                let own = self.column(motion, 3 + axis, [linear, none]);
+                let own = self.column(graph, motion, 3 + axis, [linear, none]);
                 self.through_center.push(own);
             } else {
-                let own = self.column(motion, 3 + axis, [linear, angular]);
+                let own = self.column(graph, motion, 3 + axis, [linear, angular]);
                 self.columns.push(own);
             }
         }

@@ -7,7 +7,7 @@
 
 use super::{linkage::Linkage, plan::Technique, rotation::Turn};
 use crate::{
-    expr::{ExprGraph, Matrix, Vector},
+    expr::{Axis, ExprGraph, Matrix, Vector},
     id::{BodyId, BodyMap},
 };
 
@@ -27,6 +27,8 @@ pub(super) struct Shortcuts<'a> {
 pub(super) struct Shortcut {
     /// From the lower link's origin, along the link's axes.
     pub(super) offset: Vector,
+    /// How many components it has across the joint's axis before it is turned.
+    pub(super) n_across: usize,
     /// The axes along which the root translates, by rows, in link components; `None` where it does not.
     pub(super) directions: Option<Matrix>,
 }
@@ -41,13 +43,21 @@ impl Shortcut {
     }
 }
 
-/// A column of which two linear parts are carried inward, until they take a shortcut.
-pub(super) trait Sent {
-    /// True once they have.
-    fn has_arrived(&self) -> bool;
+/// What meets a column that has come to a link.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Next {
+    /// The axis of the link's joint, if it is a hinge.
+    pub(super) hinge: Option<Axis>,
+    /// True where there may be a shortcut.
+    pub(super) leaves: bool,
+}
 
-    /// Sends them.
-    fn arrive(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut);
+impl Next {
+    /// Of which nothing is known: all of a moment is wanted.
+    pub(super) const UNKNOWN: Self = Self {
+        hinge: None,
+        leaves: false,
+    };
 }
 
 impl<'a> Shortcuts<'a> {
@@ -91,6 +101,14 @@ impl<'a> Shortcuts<'a> {
         self.is_open[body] || self.ends(graph, body)
     }
 
+    /// What meets a column at a link.
+    pub(super) fn next(&self, graph: &ExprGraph, body: BodyId) -> Next {
+        Next {
+            hinge: self.linkage.tree.body(body).joint.hinge_axis(),
+            leaves: self.may(graph, body),
+        }
+    }
+
     /// The shortcut from a link for so many linear parts, if that is cheaper than to carry them on.
     pub(super) fn from(
         &mut self,
@@ -104,12 +122,17 @@ impl<'a> Shortcuts<'a> {
         }
         graph.enter(body);
         let passage = &self.linkage.links[body].passage;
+        let n_across = self.n_across(graph, body)?;
         let offset = passage.constant.forward(graph, passage.offset);
         let offset = passage.forward_from_joint(graph, offset);
         graph.name_vector(offset, "offset_turned");
         let directions = (!ends).then(|| self.directions(graph, body));
         graph.enter(body);
-        Some(Shortcut { offset, directions })
+        Some(Shortcut {
+            offset,
+            n_across,
+            directions,
+        })
     }
 
     /// True for the last offset on the way to a root that does not translate.
@@ -122,6 +145,16 @@ impl<'a> Shortcuts<'a> {
             && !graph.is_zero_vector(links[body].passage.offset)
     }
 
+    /// How many components the offset has across the joint's axis.
+    fn n_across(&self, graph: &mut ExprGraph, body: BodyId) -> Option<usize> {
+        let axis = self.linkage.tree.body(body).joint.hinge_axis()?;
+        let passage = &self.linkage.links[body].passage;
+        let offset = passage.constant.forward(graph, passage.offset);
+        let (b, c) = axis.others();
+        let across = [b, c].into_iter();
+        Some(across.filter(|i| !graph.is_zero(offset[*i])).count())
+    }
+
     /// A rotation costs a vector 6 operations, three of them, for the directions, 18; an offset along one axis across the
     /// joint's has two parts when turned, so that each lever costs 4 more.
     fn is_cheaper(
@@ -131,32 +164,14 @@ impl<'a> Shortcuts<'a> {
         n_vectors: usize,
         ends: bool,
     ) -> bool {
-        let joint = &self.linkage.tree.body(body).joint;
-        let Some(axis) = joint.hinge_axis() else {
+        let Some(n_across) = self.n_across(graph, body) else {
             return false;
         };
-        let passage = &self.linkage.links[body].passage;
-        let offset = passage.constant.forward(graph, passage.offset);
-        let (b, c) = axis.others();
-        let n_across = [b, c]
-            .into_iter()
-            .filter(|i| !graph.is_zero(offset[*i]))
-            .count();
         let directions = if ends { 0 } else { 18 };
         match n_across {
             0 => 6 * n_vectors > directions,
-            1 => 2 * n_vectors > directions + 2,
+            1 => 4 * n_vectors > directions + 2,
             _ => 6 * n_vectors > directions + 6,
-        }
-    }
-
-    /// Sends the linear parts of columns on the shortcut from a link, if there is one.
-    pub(super) fn send(&mut self, graph: &mut ExprGraph, body: BodyId, columns: &mut [impl Sent]) {
-        let n_columns = columns.iter().filter(|own| !own.has_arrived()).count();
-        if let Some(shortcut) = self.from(graph, body, 2 * n_columns) {
-            for column in columns.iter_mut().filter(|own| !own.has_arrived()) {
-                column.arrive(graph, &shortcut);
-            }
         }
     }
 

@@ -21,6 +21,7 @@ use self::{
 };
 use super::{
     coriolis::{Column as Carrying, Masses, Velocity},
+    lever::Levered,
     linkage::Linkage,
     loaded,
     moments::{Changing, Moments, Rates},
@@ -32,7 +33,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{ExprGraph, Purpose, Vector},
+    expr::{Axis, ExprGraph, Purpose, Vector},
     given::{Accelerations, Loads},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
@@ -155,11 +156,12 @@ impl Carried<'_, '_> {
             moments.spinning(graph, own),
             graph.cross(own, moments.first),
         );
-        let needed = &mut carrying.needed;
-        *needed = [
-            graph.sub_vectors(needed[0], spun),
-            graph.sub_vectors(needed[1], swept),
-        ];
+        let more = Wrench {
+            force: swept,
+            moment: spun,
+        };
+        let needed = carrying.needed.wrench.minus(graph, &more);
+        carrying.needed = Levered::new(graph, needed);
 
         let (u, a) = (reader.by_q[2], graph.cross(at.after.a, e));
         let [moment, force] = if graph.is_zero_vector(own) {
@@ -179,10 +181,13 @@ impl Carried<'_, '_> {
             force,
             graph.cross(u, rates.first),
         ];
+        let displaced = Wrench {
+            force: sum(graph, &force),
+            moment: sum(graph, &moment),
+        };
         Column {
             carrying,
-            displaced: [sum(graph, &moment), sum(graph, &force)],
-            arrived: None,
+            displaced: Levered::new(graph, displaced),
         }
     }
 
@@ -196,10 +201,28 @@ impl Carried<'_, '_> {
             graph.cross(e, self.wrench.force),
             graph.cross(moments.first, d),
         ];
+        let displaced = Wrench {
+            force: graph.scale(moments.mass, d),
+            moment: sum(graph, &moment),
+        };
         Column {
             carrying,
-            displaced: [sum(graph, &moment), graph.scale(moments.mass, d)],
-            arrived: None,
+            displaced: Levered::new(graph, displaced),
+        }
+    }
+
+    /// Gets columns ready for a turn about an axis; forces that are needed leave on a shortcut, if there is one here.
+    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) {
+        let leaves = |own: &Column| !own.displaced.has_left();
+        let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
+        let shortcut = self.shortcuts.from(graph, self.body, 2 * n_columns);
+        if let Some(shortcut) = shortcut {
+            for column in self.columns.iter_mut().filter(|own| leaves(own)) {
+                column.depart(graph, &shortcut, axis);
+            }
+        }
+        for column in &mut self.columns {
+            column.before_turn(graph, axis, shortcut);
         }
     }
 
@@ -208,12 +231,11 @@ impl Carried<'_, '_> {
         let first = self.columns.len() - readers.len();
         let Self { columns, found, .. } = self;
         for reader in readers {
-            let (place, part) = (reader.place % 3, reader.place / 3);
             for (i, column) in columns.iter().enumerate() {
                 let own = &column.carrying;
                 let row = [reader.motion, own.motion];
                 let mirrored = [own.motion, reader.motion];
-                let momentum = own.momentum[part][place];
+                let momentum = own.momentum.read(reader.place);
                 let [needed, moved] = column.needed(reader.place);
                 speed_matrix::add(graph, &mut found.by_u, row, needed);
                 let displaced = reader.displaced(graph, own);
@@ -241,9 +263,10 @@ fn sum(graph: &mut ExprGraph, terms: &[Vector]) -> Vector {
 }
 
 impl Passenger for Carried<'_, '_> {
-    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        let next = self.shortcuts.next(graph, lower);
         for column in &mut self.columns {
-            column.shift(graph, offset);
+            column.reach(graph, offset, next);
         }
         graph.enter(self.body);
         self.wrench = self.wrench.moved(graph, offset);
@@ -267,8 +290,8 @@ impl Passenger for Carried<'_, '_> {
             self.columns.push(column);
         }
         self.read(graph, &readers);
-        if let Drive::Angle(..) = drive {
-            self.shortcuts.send(graph, self.body, &mut self.columns);
+        if let Drive::Angle(axis, _) = drive {
+            self.take_shortcut(graph, axis);
         }
         for column in &mut self.columns {
             column.turn(graph, rotation);

@@ -58,7 +58,10 @@ impl Reader {
     /// How the force along a motion farther out changes with the coordinate.
     pub(super) fn displaced(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
         let [d, a, u] = self.by_q;
-        let (turned, carried) = (graph.dot(d, of.momentum[0]), graph.dot(a, of.momentum[1]));
+        let (turned, carried) = (
+            graph.dot(d, of.momentum.wrench.moment),
+            graph.dot(a, of.momentum.wrench.force),
+        );
         let couple = graph.dot(u, of.couple);
         let sum = graph.add(turned, carried);
         graph.add(sum, couple)
@@ -68,8 +71,8 @@ impl Reader {
     pub(super) fn driven(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
         let [turned, lever] = self.by_u;
         let (turned, lever) = (
-            graph.dot(turned, of.momentum[0]),
-            graph.dot(lever, of.momentum[1]),
+            graph.dot(turned, of.momentum.wrench.moment),
+            graph.dot(lever, of.momentum.wrench.force),
         );
         let sum = graph.add(turned, lever);
         if self.place < 3 {

@@ -3,15 +3,15 @@
 //!
 //! First moments need forces and moments, inertias moments alone, which no offset changes. What a joint does not move of a
 //! body's inertia needs as much as if the lower body had it: its columns are sums of that body's (`shared`), and are not carried.
-//! A body's `own` columns are those of its own parameters, a [`column`] knows how it is carried.
+//! A body's `own` columns are those of its own parameters.
 
-mod column;
 mod own;
 mod shared;
 
-use self::{column::UnitColumn, own::OnHinge, shared::Shared};
+use self::{own::OnHinge, shared::Shared};
 use super::{
     ahead::{About, Ahead},
+    lever::Levered,
     link_motion,
     linkage::Linkage,
     passage::{Drive, Passenger},
@@ -81,6 +81,13 @@ fn is_weighed(ahead: &Ahead<'_>, shared: &BodyMap<Shared>, body: BodyId) -> bool
     ahead.is_still(body) && shared[body].hinge_axis().is_some()
 }
 
+/// The wrench that a unit of one parameter needs.
+struct UnitColumn {
+    body: BodyId,
+    parameter: usize,
+    needed: Levered,
+}
+
 /// Unit columns on their way inward through a joint, whose motions read off them what acts along them.
 struct Carried<'a, 'b> {
     tree: &'a Tree,
@@ -94,12 +101,8 @@ struct Carried<'a, 'b> {
 }
 
 impl Carried<'_, '_> {
-    fn read_off(
-        &mut self,
-        graph: &mut ExprGraph,
-        motions: [Option<Motion>; 3],
-        part: fn(&UnitColumn) -> Vector,
-    ) {
+    /// Reads off what acts about (from 0) or along (from 3) axes.
+    fn read_off(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3], first: usize) {
         for (axis, motion) in motions.into_iter().enumerate() {
             let Some(Motion { speed, factor }) = motion else {
                 continue;
@@ -107,7 +110,7 @@ impl Carried<'_, '_> {
             let factor = graph.number(factor);
             for own in &self.columns {
                 graph.enter(own.body);
-                let share = graph.mul(factor, part(own)[axis]);
+                let share = graph.mul(factor, own.needed.read(first + axis));
                 add(graph, self.tree, own, (speed, share), self.y);
             }
         }
@@ -118,13 +121,16 @@ impl Carried<'_, '_> {
         if !self.shortcuts.may(graph, self.body) {
             return None;
         }
-        let n_forces = self.columns.iter().filter(|own| own.has_force(graph));
+        let n_forces = self
+            .columns
+            .iter()
+            .filter(|own| own.needed.has_force(graph));
         let n_forces = n_forces.count();
         let shortcut = self.shortcuts.from(graph, self.body, n_forces)?;
         for own in &mut self.columns {
-            if own.has_force(graph) {
+            if own.needed.has_force(graph) {
                 graph.enter(own.body);
-                own.depart(graph, &shortcut, axis);
+                own.needed.depart(graph, &shortcut, axis);
             }
         }
         Some(shortcut)
@@ -138,8 +144,9 @@ impl Carried<'_, '_> {
         let no_force = self.ahead.is_still(self.body);
         let columns = std::mem::take(&mut self.columns);
         let (mut moments, others): (Vec<_>, Vec<_>) = columns.into_iter().partition(|own| {
-            let departs = own.is_departing(graph) && !own.is_sparse_across(graph, axis);
-            no_force || departs || !own.has_force(graph)
+            let departs =
+                own.needed.is_departing(graph) && !own.needed.is_sparse_across(graph, axis);
+            no_force || departs || !own.needed.has_force(graph)
         });
         self.columns = others;
         let Some(axes) = self.ahead.from(graph, self.body, moments.len()) else {
@@ -148,35 +155,12 @@ impl Carried<'_, '_> {
         };
         for own in &mut moments {
             graph.enter(own.body);
-            match shortcut.filter(|_| own.is_departing(graph)) {
-                Some(shortcut) => own.leave(graph, shortcut.offset, axis),
-                None => own.settle(graph),
-            }
+            own.needed.settle_past(graph, shortcut, axis);
             for &About { motion, axis, .. } in &axes {
-                let along = graph.dot(axis, own.wrench.moment);
+                let along = graph.dot(axis, own.needed.wrench.moment);
                 let factor = graph.number(motion.factor);
                 let share = graph.mul(factor, along);
                 add(graph, self.tree, own, (motion.speed, share), self.y);
-            }
-        }
-    }
-
-    /// Settles across the axis of a turn what cannot wait until after it.
-    fn settle_before_turn(
-        &mut self,
-        graph: &mut ExprGraph,
-        axis: Axis,
-        shortcut: Option<Shortcut>,
-    ) {
-        for own in &mut self.columns {
-            graph.enter(own.body);
-            match shortcut.filter(|_| own.is_departing(graph)) {
-                Some(shortcut) if graph.is_zero(shortcut.offset[axis.index()]) => {
-                    own.keep_along(graph, axis);
-                }
-                Some(shortcut) => own.leave(graph, shortcut.offset, axis),
-                None if own.is_on(graph, axis) => {}
-                None => own.settle_across(graph, axis),
             }
         }
     }
@@ -196,37 +180,35 @@ fn add(
 
 impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
-        let below = self.tree.body(lower);
-        let hinge = below.joint.hinge_axis();
-        let leaves = self.shortcuts.may(graph, lower);
+        let next = self.shortcuts.next(graph, lower);
+        let at = &self.tree.body(lower).identifier;
         for own in &mut self.columns {
             graph.enter(own.body);
-            if own.is_departing(graph) {
-                own.pass(graph, offset);
-            } else {
-                own.reach(graph, offset);
-                match hinge {
-                    Some(axis) if leaves || own.is_on(graph, axis) => own.settle_along(graph, axis),
-                    _ => own.settle(graph),
-                }
-            }
-            let (name, at) = (PARAMETERS[own.parameter], &below.identifier);
-            graph.name_vector(own.wrench.force, &format!("{name}_f_{at}"));
-            graph.name_vector(own.wrench.moment, &format!("{name}_n_{at}"));
+            own.needed.reach(graph, offset, next);
+            let name = PARAMETERS[own.parameter];
+            graph.name_vector(own.needed.wrench.force, &format!("{name}_f_{at}"));
+            graph.name_vector(own.needed.wrench.moment, &format!("{name}_n_{at}"));
         }
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        self.read_off(graph, drive.motions(), |own| own.wrench.moment);
+        self.read_off(graph, drive.motions(), 0);
         if let Drive::Angle(axis, _) = drive {
             let shortcut = self.take_shortcut(graph, axis);
             self.read_ahead(graph, axis, shortcut);
-            self.settle_before_turn(graph, axis, shortcut);
+            for own in &mut self.columns {
+                graph.enter(own.body);
+                own.needed.before_turn(graph, axis, shortcut);
+            }
         }
-        let before: Vec<Vector> = self.columns.iter().map(|own| own.wrench.moment).collect();
+        let before: Vec<Vector> = self
+            .columns
+            .iter()
+            .map(|own| own.needed.wrench.moment)
+            .collect();
         for own in &mut self.columns {
             graph.enter(own.body);
-            own.turn(graph, rotation);
+            own.needed.turn(graph, rotation);
         }
         if let (Drive::Angle(..), Some(hinge)) = (drive, &self.hinge) {
             hinge.shorten(graph, &mut self.columns, &before, rotation);
@@ -234,6 +216,6 @@ impl Passenger for Carried<'_, '_> {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        self.read_off(graph, motions, UnitColumn::force);
+        self.read_off(graph, motions, 3);
     }
 }

@@ -2,10 +2,10 @@
 
 use super::{
     super::{
-        ahead::About, link::Link, link_motion::LinkMotion, linkage::Linkage, rotation::Turn,
-        wrench::Wrench,
+        ahead::About, lever::Levered, link::Link, link_motion::LinkMotion, linkage::Linkage,
+        rotation::Turn, shortcut::Next, wrench::Wrench,
     },
-    column::UnitColumn,
+    UnitColumn,
     shared::{Shared, component},
 };
 use crate::{
@@ -37,7 +37,10 @@ pub(super) fn columns(
         graph.mul_vector(&axes, along_internal)
     });
     let felt = LinkMotion::new(graph, w, alpha, a);
-    let hinge = tree.body(body).joint.hinge_axis();
+    let next = Next {
+        hinge: tree.body(body).joint.hinge_axis(),
+        leaves: false,
+    };
     let carried = (0..PARAMETERS.len()).filter(|parameter| !shared.gives(*parameter));
     let mut columns = Vec::new();
     for parameter in carried {
@@ -46,12 +49,13 @@ pub(super) fn columns(
             let internal = given::constant_back(graph, &pose.rotation, v);
             link.of_body(graph, internal)
         });
-        let mut column = UnitColumn::new(graph, body, parameter, wrench);
-        column.reach(graph, origin);
-        if !hinge.is_some_and(|axis| column.is_on(graph, axis)) {
-            column.settle(graph);
-        }
-        columns.push(column);
+        let mut needed = Levered::new(graph, wrench);
+        needed.reach(graph, origin, next);
+        columns.push(UnitColumn {
+            body,
+            parameter,
+            needed,
+        });
     }
     columns
 }
@@ -197,12 +201,12 @@ impl OnHinge {
         graph.enter(self.body);
         for (place, before) in before.iter().enumerate() {
             let column = &columns[place];
-            if column.body != self.body || column.wrench.moment == *before {
+            if column.body != self.body || column.needed.wrench.moment == *before {
                 continue;
             }
             let parameter = column.parameter;
             if let Some(across) = self.across(graph, columns, rotation, parameter) {
-                let moment = &mut columns[place].wrench.moment;
+                let moment = &mut columns[place].needed.wrench.moment;
                 let (b, c) = self.axis.others();
                 (moment[b], moment[c]) = (across[b], across[c]);
             }
@@ -231,12 +235,12 @@ impl OnHinge {
         let of_moment = columns
             .iter()
             .find(|column| column.body == self.body && column.parameter == 1 + other)?;
-        if !of_moment.has_force(graph) || of_moment.is_departing(graph) {
+        if !of_moment.needed.has_force(graph) || of_moment.needed.has_left() {
             return None;
         }
         let direction = rotation.backward(graph, self.axes[other]);
         let stretched = graph.scale(self.stretch, direction);
-        let sum = graph.add_vectors(of_moment.wrench.force, stretched);
+        let sum = graph.add_vectors(of_moment.needed.wrench.force, stretched);
         Some(negated(graph.cross(self.axes[self.own], sum)))
     }
 }
