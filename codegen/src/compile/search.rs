@@ -117,6 +117,10 @@ fn from<'a>(
     search.try_parallel_axes();
     search.try_regrouping();
     search.try_single_techniques(without);
+    if search.is_exact {
+        // What is merged may pay only without what was left out since.
+        search.try_parallel_axes();
+    }
     search
 }
 

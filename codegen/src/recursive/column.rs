@@ -76,6 +76,14 @@ impl Column {
         self.reach(graph, offset, Next::UNKNOWN);
     }
 
+    /// Sets the angular momentum about the origin along an axis, where that is found in another way, unless it is about another
+    /// point yet.
+    pub(super) fn set_along(&mut self, graph: &ExprGraph, axis: usize, angular: Expr) {
+        if self.momentum.is_settled(graph) {
+            self.momentum.wrench.moment[axis] = angular;
+        }
+    }
+
     /// True once its linear part is where its root's translations are read.
     pub(super) fn has_left(&self) -> bool {
         self.momentum.has_left()

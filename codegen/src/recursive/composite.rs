@@ -46,6 +46,7 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
             tree,
             body,
             composite,
+            hinge: None,
             columns: std::mem::take(&mut columns[body]),
             shortcuts: &mut shortcuts,
             a: &mut a,
@@ -75,6 +76,8 @@ struct Carried<'a, 'b> {
     tree: &'a Tree,
     body: BodyId,
     composite: Composite,
+    /// The axis of its hinge, along the axes that have been reached.
+    hinge: Option<Vector>,
     columns: Vec<Column>,
     shortcuts: &'a mut Shortcuts<'b>,
     a: &'a mut SpeedMatrix,
@@ -126,6 +129,33 @@ impl Carried<'_, '_> {
     }
 }
 
+impl Carried<'_, '_> {
+    /// Without mass left, half of what an offset adds to the moment of inertia about the hinge's axis is what it adds to the body's
+    /// own column along that: where the offset has two components across it, that is the shorter way.
+    fn halve(&mut self, graph: &mut ExprGraph, before: &Composite, offset: Vector) {
+        let Some(axis) = self.hinge.filter(|_| graph.is_zero(before.mass)) else {
+            return;
+        };
+        let is_there = |i: &usize| !graph.is_zero(axis[*i]);
+        let places: Vec<usize> = (0..3).filter(is_there).collect();
+        let &[a] = &*places else { return };
+        if (0..3).any(|i| i != a && graph.is_zero(offset[i])) {
+            return;
+        }
+        let own = self.columns.iter_mut().find(|own| own.body() == self.body);
+        if let Some(column) = own {
+            let half = graph.number(0.5);
+            let both = graph.add(
+                before.inertia.diagonal[a],
+                self.composite.inertia.diagonal[a],
+            );
+            let mean = graph.mul(half, both);
+            let along = graph.mul(axis[a], mean);
+            column.set_along(graph, a, along);
+        }
+    }
+}
+
 impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
         let next = self.shortcuts.next(graph, lower);
@@ -134,7 +164,9 @@ impl Passenger for Carried<'_, '_> {
             column.name(graph, self.tree, lower);
         }
         graph.enter(self.body);
-        self.composite = self.composite.moved(graph, offset);
+        let before = self.composite;
+        self.composite = before.moved(graph, offset);
+        self.halve(graph, &before, offset);
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
@@ -145,7 +177,10 @@ impl Passenger for Carried<'_, '_> {
         }
         if let Drive::Angle(axis, _) = drive {
             self.take_shortcut(graph, axis);
+            let hinge = self.tree.body(self.body).joint.hinge_axis();
+            self.hinge = hinge.map(|axis| graph.unit_vector(axis.index()));
         }
+        self.hinge = self.hinge.map(|axis| rotation.backward(graph, axis));
         self.composite = rotation.backward_composite(graph, &self.composite);
         for column in &mut self.columns {
             column.turn(graph, rotation);

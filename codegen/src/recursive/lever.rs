@@ -57,6 +57,11 @@ impl Levered {
         self.has_left() && self.has_force(graph)
     }
 
+    /// True where the moment is about the origin.
+    pub(super) fn is_settled(&self, graph: &ExprGraph) -> bool {
+        graph.is_zero_vector(self.lever)
+    }
+
     /// Makes the moment one about the origin.
     pub(super) fn settle(&mut self, graph: &mut ExprGraph) {
         self.add_lever(graph, self.lever, &[0, 1, 2]);

@@ -1,8 +1,11 @@
 //! Factor. Needs: nothing. Afterwards: no sum whose products all belong to its own body has two with a common factor,
-//! `a b + a c`, where nothing else uses the products; each became `a (b + c)`. Keeps: the value of every root, up to
+//! `a b + a c`, where nothing else uses the products; each became `a (b + c)`. No sum has two terms that are known before the
+//! loop. Keeps: the value of every root, up to
 //! rounding. Never raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice,
 //! or a sum that takes a product of another body, for what one body's terms have in common must not change another
 //! body's lines.
+
+mod known;
 
 use super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
@@ -14,7 +17,7 @@ pub fn run(graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
     while changed {
         (graph, roots, changed) = once(&graph, &roots);
     }
-    (graph, roots)
+    known::gathered(&graph, &roots)
 }
 
 /// One round, and whether it found anything.
