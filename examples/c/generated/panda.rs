@@ -266,7 +266,7 @@ pub const FINGERPRINT: u64 = 0x040c_ea7f_d377_92d2;
 pub const OPERATIONS: [kane::Cost; 3] = [
     kane::Cost::new("Prepared::new", [0, 0, 0, 0]),
     kane::Cost::new("q_dot", [0, 0, 0, 0]),
-    kane::Cost::new("inverse_dynamics", [290, 268, 0, 12]),
+    kane::Cost::new("inverse_dynamics", [290, 267, 0, 12]),
 ];
 
 /// Values set at run time: this model has none.
@@ -385,7 +385,7 @@ pub fn q_dot<R: kane::Real>(
 /// Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.
 /// N m for an angle's speed, N for a translation's.
 ///
-/// Operations: 570 = 290 mul + 268 add + 0 div + 12 trig; formulation: recursive.
+/// Operations: 569 = 290 mul + 267 add + 0 div + 12 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -441,6 +441,7 @@ pub fn inverse_dynamics<R: kane::Real>(
     let panda_link2_w_xy = panda_link2_minus_w_x * panda_link2_minus_w_y;
     let panda_link2_minus_u_zy = panda_link2_minus_alpha_of_rate_x
         + panda_link2_minus_alpha_x;
+    let panda_link2_minus_u_yy = panda_link2_w_xx + panda_link2_w_zz;
     let panda_link2_minus_u_zx = panda_link2_minus_alpha_of_rate_y + panda_link2_alpha_y;
     let panda_joint2_ddot = u_dot[1];
     let panda_link2_u_xy = panda_link2_w_xy - panda_joint2_ddot;
@@ -477,7 +478,6 @@ pub fn inverse_dynamics<R: kane::Real>(
     let panda_link3_u_zy = panda_link3_alpha_x + panda_link3_w_yz;
     let panda_link3_u_zx = panda_link3_w_zx - panda_link3_alpha_y;
     let panda_link3_u_xz = panda_link3_alpha_y + panda_link3_w_zx;
-    let panda_link3_minus_u_zz = panda_link3_w_xx + panda_link3_w_yy;
     let panda_link3_u_xy = panda_link3_w_xy - panda_link3_alpha_z;
     let panda_link3_u_yx = panda_link3_alpha_z + panda_link3_w_xy;
     // panda_link4: velocity and acceleration, outward
@@ -486,7 +486,7 @@ pub fn inverse_dynamics<R: kane::Real>(
     let panda_link4_a_of_offset_y = R::from_f64(0.0825) * panda_link3_u_yx
         + R::from_f64(0.316) * panda_link3_u_yz;
     let panda_link4_a_of_offset_z = R::from_f64(0.0825) * panda_link3_u_zx
-        + R::from_f64(-0.316) * panda_link3_minus_u_zz;
+        + R::from_f64(-0.316) * panda_link2_minus_u_yy;
     let panda_link4_a_at_joint_x = panda_link3_a_x + panda_link4_a_of_offset_x;
     let panda_link4_a_z = panda_link3_minus_a_y - panda_link4_a_of_offset_y;
     let panda_link4_a_at_joint_z = panda_link4_a_of_offset_z - panda_link2_a_y;
@@ -569,13 +569,12 @@ pub fn inverse_dynamics<R: kane::Real>(
     let panda_link5_minus_u_yy = panda_link5_w_xx + panda_link5_w_zz;
     let panda_link5_u_zx = panda_link5_minus_alpha_y + panda_link5_w_zx;
     let panda_link5_u_xz = panda_link5_w_zx - panda_link5_minus_alpha_y;
-    let panda_link5_minus_u_zz = panda_link5_w_xx + panda_link5_w_yy;
     let panda_link5_minus_u_xy = panda_link5_alpha_z + panda_link5_minus_w_xy;
     let panda_link5_u_yx = panda_link5_alpha_z - panda_link5_minus_w_xy;
     // panda_link6: velocity and acceleration, outward
     let panda_link6_a_of_offset_x = R::from_f64(0.384) * panda_link5_u_xz;
     let panda_link6_a_of_offset_y = R::from_f64(-0.384) * panda_link5_minus_u_yz;
-    let panda_link6_a_of_offset_z = R::from_f64(-0.384) * panda_link5_minus_u_zz;
+    let panda_link6_a_of_offset_z = R::from_f64(-0.384) * panda_link4_minus_u_yy;
     let panda_link6_a_at_joint_x = panda_link5_a_x + panda_link6_a_of_offset_x;
     let panda_link6_a_z = panda_link5_minus_a_y - panda_link6_a_of_offset_y;
     let panda_link6_a_at_joint_z = panda_link5_a_z + panda_link6_a_of_offset_z;

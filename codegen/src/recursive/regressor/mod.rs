@@ -5,13 +5,13 @@
 //! body's inertia needs as much as if the lower body had it: its columns are sums of that body's (`shared`), and are not carried.
 //! A body's `own` columns are those of its own parameters.
 
+mod column;
 mod own;
 mod shared;
 
-use self::{own::OnHinge, shared::Shared};
+use self::{column::UnitColumn, own::OnHinge, shared::Shared};
 use super::{
     ahead::{About, Ahead},
-    lever::Levered,
     link_motion,
     linkage::Linkage,
     passage::{Drive, Passenger},
@@ -79,13 +79,6 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
 /// True for a link that feels nothing but weight where its axis is, about which its user's first moments are then read.
 fn is_weighed(ahead: &Ahead<'_>, shared: &BodyMap<Shared>, body: BodyId) -> bool {
     ahead.is_still(body) && shared[body].hinge_axis().is_some()
-}
-
-/// The wrench that a unit of one parameter needs.
-struct UnitColumn {
-    body: BodyId,
-    parameter: usize,
-    needed: Levered,
 }
 
 /// Unit columns on their way inward through a joint, whose motions read off them what acts along them.

@@ -5,7 +5,7 @@ use super::{
         ahead::About, lever::Levered, link::Link, link_motion::LinkMotion, linkage::Linkage,
         rotation::Turn, shortcut::Next, wrench::Wrench,
     },
-    UnitColumn,
+    column::UnitColumn,
     shared::{Shared, component},
 };
 use crate::{
