@@ -34,12 +34,13 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
     } = linkage;
     graph.begin(Purpose::Composite);
     let mut shortcuts = Shortcuts::new(graph, linkage);
-    let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia);
+    let mut known = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia);
+    let mut composites = BodyMap::outward(tree.bodies.len(), |_, _| Composite::zero(graph));
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
-        let composite = composites[body];
+        let composite = known[body].plus(graph, &composites[body]);
         inertia::name(graph, &composite.inertia, "composite");
         graph.name_vector(composite.moment, "composite");
         let mut carried = Carried {
@@ -58,11 +59,13 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
+            let [composite, own] = composite.parted(graph);
             graph.hint(|graph| {
                 inertia::name(graph, &composite.inertia, "composite_on_lower");
                 graph.name_vector(composite.moment, "composite_on_lower");
             });
             graph.enter(lower);
+            known[lower] = known[lower].plus(graph, &own);
             composites[lower] = composites[lower].plus(graph, &composite);
             columns[lower].extend(arrived);
         }

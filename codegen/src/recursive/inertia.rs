@@ -1,7 +1,7 @@
 //! Inertia about a body's origin, of one body or of a body with all that it carries.
 
 use crate::{
-    expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
+    expr::{Axis, Binding, Expr, ExprGraph, Node, Symmetric, Vector},
     given,
     id::BodyMap,
     tree::{Body, RigidPart, Tree},
@@ -32,6 +32,29 @@ impl LinkInertia {
             second: composite.second_moments(graph),
         }
     }
+}
+
+/// How many sums deep the parts of an entry are looked for: as a turn and an offset leave them.
+const DEPTH: usize = 2;
+
+/// The terms of a sum that change with the state, and those that do not.
+fn parted(graph: &mut ExprGraph, sum: Expr, depth: usize) -> [Expr; 2] {
+    let zero = graph.zero();
+    if graph.binding(sum.node()) != Binding::State {
+        return [zero, sum];
+    }
+    let Node::Add(a, b) = graph.node(sum.node()) else {
+        return [sum, zero];
+    };
+    if depth == 0 {
+        return [sum, zero];
+    }
+    let parts = [a, b].map(|term| parted(graph, term.signed(sum.is_negative()), depth - 1));
+    let known = graph.add(parts[0][1], parts[1][1]);
+    if graph.is_zero(known) {
+        return [sum, zero];
+    }
+    [graph.add(parts[0][0], parts[1][0]), known]
 }
 
 /// For every body whether some of its ten inertial parameters are zero, along its own axes.
@@ -76,6 +99,26 @@ impl Composite {
             moment: graph.zero_vector(),
             inertia: graph.zero_symmetric(),
         }
+    }
+
+    /// What changes with the state, and what is known before the loop: the lower link's own is added to that there.
+    pub(super) fn parted(&self, graph: &mut ExprGraph) -> [Self; 2] {
+        let mut known = Self::zero(graph);
+        let mut rest = *self;
+        let parts = [(&mut rest.mass, &mut known.mass)];
+        let moments = rest.moment.iter_mut().zip(&mut known.moment);
+        let diagonal = rest.inertia.diagonal.iter_mut();
+        let diagonal = diagonal.zip(&mut known.inertia.diagonal);
+        let mixed = rest.inertia.mixed.iter_mut().zip(&mut known.inertia.mixed);
+        for (rest, known) in parts
+            .into_iter()
+            .chain(moments)
+            .chain(diagonal)
+            .chain(mixed)
+        {
+            [*rest, *known] = parted(graph, *rest, DEPTH);
+        }
+        [rest, known]
     }
 
     /// Nothing at all.

@@ -1,5 +1,5 @@
 //! The last step: of the terms of a sum those that are known before the loop, numbers and what depends on parameters alone, are
-//! added up, wherever in it they stand. They would cost an addition each.
+//! added up, wherever in the part of it of one body they stand. They would cost an addition each.
 
 use super::super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
@@ -59,9 +59,10 @@ fn places(graph: &ExprGraph, uses: &[u32]) -> Vec<Place> {
     let is_sum = |id: NodeId| {
         uses[id.index()] > 0 && matches!(graph.node(id), Node::Add(..)) && !is_known(graph, id)
     };
-    let is_part = |id: NodeId| {
+    let is_part = |of: NodeId, id: NodeId| {
         let is_free = graph.label(id).is_none_or(|label| label.is_hint);
-        uses[id.index()] == 1 && is_free && is_sum(id)
+        let same_body = graph.scope(id) == graph.scope(of);
+        uses[id.index()] == 1 && is_free && same_body && is_sum(id)
     };
     let mut n_known = vec![0_u32; graph.len()];
     for id in graph.ids().filter(|id| is_sum(*id)) {
@@ -69,7 +70,7 @@ fn places(graph: &ExprGraph, uses: &[u32]) -> Vec<Place> {
         n_known[id.index()] = operands
             .map(|operand| match is_known(graph, operand) {
                 true => 1,
-                false if is_part(operand) => n_known[operand.index()],
+                false if is_part(id, operand) => n_known[operand.index()],
                 false => 0,
             })
             .sum();
@@ -81,7 +82,7 @@ fn places(graph: &ExprGraph, uses: &[u32]) -> Vec<Place> {
             places[id.index()] = Place::Head;
         }
         if places[id.index()] != Place::Other {
-            for operand in graph.node(id).operands().filter(|id| is_part(*id)) {
+            for operand in graph.node(id).operands().filter(|own| is_part(id, *own)) {
                 places[operand.index()] = Place::Part;
             }
         }

@@ -22,7 +22,7 @@ pub(super) enum Shared {
     Nothing,
     OnAxis(OnAxis),
     /// Of a body that turns as its lower body does, all components of the inertia.
-    Inertia([Symmetric; COMPONENTS.len()]),
+    Inertia(Vec<Symmetric>),
 }
 
 /// Mass, first and second moment along a joint's axis. All vectors are along the lower body's user axes.
@@ -113,9 +113,9 @@ fn on_axis(
 /// All of the inertia.
 fn turning_as_lower(graph: &mut ExprGraph, tree: &Tree, body: BodyId, lower: BodyId) -> Shared {
     let axes = axes(graph, tree, body, lower);
-    Shared::Inertia(
-        COMPONENTS.map(|[row, column]| product(graph, axes[row], axes[column], row == column)),
-    )
+    let tensors =
+        COMPONENTS.map(|[row, column]| product(graph, axes[row], axes[column], row == column));
+    Shared::Inertia(tensors.to_vec())
 }
 
 /// The user's axes of a body along those of its lower body, where its joint does not turn it; of a hinge the axis alone means
@@ -225,8 +225,8 @@ impl Lower<'_> {
             let around = graph.add(self.inertia(j, j), self.inertia(k, k));
             let of_square = graph.mul(point[i], around);
             let mut factor = graph.add(self.moment(i), of_square);
-            for other in i + 1..3 {
-                let of_product = graph.mul(point[other], self.inertia(i, other));
+            for (other, &along) in point.iter().enumerate().skip(i + 1) {
+                let of_product = graph.mul(along, self.inertia(i, other));
                 factor = graph.sub(factor, of_product);
             }
             let share = graph.mul(point[i], factor);
