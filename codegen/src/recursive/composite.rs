@@ -12,7 +12,7 @@ use super::{
     speed_matrix,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Purpose, Vector},
+    expr::{Axis, ExprGraph, Purpose, Symmetric, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -34,13 +34,17 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
     } = linkage;
     graph.begin(Purpose::Composite);
     let mut shortcuts = Shortcuts::new(graph, linkage);
-    let mut known = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia);
-    let mut composites = BodyMap::outward(tree.bodies.len(), |_, _| Composite::zero(graph));
+    // Of the inertias what is known before the loop, and the rest.
+    let mut known = BodyMap::outward(tree.bodies.len(), |body, _| links[body].inertia.inertia);
+    let mut composites = BodyMap::outward(tree.bodies.len(), |body, _| Composite {
+        inertia: graph.zero_symmetric(),
+        ..links[body].inertia
+    });
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
-        let composite = known[body].plus(graph, &composites[body]);
+        let composite = composites[body].with_inertia(graph, &known[body]);
         inertia::name(graph, &composite.inertia, "composite");
         graph.name_vector(composite.moment, "composite");
         let mut carried = Carried {
@@ -59,13 +63,16 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
-            let [composite, own] = composite.parted(graph);
+            let (composite, own) = composite.parted(graph);
             graph.hint(|graph| {
                 inertia::name(graph, &composite.inertia, "composite_on_lower");
                 graph.name_vector(composite.moment, "composite_on_lower");
             });
             graph.enter(lower);
-            known[lower] = known[lower].plus(graph, &own);
+            known[lower] = Symmetric {
+                diagonal: graph.add_vectors(known[lower].diagonal, own.diagonal),
+                mixed: graph.add_vectors(known[lower].mixed, own.mixed),
+            };
             composites[lower] = composites[lower].plus(graph, &composite);
             columns[lower].extend(arrived);
         }

@@ -101,24 +101,29 @@ impl Composite {
         }
     }
 
-    /// What changes with the state, and what is known before the loop: the lower link's own is added to that there.
-    pub(super) fn parted(&self, graph: &mut ExprGraph) -> [Self; 2] {
-        let mut known = Self::zero(graph);
-        let mut rest = *self;
-        let parts = [(&mut rest.mass, &mut known.mass)];
-        let moments = rest.moment.iter_mut().zip(&mut known.moment);
-        let diagonal = rest.inertia.diagonal.iter_mut();
-        let diagonal = diagonal.zip(&mut known.inertia.diagonal);
-        let mixed = rest.inertia.mixed.iter_mut().zip(&mut known.inertia.mixed);
-        for (rest, known) in parts
-            .into_iter()
-            .chain(moments)
-            .chain(diagonal)
-            .chain(mixed)
-        {
+    /// The same with what of the inertia changes with the state, and what is known of it before the loop: the lower link's own is
+    /// added to that there.
+    pub(super) fn parted(&self, graph: &mut ExprGraph) -> (Self, Symmetric) {
+        let (mut rest, mut known) = (*self, graph.zero_symmetric());
+        let Symmetric { diagonal, mixed } = &mut rest.inertia;
+        let entries = diagonal.iter_mut().chain(mixed);
+        let known_entries = known.diagonal.iter_mut().chain(&mut known.mixed);
+        for (rest, known) in entries.zip(known_entries) {
             [*rest, *known] = parted(graph, *rest, DEPTH);
         }
-        [rest, known]
+        (rest, known)
+    }
+
+    /// The same with more inertia.
+    pub(super) fn with_inertia(&self, graph: &mut ExprGraph, more: &Symmetric) -> Self {
+        let inertia = &self.inertia;
+        Self {
+            inertia: Symmetric {
+                diagonal: graph.add_vectors(more.diagonal, inertia.diagonal),
+                mixed: graph.add_vectors(more.mixed, inertia.mixed),
+            },
+            ..*self
+        }
     }
 
     /// Nothing at all.
