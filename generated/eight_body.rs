@@ -19794,12 +19794,6 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     let hub_t2 = R::from_f64(-0.41750099999999996) - boom_s1_n_hub_z;
     let hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
-    let hub_t4 = boom_composite_on_lower_xx + R::from_f64(0.31711512299999994);
-    let hub_t5 = boom_composite_on_lower_yy + R::from_f64(0.174420603);
-    let hub_t6 = boom_composite_on_lower_zz + R::from_f64(0.34770232599999995);
-    let hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
-    let hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
-    let hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
     // antenna: composite body and columns, inward
     let antenna_cos3 = cosines[17];
     let antenna_sin3 = sines[17];
@@ -19942,15 +19936,15 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 - antenna_offset_x * antenna_s1_n_hub_z);
     // hub: composite body and columns, inward
-    let hub_t10 = hub_t1 + antenna_s2_n_hub_z;
-    let hub_t11 = hub_t2 - antenna_s1_n_hub_z;
-    let hub_t12 = hub_t3 + antenna_s1_n_hub_y;
-    let hub_t13 = hub_t4 + antenna_composite_on_lower_xx;
-    let hub_t14 = hub_t5 + antenna_composite_on_lower_yy;
-    let hub_t15 = hub_t6 + antenna_composite_on_lower_zz;
-    let hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
-    let hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
-    let hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
+    let hub_t4 = hub_t1 + antenna_s2_n_hub_z;
+    let hub_t5 = hub_t2 - antenna_s1_n_hub_z;
+    let hub_t6 = hub_t3 + antenna_s1_n_hub_y;
+    let hub_t7 = antenna_composite_on_lower_xx + boom_composite_on_lower_xx;
+    let hub_t8 = antenna_composite_on_lower_yy + boom_composite_on_lower_yy;
+    let hub_t9 = antenna_composite_on_lower_zz + boom_composite_on_lower_zz;
+    let hub_t10 = antenna_composite_on_lower_yz + boom_composite_on_lower_yz;
+    let hub_t11 = antenna_composite_on_lower_xz + boom_composite_on_lower_xz;
+    let hub_t12 = antenna_composite_on_lower_xy + boom_composite_on_lower_xy;
     // left_tip: composite body and columns, inward
     let left_tip_cos3 = cosines[14];
     let left_tip_sin3 = sines[14];
@@ -20100,12 +20094,6 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     let shoulder_t2 = R::from_f64(-0.23436) - left_tip_s1_n_shoulder_z;
     let shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
-    let shoulder_t4 = left_tip_composite_on_lower_xx + R::from_f64(0.3058297);
-    let shoulder_t5 = left_tip_composite_on_lower_yy + R::from_f64(0.473424);
-    let shoulder_t6 = left_tip_composite_on_lower_zz + R::from_f64(0.43650301999999996);
-    let shoulder_t7 = left_tip_composite_on_lower_yz + R::from_f64(0.004365319999999999);
-    let shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
-    let shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
     // left_panel: composite body and columns, inward
     let left_panel_cos3 = cosines[11];
     let left_panel_sin3 = sines[11];
@@ -20265,15 +20253,15 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
         - (left_panel_offset_y * left_panel_t11
             - left_panel_offset_x * left_panel_s1_n_hub_z);
     // hub: composite body and columns, inward
-    let hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
-    let hub_t20 = hub_t11 - left_panel_s1_n_hub_z;
-    let hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
-    let hub_t22 = hub_t13 + left_panel_composite_on_lower_xx;
-    let hub_t23 = hub_t14 + left_panel_composite_on_lower_yy;
-    let hub_t24 = hub_t15 + left_panel_composite_on_lower_zz;
-    let hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
-    let hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
-    let hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
+    let hub_t13 = hub_t4 + left_panel_s2_n_hub_z;
+    let hub_t14 = hub_t5 - left_panel_s1_n_hub_z;
+    let hub_t15 = hub_t6 + left_panel_s1_n_hub_y;
+    let hub_t16 = hub_t7 + left_panel_composite_on_lower_xx;
+    let hub_t17 = hub_t8 + left_panel_composite_on_lower_yy;
+    let hub_t18 = hub_t9 + left_panel_composite_on_lower_zz;
+    let hub_t19 = hub_t10 + left_panel_composite_on_lower_yz;
+    let hub_t20 = hub_t11 + left_panel_composite_on_lower_xz;
+    let hub_t21 = hub_t12 + left_panel_composite_on_lower_xy;
     // forearm: composite body and columns, inward
     let forearm_cos3 = cosines[8];
     let forearm_sin3 = sines[8];
@@ -20421,13 +20409,19 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     let shoulder_composite_y = shoulder_t2 - forearm_s1_n_shoulder_z;
     let shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
-    let shoulder_composite_xx = shoulder_t4 + forearm_composite_on_lower_xx;
-    let shoulder_composite_yy = shoulder_t5 + forearm_composite_on_lower_yy;
-    let shoulder_composite_zz = shoulder_t6 + forearm_composite_on_lower_zz;
+    let shoulder_t4 = forearm_composite_on_lower_xx + left_tip_composite_on_lower_xx;
+    let shoulder_t5 = forearm_composite_on_lower_yy + left_tip_composite_on_lower_yy;
+    let shoulder_t6 = forearm_composite_on_lower_zz + left_tip_composite_on_lower_zz;
+    let shoulder_t7 = forearm_composite_on_lower_yz + left_tip_composite_on_lower_yz;
+    let shoulder_t8 = forearm_composite_on_lower_xz + left_tip_composite_on_lower_xz;
+    let shoulder_t9 = forearm_composite_on_lower_xy + left_tip_composite_on_lower_xy;
+    let shoulder_composite_xx = shoulder_t4 + R::from_f64(0.3058297);
+    let shoulder_composite_yy = shoulder_t5 + R::from_f64(0.473424);
+    let shoulder_composite_zz = shoulder_t6 + R::from_f64(0.43650301999999996);
     m[5][5] = shoulder_composite_zz;
-    let shoulder_composite_yz = shoulder_t7 + forearm_composite_on_lower_yz;
-    let shoulder_composite_xz = shoulder_t8 + forearm_composite_on_lower_xz;
-    let shoulder_composite_xy = shoulder_t9 + forearm_composite_on_lower_xy;
+    let shoulder_composite_yz = shoulder_t7 + R::from_f64(0.004365319999999999);
+    let shoulder_composite_xz = shoulder_t8 + R::from_f64(-0.06677161999999998);
+    let shoulder_composite_xy = shoulder_t9 + R::from_f64(0.15185076);
     let shoulder_cos3 = cosines[5];
     let shoulder_sin3 = sines[5];
     let shoulder_t10 = shoulder_cos3 * shoulder_composite_x
@@ -21041,16 +21035,22 @@ pub fn mass_matrix<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], m: &mut [[R; NU]
     let shoulder_composite_on_lower_xy = shoulder_t37
         - (shoulder_offset_y * shoulder_t20 - shoulder_offset_x * shoulder_s1_n_hub_z);
     // hub: composite body and columns, inward
-    let hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
-    let hub_composite_y = hub_t20 - shoulder_s1_n_hub_z;
-    let hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
-    let hub_composite_xx = hub_t22 + shoulder_composite_on_lower_xx;
-    let hub_composite_yy = hub_t23 + shoulder_composite_on_lower_yy;
-    let hub_composite_zz = hub_t24 + shoulder_composite_on_lower_zz;
+    let hub_composite_x = hub_t13 + shoulder_s2_n_hub_z;
+    let hub_composite_y = hub_t14 - shoulder_s1_n_hub_z;
+    let hub_composite_z = hub_t15 + shoulder_s1_n_hub_y;
+    let hub_t22 = hub_t16 + shoulder_composite_on_lower_xx;
+    let hub_t23 = hub_t17 + shoulder_composite_on_lower_yy;
+    let hub_t24 = hub_t18 + shoulder_composite_on_lower_zz;
+    let hub_t25 = hub_t19 + shoulder_composite_on_lower_yz;
+    let hub_t26 = hub_t20 + shoulder_composite_on_lower_xz;
+    let hub_t27 = hub_t21 + shoulder_composite_on_lower_xy;
+    let hub_composite_xx = hub_t22 + R::from_f64(0.31711512299999994);
+    let hub_composite_yy = hub_t23 + R::from_f64(0.174420603);
+    let hub_composite_zz = hub_t24 + R::from_f64(0.34770232599999995);
     m[2][2] = hub_composite_zz;
-    let hub_composite_yz = hub_t25 + shoulder_composite_on_lower_yz;
-    let hub_composite_xz = hub_t26 + shoulder_composite_on_lower_xz;
-    let hub_composite_xy = hub_t27 + shoulder_composite_on_lower_xy;
+    let hub_composite_yz = hub_t25 + R::from_f64(0.039307159999999994);
+    let hub_composite_xz = hub_t26 + R::from_f64(-0.030472040000000002);
+    let hub_composite_xy = hub_t27 + R::from_f64(0.10514168699999998);
     let hub_cos3 = cosines[2];
     let hub_sin3 = sines[2];
     let hub_t28 = hub_cos3 * hub_composite_x - hub_sin3 * hub_composite_y;
@@ -24199,12 +24199,6 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     let hub_t2 = R::from_f64(-0.41750099999999996) - boom_s1_n_hub_z;
     let hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
-    let hub_t4 = boom_composite_on_lower_xx + R::from_f64(0.31711512299999994);
-    let hub_t5 = boom_composite_on_lower_yy + R::from_f64(0.174420603);
-    let hub_t6 = boom_composite_on_lower_zz + R::from_f64(0.34770232599999995);
-    let hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
-    let hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
-    let hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
     // antenna: composite body and columns, inward
     let antenna_cos3 = cosines[17];
     let antenna_sin3 = sines[17];
@@ -24331,15 +24325,15 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 - antenna_offset_x * antenna_s1_n_hub_z);
     // hub: composite body and columns, inward
-    let hub_t10 = hub_t1 + antenna_s2_n_hub_z;
-    let hub_t11 = hub_t2 - antenna_s1_n_hub_z;
-    let hub_t12 = hub_t3 + antenna_s1_n_hub_y;
-    let hub_t13 = hub_t4 + antenna_composite_on_lower_xx;
-    let hub_t14 = hub_t5 + antenna_composite_on_lower_yy;
-    let hub_t15 = hub_t6 + antenna_composite_on_lower_zz;
-    let hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
-    let hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
-    let hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
+    let hub_t4 = hub_t1 + antenna_s2_n_hub_z;
+    let hub_t5 = hub_t2 - antenna_s1_n_hub_z;
+    let hub_t6 = hub_t3 + antenna_s1_n_hub_y;
+    let hub_t7 = antenna_composite_on_lower_xx + boom_composite_on_lower_xx;
+    let hub_t8 = antenna_composite_on_lower_yy + boom_composite_on_lower_yy;
+    let hub_t9 = antenna_composite_on_lower_zz + boom_composite_on_lower_zz;
+    let hub_t10 = antenna_composite_on_lower_yz + boom_composite_on_lower_yz;
+    let hub_t11 = antenna_composite_on_lower_xz + boom_composite_on_lower_xz;
+    let hub_t12 = antenna_composite_on_lower_xy + boom_composite_on_lower_xy;
     // left_tip: composite body and columns, inward
     let left_tip_cos3 = cosines[14];
     let left_tip_sin3 = sines[14];
@@ -24473,12 +24467,6 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     let shoulder_t2 = R::from_f64(-0.23436) - left_tip_s1_n_shoulder_z;
     let shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
-    let shoulder_t4 = left_tip_composite_on_lower_xx + R::from_f64(0.3058297);
-    let shoulder_t5 = left_tip_composite_on_lower_yy + R::from_f64(0.473424);
-    let shoulder_t6 = left_tip_composite_on_lower_zz + R::from_f64(0.43650301999999996);
-    let shoulder_t7 = left_tip_composite_on_lower_yz + R::from_f64(0.004365319999999999);
-    let shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
-    let shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
     // left_panel: composite body and columns, inward
     let left_panel_cos3 = cosines[11];
     let left_panel_sin3 = sines[11];
@@ -24622,15 +24610,15 @@ pub fn mass_matrix_packed<R: kane::Real>(
         - (left_panel_offset_y * left_panel_t11
             - left_panel_offset_x * left_panel_s1_n_hub_z);
     // hub: composite body and columns, inward
-    let hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
-    let hub_t20 = hub_t11 - left_panel_s1_n_hub_z;
-    let hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
-    let hub_t22 = hub_t13 + left_panel_composite_on_lower_xx;
-    let hub_t23 = hub_t14 + left_panel_composite_on_lower_yy;
-    let hub_t24 = hub_t15 + left_panel_composite_on_lower_zz;
-    let hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
-    let hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
-    let hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
+    let hub_t13 = hub_t4 + left_panel_s2_n_hub_z;
+    let hub_t14 = hub_t5 - left_panel_s1_n_hub_z;
+    let hub_t15 = hub_t6 + left_panel_s1_n_hub_y;
+    let hub_t16 = hub_t7 + left_panel_composite_on_lower_xx;
+    let hub_t17 = hub_t8 + left_panel_composite_on_lower_yy;
+    let hub_t18 = hub_t9 + left_panel_composite_on_lower_zz;
+    let hub_t19 = hub_t10 + left_panel_composite_on_lower_yz;
+    let hub_t20 = hub_t11 + left_panel_composite_on_lower_xz;
+    let hub_t21 = hub_t12 + left_panel_composite_on_lower_xy;
     // forearm: composite body and columns, inward
     let forearm_cos3 = cosines[8];
     let forearm_sin3 = sines[8];
@@ -24762,13 +24750,19 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     let shoulder_composite_y = shoulder_t2 - forearm_s1_n_shoulder_z;
     let shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
-    let shoulder_composite_xx = shoulder_t4 + forearm_composite_on_lower_xx;
-    let shoulder_composite_yy = shoulder_t5 + forearm_composite_on_lower_yy;
-    let shoulder_composite_zz = shoulder_t6 + forearm_composite_on_lower_zz;
+    let shoulder_t4 = forearm_composite_on_lower_xx + left_tip_composite_on_lower_xx;
+    let shoulder_t5 = forearm_composite_on_lower_yy + left_tip_composite_on_lower_yy;
+    let shoulder_t6 = forearm_composite_on_lower_zz + left_tip_composite_on_lower_zz;
+    let shoulder_t7 = forearm_composite_on_lower_yz + left_tip_composite_on_lower_yz;
+    let shoulder_t8 = forearm_composite_on_lower_xz + left_tip_composite_on_lower_xz;
+    let shoulder_t9 = forearm_composite_on_lower_xy + left_tip_composite_on_lower_xy;
+    let shoulder_composite_xx = shoulder_t4 + R::from_f64(0.3058297);
+    let shoulder_composite_yy = shoulder_t5 + R::from_f64(0.473424);
+    let shoulder_composite_zz = shoulder_t6 + R::from_f64(0.43650301999999996);
     entries[20] = shoulder_composite_zz;
-    let shoulder_composite_yz = shoulder_t7 + forearm_composite_on_lower_yz;
-    let shoulder_composite_xz = shoulder_t8 + forearm_composite_on_lower_xz;
-    let shoulder_composite_xy = shoulder_t9 + forearm_composite_on_lower_xy;
+    let shoulder_composite_yz = shoulder_t7 + R::from_f64(0.004365319999999999);
+    let shoulder_composite_xz = shoulder_t8 + R::from_f64(-0.06677161999999998);
+    let shoulder_composite_xy = shoulder_t9 + R::from_f64(0.15185076);
     let shoulder_cos3 = cosines[5];
     let shoulder_sin3 = sines[5];
     let shoulder_t10 = shoulder_cos3 * shoulder_composite_x
@@ -25294,16 +25288,22 @@ pub fn mass_matrix_packed<R: kane::Real>(
     let shoulder_composite_on_lower_xy = shoulder_t37
         - (shoulder_offset_y * shoulder_t20 - shoulder_offset_x * shoulder_s1_n_hub_z);
     // hub: composite body and columns, inward
-    let hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
-    let hub_composite_y = hub_t20 - shoulder_s1_n_hub_z;
-    let hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
-    let hub_composite_xx = hub_t22 + shoulder_composite_on_lower_xx;
-    let hub_composite_yy = hub_t23 + shoulder_composite_on_lower_yy;
-    let hub_composite_zz = hub_t24 + shoulder_composite_on_lower_zz;
+    let hub_composite_x = hub_t13 + shoulder_s2_n_hub_z;
+    let hub_composite_y = hub_t14 - shoulder_s1_n_hub_z;
+    let hub_composite_z = hub_t15 + shoulder_s1_n_hub_y;
+    let hub_t22 = hub_t16 + shoulder_composite_on_lower_xx;
+    let hub_t23 = hub_t17 + shoulder_composite_on_lower_yy;
+    let hub_t24 = hub_t18 + shoulder_composite_on_lower_zz;
+    let hub_t25 = hub_t19 + shoulder_composite_on_lower_yz;
+    let hub_t26 = hub_t20 + shoulder_composite_on_lower_xz;
+    let hub_t27 = hub_t21 + shoulder_composite_on_lower_xy;
+    let hub_composite_xx = hub_t22 + R::from_f64(0.31711512299999994);
+    let hub_composite_yy = hub_t23 + R::from_f64(0.174420603);
+    let hub_composite_zz = hub_t24 + R::from_f64(0.34770232599999995);
     entries[5] = hub_composite_zz;
-    let hub_composite_yz = hub_t25 + shoulder_composite_on_lower_yz;
-    let hub_composite_xz = hub_t26 + shoulder_composite_on_lower_xz;
-    let hub_composite_xy = hub_t27 + shoulder_composite_on_lower_xy;
+    let hub_composite_yz = hub_t25 + R::from_f64(0.039307159999999994);
+    let hub_composite_xz = hub_t26 + R::from_f64(-0.030472040000000002);
+    let hub_composite_xy = hub_t27 + R::from_f64(0.10514168699999998);
     let hub_cos3 = cosines[2];
     let hub_sin3 = sines[2];
     let hub_t28 = hub_cos3 * hub_composite_x - hub_sin3 * hub_composite_y;
@@ -33085,10 +33085,10 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         shoulder_t1,
         shoulder_t2,
         shoulder_t3,
+        shoulder_composite_x,
+        shoulder_composite_y,
+        shoulder_composite_z,
         shoulder_t4,
-        shoulder_t5,
-        shoulder_t6,
-        shoulder_t7,
     );
     shoulder_offset_z = shoulder_s3 + R::from_f64(-0.672);
     // forearm: joint, mass and inertia
@@ -33867,13 +33867,6 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     hub_t2 = boom_minus_s1_n_hub_z + R::from_f64(-0.41750099999999996);
     hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
-    hub_t4 = boom_composite_on_lower_xx + R::from_f64(0.31711512299999994);
-    hub_t5 = boom_composite_on_lower_yy + R::from_f64(0.174420603);
-    let (hub_t6, hub_t7, hub_t8, hub_t9, hub_t10, hub_t11, hub_t12, hub_t13);
-    hub_t6 = boom_composite_on_lower_zz + R::from_f64(0.34770232599999995);
-    hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
-    hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
-    hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
     // antenna: composite body and columns, inward
     antenna_cos3 = cosines[17];
     antenna_sin3 = sines[17];
@@ -34080,16 +34073,16 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 + antenna_offset_x * antenna_minus_s1_n_hub_z);
     // hub: composite body and columns, inward
-    hub_t10 = hub_t1 + antenna_s2_n_hub_z;
-    hub_t11 = hub_t2 + antenna_minus_s1_n_hub_z;
-    hub_t12 = hub_t3 + antenna_s1_n_hub_y;
-    hub_t13 = hub_t4 + antenna_composite_on_lower_xx;
-    let (hub_t14, hub_t15, hub_t16, hub_t17, hub_t18, hub_t19, hub_t20, hub_t21);
-    hub_t14 = hub_t5 + antenna_composite_on_lower_yy;
-    hub_t15 = hub_t6 + antenna_composite_on_lower_zz;
-    hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
-    hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
-    hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
+    hub_t4 = hub_t1 + antenna_s2_n_hub_z;
+    hub_t5 = hub_t2 + antenna_minus_s1_n_hub_z;
+    let (hub_t6, hub_t7, hub_t8, hub_t9, hub_t10, hub_t11, hub_t12, hub_t13);
+    hub_t6 = hub_t3 + antenna_s1_n_hub_y;
+    hub_t7 = antenna_composite_on_lower_xx + boom_composite_on_lower_xx;
+    hub_t8 = antenna_composite_on_lower_yy + boom_composite_on_lower_yy;
+    hub_t9 = antenna_composite_on_lower_zz + boom_composite_on_lower_zz;
+    hub_t10 = antenna_composite_on_lower_yz + boom_composite_on_lower_yz;
+    hub_t11 = antenna_composite_on_lower_xz + boom_composite_on_lower_xz;
+    hub_t12 = antenna_composite_on_lower_xy + boom_composite_on_lower_xy;
     // left_tip: composite body and columns, inward
     left_tip_cos3 = cosines[14];
     left_tip_sin3 = sines[14];
@@ -34304,22 +34297,6 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     shoulder_t2 = left_tip_minus_s1_n_shoulder_z + R::from_f64(-0.23436);
     shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
-    shoulder_t4 = left_tip_composite_on_lower_xx + R::from_f64(0.3058297);
-    shoulder_t5 = left_tip_composite_on_lower_yy + R::from_f64(0.473424);
-    shoulder_t6 = left_tip_composite_on_lower_zz + R::from_f64(0.43650301999999996);
-    shoulder_t7 = left_tip_composite_on_lower_yz + R::from_f64(0.004365319999999999);
-    let (
-        shoulder_t8,
-        shoulder_t9,
-        shoulder_composite_x,
-        shoulder_composite_y,
-        shoulder_composite_z,
-        shoulder_composite_xx,
-        shoulder_composite_yy,
-        shoulder_composite_zz,
-    );
-    shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
-    shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
     // left_panel: composite body and columns, inward
     left_panel_cos3 = cosines[11];
     left_panel_sin3 = sines[11];
@@ -34535,25 +34512,16 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         - (left_panel_offset_y * left_panel_t11
             + left_panel_offset_x * left_panel_minus_s1_n_hub_z);
     // hub: composite body and columns, inward
-    hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
-    hub_t20 = hub_t11 + left_panel_minus_s1_n_hub_z;
-    hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
-    let (
-        hub_t22,
-        hub_t23,
-        hub_t24,
-        hub_t25,
-        hub_t26,
-        hub_t27,
-        hub_composite_x,
-        hub_composite_y,
-    );
-    hub_t22 = hub_t13 + left_panel_composite_on_lower_xx;
-    hub_t23 = hub_t14 + left_panel_composite_on_lower_yy;
-    hub_t24 = hub_t15 + left_panel_composite_on_lower_zz;
-    hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
-    hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
-    hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
+    hub_t13 = hub_t4 + left_panel_s2_n_hub_z;
+    let (hub_t14, hub_t15, hub_t16, hub_t17, hub_t18, hub_t19, hub_t20, hub_t21);
+    hub_t14 = hub_t5 + left_panel_minus_s1_n_hub_z;
+    hub_t15 = hub_t6 + left_panel_s1_n_hub_y;
+    hub_t16 = hub_t7 + left_panel_composite_on_lower_xx;
+    hub_t17 = hub_t8 + left_panel_composite_on_lower_yy;
+    hub_t18 = hub_t9 + left_panel_composite_on_lower_zz;
+    hub_t19 = hub_t10 + left_panel_composite_on_lower_yz;
+    hub_t20 = hub_t11 + left_panel_composite_on_lower_xz;
+    hub_t21 = hub_t12 + left_panel_composite_on_lower_xy;
     // forearm: composite body and columns, inward
     forearm_cos3 = cosines[8];
     forearm_sin3 = sines[8];
@@ -34764,9 +34732,25 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
     shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     shoulder_composite_y = shoulder_t2 + forearm_minus_s1_n_shoulder_z;
     shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
-    shoulder_composite_xx = shoulder_t4 + forearm_composite_on_lower_xx;
-    shoulder_composite_yy = shoulder_t5 + forearm_composite_on_lower_yy;
-    shoulder_composite_zz = shoulder_t6 + forearm_composite_on_lower_zz;
+    shoulder_t4 = forearm_composite_on_lower_xx + left_tip_composite_on_lower_xx;
+    let (
+        shoulder_t5,
+        shoulder_t6,
+        shoulder_t7,
+        shoulder_t8,
+        shoulder_t9,
+        shoulder_composite_xx,
+        shoulder_composite_yy,
+        shoulder_composite_zz,
+    );
+    shoulder_t5 = forearm_composite_on_lower_yy + left_tip_composite_on_lower_yy;
+    shoulder_t6 = forearm_composite_on_lower_zz + left_tip_composite_on_lower_zz;
+    shoulder_t7 = forearm_composite_on_lower_yz + left_tip_composite_on_lower_yz;
+    shoulder_t8 = forearm_composite_on_lower_xz + left_tip_composite_on_lower_xz;
+    shoulder_t9 = forearm_composite_on_lower_xy + left_tip_composite_on_lower_xy;
+    shoulder_composite_xx = shoulder_t4 + R::from_f64(0.3058297);
+    shoulder_composite_yy = shoulder_t5 + R::from_f64(0.473424);
+    shoulder_composite_zz = shoulder_t6 + R::from_f64(0.43650301999999996);
     let (
         shoulder_composite_yz,
         shoulder_composite_xz,
@@ -34777,9 +34761,9 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         shoulder_t11,
         shoulder_t12,
     );
-    shoulder_composite_yz = shoulder_t7 + forearm_composite_on_lower_yz;
-    shoulder_composite_xz = shoulder_t8 + forearm_composite_on_lower_xz;
-    shoulder_composite_xy = shoulder_t9 + forearm_composite_on_lower_xy;
+    shoulder_composite_yz = shoulder_t7 + R::from_f64(0.004365319999999999);
+    shoulder_composite_xz = shoulder_t8 + R::from_f64(-0.06677161999999998);
+    shoulder_composite_xy = shoulder_t9 + R::from_f64(0.15185076);
     shoulder_cos3 = cosines[5];
     shoulder_sin3 = sines[5];
     shoulder_t10 = shoulder_cos3 * shoulder_composite_x
@@ -35566,10 +35550,26 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         - (shoulder_offset_y * shoulder_t20
             + shoulder_offset_x * shoulder_minus_s1_n_hub_z);
     // hub: composite body and columns, inward
-    hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
-    hub_composite_y = hub_t20 + shoulder_minus_s1_n_hub_z;
     let (
+        hub_composite_x,
+        hub_composite_y,
         hub_composite_z,
+        hub_t22,
+        hub_t23,
+        hub_t24,
+        hub_t25,
+        hub_t26,
+    );
+    hub_composite_x = hub_t13 + shoulder_s2_n_hub_z;
+    hub_composite_y = hub_t14 + shoulder_minus_s1_n_hub_z;
+    hub_composite_z = hub_t15 + shoulder_s1_n_hub_y;
+    hub_t22 = hub_t16 + shoulder_composite_on_lower_xx;
+    hub_t23 = hub_t17 + shoulder_composite_on_lower_yy;
+    hub_t24 = hub_t18 + shoulder_composite_on_lower_zz;
+    hub_t25 = hub_t19 + shoulder_composite_on_lower_yz;
+    hub_t26 = hub_t20 + shoulder_composite_on_lower_xz;
+    let (
+        hub_t27,
         hub_composite_xx,
         hub_composite_yy,
         hub_composite_zz,
@@ -35578,13 +35578,13 @@ pub fn forward_dynamics_pivots<R: kane::Real>(
         hub_composite_xy,
         hub_cos3,
     );
-    hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
-    hub_composite_xx = hub_t22 + shoulder_composite_on_lower_xx;
-    hub_composite_yy = hub_t23 + shoulder_composite_on_lower_yy;
-    hub_composite_zz = hub_t24 + shoulder_composite_on_lower_zz;
-    hub_composite_yz = hub_t25 + shoulder_composite_on_lower_yz;
-    hub_composite_xz = hub_t26 + shoulder_composite_on_lower_xz;
-    hub_composite_xy = hub_t27 + shoulder_composite_on_lower_xy;
+    hub_t27 = hub_t21 + shoulder_composite_on_lower_xy;
+    hub_composite_xx = hub_t22 + R::from_f64(0.31711512299999994);
+    hub_composite_yy = hub_t23 + R::from_f64(0.174420603);
+    hub_composite_zz = hub_t24 + R::from_f64(0.34770232599999995);
+    hub_composite_yz = hub_t25 + R::from_f64(0.039307159999999994);
+    hub_composite_xz = hub_t26 + R::from_f64(-0.030472040000000002);
+    hub_composite_xy = hub_t27 + R::from_f64(0.10514168699999998);
     hub_cos3 = cosines[2];
     let (hub_sin3, hub_t28, hub_t29, hub_t30, hub_t31, hub_t32, hub_t33, hub_t34);
     hub_sin3 = sines[2];
@@ -48438,10 +48438,10 @@ pub fn mass_matrix_factors<R: kane::Real>(
         shoulder_t1,
         shoulder_t2,
         shoulder_t3,
+        shoulder_composite_x,
+        shoulder_composite_y,
+        shoulder_composite_z,
         shoulder_t4,
-        shoulder_t5,
-        shoulder_t6,
-        shoulder_t7,
     );
     shoulder_offset_z = shoulder_s3 + R::from_f64(-0.672);
     // forearm: joint, mass and inertia
@@ -49221,13 +49221,6 @@ pub fn mass_matrix_factors<R: kane::Real>(
     hub_t1 = boom_s2_n_hub_z + R::from_f64(0.184569);
     hub_t2 = boom_minus_s1_n_hub_z + R::from_f64(-0.41750099999999996);
     hub_t3 = boom_s1_n_hub_y + R::from_f64(0.15792);
-    hub_t4 = boom_composite_on_lower_xx + R::from_f64(0.31711512299999994);
-    hub_t5 = boom_composite_on_lower_yy + R::from_f64(0.174420603);
-    let (hub_t6, hub_t7, hub_t8, hub_t9, hub_t10, hub_t11, hub_t12, hub_t13);
-    hub_t6 = boom_composite_on_lower_zz + R::from_f64(0.34770232599999995);
-    hub_t7 = boom_composite_on_lower_yz + R::from_f64(0.039307159999999994);
-    hub_t8 = boom_composite_on_lower_xz + R::from_f64(-0.030472040000000002);
-    hub_t9 = boom_composite_on_lower_xy + R::from_f64(0.10514168699999998);
     // antenna: composite body and columns, inward
     antenna_cos3 = cosines[17];
     antenna_sin3 = sines[17];
@@ -49434,16 +49427,16 @@ pub fn mass_matrix_factors<R: kane::Real>(
     antenna_composite_on_lower_xy = antenna_t28
         - (antenna_offset_y * antenna_t11 + antenna_offset_x * antenna_minus_s1_n_hub_z);
     // hub: composite body and columns, inward
-    hub_t10 = hub_t1 + antenna_s2_n_hub_z;
-    hub_t11 = hub_t2 + antenna_minus_s1_n_hub_z;
-    hub_t12 = hub_t3 + antenna_s1_n_hub_y;
-    hub_t13 = hub_t4 + antenna_composite_on_lower_xx;
-    let (hub_t14, hub_t15, hub_t16, hub_t17, hub_t18, hub_t19, hub_t20, hub_t21);
-    hub_t14 = hub_t5 + antenna_composite_on_lower_yy;
-    hub_t15 = hub_t6 + antenna_composite_on_lower_zz;
-    hub_t16 = hub_t7 + antenna_composite_on_lower_yz;
-    hub_t17 = hub_t8 + antenna_composite_on_lower_xz;
-    hub_t18 = hub_t9 + antenna_composite_on_lower_xy;
+    hub_t4 = hub_t1 + antenna_s2_n_hub_z;
+    hub_t5 = hub_t2 + antenna_minus_s1_n_hub_z;
+    let (hub_t6, hub_t7, hub_t8, hub_t9, hub_t10, hub_t11, hub_t12, hub_t13);
+    hub_t6 = hub_t3 + antenna_s1_n_hub_y;
+    hub_t7 = antenna_composite_on_lower_xx + boom_composite_on_lower_xx;
+    hub_t8 = antenna_composite_on_lower_yy + boom_composite_on_lower_yy;
+    hub_t9 = antenna_composite_on_lower_zz + boom_composite_on_lower_zz;
+    hub_t10 = antenna_composite_on_lower_yz + boom_composite_on_lower_yz;
+    hub_t11 = antenna_composite_on_lower_xz + boom_composite_on_lower_xz;
+    hub_t12 = antenna_composite_on_lower_xy + boom_composite_on_lower_xy;
     // left_tip: composite body and columns, inward
     left_tip_cos3 = cosines[14];
     left_tip_sin3 = sines[14];
@@ -49658,22 +49651,6 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_t1 = left_tip_s2_n_shoulder_z + R::from_f64(0.54126);
     shoulder_t2 = left_tip_minus_s1_n_shoulder_z + R::from_f64(-0.23436);
     shoulder_t3 = left_tip_s1_n_shoulder_y + R::from_f64(0.44082);
-    shoulder_t4 = left_tip_composite_on_lower_xx + R::from_f64(0.3058297);
-    shoulder_t5 = left_tip_composite_on_lower_yy + R::from_f64(0.473424);
-    shoulder_t6 = left_tip_composite_on_lower_zz + R::from_f64(0.43650301999999996);
-    shoulder_t7 = left_tip_composite_on_lower_yz + R::from_f64(0.004365319999999999);
-    let (
-        shoulder_t8,
-        shoulder_t9,
-        shoulder_composite_x,
-        shoulder_composite_y,
-        shoulder_composite_z,
-        shoulder_composite_xx,
-        shoulder_composite_yy,
-        shoulder_composite_zz,
-    );
-    shoulder_t8 = left_tip_composite_on_lower_xz + R::from_f64(-0.06677161999999998);
-    shoulder_t9 = left_tip_composite_on_lower_xy + R::from_f64(0.15185076);
     // left_panel: composite body and columns, inward
     left_panel_cos3 = cosines[11];
     left_panel_sin3 = sines[11];
@@ -49889,25 +49866,16 @@ pub fn mass_matrix_factors<R: kane::Real>(
         - (left_panel_offset_y * left_panel_t11
             + left_panel_offset_x * left_panel_minus_s1_n_hub_z);
     // hub: composite body and columns, inward
-    hub_t19 = hub_t10 + left_panel_s2_n_hub_z;
-    hub_t20 = hub_t11 + left_panel_minus_s1_n_hub_z;
-    hub_t21 = hub_t12 + left_panel_s1_n_hub_y;
-    let (
-        hub_t22,
-        hub_t23,
-        hub_t24,
-        hub_t25,
-        hub_t26,
-        hub_t27,
-        hub_composite_x,
-        hub_composite_y,
-    );
-    hub_t22 = hub_t13 + left_panel_composite_on_lower_xx;
-    hub_t23 = hub_t14 + left_panel_composite_on_lower_yy;
-    hub_t24 = hub_t15 + left_panel_composite_on_lower_zz;
-    hub_t25 = hub_t16 + left_panel_composite_on_lower_yz;
-    hub_t26 = hub_t17 + left_panel_composite_on_lower_xz;
-    hub_t27 = hub_t18 + left_panel_composite_on_lower_xy;
+    hub_t13 = hub_t4 + left_panel_s2_n_hub_z;
+    let (hub_t14, hub_t15, hub_t16, hub_t17, hub_t18, hub_t19, hub_t20, hub_t21);
+    hub_t14 = hub_t5 + left_panel_minus_s1_n_hub_z;
+    hub_t15 = hub_t6 + left_panel_s1_n_hub_y;
+    hub_t16 = hub_t7 + left_panel_composite_on_lower_xx;
+    hub_t17 = hub_t8 + left_panel_composite_on_lower_yy;
+    hub_t18 = hub_t9 + left_panel_composite_on_lower_zz;
+    hub_t19 = hub_t10 + left_panel_composite_on_lower_yz;
+    hub_t20 = hub_t11 + left_panel_composite_on_lower_xz;
+    hub_t21 = hub_t12 + left_panel_composite_on_lower_xy;
     // forearm: composite body and columns, inward
     forearm_cos3 = cosines[8];
     forearm_sin3 = sines[8];
@@ -50118,9 +50086,25 @@ pub fn mass_matrix_factors<R: kane::Real>(
     shoulder_composite_x = shoulder_t1 + forearm_s2_n_shoulder_z;
     shoulder_composite_y = shoulder_t2 + forearm_minus_s1_n_shoulder_z;
     shoulder_composite_z = shoulder_t3 + forearm_s1_n_shoulder_y;
-    shoulder_composite_xx = shoulder_t4 + forearm_composite_on_lower_xx;
-    shoulder_composite_yy = shoulder_t5 + forearm_composite_on_lower_yy;
-    shoulder_composite_zz = shoulder_t6 + forearm_composite_on_lower_zz;
+    shoulder_t4 = forearm_composite_on_lower_xx + left_tip_composite_on_lower_xx;
+    let (
+        shoulder_t5,
+        shoulder_t6,
+        shoulder_t7,
+        shoulder_t8,
+        shoulder_t9,
+        shoulder_composite_xx,
+        shoulder_composite_yy,
+        shoulder_composite_zz,
+    );
+    shoulder_t5 = forearm_composite_on_lower_yy + left_tip_composite_on_lower_yy;
+    shoulder_t6 = forearm_composite_on_lower_zz + left_tip_composite_on_lower_zz;
+    shoulder_t7 = forearm_composite_on_lower_yz + left_tip_composite_on_lower_yz;
+    shoulder_t8 = forearm_composite_on_lower_xz + left_tip_composite_on_lower_xz;
+    shoulder_t9 = forearm_composite_on_lower_xy + left_tip_composite_on_lower_xy;
+    shoulder_composite_xx = shoulder_t4 + R::from_f64(0.3058297);
+    shoulder_composite_yy = shoulder_t5 + R::from_f64(0.473424);
+    shoulder_composite_zz = shoulder_t6 + R::from_f64(0.43650301999999996);
     let (
         shoulder_composite_yz,
         shoulder_composite_xz,
@@ -50131,9 +50115,9 @@ pub fn mass_matrix_factors<R: kane::Real>(
         shoulder_t11,
         shoulder_t12,
     );
-    shoulder_composite_yz = shoulder_t7 + forearm_composite_on_lower_yz;
-    shoulder_composite_xz = shoulder_t8 + forearm_composite_on_lower_xz;
-    shoulder_composite_xy = shoulder_t9 + forearm_composite_on_lower_xy;
+    shoulder_composite_yz = shoulder_t7 + R::from_f64(0.004365319999999999);
+    shoulder_composite_xz = shoulder_t8 + R::from_f64(-0.06677161999999998);
+    shoulder_composite_xy = shoulder_t9 + R::from_f64(0.15185076);
     shoulder_cos3 = cosines[5];
     shoulder_sin3 = sines[5];
     shoulder_t10 = shoulder_cos3 * shoulder_composite_x
@@ -50922,10 +50906,26 @@ pub fn mass_matrix_factors<R: kane::Real>(
         - (shoulder_offset_y * shoulder_t20
             + shoulder_offset_x * shoulder_minus_s1_n_hub_z);
     // hub: composite body and columns, inward
-    hub_composite_x = hub_t19 + shoulder_s2_n_hub_z;
-    hub_composite_y = hub_t20 + shoulder_minus_s1_n_hub_z;
     let (
+        hub_composite_x,
+        hub_composite_y,
         hub_composite_z,
+        hub_t22,
+        hub_t23,
+        hub_t24,
+        hub_t25,
+        hub_t26,
+    );
+    hub_composite_x = hub_t13 + shoulder_s2_n_hub_z;
+    hub_composite_y = hub_t14 + shoulder_minus_s1_n_hub_z;
+    hub_composite_z = hub_t15 + shoulder_s1_n_hub_y;
+    hub_t22 = hub_t16 + shoulder_composite_on_lower_xx;
+    hub_t23 = hub_t17 + shoulder_composite_on_lower_yy;
+    hub_t24 = hub_t18 + shoulder_composite_on_lower_zz;
+    hub_t25 = hub_t19 + shoulder_composite_on_lower_yz;
+    hub_t26 = hub_t20 + shoulder_composite_on_lower_xz;
+    let (
+        hub_t27,
         hub_composite_xx,
         hub_composite_yy,
         hub_composite_zz,
@@ -50934,13 +50934,13 @@ pub fn mass_matrix_factors<R: kane::Real>(
         hub_composite_xy,
         hub_cos3,
     );
-    hub_composite_z = hub_t21 + shoulder_s1_n_hub_y;
-    hub_composite_xx = hub_t22 + shoulder_composite_on_lower_xx;
-    hub_composite_yy = hub_t23 + shoulder_composite_on_lower_yy;
-    hub_composite_zz = hub_t24 + shoulder_composite_on_lower_zz;
-    hub_composite_yz = hub_t25 + shoulder_composite_on_lower_yz;
-    hub_composite_xz = hub_t26 + shoulder_composite_on_lower_xz;
-    hub_composite_xy = hub_t27 + shoulder_composite_on_lower_xy;
+    hub_t27 = hub_t21 + shoulder_composite_on_lower_xy;
+    hub_composite_xx = hub_t22 + R::from_f64(0.31711512299999994);
+    hub_composite_yy = hub_t23 + R::from_f64(0.174420603);
+    hub_composite_zz = hub_t24 + R::from_f64(0.34770232599999995);
+    hub_composite_yz = hub_t25 + R::from_f64(0.039307159999999994);
+    hub_composite_xz = hub_t26 + R::from_f64(-0.030472040000000002);
+    hub_composite_xy = hub_t27 + R::from_f64(0.10514168699999998);
     hub_cos3 = cosines[2];
     let (hub_sin3, hub_t28, hub_t29, hub_t30, hub_t31, hub_t32, hub_t33, hub_t34);
     hub_sin3 = sines[2];
