@@ -238,7 +238,12 @@ impl Carried<'_, '_> {
                 let momentum = own.momentum.read(reader.place);
                 let [needed, moved] = column.needed(reader.place);
                 speed_matrix::add(graph, &mut found.by_u, row, needed);
-                let displaced = reader.displaced(graph, own);
+                // Of its own column the force by the coordinate is read where it begins.
+                let displaced = if own.motion == reader.motion && i >= first {
+                    moved
+                } else {
+                    reader.displaced(graph, own)
+                };
                 speed_matrix::add(graph, &mut found.by_q, mirrored, displaced);
                 if i >= first {
                     // Each of them meets each other.
