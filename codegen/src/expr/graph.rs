@@ -457,7 +457,7 @@ impl ExprGraph {
         Some(Label {
             text: format!("{}_{}", a.text, b.text),
             negative: a.negative ^ b.negative,
-            is_hint: a.is_hint || b.is_hint,
+            is_hint: true,
         })
     }
 
