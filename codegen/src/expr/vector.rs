@@ -144,6 +144,14 @@ impl ExprGraph {
         a.map(|row| columns.map(|column| self.dot(row, column)))
     }
 
+    /// The sum of two tensors.
+    pub fn add_symmetric(&mut self, a: &Symmetric, b: &Symmetric) -> Symmetric {
+        Symmetric {
+            diagonal: self.add_vectors(a.diagonal, b.diagonal),
+            mixed: self.add_vectors(a.mixed, b.mixed),
+        }
+    }
+
     /// `I v` for a symmetric tensor.
     pub fn mul_symmetric(&mut self, tensor: &Symmetric, v: Vector) -> Vector {
         std::array::from_fn(|row| self.dot(tensor.column(row), v))

@@ -2,7 +2,8 @@
 //!
 //! In: a derived function. Out: the same roots with fewer operations, and parameters' own work taken out.
 //! In order, with what holds afterwards:
-//! 1. `factor`: no sum has two products with a common factor that nothing else needs.
+//! 1. `factor`: no sum has two products with a common factor that nothing else needs, nor two terms that are known before the
+//!    loop.
 //! 2. `sines`, where it is asked for: sines and cosines of coordinates are inputs.
 //! 3. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
 //!

@@ -17,7 +17,7 @@ use crate::{
 pub(super) struct About {
     pub(super) motion: Motion,
     pub(super) axis: Vector,
-    /// The product with the axis that was asked for: how fast it turns, or what a weight's lever makes of it.
+    /// `v × axis`, with the vector `v` of the axis' link that was asked for.
     pub(super) crossed: Vector,
 }
 
@@ -26,18 +26,19 @@ pub(super) struct Ahead<'a> {
     linkage: &'a Linkage<'a>,
     /// Links that hinges alone carry, all of whose axes pass through the link's origin.
     is_still: BodyMap<bool>,
-    /// For each link what stands before the product with its axes, where one is asked for.
-    before: Option<BodyMap<Vector>>,
+    /// A vector of each link, link components, whose products with the link's own axes are asked for.
+    vectors: BodyMap<Vector>,
     /// The axes of the link's own joint and of those below, as far as they were asked for.
     axes: BodyMap<Option<Vec<About>>>,
 }
 
 impl<'a> Ahead<'a> {
-    /// With the products of a vector of each link, link components, and its joint's axes.
+    /// With the products of a vector of each link, link components, with its joint's axes: of its angular velocity these are how
+    /// fast the axes turn, of the acceleration of its origin what they feel of a first moment.
     pub(super) fn new(
         graph: &ExprGraph,
         linkage: &'a Linkage<'a>,
-        before: Option<BodyMap<Vector>>,
+        vectors: BodyMap<Vector>,
     ) -> Self {
         let Linkage { tree, links, .. } = linkage;
         let is_still = BodyMap::outward(tree.bodies.len(), |body, is_still: &BodyMap<bool>| {
@@ -49,7 +50,7 @@ impl<'a> Ahead<'a> {
         Self {
             linkage,
             is_still,
-            before,
+            vectors,
             axes: BodyMap::outward(tree.bodies.len(), |_, _| None),
         }
     }
@@ -113,9 +114,7 @@ impl<'a> Ahead<'a> {
             let Some(motion) = motion else { continue };
             graph.enter(body);
             let axis = graph.unit_vector(axis);
-            let before = self.before.as_ref().map(|all| all[body]);
-            let before = before.unwrap_or_else(|| graph.zero_vector());
-            let crossed = graph.cross(before, axis);
+            let crossed = graph.cross(self.vectors[body], axis);
             axes.push(About {
                 motion,
                 axis,

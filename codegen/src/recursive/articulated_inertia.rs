@@ -118,14 +118,8 @@ impl Inertia {
             return Self::Rigid(own.plus(graph, other));
         }
         let (own, other) = (self.articulated(graph), other.articulated(graph));
-        let mut sum = |a: &Symmetric, b: &Symmetric| Symmetric {
-            diagonal: graph.add_vectors(a.diagonal, b.diagonal),
-            mixed: graph.add_vectors(a.mixed, b.mixed),
-        };
-        let (angular, linear) = (
-            sum(&own.angular, &other.angular),
-            sum(&own.linear, &other.linear),
-        );
+        let angular = graph.add_symmetric(&own.angular, &other.angular);
+        let linear = graph.add_symmetric(&own.linear, &other.linear);
         Self::Articulated(ArticulatedInertia {
             angular,
             coupling: [0, 1, 2].map(|i| graph.add_vectors(own.coupling[i], other.coupling[i])),

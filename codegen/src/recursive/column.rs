@@ -3,7 +3,7 @@
 use super::{
     lever::Levered,
     rotation::Turn,
-    shortcut::{Next, Shortcut},
+    shortcut::{Next, Sent, Shortcut},
     wrench::Wrench,
 };
 use crate::{
@@ -84,17 +84,6 @@ impl Column {
         }
     }
 
-    /// True once its linear part is where its root's translations are read.
-    pub(super) fn has_left(&self) -> bool {
-        self.momentum.has_left()
-    }
-
-    /// Sends the linear part on a shortcut, past the last offset on the way.
-    pub(super) fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
-        graph.enter(self.body);
-        self.momentum.depart(graph, shortcut, axis);
-    }
-
     /// Gets ready for a turn about an axis.
     pub(super) fn before_turn(
         &mut self,
@@ -112,5 +101,18 @@ impl Column {
         let Wrench { force, moment } = self.momentum.wrench;
         graph.name_vector(force, &format!("{}_f_{at}", self.coordinate));
         graph.name_vector(moment, &format!("{}_n_{at}", self.coordinate));
+    }
+}
+
+impl Sent for Column {
+    const N_FORCES: usize = 1;
+
+    fn stays(&self, _: &ExprGraph) -> bool {
+        !self.momentum.has_left()
+    }
+
+    fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
+        graph.enter(self.body);
+        self.momentum.depart(graph, shortcut, axis);
     }
 }

@@ -12,7 +12,7 @@ use super::{
     speed_matrix,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Purpose, Symmetric, Vector},
+    expr::{Axis, ExprGraph, Purpose, Vector},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
     tree::{Motion, Tree},
@@ -69,10 +69,7 @@ pub(super) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatri
                 graph.name_vector(composite.moment, "composite_on_lower");
             });
             graph.enter(lower);
-            known[lower] = Symmetric {
-                diagonal: graph.add_vectors(known[lower].diagonal, own.diagonal),
-                mixed: graph.add_vectors(known[lower].mixed, own.mixed),
-            };
+            known[lower] = graph.add_symmetric(&known[lower], &own);
             composites[lower] = composites[lower].plus(graph, &composite);
             columns[lower].extend(arrived);
         }
@@ -124,14 +121,9 @@ impl Carried<'_, '_> {
         let body = self.body;
         let ends = self.shortcuts.ends(graph, body);
         // The body's own is turned with the composite's first moment, whose product with the axis it is.
-        let leaves = |own: &Column| !(own.has_left() || ends && own.body() == body);
-        let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
-        let shortcut = self.shortcuts.from(graph, body, n_columns);
-        if let Some(shortcut) = shortcut {
-            for column in self.columns.iter_mut().filter(|own| leaves(own)) {
-                column.depart(graph, &shortcut, axis);
-            }
-        }
+        let columns = self.columns.iter_mut();
+        let columns = columns.filter(|own| !ends || own.body() != body);
+        let shortcut = self.shortcuts.send(graph, (body, axis), columns);
         for column in &mut self.columns {
             column.before_turn(graph, axis, shortcut);
         }

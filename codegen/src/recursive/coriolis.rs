@@ -16,7 +16,7 @@ use super::{
     passage::{Drive, Passenger, speeds},
     plan::Plan,
     rotation::Turn,
-    shortcut::{Next, Shortcut, Shortcuts},
+    shortcut::{Next, Sent, Shortcut, Shortcuts},
     speed_matrix,
     wrench::Wrench,
 };
@@ -39,7 +39,7 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut shortcuts = Shortcuts::new(graph, &linkage);
     let angular = BodyMap::outward(tree.bodies.len(), |body, _| velocities[body].velocity[0]);
-    let mut ahead = Ahead::new(graph, &linkage, Some(angular));
+    let mut ahead = Ahead::new(graph, &linkage, angular);
     let mut c = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
@@ -278,9 +278,16 @@ impl Column {
         self.needed.before_turn(graph, axis, shortcut);
         self.momentum.before_turn(graph, axis, shortcut);
     }
+}
 
-    /// Sends linear parts on a shortcut: the root's translations are along axes that do not turn, so that there is no mirrored
-    /// entry to be read.
+/// The root's translations are along axes that do not turn, so that there is no mirrored entry to be read.
+impl Sent for Column {
+    const N_FORCES: usize = 2;
+
+    fn stays(&self, _: &ExprGraph) -> bool {
+        !self.needed.has_left()
+    }
+
     fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
         graph.enter(self.body);
         self.needed.depart(graph, shortcut, axis);
@@ -319,17 +326,6 @@ impl Carried<'_, '_> {
             moments: &self.moments,
             rates: &self.rates,
         }
-    }
-
-    /// Sends linear parts on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) -> Option<Shortcut> {
-        let leaves = |own: &Column| !own.needed.has_left();
-        let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
-        let shortcut = self.shortcuts.from(graph, self.body, 2 * n_columns)?;
-        for column in self.columns.iter_mut().filter(|own| leaves(own)) {
-            column.depart(graph, &shortcut, axis);
-        }
-        Some(shortcut)
     }
 
     /// Reads off what joints below make of columns of which moments alone are left, if that is cheaper than to carry them there.
@@ -416,7 +412,8 @@ impl Passenger for Carried<'_, '_> {
             }
         }
         if let Drive::Angle(axis, _) = drive {
-            let shortcut = self.take_shortcut(graph, axis);
+            let at = (self.body, axis);
+            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
             self.read_ahead(graph, axis, shortcut);
             for column in &mut self.columns {
                 column.before_turn(graph, axis, shortcut);

@@ -116,12 +116,8 @@ impl Composite {
 
     /// The same with more inertia.
     pub(super) fn with_inertia(&self, graph: &mut ExprGraph, more: &Symmetric) -> Self {
-        let inertia = &self.inertia;
         Self {
-            inertia: Symmetric {
-                diagonal: graph.add_vectors(more.diagonal, inertia.diagonal),
-                mixed: graph.add_vectors(more.mixed, inertia.mixed),
-            },
+            inertia: graph.add_symmetric(more, &self.inertia),
             ..*self
         }
     }
@@ -190,10 +186,7 @@ impl Composite {
         Self {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),
-            inertia: Symmetric {
-                diagonal: graph.add_vectors(self.inertia.diagonal, other.inertia.diagonal),
-                mixed: graph.add_vectors(self.inertia.mixed, other.inertia.mixed),
-            },
+            inertia: graph.add_symmetric(&self.inertia, &other.inertia),
         }
     }
 }

@@ -154,10 +154,8 @@ impl<'a> Moving<'a> {
         let below = self.lower?.w.map(Expr::node);
         let (b, c) = axis.others();
         let own = [self.w[b], self.w[c]];
-        if own
-            .iter()
-            .any(|w| graph.is_zero(*w) || !below.contains(&w.node()))
-        {
+        let is_lower = |w: Expr| !graph.is_zero(w) && below.contains(&w.node());
+        if !own.into_iter().all(is_lower) {
             return None;
         }
         let [b, c] = own.map(|w| graph.mul(w, w));

@@ -137,10 +137,7 @@ impl Moments {
         Self {
             mass: graph.add(self.mass, other.mass),
             first: graph.add_vectors(self.first, other.first),
-            second: Symmetric {
-                diagonal: graph.add_vectors(self.second.diagonal, other.second.diagonal),
-                mixed: graph.add_vectors(self.second.mixed, other.second.mixed),
-            },
+            second: graph.add_symmetric(&self.second, &other.second),
         }
     }
 }

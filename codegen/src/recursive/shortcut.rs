@@ -43,6 +43,18 @@ impl Shortcut {
     }
 }
 
+/// A column of which forces, or linear momenta, leave on a shortcut.
+pub(super) trait Sent {
+    /// How many of them a rotation would have to turn.
+    const N_FORCES: usize;
+
+    /// True as long as they may leave.
+    fn stays(&self, graph: &ExprGraph) -> bool;
+
+    /// Sends them, before a turn about an axis.
+    fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis);
+}
+
 /// What meets a column that has come to a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Next {
@@ -110,12 +122,7 @@ impl<'a> Shortcuts<'a> {
     }
 
     /// The shortcut from a link for so many linear parts, if that is cheaper than to carry them on.
-    pub(super) fn from(
-        &mut self,
-        graph: &mut ExprGraph,
-        body: BodyId,
-        n_vectors: usize,
-    ) -> Option<Shortcut> {
+    fn from(&mut self, graph: &mut ExprGraph, body: BodyId, n_vectors: usize) -> Option<Shortcut> {
         let ends = self.ends(graph, body);
         if !(self.is_open[body] || ends) || !self.is_cheaper(graph, body, n_vectors, ends) {
             return None;
@@ -156,7 +163,7 @@ impl<'a> Shortcuts<'a> {
     }
 
     /// A rotation costs a vector 6 operations, three of them, for the directions, 18; an offset along one axis across the
-    /// joint's has two parts when turned, so that each lever costs 4 more.
+    /// joint's has two parts when turned, so that each lever costs 2 more about the joint's axis.
     fn is_cheaper(
         &self,
         graph: &mut ExprGraph,
@@ -173,6 +180,21 @@ impl<'a> Shortcuts<'a> {
             1 => 4 * n_vectors > directions + 2,
             _ => 6 * n_vectors > directions + 6,
         }
+    }
+
+    /// Sends columns on the shortcut from a link before its turn about an axis, if there is one that pays.
+    pub(super) fn send<'c, C: Sent + 'c>(
+        &mut self,
+        graph: &mut ExprGraph,
+        (body, axis): (BodyId, Axis),
+        columns: impl Iterator<Item = &'c mut C>,
+    ) -> Option<Shortcut> {
+        let mut columns: Vec<_> = columns.filter(|own| own.stays(graph)).collect();
+        let shortcut = self.from(graph, body, C::N_FORCES * columns.len())?;
+        for column in &mut columns {
+            column.depart(graph, &shortcut, axis);
+        }
+        Some(shortcut)
     }
 
     fn directions(&mut self, graph: &mut ExprGraph, body: BodyId) -> Matrix {

@@ -84,10 +84,7 @@ impl Spreading {
     pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {
             first: graph.add_vectors(self.first, other.first),
-            second: Symmetric {
-                diagonal: graph.add_vectors(self.second.diagonal, other.second.diagonal),
-                mixed: graph.add_vectors(self.second.mixed, other.second.mixed),
-            },
+            second: graph.add_symmetric(&self.second, &other.second),
         }
     }
 

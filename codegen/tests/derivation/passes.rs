@@ -219,6 +219,23 @@ fn a_common_factor_is_pulled_out_of_a_long_sum() {
 }
 
 #[test]
+fn numbers_of_a_long_sum_are_added_up() {
+    let mut graph = ExprGraph::default();
+    let [a, b] = [0, 1].map(|i| graph.input(Input::Q(CoordinateId::new(i))));
+    let [one, two] = [1.0, 2.0].map(|number| graph.number(number));
+    let mut sum = graph.zero();
+    for term in [a, one, b, two] {
+        sum = graph.add(sum, term);
+    }
+    let (gathered, roots) = factor::run(&graph, &[sum]);
+    assert_eq!(operations(&gathered, &roots).add, 2);
+    // Part of the sum is used elsewhere, and stays.
+    let inner = graph.add(a, one);
+    let (gathered, roots) = factor::run(&graph, &[sum, inner]);
+    assert_eq!(operations(&gathered, &roots).add, 3);
+}
+
+#[test]
 fn a_product_that_is_used_elsewhere_is_not_factored() {
     let mut graph = ExprGraph::default();
     let [a, b, c] = [0, 1, 2].map(|i| graph.input(Input::Q(CoordinateId::new(i))));

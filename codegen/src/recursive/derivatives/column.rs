@@ -4,7 +4,7 @@ use super::super::{
     coriolis::Column as Carrying,
     lever::Levered,
     rotation::Turn,
-    shortcut::{Next, Shortcut},
+    shortcut::{Next, Sent, Shortcut},
     wrench::Wrench,
 };
 use crate::{
@@ -60,9 +60,17 @@ impl Column {
         self.carrying.before_turn(graph, axis, shortcut);
         self.displaced.before_turn(graph, axis, shortcut);
     }
+}
 
-    /// Sends the forces that are needed on a shortcut. Momentum stays: it is read off for rows on the way.
-    pub(super) fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
+/// Momentum stays: it is read off for rows on the way.
+impl Sent for Column {
+    const N_FORCES: usize = 2;
+
+    fn stays(&self, _: &ExprGraph) -> bool {
+        !self.displaced.has_left()
+    }
+
+    fn depart(&mut self, graph: &mut ExprGraph, shortcut: &Shortcut, axis: Axis) {
         graph.enter(self.carrying.body);
         self.carrying.needed.depart(graph, shortcut, axis);
         self.displaced.depart(graph, shortcut, axis);

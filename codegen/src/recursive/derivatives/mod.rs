@@ -33,7 +33,7 @@ use super::{
     wrench::Wrench,
 };
 use crate::{
-    expr::{Axis, ExprGraph, Purpose, Vector},
+    expr::{ExprGraph, Purpose, Vector},
     given::{Accelerations, Loads},
     id::{BodyId, BodyMap},
     solve::SpeedMatrix,
@@ -211,21 +211,6 @@ impl Carried<'_, '_> {
         }
     }
 
-    /// Gets columns ready for a turn about an axis; forces that are needed leave on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) {
-        let leaves = |own: &Column| !own.displaced.has_left();
-        let n_columns = self.columns.iter().filter(|own| leaves(own)).count();
-        let shortcut = self.shortcuts.from(graph, self.body, 2 * n_columns);
-        if let Some(shortcut) = shortcut {
-            for column in self.columns.iter_mut().filter(|own| leaves(own)) {
-                column.depart(graph, &shortcut, axis);
-            }
-        }
-        for column in &mut self.columns {
-            column.before_turn(graph, axis, shortcut);
-        }
-    }
-
     /// Rows and mirrored entries of motions that enter together, of which the columns began last.
     fn read(&mut self, graph: &mut ExprGraph, readers: &[Reader]) {
         let first = self.columns.len() - readers.len();
@@ -296,7 +281,11 @@ impl Passenger for Carried<'_, '_> {
         }
         self.read(graph, &readers);
         if let Drive::Angle(axis, _) = drive {
-            self.take_shortcut(graph, axis);
+            let at = (self.body, axis);
+            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
+            for column in &mut self.columns {
+                column.before_turn(graph, axis, shortcut);
+            }
         }
         for column in &mut self.columns {
             column.turn(graph, rotation);

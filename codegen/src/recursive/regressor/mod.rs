@@ -36,14 +36,15 @@ pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let motions = link_motion::motions(graph, &linkage, Accelerations::Given);
     graph.begin(Purpose::Regressor);
     let felt = BodyMap::outward(tree.bodies.len(), |body, _| motions[body].a);
-    let mut ahead = Ahead::new(graph, &linkage, Some(felt));
+    let mut ahead = Ahead::new(graph, &linkage, felt);
     let mut columns = BodyMap::outward(tree.bodies.len(), |body, _| {
         let link = &linkage.links[body];
-        let mut columns = own::columns(graph, tree, body, link, &motions[body], &shared[body]);
-        if is_weighed(&ahead, &shared, body) {
-            columns.retain(|own| !(1..4).contains(&own.parameter));
-        }
-        columns
+        let is_weighed = is_weighed(&ahead, &shared, body);
+        let is_carried = |parameter: &usize| {
+            let is_first_moment = (1..4).contains(parameter);
+            !(shared[body].gives(*parameter) || is_weighed && is_first_moment)
+        };
+        own::columns(graph, tree, (body, link), &motions[body], is_carried)
     });
     let mut shortcuts = Shortcuts::new(graph, &linkage);
     let mut y = vec![graph.zero(); tree.n_speeds * tree.bodies.len() * PARAMETERS.len()];
@@ -109,26 +110,6 @@ impl Carried<'_, '_> {
         }
     }
 
-    /// Sends the forces on a shortcut, if there is one here.
-    fn take_shortcut(&mut self, graph: &mut ExprGraph, axis: Axis) -> Option<Shortcut> {
-        if !self.shortcuts.may(graph, self.body) {
-            return None;
-        }
-        let n_forces = self
-            .columns
-            .iter()
-            .filter(|own| own.needed.has_force(graph));
-        let n_forces = n_forces.count();
-        let shortcut = self.shortcuts.from(graph, self.body, n_forces)?;
-        for own in &mut self.columns {
-            if own.needed.has_force(graph) {
-                graph.enter(own.body);
-                own.needed.depart(graph, &shortcut, axis);
-            }
-        }
-        Some(shortcut)
-    }
-
     /// Reads off what joints below feel of moments alone, if that is cheaper than to carry them there.
     fn read_ahead(&mut self, graph: &mut ExprGraph, axis: Axis, shortcut: Option<Shortcut>) {
         if !self.ahead.may(self.body) {
@@ -187,7 +168,8 @@ impl Passenger for Carried<'_, '_> {
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         self.read_off(graph, drive.motions(), 0);
         if let Drive::Angle(axis, _) = drive {
-            let shortcut = self.take_shortcut(graph, axis);
+            let at = (self.body, axis);
+            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
             self.read_ahead(graph, axis, shortcut);
             for own in &mut self.columns {
                 graph.enter(own.body);

@@ -16,14 +16,13 @@ use crate::{
     tree::Tree,
 };
 
-/// The columns of a body, but those that its lower body's give.
+/// The columns of a body, of the parameters for which there are any.
 pub(super) fn columns(
     graph: &mut ExprGraph,
     tree: &Tree,
-    body: BodyId,
-    link: &Link,
+    (body, link): (BodyId, &Link),
     motion: &LinkMotion,
-    shared: &Shared,
+    is_carried: impl Fn(&usize) -> bool,
 ) -> Vec<UnitColumn> {
     graph.enter(body);
     let pose = &tree.body(body).pose;
@@ -41,9 +40,8 @@ pub(super) fn columns(
         hinge: tree.body(body).joint.hinge_axis(),
         leaves: false,
     };
-    let carried = (0..PARAMETERS.len()).filter(|parameter| !shared.gives(*parameter));
     let mut columns = Vec::new();
-    for parameter in carried {
+    for parameter in (0..PARAMETERS.len()).filter(is_carried) {
         let wrench = felt.of_parameter(graph, parameter);
         let wrench = wrench.map(|v| {
             let internal = given::constant_back(graph, &pose.rotation, v);

@@ -1,11 +1,8 @@
 //! Factor. Needs: nothing. Afterwards: no sum whose products all belong to its own body has two with a common factor,
-//! `a b + a c`, where nothing else uses the products; each became `a (b + c)`. No sum has two terms that are known before the
-//! loop. Keeps: the value of every root, up to
-//! rounding. Never raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice,
+//! `a b + a c`, where nothing else uses the products; each became `a (b + c)`. Nor has a body's part of a sum two terms that are
+//! known before the loop: they are added up last. Keeps: the value of every root, up to rounding. Never raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice,
 //! or a sum that takes a product of another body, for what one body's terms have in common must not change another
 //! body's lines.
-
-mod known;
 
 use super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
@@ -17,7 +14,7 @@ pub fn run(graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
     while changed {
         (graph, roots, changed) = once(&graph, &roots);
     }
-    known::gathered(&graph, &roots)
+    (graph, roots)
 }
 
 /// One round, and whether it found anything.
@@ -54,6 +51,8 @@ enum Term {
     },
     /// A factor times the sum of what it multiplied.
     Factored { factor: NodeId, rest: Vec<Expr> },
+    /// The sum of those that are known before the loop.
+    Known(Vec<Term>),
 }
 
 struct Sums<'a> {
@@ -110,7 +109,18 @@ impl<'a> Sums<'a> {
             terms = pull_out(terms, factor);
             changed = true;
         }
+        if terms.iter().filter(|term| self.is_known(term)).count() > 1 {
+            let (known, mut others): (Vec<_>, Vec<_>) =
+                terms.into_iter().partition(|term| self.is_known(term));
+            others.push(Term::Known(known));
+            return Some(others);
+        }
         changed.then_some(terms)
+    }
+
+    /// True for what is known before the loop.
+    fn is_known(&self, term: &Term) -> bool {
+        matches!(term, Term::Whole(expr) if self.graph.binding(expr.node()) != Binding::State)
     }
 
     /// The terms of a sum from left to right.
@@ -188,6 +198,7 @@ fn build_sum(graph: &mut ExprGraph, rebuilt: &Rebuilt, terms: &[Term]) -> Expr {
     let mut sum = graph.zero();
     for term in terms {
         let term = match term {
+            Term::Known(known) => build_sum(graph, rebuilt, known),
             Term::Whole(expr) => rebuilt.expr(*expr),
             Term::Product {
                 negative,
