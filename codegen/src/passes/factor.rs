@@ -1,8 +1,8 @@
 //! Factor. Needs: nothing. Afterwards: no sum whose products all belong to its own body has two with a common factor,
 //! `a b + a c`, where nothing else uses the products; each became `a (b + c)`. Nor has a body's part of a sum two terms that are
-//! known before the loop: they are added up last. Keeps: the value of every root, up to rounding. Never raises the number of operations in the loop. Does not: touch a labelled value, one that is used twice,
-//! or a sum that takes a product of another body, for what one body's terms have in common must not change another
-//! body's lines.
+//! known before the loop: they are added up last. Keeps: the value of every root, up to rounding. Never raises the number of
+//! operations in the loop. Does not: touch a labelled value, one that is used twice, or a sum that takes a product of another
+//! body, for what one body's terms have in common must not change another body's lines.
 
 use super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
@@ -10,7 +10,7 @@ use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 /// The graph with its sums factored, and its roots.
 pub fn run(graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
     let (mut graph, mut roots, mut changed) = once(graph, roots);
-    // What was pulled out of a sum can leave another sum behind. Each round lowers the count, so the rounds end.
+    // What was pulled out of a sum can leave another sum behind. Each round lowers the count in the loop, so the rounds end.
     while changed {
         (graph, roots, changed) = once(&graph, &roots);
     }
@@ -109,7 +109,9 @@ impl<'a> Sums<'a> {
             terms = pull_out(terms, factor);
             changed = true;
         }
-        if terms.iter().filter(|term| self.is_known(term)).count() > 1 {
+        // In a sum that is known as a whole all terms are, and gathering them would change nothing, round after round.
+        let in_loop = self.graph.binding(head) == Binding::State;
+        if in_loop && terms.iter().filter(|term| self.is_known(term)).count() > 1 {
             let (known, mut others): (Vec<_>, Vec<_>) =
                 terms.into_iter().partition(|term| self.is_known(term));
             others.push(Term::Known(known));

@@ -236,6 +236,20 @@ fn numbers_of_a_long_sum_are_added_up() {
 }
 
 #[test]
+fn a_sum_of_parameters_stays() {
+    let mut graph = ExprGraph::default();
+    let parameters = [0, 1, 2].map(|i| graph.input(Input::Parameter(ParameterId::new(i))));
+    let position = graph.input(Input::Q(CoordinateId::new(0)));
+    let mut sum = graph.zero();
+    for term in parameters {
+        sum = graph.add(sum, term);
+    }
+    let product = graph.mul(sum, position);
+    let (same, roots) = factor::run(&graph, &[product]);
+    assert_eq!(operations(&same, &roots).add, 2);
+}
+
+#[test]
 fn a_product_that_is_used_elsewhere_is_not_factored() {
     let mut graph = ExprGraph::default();
     let [a, b, c] = [0, 1, 2].map(|i| graph.input(Input::Q(CoordinateId::new(i))));
