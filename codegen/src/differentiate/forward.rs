@@ -11,9 +11,10 @@ use crate::expr::{Expr, ExprGraph, Node, Purpose};
 pub fn forward(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row> {
     graph.begin(Purpose::Derivative);
     let needed = graph.reachable(roots);
+    let ids = graph.ids().filter(|id| needed[id.index()]);
     let turned = turned(graph, roots);
     let mut rows: Vec<Row> = vec![Row::new(); needed.len()];
-    for id in graph.ids().filter(|id| needed[id.index()]) {
+    for id in ids {
         graph.enter(graph.scope(id));
         if let Node::Input(input) = graph.node(id) {
             rows[id.index()] = seeds.get(&input).cloned().unwrap_or_default();

@@ -28,6 +28,10 @@ pub(super) fn partials(
             let one = graph.one();
             found.extend([a, b].map(|term| (term.node(), one.signed(term.is_negative()))));
         }
+        Node::Mul(a, b) if a == b => {
+            let two = graph.number(2.0);
+            found.push((a, graph.mul(two, Expr::of(a))));
+        }
         Node::Mul(a, b) => found.extend([(a, Expr::of(b)), (b, Expr::of(a))]),
         Node::Div(a, b) => {
             let reciprocal = graph.reciprocal(Expr::of(b));

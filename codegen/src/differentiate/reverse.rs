@@ -1,49 +1,85 @@
 //! From each root to the inputs: by how much it changes with each node.
 
 use super::{
+    entries::{Use, by_angle, entries},
     partials::partials,
     row::{Row, Seeds, added, scaled},
+    squares::squares,
     turned::turned,
 };
-use crate::expr::{Expr, ExprGraph, Node, Purpose};
+use crate::expr::{Expr, ExprGraph, Node, NodeId, Purpose};
 
 /// How each root changes with every variable.
 pub fn reverse(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row> {
     graph.begin(Purpose::Derivative);
-    let varies = varying(graph, seeds);
+    let ids: Vec<NodeId> = graph.ids().collect();
+    let squares = squares(graph, roots);
+    let varying = varying(graph, seeds);
+    let varies = |id: NodeId| varying[id.index()];
     let turned = turned(graph, roots);
-    // By how much the roots, by their places, change with each node.
-    let mut slopes: Vec<Row> = vec![Row::new(); varies.len()];
+    let entries = entries(graph, &turned, varies);
+    // By how much the roots, by their places, change with each node: of squares twice that, of entries the products that say so.
+    let mut slopes: Vec<Row> = vec![Row::new(); ids.len()];
+    let mut uses: Vec<Vec<Use>> = vec![Vec::new(); ids.len()];
     for (place, root) in roots.iter().enumerate() {
         let one = graph.one().signed(root.is_negative());
-        let at = root.node().index();
-        slopes[at] = added(graph, std::mem::take(&mut slopes[at]), vec![(place, one)]);
+        add(graph, &mut slopes[root.node().index()], vec![(place, one)]);
     }
+    let two = graph.number(2.0);
     let mut jacobian = vec![Row::new(); roots.len()];
-    let ids: Vec<_> = graph.ids().collect();
-    for id in ids.into_iter().rev().filter(|id| varies[id.index()]) {
-        let own = std::mem::take(&mut slopes[id.index()]);
+    for id in ids.into_iter().rev().filter(|id| varies(*id)) {
+        graph.enter(graph.scope(id));
+        let mut own = std::mem::take(&mut slopes[id.index()]);
+        if let Some((angle, slope)) = entries[id.index()] {
+            let uses = std::mem::take(&mut uses[id.index()]);
+            if let Some(row) = by_angle(graph, slope, &uses).filter(|_| own.is_empty()) {
+                add(graph, &mut slopes[angle.index()], row);
+                continue;
+            }
+            for Use { factor, of } in uses {
+                let term = scaled(graph, factor, &of);
+                add(graph, &mut own, term);
+            }
+        }
         if own.is_empty() {
             continue;
         }
-        graph.enter(graph.scope(id));
-        if let Node::Input(input) = graph.node(id) {
-            for (root, slope) in own {
-                let row = scaled(graph, slope, &seeds[&input]);
-                let before = std::mem::take(&mut jacobian[root]);
-                jacobian[root] = added(graph, before, row);
+        let operands = match graph.node(id) {
+            Node::Input(input) => {
+                for (root, slope) in own {
+                    let row = scaled(graph, slope, &seeds[&input]);
+                    add(graph, &mut jacobian[root], row);
+                }
+                continue;
             }
-            continue;
-        }
-        for (operand, slope) in partials(graph, id, turned[id.index()].as_ref(), |id| {
-            varies[id.index()]
-        }) {
-            let term = scaled(graph, slope, &own);
-            let before = std::mem::take(&mut slopes[operand.index()]);
-            slopes[operand.index()] = added(graph, before, term);
+            Node::Mul(a, b) if a == b => {
+                if !squares[id.index()] {
+                    own = scaled(graph, two, &own);
+                }
+                vec![(a, Expr::of(a))]
+            }
+            _ => partials(graph, id, turned[id.index()].as_ref(), varies),
+        };
+        for (operand, mut factor) in operands {
+            if squares[operand.index()] && !squares[id.index()] {
+                factor = graph.mul(two, factor);
+            }
+            if entries[operand.index()].is_some() {
+                let of = own.clone();
+                uses[operand.index()].push(Use { factor, of });
+            } else {
+                let term = scaled(graph, factor, &own);
+                add(graph, &mut slopes[operand.index()], term);
+            }
         }
     }
     jacobian
+}
+
+/// Adds a row to another.
+fn add(graph: &mut ExprGraph, sum: &mut Row, row: Row) {
+    let before = std::mem::take(sum);
+    *sum = added(graph, before, row);
 }
 
 /// For each node, whether it depends on a variable.
