@@ -226,6 +226,22 @@ fn second_derivatives_of_robots() {
         counts.retain(|(name, _)| name != "q_dot");
         write!(text, "{robot}\n{}", table(&counts)).unwrap();
     }
+    let [together, alone] = [
+        "ur5\ninverse_dynamics_and_vjp_inverse_dynamics_q_u_and_hessian_inverse_dynamics_q_u: ",
+        "\nhessian_inverse_dynamics_q_u: ",
+    ]
+    .map(|function| {
+        let count = text.split_once(function).unwrap().1;
+        let (count, _) = count.split_once(' ').unwrap();
+        format!("{},{}", &count[..1], &count[1..])
+    });
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/model.md");
+    let sentence =
+        format!("takes {together} operations, of which the second derivatives alone take {alone}.");
+    assert!(
+        fs::read_to_string(page).unwrap().contains(&sentence),
+        "{sentence}"
+    );
     insta::assert_snapshot!(text);
 }
 

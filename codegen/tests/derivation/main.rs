@@ -28,5 +28,6 @@ mod products;
 mod reference;
 mod sines;
 mod sparsity;
+mod sweeps;
 mod techniques;
 mod threads;
