@@ -123,7 +123,9 @@ fn sweeps_forward_and_back_give_the_derivatives_in_numbers() {
         let mut expected = Vec::new();
         for row in tangents(&graph, &roots, value, &of_numbers) {
             let mut dense = [0.0; VALUES.len()];
-            row.iter().for_each(|(place, entry)| dense[*place] = *entry);
+            for (place, entry) in row {
+                dense[place] = entry;
+            }
             expected.extend(dense);
         }
         // Some hundred operations of sums whose terms are at most a few hundred times as large.
