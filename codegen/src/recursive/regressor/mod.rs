@@ -6,6 +6,7 @@
 //! A body's `own` columns are those of its own parameters.
 
 mod column;
+mod order;
 mod own;
 mod shared;
 
@@ -29,6 +30,13 @@ use crate::{
 
 /// For each speed, body and parameter what `tau` has of it.
 pub fn regressor(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
+    let mut own = ExprGraph::default();
+    let entries = entries(&mut own, tree, plan);
+    order::by_columns(graph, &own, &entries, tree.bodies.len() * PARAMETERS.len())
+}
+
+/// The same, from body to body inward.
+fn entries(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Expr> {
     let tree = &*tree.with_whole_weights();
     let shared = shared::shared(graph, tree, plan);
     let whole = plan.with(Technique::Regroup, false);
