@@ -31,3 +31,4 @@ mod sparsity;
 mod sweeps;
 mod techniques;
 mod threads;
+mod waiting;
