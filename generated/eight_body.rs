@@ -65720,7 +65720,7 @@ impl<R: kane::Real> kane::functions::JointWrenches<R> for Prepared<R> {
 }
 
 /// Mass centre of all bodies, from the inertial origin: inertial components, m. Also known as centre of mass, com.
-/// Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.
+/// Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.
 ///
 /// Operations: 282 = 120 mul + 114 add + 0 div + 48 trig; formulation: recursive.
 #[allow(

@@ -378,7 +378,8 @@ pub trait HybridDynamics<R: Real>: System<R> {
 }
 
 function_traits! {
-    /// Mass centre of all bodies from the inertial origin, inertial components, m. Often called the centre of mass, `CoM`.
+    /// Mass centre of all bodies from the inertial origin, inertial components, m. Often called the centre of mass, `CoM`. Mass
+    /// that is fixed to the inertial frame does not count.
     ///
     /// Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.
     CenterOfMass: center_of_mass(q: &Self::Q, position: &mut [R; 3]);

@@ -12,6 +12,7 @@ use kane_codegen::{
     diagnostic::Source,
     error::Error,
     functions::{CompactBlock, Dimension, Packed, Request},
+    id::SpeedId,
     input,
     options::{Formulation, Options},
     recursive::Technique,
@@ -30,7 +31,7 @@ use super::{
 /// shape of the function's output: a number, a list, or nested lists, matrices by rows. A number that is not finite is
 /// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
 /// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
-/// `columns`, all from 0. Packed matrices come as `entries`, and `places`, the row and column of each, factors with the `order` of elimination. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
+/// `columns`, all from 0. Packed matrices come as `entries`, and `places`, the row and column of each, factors with the `order` of elimination; packed Jacobians with the `speeds` that their columns belong to. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "The state file holds what the function is given, in SI units:\n  \
@@ -151,6 +152,7 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlo
         };
         outputs.insert(name, json!(own.places(tree)));
     }
+    speeds(tree, function, &mut outputs);
     entries(tree, function, &mut outputs);
     if packed.contains(&Packed::Factors) {
         outputs.insert("order".to_owned(), json!(solve::elimination(tree)));
@@ -163,6 +165,25 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlo
     }
     let only = outputs.values().next().filter(|_| outputs.len() == 1);
     only.cloned().unwrap_or(Value::Object(outputs))
+}
+
+/// Adds which speeds the columns of packed Jacobians belong to, as places in `u`.
+fn speeds(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
+    let parts = function.parts().iter();
+    let packed = parts.filter(|part| part.function.writes(Dimension::FrameSpeeds));
+    let all: Vec<_> = packed
+        .filter_map(|part| Some((part.name(), part.subject.as_ref()?.speeds(tree))))
+        .collect();
+    let is_only = all.len() == 1;
+    for (name, own) in all {
+        let key = if is_only {
+            "speeds".to_owned()
+        } else {
+            format!("{name}_speeds")
+        };
+        let places = own.into_iter().map(SpeedId::index);
+        outputs.insert(key, places.collect());
+    }
 }
 
 /// Adds where the entries of packed derivatives stand, and the colours of their columns.

@@ -16,10 +16,9 @@ pub(crate) fn array(numbers: &[f64], lengths: &[usize]) -> Value {
     match lengths {
         [] => numbers.first().map(|number| number + 0.0).into(),
         [_] => numbers.iter().map(|number| number + 0.0).collect(),
-        [_, inner @ ..] => {
+        [rows, inner @ ..] => {
             let size: usize = inner.iter().product();
-            // A list of no columns has no rows to split.
-            let rows = numbers.chunks(size.max(1));
+            let rows = (0..*rows).map(|row| &numbers[row * size..][..size]);
             rows.map(|row| array(row, inner)).collect()
         }
     }

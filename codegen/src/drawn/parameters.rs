@@ -2,6 +2,7 @@
 //! sign.
 
 use crate::{
+    geometry,
     id::ParameterId,
     random::Random,
     tree::{Parameter, RigidPart, Tree, Units, Value, principal},
@@ -19,7 +20,8 @@ pub fn nominal(tree: &Tree) -> Vec<f64> {
     parameters.map(|parameter| parameter.nominal).collect()
 }
 
-/// Each value changed by a part of its own: of itself, or where it is zero of what the model has of its kind.
+/// Each value changed by a part of its own: of itself, or where it is zero of what the model has of its kind. Inertias stay those
+/// of real bodies, and rotations stay rotations.
 pub fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
     let (units, mut random) = (Units::of(tree), Random::new(seed));
     let changed = |parameter: &Parameter| match parameter.nominal {
@@ -29,6 +31,11 @@ pub fn changed(tree: &Tree, seed: u64) -> Vec<f64> {
     let mut values: Vec<f64> = tree.parameters.iter().map(changed).collect();
     for part in tree.bodies.iter().flat_map(|body| &body.parts) {
         for (parameter, value) in inertia(tree, &units, part, &mut random) {
+            values[parameter.index()] = value;
+        }
+    }
+    for turn in tree.markers.iter().filter_map(|frame| frame.turn) {
+        for (parameter, value) in turned(tree, turn, &mut random) {
             values[parameter.index()] = value;
         }
     }
@@ -59,6 +66,25 @@ fn scale(tree: &Tree, units: &Units, unit: &str) -> f64 {
     }
 }
 
+/// The entries of a rotation that are parameters, turned once more: about half a radian, and about no axis of its own.
+fn turned(tree: &Tree, turn: [[Value; 3]; 3], random: &mut Random) -> Vec<(ParameterId, f64)> {
+    let nominal = turn.map(|row| row.map(|entry| tree.nominal(entry)));
+    let [x, y, z] = [0; 3].map(|_| random.part());
+    let more = geometry::of_quaternion([1.0, x, y, z]).expect("its length is at least one");
+    let turned = geometry::then(&nominal, &more);
+    of_parameters(turn.as_flattened(), turned.as_flattened())
+}
+
+/// Those of the values that are parameters, with their numbers.
+fn of_parameters(values: &[Value], numbers: &[f64]) -> Vec<(ParameterId, f64)> {
+    let pairs = values.iter().zip(numbers);
+    let parameters = pairs.filter_map(|(value, &number)| match value {
+        Value::Baked(_) => None,
+        Value::Runtime(parameter) => Some((*parameter, number)),
+    });
+    parameters.collect()
+}
+
 /// The components of a part's inertia that are parameters, changed as far as the part stays a real one.
 fn inertia(
     tree: &Tree,
@@ -87,12 +113,7 @@ fn inertia(
         })
     });
     let found = candidates.into_iter().find(|&tensor| is_real(tensor));
-    let pairs = components.into_iter().zip(found.unwrap_or(nominal));
-    let parameters = pairs.filter_map(|(component, value)| match component {
-        Value::Baked(_) => None,
-        Value::Runtime(parameter) => Some((parameter, value)),
-    });
-    parameters.collect()
+    of_parameters(&components, &found.unwrap_or(nominal))
 }
 
 /// The inertia of a body that is stretched along each axis, and has a rod laid through it: whatever it was, it stays one of a

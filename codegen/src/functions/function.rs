@@ -158,7 +158,7 @@ impl Function {
     }
 
     /// True where an output has such a dimension.
-    pub(super) fn writes(&self, dimension: Dimension) -> bool {
+    pub fn writes(&self, dimension: Dimension) -> bool {
         self.outputs
             .iter()
             .any(|output| output.shape.has(dimension))

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::{
     argument::Argument,
-    candidate::Formulation,
+    candidate::{Candidate, Formulation},
     derivative::{Derivative, DerivativeKind},
     derived::Derived,
     function::{Function, Output},
@@ -18,7 +18,7 @@ use super::{
 use crate::{
     base_parameters,
     recursive::{Plan, Technique},
-    tree::{N_INERTIAL, Tree},
+    tree::{N_INERTIAL, Tree, Value},
 };
 
 /// What stands behind a frame whose own axes are meant.
@@ -182,7 +182,7 @@ impl Part {
         let of = (self.function.outputs, self.own_of_subject());
         derivative.sparsity(tree, of, |tree| {
             let mut derived = Derived::default();
-            let candidate = self.function.candidate(Formulation::Recursive);
+            let candidate = self.candidate(tree, Formulation::Recursive);
             let (plan, subject) = (Plan::plain(tree), self.subject.as_ref());
             candidate.derive_in(&mut derived, tree, &plan, subject);
             derived
@@ -375,6 +375,31 @@ impl Part {
         }
     }
 
+    /// By what it is derived. The recursion needs that the entries of a rotation are one's, which they are no more where one of
+    /// them changes alone.
+    fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
+        let formulation = if self.is_by_turn(tree) {
+            Formulation::Notes
+        } else {
+            wanted
+        };
+        self.function.candidate(formulation)
+    }
+
+    /// True where an entry of its frames' rotations is a variable.
+    fn is_by_turn(&self, tree: &Tree) -> bool {
+        let (Some(subject), Some(derivative)) = (&self.subject, &self.derivative) else {
+            return false;
+        };
+        let frames = subject.frames.iter();
+        let turns = frames.filter_map(|frame| tree.frame_turn(frame.frame));
+        let mut entries = turns.flat_map(|turn| turn.as_flattened());
+        entries.any(|entry| match entry {
+            Value::Baked(_) => false,
+            Value::Runtime(id) => derivative.by.iter().any(|variable| variable.has(*id)),
+        })
+    }
+
     /// Derives it after others, in the same graph, by its candidate of this formulation or by its first.
     pub(super) fn derive_in(
         &self,
@@ -383,7 +408,7 @@ impl Part {
         formulation: Formulation,
         plan: &Plan,
     ) {
-        let candidate = self.function.candidate(formulation);
+        let candidate = self.candidate(tree, formulation);
         let first = derived.roots.len();
         let in_own_way =
             candidate.formulation == Formulation::Recursive && plan.uses(Technique::Composite);

@@ -89,6 +89,15 @@ impl Variable {
         *self == Self::Given(Argument::Q)
     }
 
+    /// True where this value set at run time is an entry of it.
+    pub(super) fn has(&self, parameter: ParameterId) -> bool {
+        match self {
+            Self::Given(_) => false,
+            Self::Parameters => true,
+            Self::Parameter { id, .. } => *id == parameter,
+        }
+    }
+
     /// The direction along which it changes; `None` for one value set at run time.
     pub(super) fn direction(&self) -> Option<Argument> {
         match self {

@@ -175,8 +175,20 @@ impl Facts {
         n_angles.into_iter().chain(angles).collect()
     }
 
+    /// The constants that say how outputs are to be read: which entries packed ones have, and what their columns belong to.
+    pub fn output_constants(&self) -> Vec<Constant<'_>> {
+        [
+            self.packed_constants(),
+            self.base_parameter_constants(),
+            self.parameter_constants(),
+            self.frame_speed_constants(),
+            self.entry_constants(),
+        ]
+        .concat()
+    }
+
     /// The constants of modules in which matrices are packed, or factors of them.
-    pub fn packed_constants(&self) -> Vec<Constant<'_>> {
+    fn packed_constants(&self) -> Vec<Constant<'_>> {
         let packed = self.packed.iter().flat_map(|(packed, places)| {
             let length = self.sizes.named(packed.length_constant()).map(size);
             let places = constant(
@@ -241,7 +253,7 @@ impl Facts {
     }
 
     /// The constants of Jacobians: which speeds move the frames.
-    pub fn frame_speed_constants(&self) -> Vec<Constant<'_>> {
+    fn frame_speed_constants(&self) -> Vec<Constant<'_>> {
         let frames = self.frame_speeds.iter();
         let constants = frames.flat_map(|frame| {
             let speeds = Data::Integers(&frame.length, frame.speeds.clone());
@@ -253,7 +265,7 @@ impl Facts {
     }
 
     /// The constants of packed derivatives: which entries they have.
-    pub fn entry_constants(&self) -> Vec<Constant<'_>> {
+    fn entry_constants(&self) -> Vec<Constant<'_>> {
         let all = self.entries.iter();
         all.flat_map(|entries| self.constants_of(entries)).collect()
     }

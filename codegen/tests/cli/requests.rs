@@ -1,5 +1,7 @@
 //! Functions that a model cannot have as they are asked for.
 
+use serde_json::{Value, json};
+
 use super::project::{Project, model, system};
 
 /// The arm, with these functions in `kane.toml`.
@@ -128,4 +130,45 @@ fn function_of_the_default_set_may_be_named_beside_it() {
     let module = project.read("generated/arm.rs");
     assert_eq!(module.matches("pub fn rotation<").count(), 1);
     assert_eq!(module.matches("pub fn kinetic_energy<").count(), 1);
+}
+
+#[test]
+fn what_outputs_are_read_by_stands_in_the_manifest_and_what_eval_prints() {
+    let project = with_functions(
+        r#"["jacobian_packed(stand)", "jacobian_packed(fore)", "mass_matrix_packed", "base_regressor"]"#,
+    );
+    let config = project.read("kane.toml");
+    project.write("kane.toml", &(config + "manifest = true\nabi = \"c\"\n"));
+    let frame = "[[frame]]\nname = \"stand\"\n";
+    project.write("models/arm.toml", &(model("arm", "2.0") + frame));
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let manifest: Value = serde_json::from_str(&project.read("generated/arm.json")).unwrap();
+    let constants = &manifest["constants"];
+    assert_eq!(constants["STAND_SPEEDS"], json!([]));
+    assert_eq!(constants["FORE_SPEEDS"], json!([0, 1, 2]));
+    let n_base = constants["BASE_PARAMETERS"].as_array().unwrap().len();
+    let functions = manifest["functions"].as_array().unwrap();
+    let shape = |name: &str| {
+        let function = functions.iter().find(|function| function["name"] == name);
+        function.unwrap()["outputs"][0]["shape"].clone()
+    };
+    assert_eq!(shape("stand_jacobian_packed"), json!([3, 0]));
+    assert_eq!(shape("base_regressor"), json!([3, n_base]));
+    let places = constants["MASS_MATRIX_PACKED_PLACES"].as_array().unwrap();
+    assert_eq!(shape("mass_matrix_packed"), json!([places.len()]));
+    let header = project.read("generated/arm.h");
+    assert!(header.contains("there is none of this length.\n#define ARM_STAND_SPEEDS_LEN 0\n"));
+
+    let evaluated = |function: &str| -> Value {
+        let arguments = ["eval", "models/arm.toml", "-f", function, "-s", "-"];
+        let ran = project.kane_given(&arguments, r#"{"q": [0.1, 0.2, 0.3]}"#);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        serde_json::from_str(&ran.out).unwrap()
+    };
+    let rows = json!([[], [], []]);
+    let expected = json!({ "linear": rows, "angular": rows, "speeds": [] });
+    assert_eq!(evaluated("jacobian_packed(stand)"), expected);
+    let both = evaluated("jacobian_packed(stand) + jacobian_packed(fore)");
+    assert_eq!(both["fore_jacobian_packed_speeds"], json!([0, 1, 2]));
 }

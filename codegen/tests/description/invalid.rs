@@ -283,6 +283,7 @@ files! { FILES, description_is_refused:
     frame_called_as_a_body
     frame_in_unknown_body
     frame_that_is_no_rotation
+    frame_that_is_no_rotation_at_run_time
     frame_twice
     frame_with_unknown_key
     frame_without_name

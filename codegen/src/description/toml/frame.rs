@@ -38,7 +38,7 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Writt
     }
 }
 
-/// A rotation matrix by rows, or `{ runtime = [[..], [..], [..]] }`, which is used as it is.
+/// A rotation matrix by rows, or `{ runtime = [[..], [..], [..]] }`.
 fn rotation(reader: &mut Reader, frame: &Table<'_, '_>, item: &Item<'_>) -> Given<FrameRotation> {
     if item.get_ref().as_table().is_none() {
         let rotation = value::rotation(reader, frame, "rotation")?;
@@ -49,7 +49,8 @@ fn rotation(reader: &mut Reader, frame: &Table<'_, '_>, item: &Item<'_>) -> Give
     }
     let table = reader.table(item, &frame.what("rotation"), &["runtime"])?;
     let example = "{ runtime = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] }";
-    let nominal = reader.required(&table, "runtime", example)?;
-    let rows = value::matrix(reader, nominal, &table.what("runtime"))?;
-    Some(Spanned::new(FrameRotation::Runtime(rows), span(nominal)))
+    reader.required(&table, "runtime", example)?;
+    let nominal = value::rotation(reader, &table, "runtime")?;
+    let rows = FrameRotation::Runtime(nominal.value);
+    Some(Spanned::new(rows, nominal.span))
 }

@@ -16,7 +16,7 @@ pub(super) const CENTER_OF_MASS: Function = Function {
     outputs: &[Output::new("position", Shape::VECTOR)],
     doc: &[
         "Mass centre of all bodies, from the inertial origin: inertial components, m. Also known as centre of mass, com.",
-        "Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
+        "Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
     ],
     candidates: &[
         Candidate::plain(derive_center::center_of_mass),

@@ -77,7 +77,15 @@ impl Header<'_> {
             let Size {
                 name, value, brief, ..
             } = size;
-            format!("/// {brief}.\n#define {}{name} {value}\n", self.prefix)
+            let note = if self.empty.contains(name.as_str()) {
+                " C has no empty arrays: there is none of this length."
+            } else {
+                ""
+            };
+            format!(
+                "/// {brief}.{note}\n#define {}{name} {value}\n",
+                self.prefix
+            )
         };
         self.facts.sizes.0.iter().map(define).collect()
     }

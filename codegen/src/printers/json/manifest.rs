@@ -2,7 +2,10 @@
 //!
 //! What is known only of a compiled function, its stack and its size, is not here.
 
-use super::syntax::{list, object, string, strings};
+use super::{
+    constants,
+    syntax::{list, object, string, strings},
+};
 use crate::{
     functions::{N_BODIES, N_COORDINATES, N_SPEEDS},
     generate::OUTPUT_FORMAT,
@@ -44,6 +47,10 @@ pub(crate) fn text(module: &Module) -> String {
         let speeds = facts.speeds.iter().zip(prescribed);
         let speeds = speeds.filter_map(|(speed, is_prescribed)| is_prescribed.then_some(speed));
         members.insert(members.len() - 1, ("prescribed", strings(speeds)));
+    }
+    let constants = constants::member(facts).map(|member| ("constants", member));
+    if let Some(constants) = constants {
+        members.insert(members.len() - 1, constants);
     }
     let members = members.into_iter();
     let members: Vec<String> = members

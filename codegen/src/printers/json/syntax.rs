@@ -32,3 +32,8 @@ pub(super) fn object(members: &[(&str, String)]) -> String {
         .collect();
     format!("{{ {} }}", members.join(", "))
 }
+
+/// A number, with all digits that it needs to be read back.
+pub(super) fn number(number: f64) -> String {
+    format!("{number:?}")
+}

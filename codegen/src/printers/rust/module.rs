@@ -20,11 +20,7 @@ pub(crate) fn source(module: &Module) -> String {
         items.push(structures::sin_cos());
         items.push(function::item(facts, sin_cos));
     }
-    items.extend(constants::items(&facts.packed_constants()));
-    items.extend(constants::items(&facts.base_parameter_constants()));
-    items.extend(constants::items(&facts.parameter_constants()));
-    items.extend(constants::items(&facts.frame_speed_constants()));
-    items.extend(constants::items(&facts.entry_constants()));
+    items.extend(constants::items(&facts.output_constants()));
     items.extend(constants::items(facts.prescribed_constant().as_slice()));
     items.extend(frames::types(module));
     let functions = threads::map(&module.functions, |one| {

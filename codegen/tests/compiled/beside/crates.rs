@@ -35,8 +35,14 @@ pub(crate) struct Tested {
 impl Tested {
     /// Generates every function of a description.
     pub(crate) fn new(description: &str) -> Self {
+        Self::with(description, &[])
+    }
+
+    /// The same, with these requests beside.
+    pub(crate) fn with(description: &str, requests: &[&str]) -> Self {
+        let requests = requests.iter().map(|text| (*text).to_owned());
         let options = Options {
-            functions: Functions::All(Vec::new()),
+            functions: Functions::All(requests.collect()),
             companions: [CompanionKind::Tests].into(),
             module: "module".to_owned(),
             ..Options::default()

@@ -145,3 +145,32 @@ fn a_wrong_sign_before_a_parameter_that_is_zero() {
         assert_caught(&tested, &evaluated, &wrong);
     }
 }
+
+const TURNED_FRAME: &str = r#"
+[[frame]]
+name = "camera"
+body = "upper"
+position = [0.1, { runtime = 0.2 }, 0.3]
+rotation = { runtime = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]] }
+"#;
+
+/// Its nine numbers are those of a rotation in each state: of other numbers equations are not true.
+#[test]
+fn a_frame_that_is_turned_at_run_time() {
+    let requests = [
+        "pose(camera)",
+        "jacobian(camera, local)",
+        "jacobian(fore, camera)",
+        "jacobian_packed(fore, camera)",
+        "jacobian_dot_u(camera, local)",
+        "point_jacobian(camera)",
+        "generalized_force(camera)",
+        "operational_inverse_inertia(camera, fore)",
+        "imu(camera)",
+        "d(jacobian(camera, local))/d(q, parameters)",
+        "jvp(operational_inverse_inertia(camera); q, parameters)",
+        "vjp(imu(camera); q, u, parameters)",
+    ];
+    let tested = Tested::with(&format!("{ZEROS}{TURNED_FRAME}"), &requests);
+    tested.passes("the module as it is");
+}
