@@ -27,7 +27,8 @@ pub(super) fn entries(
         let found = match turned {
             None => slope_of_entry(graph, id),
             Some(turned) => {
-                let is_entry = !turned.by_others.iter().any(|(other, _)| varies(*other));
+                let mut others = turned.by_others.iter();
+                let is_entry = turned.holds(&varies) && !others.any(|(other, _)| varies(*other));
                 is_entry.then_some(turned.by_angle)
             }
         };

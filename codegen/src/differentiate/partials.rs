@@ -13,7 +13,7 @@ pub(super) fn partials(
     varies: impl Fn(NodeId) -> bool,
 ) -> Vec<(NodeId, Expr)> {
     let mut found = Vec::with_capacity(3);
-    if let Some(turned) = turned.filter(|turned| varies(turned.by_angle.0)) {
+    if let Some(turned) = turned.filter(|turned| turned.holds(&varies)) {
         found.push(turned.by_angle);
         found.extend(&turned.by_others);
         found.retain(|&(operand, _)| varies(operand));

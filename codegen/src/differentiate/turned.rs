@@ -2,7 +2,7 @@
 //!
 //! With the sine `s` and the cosine `c` of one angle, the derivative of `x' = c x - s y` by the angle is `-y'`, and that of
 //! `y' = s x + c y` is `x'`. A function that computes both needs no derivatives by sine and cosine. Of what is turned twice,
-//! `s (k s)` and `c (k s)` with a constant `k`, the derivatives are `2 c (k s)` and `k - 2 s (k s)`.
+//! `s (k s)` and `c (k s)`, the derivatives are `2 c (k s)` and `k - 2 s (k s)`, where `k` is no variable itself.
 
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 
@@ -13,6 +13,15 @@ pub(super) struct Turned {
     pub(super) by_angle: (NodeId, Expr),
     /// What is turned, with its sine or cosine.
     pub(super) by_others: Vec<(NodeId, Expr)>,
+    /// What is turned twice.
+    constant: Option<NodeId>,
+}
+
+impl Turned {
+    /// True where the component changes with its angle as this says.
+    pub(super) fn holds(&self, varies: impl Fn(NodeId) -> bool) -> bool {
+        varies(self.by_angle.0) && !self.constant.is_some_and(varies)
+    }
 }
 
 /// A sine or cosine times something.
@@ -59,6 +68,7 @@ fn once(graph: &ExprGraph, uses: &[u32], id: NodeId) -> Option<Turned> {
     (uses[slope.node().index()] > 0).then(|| Turned {
         by_angle: (terms[0].angle, slope),
         by_others: others.collect(),
+        constant: None,
     })
 }
 
@@ -89,6 +99,7 @@ fn twice(graph: &mut ExprGraph, uses: &[u32], id: NodeId) -> Option<Turned> {
     Some(Turned {
         by_angle: (outer.angle, slope),
         by_others: Vec::new(),
+        constant: Some(constant),
     })
 }
 

@@ -5,7 +5,7 @@
 use kane_codegen::{
     differentiate::{Row, Seeds, forward, reverse, tangents},
     expr::{Expr, ExprGraph, Input},
-    id::{CoordinateId, SpeedId},
+    id::{CoordinateId, ParameterId, SpeedId},
     program,
 };
 use kane_test_support::{
@@ -13,14 +13,15 @@ use kane_test_support::{
     random::Random,
 };
 
-/// `q[0]`, `q[1]`, and four of `u`.
-fn variables() -> [Input; 6] {
+/// `q[0]`, `q[1]`, four of `u`, and a value set at run time.
+fn variables() -> [Input; 7] {
     let [first, second] = [0, 1].map(|i| Input::Q(CoordinateId::new(i)));
     let [a, b, c, d] = [0, 1, 2, 3].map(|i| Input::U(SpeedId::new(i)));
-    [first, second, a, b, c, d]
+    let parameter = Input::Parameter(ParameterId::new(0));
+    [first, second, a, b, c, d, parameter]
 }
 
-const VALUES: [f64; 6] = [0.3, -1.1, 0.8, -0.7, 1.2, 0.4];
+const VALUES: [f64; 7] = [0.3, -1.1, 0.8, -0.7, 1.2, 0.4, 0.9];
 
 fn value(input: Input) -> f64 {
     let place = variables().iter().position(|variable| *variable == input);
@@ -31,7 +32,7 @@ fn value(input: Input) -> f64 {
 fn random_graph(seed: u64) -> (ExprGraph, Vec<Expr>) {
     let mut random = Random::new(seed);
     let mut graph = ExprGraph::default();
-    let [first, second, others @ ..] = variables().map(|input| graph.input(input));
+    let [first, second, others @ .., parameter] = variables().map(|input| graph.input(input));
     let sum = graph.add(first, second);
     let mut pool = others.to_vec();
     for _ in 0..12 {
@@ -41,7 +42,12 @@ fn random_graph(seed: u64) -> (ExprGraph, Vec<Expr>) {
             let negative = random.below(2) == 0;
             pool[random.below(pool.len())].signed(negative)
         });
-        let constant = graph.number(0.25 + f64::from(u8::try_from(random.below(8)).unwrap()) / 8.0);
+        let number = graph.number(0.25 + f64::from(u8::try_from(random.below(8)).unwrap()) / 8.0);
+        let constant = if random.below(3) == 0 {
+            graph.mul(number, parameter)
+        } else {
+            number
+        };
         let [of_sine, of_cosine] = [sine, cosine].map(|entry| graph.mul(constant, entry));
         let once = [(cosine, a), (sine, -b), (sine, a), (cosine, b)];
         let once = once.map(|(entry, other)| graph.mul(entry, other));
@@ -93,6 +99,8 @@ fn random_graph(seed: u64) -> (ExprGraph, Vec<Expr>) {
     (graph, vec![weighted, last, -pool[pool.len() - 2]])
 }
 
+type Sweep = fn(&mut ExprGraph, &[Expr], &Seeds) -> Vec<Row>;
+
 /// The rows in numbers, with their zeros.
 fn numbers(graph: &ExprGraph, rows: &[Row]) -> Vec<f64> {
     let mut numbers = Vec::new();
@@ -130,21 +138,12 @@ fn sweeps_forward_and_back_give_the_derivatives_in_numbers() {
         }
         // Some hundred operations of sums whose terms are at most a few hundred times as large.
         let tolerance = Tolerance::relative_beyond(1.0, 1e-11);
-        let mut of_forward = graph.clone();
-        let rows = forward(&mut of_forward, &roots, &seeds);
-        assert_close(
-            format!("forward, {seed}"),
-            &numbers(&of_forward, &rows),
-            &expected,
-            tolerance,
-        );
-        let rows = reverse(&mut graph, &roots, &seeds);
-        assert_close(
-            format!("back, {seed}"),
-            &numbers(&graph, &rows),
-            &expected,
-            tolerance,
-        );
+        for (way, sweep) in [("forward", forward as Sweep), ("back", reverse)] {
+            let mut graph = graph.clone();
+            let rows = sweep(&mut graph, &roots, &seeds);
+            let found = numbers(&graph, &rows);
+            assert_close(format!("{way}, {seed}"), &found, &expected, tolerance);
+        }
     }
 }
 
@@ -166,7 +165,7 @@ fn operations(graph: &mut ExprGraph, root: Expr) -> usize {
 #[test]
 fn an_entry_whose_partner_the_sweep_has_met_takes_a_product_and_a_sum() {
     let mut graph = ExprGraph::default();
-    let [angle, _, a, b, factor, _] = variables().map(|input| graph.input(input));
+    let [angle, _, a, b, factor, ..] = variables().map(|input| graph.input(input));
     let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
     let (first, second) = (graph.mul(cosine, a), graph.mul(sine, b));
     let component = graph.sub(first, second);
@@ -178,7 +177,7 @@ fn an_entry_whose_partner_the_sweep_has_met_takes_a_product_and_a_sum() {
 #[test]
 fn squares_take_their_two_from_constants() {
     let mut graph = ExprGraph::default();
-    let [_, _, a, b, factor, _] = variables().map(|input| graph.input(input));
+    let [_, _, a, b, factor, ..] = variables().map(|input| graph.input(input));
     let number = graph.number(0.3);
     let (first, second) = (graph.mul(a, a), graph.mul(b, b));
     let sum = graph.add(first, second);
