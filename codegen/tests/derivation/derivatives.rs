@@ -177,6 +177,58 @@ fn every_function_changes_as_its_derivatives_say() {
     }
 }
 
+/// What each of several variables has of a function's derivatives by all of them.
+fn shares(tree: &Tree, function: &Function, variables: &[String], whole: &[f64]) -> Vec<Vec<f64>> {
+    let request = request(tree, function.name);
+    let mut shares = vec![Vec::new(); variables.len()];
+    let mut rest = whole;
+    for lengths in request.lengths(tree, 0) {
+        let n_rows: usize = lengths.iter().product();
+        for (share, variable) in shares.iter_mut().zip(variables) {
+            let (own, others) = rest.split_at(n_rows * n_entries(tree, variable));
+            share.extend_from_slice(own);
+            rest = others;
+        }
+    }
+    shares
+}
+
+/// A variable that is not asked for is a constant to a sweep, which may differentiate what has it in another way.
+#[test]
+fn by_several_variables_at_once_it_changes_as_by_each_alone() {
+    for seed in trees::tried(501..=504) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        for function in CATALOGUE.iter().filter(|function| !function.is_compact()) {
+            let (name, variables) = (function.name, variables(&tree, function));
+            if variables.len() < 2 {
+                continue;
+            }
+            let by = |by: &str, plan: &Plan| {
+                values(
+                    &tree,
+                    &request(&tree, &format!("d({name})/d({by})")),
+                    plan,
+                    &state,
+                )
+            };
+            for (way, (_, plan)) in ways(&tree).iter().enumerate().skip(1) {
+                let whole = by(&variables.join(", "), plan);
+                let shares = shares(&tree, function, &variables, &whole);
+                for (variable, share) in variables.iter().zip(shares) {
+                    let error = relative(&share, &by(variable, plan));
+                    let allowed = if inverts(name) { INVERTED } else { EXACT };
+                    assert_within(
+                        format!("{seed}, {name} by {variable}, way {way}"),
+                        error,
+                        allowed,
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_named_parameter_has_the_column_of_all() {
     let (_, tree) = system(511);
