@@ -32,7 +32,9 @@ pub fn reverse(graph: &mut ExprGraph, roots: &[Expr], seeds: &Seeds) -> Vec<Row>
         let mut own = std::mem::take(&mut slopes[id.index()]);
         if let Some((angle, slope)) = entries[id.index()] {
             let uses = std::mem::take(&mut uses[id.index()]);
-            if let Some(row) = by_angle(graph, slope, &uses).filter(|_| own.is_empty()) {
+            if own.is_empty()
+                && let Some(row) = by_angle(graph, slope, &uses)
+            {
                 add(graph, &mut slopes[angle.index()], row);
                 continue;
             }

@@ -415,7 +415,7 @@ fn random_description(random: &mut Random) -> Description {
         rotation: Some(at(match random.below(3) {
             0 => FrameRotation::Baked(kane_codegen::geometry::IDENTITY),
             1 => FrameRotation::Baked(rotation(random)),
-            _ => FrameRotation::Runtime([(); 3].map(|()| [(); 3].map(|()| number(random)))),
+            _ => FrameRotation::Runtime(rotation(random)),
         })),
     };
     let lower_bodies = (0..n_bodies).map(|_| Some(at([-1, 0, 1, 2, 3][random.below(5)])));
