@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, ops::Range};
 use super::{
     argument::Argument,
     derived::Derived,
-    function::{Jacobians, Output},
+    function::Output,
     multiplier::Multiplier,
     shape::Shape,
     sparsity::{LazySparsity, Sparsity, dependences},
@@ -14,7 +14,7 @@ use super::{
 use crate::{
     differentiate::{Row, Seeds, forward, reverse},
     expr::{Expr, ExprGraph},
-    recursive::Plan,
+    solve::SpeedMatrix,
     tree::{Orientation, Tree},
 };
 
@@ -206,18 +206,17 @@ impl Derivative {
         }))
     }
 
-    /// Derives them by these, where all its variables are among what is told.
+    /// Derives them by these matrices, a matrix for each argument, where all its variables are among those.
     pub(super) fn by_jacobians(
         &self,
         derived: &mut Derived,
-        (tree, plan): (&Tree, &Plan),
-        jacobians: Jacobians,
+        tree: &Tree,
+        by: &[(Argument, SpeedMatrix)],
         sparsity: Option<&Sparsity>,
     ) -> bool {
-        let told = jacobians(&mut derived.graph, tree, plan);
         let find = |variable: &Variable| {
-            let mut told = told.iter();
-            let found = told.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
+            let mut by = by.iter();
+            let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
             Some(&found.1)
         };
         let found: Option<Vec<_>> = self.by.iter().map(find).collect();

@@ -1,6 +1,6 @@
 //! Derivatives of dynamics, put together from composite bodies and from what acts in joints.
 
-use super::{argument::Argument, derive, variable::Variable};
+use super::{argument::Argument, derive, function::Told, variable::Variable};
 use crate::{
     differentiate::{Seeds, forward},
     expr::{Expr, ExprGraph, Input, Purpose},
@@ -11,38 +11,28 @@ use crate::{
     tree::{Orientation, Tree, Value},
 };
 
-type Jacobians = Vec<(Argument, SpeedMatrix)>;
-
-pub(super) fn of_inverse_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+pub(super) fn of_inverse_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
     of_forces(graph, tree, plan, (Accelerations::Given, Loads::Absent))
 }
 
-pub(super) fn loaded_inverse_dynamics(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Jacobians {
+pub(super) fn loaded_inverse_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
     of_forces(graph, tree, plan, (Accelerations::Given, Loads::Given))
 }
 
-pub(super) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+pub(super) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
     of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Absent))
 }
 
-pub(super) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+pub(super) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
     of_accelerations(graph, tree, plan, Loads::Absent)
 }
 
-pub(super) fn loaded_forward_dynamics(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Jacobians {
+pub(super) fn loaded_forward_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
     of_accelerations(graph, tree, plan, Loads::Given)
 }
 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.
-fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Jacobians {
+fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Told {
     let zero = Accelerations::Zero;
     // What is said of the mass matrix does not depend on accelerations, so that it is there for them.
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads);
@@ -77,7 +67,10 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
         }
     }
     all.push((Argument::Tau, inverse));
-    all
+    Told {
+        by: all,
+        values: Some(u_dot),
+    }
 }
 
 /// The forces that bodies need where no speed changes: weight, less what lifts and the loads, and what motion needs. That is
@@ -184,14 +177,17 @@ fn of_forces(
     tree: &Tree,
     plan: &Plan,
     (accelerations, loads): (Accelerations<'_>, Loads),
-) -> Jacobians {
+) -> Told {
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
     if accelerations == Accelerations::Given {
         all.push((Argument::UDot, found.by_u_dot));
     }
     add_mechanics(graph, tree, plan, accelerations, &mut all);
-    all
+    Told {
+        by: all,
+        values: None,
+    }
 }
 
 /// Adds how springs, dampers, rotors and what lifts bodies change.
@@ -200,7 +196,7 @@ fn add_mechanics(
     tree: &Tree,
     plan: &Plan,
     accelerations: Accelerations<'_>,
-    all: &mut Jacobians,
+    all: &mut [(Argument, SpeedMatrix)],
 ) {
     let none = vec![graph.zero(); tree.n_speeds];
     let acting = derive::with_forces(graph, tree, Some(plan), accelerations, none);

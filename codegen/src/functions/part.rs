@@ -7,7 +7,7 @@ use super::{
     candidate::{Candidate, Formulation},
     derivative::{Derivative, DerivativeKind},
     derived::Derived,
-    function::{Function, Output},
+    function::{Function, Output, Told},
     packed::Packed,
     shape::{Dimension, Length, Shape},
     sparsity::Sparsity,
@@ -17,6 +17,7 @@ use super::{
 };
 use crate::{
     base_parameters,
+    expr::Expr,
     recursive::{Plan, Technique},
     tree::{N_INERTIAL, Tree, Value},
 };
@@ -400,14 +401,21 @@ impl Part {
         })
     }
 
-    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first.
+    /// True where the other is of derivatives that may need what this writes, and so tell it.
+    pub(super) fn may_be_told_by(&self, other: &Self) -> bool {
+        let is_solved = self.function.needed.is_some() && self.derivative.is_none();
+        is_solved && other.is_whole_derivative() && other.values().name() == self.name()
+    }
+
+    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Of derivatives the
+    /// values of the function, where they needed them.
     pub(super) fn derive_in(
         &self,
         derived: &mut Derived,
         tree: &Tree,
         formulation: Formulation,
         plan: &Plan,
-    ) {
+    ) -> Option<Vec<Expr>> {
         let candidate = self.candidate(tree, formulation);
         let first = derived.roots.len();
         let in_own_way =
@@ -416,9 +424,11 @@ impl Part {
             && self.is_whole_derivative()
             && let Some(derivative) = &self.derivative
             && let Some(jacobians) = self.function.derivatives
-            && derivative.by_jacobians(derived, (tree, plan), jacobians, self.sparsity(tree))
         {
-            return;
+            let Told { by, values } = jacobians(&mut derived.graph, tree, plan);
+            if derivative.by_jacobians(derived, tree, &by, self.sparsity(tree)) {
+                return values;
+            }
         }
         candidate.derive_in(derived, tree, plan, self.subject.as_ref());
         if let Some(derivative) = &self.derivative {
@@ -433,11 +443,12 @@ impl Part {
             {
                 let (of, needed) = ((tree, plan), (first, needed));
                 derivative.apply_to_solution(derived, of, needed, &multipliers);
-                return;
+                return None;
             }
             let is_reverse = plan.uses(Technique::Reverse);
             let own = (&multipliers[..], self.sparsity(tree));
             derivative.apply(derived, tree, (first, &sizes), is_reverse, own);
         }
+        None
     }
 }

@@ -15,7 +15,7 @@ use super::{
     variable::Variable,
 };
 use crate::{
-    expr::ExprGraph,
+    expr::{Expr, ExprGraph},
     recursive::{Plan, Technique},
     solve,
     tree::Tree,
@@ -309,13 +309,34 @@ impl Request {
         // Second derivatives go over a gradient that is carried back: one that is asked for beside them is the same.
         let back = plan.with(Technique::Reverse, true);
         let is_second = self.is_second_derivative();
-        for part in &self.parts {
+        let mut roots = vec![Vec::new(); self.parts.len()];
+        let mut told: Vec<(String, Vec<Expr>)> = Vec::new();
+        for place in self.order() {
+            let part = &self.parts[place];
+            if let Some((_, values)) = told.iter().find(|(of, _)| *of == part.name()) {
+                roots[place].clone_from(values);
+                continue;
+            }
             derived.graph.enter(None);
             let is_shared = is_second && part.is_gradient();
             let plan = if is_shared { &back } else { plan };
-            part.derive_in(&mut derived, tree, formulation, plan);
+            let values = part.derive_in(&mut derived, tree, formulation, plan);
+            told.extend(values.map(|values| (part.values().name(), values)));
+            roots[place] = std::mem::take(&mut derived.roots);
         }
+        derived.roots = roots.concat();
         derived
+    }
+
+    /// The places of the parts in the order in which they are derived: values come after derivatives that may tell them.
+    fn order(&self) -> Vec<usize> {
+        let is_told = |place: &usize| {
+            let mut others = self.parts.iter();
+            others.any(|other| self.parts[*place].may_be_told_by(other))
+        };
+        let (last, mut order): (Vec<_>, Vec<_>) = (0..self.parts.len()).partition(is_told);
+        order.extend(last);
+        order
     }
 }
 

@@ -168,6 +168,25 @@ fn derivatives_of_robots() {
     insta::assert_snapshot!(text);
 }
 
+/// The derivatives need the accelerations themselves.
+#[test]
+fn accelerations_beside_their_derivatives_cost_nothing() {
+    for robot in ["ur5", "panda"] {
+        let tree = model(&format!("tests/robots/{robot}/{robot}.urdf"));
+        for function in ["forward_dynamics", "loaded_forward_dynamics"] {
+            let derivatives = format!("d({function})/d(q, u, tau)");
+            let total = |request: &str| {
+                let functions = Functions::Named(vec![request.to_owned()]);
+                let mut counts = counts(&tree, functions, Formulation::Cheapest);
+                counts.retain(|(name, _)| name != "q_dot");
+                counts[0].1.total()
+            };
+            let together = total(&format!("{function} + {derivatives}"));
+            assert_eq!(together, total(&derivatives), "{robot}, {function}");
+        }
+    }
+}
+
 /// For each robot docs/performance.md has a row with so many cells, the empty ones at its ends among them, and the totals of these
 /// functions in these cells.
 fn are_on_the_page(text: &str, functions: &[(usize, &str)], n_cells: usize) {
