@@ -12,7 +12,6 @@ use kane_codegen::{
     diagnostic::Source,
     error::Error,
     functions::{CompactBlock, Dimension, Packed, Request},
-    id::SpeedId,
     input,
     options::{Formulation, Options},
     recursive::Technique,
@@ -146,11 +145,8 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlo
     }
     let packed = function.packed();
     for own in &packed {
-        let name = match &packed[..] {
-            [_] => "places".to_owned(),
-            _ => format!("{}_places", own.function()),
-        };
-        outputs.insert(name, json!(own.places(tree)));
+        let key = key("places", own.function(), packed.len() == 1);
+        outputs.insert(key, json!(own.places(tree)));
     }
     speeds(tree, function, &mut outputs);
     entries(tree, function, &mut outputs);
@@ -174,15 +170,9 @@ fn speeds(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
     let all: Vec<_> = packed
         .filter_map(|part| Some((part.name(), part.subject.as_ref()?.speeds(tree))))
         .collect();
-    let is_only = all.len() == 1;
-    for (name, own) in all {
-        let key = if is_only {
-            "speeds".to_owned()
-        } else {
-            format!("{name}_speeds")
-        };
-        let places = own.into_iter().map(SpeedId::index);
-        outputs.insert(key, places.collect());
+    for (name, own) in &all {
+        let places = own.iter().map(|speed| speed.index());
+        outputs.insert(key("speeds", name, all.len() == 1), places.collect());
     }
 }
 
@@ -194,17 +184,19 @@ fn entries(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
         .collect();
     let is_only = all.len() == 1 && !outputs.contains_key("places");
     for (name, own) in all {
-        let named = |kind: &str| {
-            if is_only {
-                kind.to_owned()
-            } else {
-                format!("{name}_{kind}")
-            }
-        };
-        outputs.insert(named("places"), json!(own.places));
+        outputs.insert(key("places", &name, is_only), json!(own.places));
         if let Some(colors) = &own.colors {
-            outputs.insert(named("colors"), json!(colors));
+            outputs.insert(key("colors", &name, is_only), json!(colors));
         }
+    }
+}
+
+/// What stands beside an output: with the function's name before it, where several have such a thing.
+fn key(kind: &str, function: &str, is_only: bool) -> String {
+    if is_only {
+        kind.to_owned()
+    } else {
+        format!("{function}_{kind}")
     }
 }
 
