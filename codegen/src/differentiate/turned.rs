@@ -13,7 +13,7 @@ pub(super) struct Turned {
     pub(super) by_angle: (NodeId, Expr),
     /// What is turned, with its sine or cosine.
     pub(super) by_others: Vec<(NodeId, Expr)>,
-    /// What is turned twice.
+    /// The `k` of what is turned twice, which must not vary.
     constant: Option<NodeId>,
 }
 

@@ -52,7 +52,7 @@ pub struct Function {
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
 pub(super) type Jacobians = fn(&mut ExprGraph, &Tree, &Plan) -> Told;
 
-/// How a function changes with what it is given, a matrix for each argument, and its values where these needed them.
+/// How a function changes with what it is given, a matrix for each argument; and its values, where the matrices needed them.
 #[derive(Debug)]
 pub(super) struct Told {
     pub(super) by: Vec<(Argument, SpeedMatrix)>,

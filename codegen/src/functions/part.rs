@@ -376,8 +376,8 @@ impl Part {
         }
     }
 
-    /// By what it is derived. The recursion needs that the entries of a rotation are one's, which they are no more where one of
-    /// them changes alone.
+    /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
+    /// alone.
     fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
         let formulation = if self.is_by_turn(tree) {
             Formulation::Notes
@@ -401,14 +401,14 @@ impl Part {
         })
     }
 
-    /// True where the other is of derivatives that may need what this writes, and so tell it.
+    /// True where `other` is derivatives of this function that may have computed its values.
     pub(super) fn may_be_told_by(&self, other: &Self) -> bool {
         let is_solved = self.function.needed.is_some() && self.derivative.is_none();
         is_solved && other.is_whole_derivative() && other.values().name() == self.name()
     }
 
-    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Of derivatives the
-    /// values of the function, where they needed them.
+    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns the values of
+    /// what it differentiates, where the derivatives needed them.
     pub(super) fn derive_in(
         &self,
         derived: &mut Derived,
