@@ -39,9 +39,6 @@ impl ExprGraph {
     /// What a number may be off by, relative to itself, and still count as one with all its digits.
     const DIGITS_LOST: f64 = 4.0 * f64::EPSILON;
 
-    /// A number that is no larger than so many bounds on its rounding is zero: the description's own digits were rounded too.
-    const CRUMB: f64 = 4.0;
-
     /// An empty graph with room for so many nodes, which then need not be moved.
     pub fn with_capacity(n_nodes: usize) -> Self {
         Self {
@@ -195,11 +192,8 @@ impl ExprGraph {
         self.overflowed
     }
 
-    /// A number that was computed from others; zero where rounding may have made all of it.
+    /// A number that was computed from others.
     fn folded(&mut self, number: Rounded) -> Expr {
-        if number.error.is_finite() && number.value.abs() <= Self::CRUMB * number.error {
-            return self.zero();
-        }
         let expr = self.number(number.value);
         let magnitude = number.value.abs();
         if number.error > Self::DIGITS_LOST * magnitude && magnitude > 0.0 {
