@@ -35,8 +35,8 @@ const ROUNDINGS: f64 = 10.0;
 /// A number that may be off by more shows nothing.
 const MOST_TOLERANCE: f64 = 1e300;
 
-/// What of the largest number of a row any other one may be off: the cosine of a right angle that folding made of constants
-/// is no zero, and the bound takes it for a number with all its digits.
+/// What of the largest number of a row any other one may be off, and what of that of an output a zero: the cosine of a right
+/// angle that folding made of constants is no zero, and the bound takes it for a number with all its digits.
 const CRUMBS: f64 = 8.0 * f64::EPSILON;
 
 /// States, and what each function of the module gives there, or which function has a value in it that f64 does not hold.
@@ -108,7 +108,9 @@ fn sampled(
             let own = std::mem::replace(&mut rest, others);
             // In an array of several dimensions what is small has rows of its own.
             let row = lengths.last().map_or(1, |&row| row.max(1));
-            let own: Vec<Rounded> = own.chunks(row).flat_map(with_crumbs).collect();
+            let largest = largest(&own);
+            let rows = own.chunks(row);
+            let own: Vec<Rounded> = rows.flat_map(|row| with_crumbs(row, largest)).collect();
             let sums = own.chunks(entries).map(sum);
             sums.map(|sum| (sum.value, sum.error)).collect()
         });
@@ -132,13 +134,25 @@ fn tolerated(numbers: &[Rounded], emitted: &[Rounded]) -> Vec<Rounded> {
     tolerated.collect()
 }
 
-fn with_crumbs(row: &[Rounded]) -> Vec<Rounded> {
-    let largest = row.iter().fold(0.0, |most: f64, x| most.max(x.value.abs()));
-    let with_crumbs = row.iter().map(|number| Rounded {
-        error: number.error + CRUMBS * largest,
-        ..*number
+fn with_crumbs(row: &[Rounded], largest_of_all: f64) -> Vec<Rounded> {
+    let largest_of_row = largest(row);
+    let with_crumbs = row.iter().map(|number| {
+        let largest = if number.value == 0.0 {
+            largest_of_all
+        } else {
+            largest_of_row
+        };
+        Rounded {
+            error: number.error + CRUMBS * largest,
+            ..*number
+        }
     });
     with_crumbs.collect()
+}
+
+fn largest(numbers: &[Rounded]) -> f64 {
+    let magnitudes = numbers.iter().map(|number| number.value.abs());
+    magnitudes.fold(0.0, f64::max)
 }
 
 /// As `kane::self_test` sums: one number is itself.
