@@ -23,6 +23,9 @@ const MOST_NODES: usize = 400_000;
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;
 
+/// The operations of a function whose machine code fits into a processor's first cache, of 32 kB. Beyond, time goes by bytes of code.
+const MOST_CACHED: usize = 3_500;
+
 /// What a sine costs above other operations: a plan that needs one angle more must save that much.
 const SINE: usize = 10;
 
@@ -56,10 +59,13 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
         let derived = candidate(tree, function, Formulation::Recursive, plan);
         operations(&derived).total()
     };
-    plans
-        .into_iter()
-        .min_by_key(count)
-        .expect("search: one plan is forward")
+    let best = plans.into_iter().min_by_key(count);
+    let best = best.expect("search: one plan is forward");
+    let is_long = best.uses(Technique::Composite) && count(&best) > MOST_CACHED;
+    best.with(
+        Technique::Lockstep,
+        is_long && !without.contains(&Technique::Lockstep),
+    )
 }
 
 /// The same, where nothing is differentiated.
@@ -93,6 +99,7 @@ fn from<'a>(
     left_out: &[Technique],
 ) -> Search<'a> {
     let mut plan = Plan::full(tree).with_parallel(None, false);
+    plan.set(Technique::Lockstep, false);
     for &technique in without.iter().chain(left_out) {
         plan.set(technique, false);
     }
@@ -267,7 +274,7 @@ impl Search<'_> {
                     Technique::LinkAxes | Technique::Fall => self.function.solves(),
                     Technique::Carriers => self.function.inverts(),
                     Technique::Inward => self.function.is_of_frames(),
-                    Technique::Composite | Technique::Reverse => false,
+                    Technique::Composite | Technique::Reverse | Technique::Lockstep => false,
                     _ => true,
                 };
                 if says_something && !without.contains(&technique) {

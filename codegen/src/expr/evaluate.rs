@@ -1,17 +1,32 @@
 //! The meaning of a graph: its value at given inputs. Every pass is tested against it.
 
-use super::{Expr, ExprGraph, Input, Node};
+use std::collections::BTreeMap;
+
+use super::{Expr, ExprGraph, Input, LANES, Node, Solved};
 use crate::number::Number;
 
 impl ExprGraph {
     /// The values of `roots` where `input` gives the inputs, in any kind of numbers.
     pub fn evaluate<N: Number>(&self, roots: &[Expr], mut input: impl FnMut(Input) -> N) -> Vec<N> {
+        self.evaluate_by(roots, &mut input)
+    }
+
+    /// The same, which helpers of calls go through in turn.
+    fn evaluate_by<N: Number>(&self, roots: &[Expr], input: &mut dyn FnMut(Input) -> N) -> Vec<N> {
         let needed = self.reachable(roots);
         let mut values = vec![N::constant(f64::NAN); self.len()];
+        let mut called = BTreeMap::new();
         for id in self.ids().filter(|id| needed[id.index()]) {
             let of = |expr: Expr| signed(expr, values[expr.node().index()]);
             values[id.index()] = match self.node(id) {
                 Node::Number(bits) => N::folded(self.rounded(id, f64::from_bits(bits))),
+                Node::Input(Input::Solved(solved)) => {
+                    let call = (solved.lockstep, solved.call);
+                    let lanes = called
+                        .entry(call)
+                        .or_insert_with(|| self.evaluate_call(solved, of));
+                    lanes[usize::from(solved.lane)][usize::from(solved.place)]
+                }
                 Node::Input(given) => input(given),
                 Node::Sin(a) => values[a.index()].sin_cos().0,
                 Node::Cos(a) => values[a.index()].sin_cos().1,
@@ -25,6 +40,24 @@ impl ExprGraph {
             .iter()
             .map(|&root| signed(root, values[root.node().index()]))
             .collect()
+    }
+
+    /// What a call computes for each column, where its operands have these values.
+    fn evaluate_call<N: Number>(
+        &self,
+        Solved { lockstep, call, .. }: Solved,
+        of: impl Fn(Expr) -> N,
+    ) -> [Vec<N>; LANES] {
+        let lockstep = self.lockstep(lockstep);
+        let call = &lockstep.calls[&call];
+        let helper = &lockstep.helpers[call.helper];
+        std::array::from_fn(|lane| {
+            helper.graph.evaluate_by(&helper.roots, &mut |input| match input {
+                Input::Shared(place) => of(lockstep.shared[place]),
+                Input::Side(place) => of(call.sides[place][lane]),
+                other => unreachable!("expr: a helper is not given {other:?}"),
+            })
+        })
     }
 }
 

@@ -1,8 +1,11 @@
 //! The graph: every constructor folds, shares, and keeps signs on references.
 
+use std::collections::BTreeMap;
+
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use super::{
+    lockstep::Lockstep,
     node::{Binding, Expr, Input, Label, Node, NodeId},
     purpose::Purpose,
 };
@@ -28,6 +31,8 @@ pub struct ExprGraph {
     lost: FxHashMap<NodeId, f64>,
     // Only ever looked up, so that nothing depends on hash order.
     pub(super) known: FxHashMap<Node, NodeId>,
+    /// Helpers and their calls, by number.
+    pub(super) locksteps: BTreeMap<u16, Lockstep>,
     scope: Option<BodyId>,
     purpose: Purpose,
     /// True while labels are hints.
@@ -97,7 +102,7 @@ impl ExprGraph {
         }
         for id in self.ids().rev() {
             if uses[id.index()] > 0 {
-                for operand in self.node(id).operands() {
+                for operand in self.operands(id) {
                     uses[operand.index()] += 1;
                 }
             }

@@ -10,6 +10,7 @@ mod copy;
 mod dump;
 mod evaluate;
 mod graph;
+mod lockstep;
 mod lookup;
 mod node;
 mod purpose;
@@ -17,6 +18,7 @@ mod vector;
 
 pub(crate) use evaluate::signed;
 pub use graph::ExprGraph;
+pub use lockstep::{Call, Helper, LANES, Lockstep, Solved};
 pub use node::{Binding, Expr, Input, Label, Node, NodeId};
 pub use purpose::Purpose;
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

@@ -1,5 +1,6 @@
 //! What the graph is made of: nodes, signed references to them, inputs, labels.
 
+use super::lockstep::Solved;
 use crate::id::{BodyId, CoordinateId, ParameterId, SpeedId};
 
 /// A node of an [`ExprGraph`](super::ExprGraph), in order of creation: operands have smaller ids.
@@ -61,6 +62,12 @@ pub enum Input {
     FrameForce(usize),
     /// A component of a moment on a frame.
     FrameMoment(usize),
+    /// In a helper of a lockstep: what all its columns share, by its place.
+    Shared(usize),
+    /// In a helper of a lockstep: what it is given of one column, by its place.
+    Side(usize),
+    /// What a call of a helper computes.
+    Solved(Solved),
     /// A number of a direction or multiplier, which a product with derivatives is given: of which, and its place there.
     Product(usize, usize),
     /// A field of `Parameters`.

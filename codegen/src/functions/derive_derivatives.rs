@@ -6,7 +6,7 @@ use crate::{
     expr::{Expr, ExprGraph, Input, Purpose},
     given::{self, Accelerations, Loads, mechanics, orientation},
     id::{BodyId, SpeedId},
-    recursive::{Plan, derivatives, gravity, inverse_dynamics},
+    recursive::{Plan, Technique, derivatives, gravity, inverse_dynamics},
     solve::{self, Carriers, SpeedMatrix},
     tree::{Orientation, Tree, Value},
 };
@@ -55,11 +55,16 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
             row[column] = graph.zero();
         }
     }
-    for (_, matrix) in &mut all {
-        let columns = transposed(matrix).into_iter();
-        let needed = columns.map(|column| column.into_iter().map(|entry| -entry).collect());
-        let needed: Vec<_> = needed.collect();
-        *matrix = transposed(&factors.solutions(graph, tree, &needed));
+    let columns = all.iter().flat_map(|(_, matrix)| transposed(matrix));
+    let needed = columns.map(|column| column.into_iter().map(|entry| -entry).collect());
+    let needed: Vec<_> = needed.collect();
+    let solved = if plan.uses(Technique::Lockstep) {
+        factors.solutions_in_lockstep(graph, tree, &needed)
+    } else {
+        factors.solutions(graph, tree, &needed)
+    };
+    for ((_, matrix), columns) in all.iter_mut().zip(solved.chunks(tree.n_speeds)) {
+        *matrix = transposed(columns);
     }
     for (speed, column) in turned {
         for (row, entry) in all[0].1.iter_mut().zip(column) {
@@ -166,7 +171,7 @@ fn floats(tree: &Tree, body: BodyId) -> bool {
     tree.lower(body).is_none() && is_free && !has_rotors && !tree.has_followers()
 }
 
-fn transposed(matrix: &SpeedMatrix) -> SpeedMatrix {
+fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
     let columns = 0..matrix.len();
     let column = |column| matrix.iter().map(|row| row[column]).collect();
     columns.map(column).collect()

@@ -87,6 +87,36 @@ impl Signature {
         }
     }
 
+    /// What a function runs on several columns, as a function of one: named after it, with a number.
+    pub fn helper(
+        of: &str,
+        number: usize,
+        given: [(&str, usize); 2],
+        (found, n_found): (&str, usize),
+    ) -> Self {
+        let [shared, sides] = given;
+        let argument = |(name, length), meaning| Declared {
+            lengths: vec![Length::Number(length)],
+            ..Declared::read(name, Element::Scalar, meaning)
+        };
+        let doc = format!(
+            "The accelerations that four columns of forces make, each column by itself: `{of}` calls it for columns that are zero on the same branches."
+        );
+        Self {
+            name: format!("{of}_lockstep_{number}"),
+            doc: vec![doc],
+            tables: Vec::new(),
+            arguments: vec![
+                argument(shared, "factors of the mass matrix"),
+                argument(sides, "forces of each column"),
+                Declared {
+                    lengths: vec![Length::Number(n_found)],
+                    ..Declared::written(found, Element::Scalar)
+                },
+            ],
+        }
+    }
+
     /// The function that others are given the result of.
     pub fn sin_cos() -> Self {
         let doc = "Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.";

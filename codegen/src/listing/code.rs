@@ -1,7 +1,7 @@
 //! From a program to statements: inputs are read where they are first needed, values stored as soon as they are there. A
 //! compiler needs a fifth less time for that than for all stores in one block, which it tries to make vectors of.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement,
@@ -10,7 +10,7 @@ use super::{
     stores::{Stores, is_field},
 };
 use crate::{
-    expr::Input,
+    expr::{Input, LANES},
     program::{Definition, Instruction, Operand, Operation, Program, ValueId},
     tree::Tree,
 };
@@ -41,6 +41,9 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entr
         stores: BTreeMap::new(),
         headings: headings::of(program, known.groups, known.tree),
         code: Code::default(),
+        shared: BTreeMap::new(),
+        n_calls: 0,
+        stored: BTreeSet::new(),
     };
     let Stores {
         of_values,
@@ -52,7 +55,9 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entr
     }
     // What is left to store was not needed before.
     for id in program.stores.iter().filter_map(|store| store.value()) {
-        writer.read(id);
+        if !writer.stored.contains(&id) {
+            writer.read(id);
+        }
     }
     writer.code.statements.extend(of_constants);
     writer.code
@@ -70,6 +75,19 @@ struct Writer<'a> {
     /// What stands before statements that are not written yet.
     headings: BTreeMap<ValueId, String>,
     code: Code,
+    /// What calls share, by their number.
+    shared: BTreeMap<usize, ArrayId>,
+    n_calls: usize,
+    /// What calls compute and is stored from their arrays.
+    stored: BTreeSet<ValueId>,
+}
+
+/// The name of one of several: the first has no number.
+fn numbered(name: &str, place: usize) -> String {
+    match place {
+        0 => name.to_owned(),
+        _ => format!("{name}_{}", place + 1),
+    }
 }
 
 impl Writer<'_> {
@@ -93,6 +111,13 @@ impl Writer<'_> {
                 (&[angle], &[sine], &[cosine]) => self.sin_cos(angle, sine, cosine),
                 (angles, sines, cosines) => self.sin_cos_arrays(angles, sines, cosines),
             },
+            Instruction::Share { lockstep, values } => self.share(*lockstep, values),
+            Instruction::Call {
+                lockstep,
+                helper,
+                sides,
+                results,
+            } => self.call((*lockstep, *helper), sides, results),
         }
     }
 
@@ -148,11 +173,7 @@ impl Writer<'_> {
         for id in angles.iter().filter_map(|angle| angle.value()) {
             self.read(id);
         }
-        let arrays = names.map(|name| {
-            let length = angles.len();
-            self.code.arrays.push(Array { name, length });
-            ArrayId::new(self.code.arrays.len() - 1)
-        });
+        let arrays = names.map(|name| self.array(name, angles.len(), None));
         let angles = angles.iter().map(|&angle| self.operand(angle)).collect();
         self.code.statements.push(Statement::SinCosArray {
             angles,
@@ -164,6 +185,61 @@ impl Writer<'_> {
             for (place, id) in values.iter().enumerate() {
                 let element = Expression::Element(array, place);
                 self.taken.extend(id.map(|id| (id, element)));
+            }
+        }
+    }
+
+    fn array(&mut self, name: String, length: usize, row: Option<usize>) -> ArrayId {
+        self.code.arrays.push(Array { name, length, row });
+        ArrayId::new(self.code.arrays.len() - 1)
+    }
+
+    /// Reads what stands in an array.
+    fn read_all(&mut self, operands: &[Operand]) -> Vec<Expression> {
+        for id in operands.iter().filter_map(|own| own.value()) {
+            self.read(id);
+        }
+        operands.iter().map(|&own| self.operand(own)).collect()
+    }
+
+    fn share(&mut self, lockstep: usize, values: &[Operand]) {
+        let values = self.read_all(values);
+        let name = self.free(numbered("shared", lockstep));
+        let shared = self.array(name, values.len(), None);
+        self.shared.insert(lockstep, shared);
+        let statement = Statement::Share { values, shared };
+        self.code.statements.push(statement);
+    }
+
+    /// A call; what it computes goes from its array to where it is stored.
+    fn call(
+        &mut self,
+        (lockstep, helper): (usize, usize),
+        sides: &[[Operand; LANES]],
+        results: &[[Option<ValueId>; LANES]],
+    ) {
+        let sides = self.read_all(sides.as_flattened());
+        let name = self.free(numbered("solved", self.n_calls));
+        self.n_calls += 1;
+        let results = results.as_flattened();
+        let solved = self.array(name, results.len(), Some(LANES));
+        self.code.statements.push(Statement::Call {
+            helper,
+            shared: self.shared[&lockstep],
+            sides,
+            solved,
+        });
+        for (place, id) in results.iter().enumerate() {
+            let Some(id) = *id else { continue };
+            let element = Expression::Element(solved, place);
+            self.taken.insert(id, element.clone());
+            for (place, operand) in self.stores.remove(&id).unwrap_or_default() {
+                let value = match operand.is_negative() {
+                    true => Expression::Negative(Box::new(element.clone())),
+                    false => element.clone(),
+                };
+                self.code.statements.push(Statement::Store { place, value });
+                self.stored.insert(id);
             }
         }
     }
@@ -253,7 +329,7 @@ impl Writer<'_> {
         }
         match (self.held[id.index()], self.program.value(id).definition) {
             (Some(local), _) => Expression::Local(local),
-            (None, Definition::Input(input @ Input::Prepared(_))) => {
+            (None, Definition::Input(input @ (Input::Prepared(_) | Input::Shared(_)))) => {
                 Expression::Entry((self.known.entry)(input))
             }
             (None, _) => unreachable!("listing: value {} is read before it is there", id.index()),

@@ -31,6 +31,8 @@ pub struct Function {
     pub code: Code,
     /// The same in parts, where it is long.
     pub stages: Vec<Stage>,
+    /// What it runs on several columns, as functions of one column.
+    pub helpers: Vec<Self>,
 }
 
 impl Function {
@@ -48,6 +50,7 @@ impl Function {
             fused: 0,
             code,
             stages: Vec::new(),
+            helpers: Vec::new(),
         }
     }
 

@@ -18,6 +18,8 @@ pub struct Array {
     pub name: String,
     /// How many.
     pub length: usize,
+    /// How many stand in a row, where it is made of rows.
+    pub row: Option<usize>,
 }
 
 /// A local, by its place among [`Code::locals`](super::Code::locals).
@@ -27,6 +29,17 @@ pub struct LocalId(u32);
 /// A local array, by its place among [`Code::arrays`](super::Code::arrays).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ArrayId(u32);
+
+impl Array {
+    /// A name for an element.
+    pub(super) fn element(&self, place: usize) -> String {
+        let Self { name, row, .. } = self;
+        match row {
+            Some(row) => format!("{name}_{}_{}", place / row, place % row),
+            None => format!("{name}_{place}"),
+        }
+    }
+}
 
 impl LocalId {
     /// The local at this place.

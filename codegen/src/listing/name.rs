@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 48] = [
+pub const RESERVED: [&str; 49] = [
     "acceleration",
     "accelerations",
     "alpha",
@@ -33,6 +33,7 @@ pub const RESERVED: [&str; 48] = [
     "inverse",
     "inverse_inertia",
     "jacobian",
+    "lane",
     "linear",
     "loads",
     "m",
@@ -90,7 +91,7 @@ pub(super) fn names<'a>(
     for (value, name) in program.values.iter().zip(&mut names) {
         match value.definition {
             // Read where it stands.
-            Definition::Input(Input::Prepared(_)) | Definition::Instruction => {}
+            Definition::Input(Input::Prepared(_) | Input::Shared(_)) | Definition::Instruction => {}
             Definition::Input(input) => *name = unique(known.input(tree, input), &mut taken),
         }
     }

@@ -80,6 +80,28 @@ fn ranges(code: &Code) -> Vec<Range<usize>> {
     ranges
 }
 
+/// The statements of a stage. What calls share stands in every stage that has such a call, and in no other.
+fn statements<'a>(code: &'a Code, range: &Range<usize>) -> Vec<&'a Statement> {
+    let of_array = |wanted: ArrayId| {
+        let mut all = code.statements.iter();
+        all.find(|own| matches!(own, Statement::Share { shared, .. } if *shared == wanted))
+    };
+    let mut met = BTreeSet::new();
+    let mut statements = Vec::with_capacity(range.len());
+    for statement in &code.statements[range.clone()] {
+        match statement {
+            Statement::Share { .. } => {}
+            Statement::Call { shared, .. } => {
+                let is_new = met.insert(*shared);
+                statements.extend(of_array(*shared).filter(|_| is_new));
+                statements.push(statement);
+            }
+            _ => statements.push(statement),
+        }
+    }
+    statements
+}
+
 /// What a stage may hand on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Passed {
@@ -116,13 +138,12 @@ impl Flow {
         };
         let mut kept = vec![BTreeSet::new(); ranges.len()];
         for (stage, range) in ranges.iter().enumerate() {
-            for statement in &code.statements[range.clone()] {
+            for statement in statements(code, range) {
                 for local in statement.assigned() {
                     flow.locals[local.index()] = stage;
                 }
-                if let Statement::SinCosArray { sines, cosines, .. } = statement {
-                    flow.arrays[sines.index()] = stage;
-                    flow.arrays[cosines.index()] = stage;
+                for array in statement.filled() {
+                    flow.arrays[array.index()] = stage;
                 }
                 for_each(statement, &mut |expression| {
                     if let Some(value) = Passed::of(expression)
@@ -196,7 +217,7 @@ impl<'a> Cut<'a> {
         range: Range<usize>,
     ) -> Self {
         let (mut given, mut earlier) = (BTreeSet::new(), BTreeSet::new());
-        for statement in &whole.statements[range.clone()] {
+        for statement in statements(whole, &range) {
             given.extend(statement.stored().map(|entry| entry.argument));
             for_each(statement, &mut |expression| {
                 if let Expression::Entry(entry) = expression {
@@ -221,7 +242,7 @@ impl<'a> Cut<'a> {
     }
 
     fn stage(mut self) -> Stage {
-        for statement in &self.whole.statements[self.range.clone()] {
+        for statement in statements(self.whole, &self.range) {
             let statement = self.statement(statement);
             self.code.statements.push(statement);
         }
@@ -232,7 +253,7 @@ impl<'a> Cut<'a> {
                 value: Expression::Local(self.locals[&id]),
             },
             Passed::Element(id, place) => Kept {
-                name: free(self.whole, format!("{}_{place}", self.whole.array(id).name)),
+                name: free(self.whole, self.whole.array(id).element(place)),
                 value: Expression::Element(self.arrays[&id], place),
             },
         });
@@ -291,6 +312,22 @@ impl<'a> Cut<'a> {
                     cosines,
                 }
             }
+            Statement::Share { values, shared } => {
+                let values = values.iter().map(|value| self.expression(value)).collect();
+                let shared = self.array(*shared);
+                Statement::Share { values, shared }
+            }
+            Statement::Call {
+                helper,
+                shared,
+                sides,
+                solved,
+            } => Statement::Call {
+                sides: sides.iter().map(|side| self.expression(side)).collect(),
+                helper: *helper,
+                shared: self.arrays[shared],
+                solved: self.array(*solved),
+            },
             Statement::StoreSinCos {
                 angles,
                 sines,

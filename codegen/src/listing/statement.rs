@@ -50,6 +50,24 @@ pub enum Statement {
         /// Where their cosines go.
         cosines: Vec<Entry>,
     },
+    /// What several calls are given alike.
+    Share {
+        /// The numbers.
+        values: Vec<Expression>,
+        /// What holds them.
+        shared: ArrayId,
+    },
+    /// A helper of the function is run on several columns.
+    Call {
+        /// The helper, by its place.
+        helper: usize,
+        /// What it is given of all columns.
+        shared: ArrayId,
+        /// What it is given of each, a row for each number, with one of every lane.
+        sides: Vec<Expression>,
+        /// What it computes, in such rows.
+        solved: ArrayId,
+    },
     /// A number goes to its place in an output.
     Store {
         /// The place.
@@ -89,9 +107,23 @@ impl Statement {
             Self::SinCos { sine, cosine, .. } => [*sine, *cosine],
             Self::SinCosArray { .. }
             | Self::StoreSinCos { .. }
+            | Self::Share { .. }
+            | Self::Call { .. }
             | Self::Store { .. }
             | Self::Heading(_)
             | Self::Fence => [None; 2],
+        };
+        pair.into_iter().flatten()
+    }
+
+    /// The arrays that it fills.
+    pub fn filled(&self) -> impl Iterator<Item = ArrayId> + use<> {
+        let pair = match self {
+            Self::SinCosArray { sines, cosines, .. } => [Some(*sines), Some(*cosines)],
+            Self::Share { shared: array, .. } | Self::Call { solved: array, .. } => {
+                [Some(*array), None]
+            }
+            _ => [None; 2],
         };
         pair.into_iter().flatten()
     }
@@ -102,6 +134,8 @@ impl Statement {
             Self::Assign { value, .. } | Self::Store { value, .. } => std::slice::from_ref(value),
             Self::SinCos { angle, .. } => std::slice::from_ref(angle),
             Self::SinCosArray { angles, .. } | Self::StoreSinCos { angles, .. } => angles,
+            Self::Share { values, .. } => values,
+            Self::Call { sides, .. } => sides,
             Self::Heading(_) | Self::Fence => &[],
         }
     }

@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::{Code, Entry, Expression, Extent, Facts, Function, Stage, Statement};
-use crate::functions::{Access, Signature};
+use crate::{
+    expr::LANES,
+    functions::{Access, Signature},
+};
 
 /// A broken promise of a function.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -33,9 +36,12 @@ pub enum Fault {
     /// An element of an array that it does not have.
     #[error("`{0}` has no element {1}")]
     NoElement(String, usize),
-    /// As many sines or cosines as angles are taken together, and as many are kept.
-    #[error("{0} angles have {1} sines or cosines")]
+    /// As many numbers as an array has, and as many sines or cosines as angles.
+    #[error("{0} numbers or angles have places for {1}")]
     Lengths(usize, usize),
+    /// A helper that is called and not there.
+    #[error("helper {0} is called, which is not there")]
+    NoHelper(usize),
     /// What is stored has no place in an output.
     #[error("{0:?} is stored, which is nothing that the function writes")]
     Unwritable(Entry),
@@ -72,6 +78,8 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
         stages,
         ..
     } = function;
+    function.helpers.iter().try_for_each(|own| verify(facts, own))?;
+    check_calls(facts, function)?;
     let whole = State::after(facts, signature, code, &[], unstored(facts, signature))?;
     check_stored(&whole.close()?)?;
     if stages.is_empty() {
@@ -82,6 +90,32 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
         stored = verify_stage(facts, &stages[..place], stage, stored)?;
     }
     check_stored(&stored)
+}
+
+/// Checks that helpers that are called are there, and are given and compute what an array holds, of every lane.
+fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
+    let Function { code, helpers, .. } = function;
+    for statement in &code.statements {
+        if let Statement::Call {
+            helper,
+            shared,
+            sides,
+            solved,
+        } = statement
+        {
+            let helper = helpers.get(*helper).ok_or(Fault::NoHelper(*helper))?;
+            let arguments = helper.signature.arguments.iter();
+            let sizes = arguments.map(|argument| facts.extent(argument).size());
+            let sizes: Vec<usize> = sizes.collect();
+            let [n_shared, n_sides, n_solved] = sizes[..] else {
+                return Err(Fault::NoHelper(helpers.len()));
+            };
+            check_lengths(n_shared, code.array(*shared).length)?;
+            check_lengths(LANES * n_sides, sides.len())?;
+            check_lengths(LANES * n_solved, code.array(*solved).length)?;
+        }
+    }
+    Ok(())
 }
 
 /// What is stored after a stage; `stored` is what those before it have stored.
@@ -211,6 +245,17 @@ impl<'a, 's> State<'a, 's> {
                     check_lengths(angles.len(), array.length)?;
                     assign(&mut self.arrays[id.index()], &array.name)?;
                 }
+            }
+            Statement::Share { values, shared } => {
+                let array = self.code.array(*shared);
+                check_lengths(values.len(), array.length)?;
+                assign(&mut self.arrays[shared.index()], &array.name)?;
+            }
+            Statement::Call { shared, solved, .. } => {
+                let array = self.code.array(*shared);
+                read(&mut self.arrays[shared.index()], &array.name)?;
+                let array = self.code.array(*solved);
+                assign(&mut self.arrays[solved.index()], &array.name)?;
             }
             Statement::StoreSinCos {
                 angles,

@@ -7,6 +7,7 @@ use super::{
     code::ProgramContext,
     function::places,
     group::Groups,
+    helper,
     name::{self, Counted},
     stages,
 };
@@ -19,7 +20,7 @@ use crate::{
 };
 
 /// The argument's name, and the steps in it, of what a function is given.
-type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
+pub(super) type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
 
 /// What functions are made from.
 pub(super) struct Writer<'a> {
@@ -48,6 +49,8 @@ impl<'a> Writer<'a> {
         let given = self.given(&arguments);
         let code = self.code(program, (&signature, &given), places, Counted::InFunction);
         let stages = stages::of(&signature, &code);
+        let helpers = (0..program.helpers.len()).map(|place| self.helper(&signature, program, place));
+        let helpers = helpers.collect();
         Function {
             arguments,
             alone: request.alone().cloned(),
@@ -57,8 +60,19 @@ impl<'a> Writer<'a> {
             has_choice: request.formulations().len() > 1,
             fused: program.fused(),
             stages,
+            helpers,
             ..Function::plain(signature, emittable.operations, code)
         }
+    }
+
+    /// What a function runs on several columns.
+    fn helper(&self, of: &Signature, program: &Program, place: usize) -> Function {
+        let signature = helper::signature(&of.name, program, place);
+        let own = &program.helpers[place];
+        let given = helper::entries(&signature, own);
+        let places = places(&signature, self.facts);
+        let code = self.code(own, (&signature, &given), places, Counted::InFunction);
+        Function::helper(signature, own, code)
     }
 
     /// The pattern that stands before a function: before the first that writes such an output.

@@ -56,7 +56,7 @@ pub fn run(
         .ids()
         .filter(|id| needed[id.index()] && old.binding(*id) == Binding::State)
     {
-        for operand in old.node(id).operands() {
+        for operand in old.operands(id) {
             boundary[operand.index()] = true;
         }
     }

@@ -1,6 +1,6 @@
 //! Rebuilding a graph node by node, from which each pass departs where it knows better.
 
-use crate::expr::{Expr, ExprGraph, NodeId};
+use crate::expr::{Expr, ExprGraph, Input, Node, NodeId};
 
 /// The nodes of an old graph, as expressions of a new one.
 #[derive(Debug)]
@@ -29,6 +29,9 @@ impl Rebuilt {
 
     /// The node as it was, of rebuilt operands.
     pub(super) fn copy(&self, graph: &mut ExprGraph, old: &ExprGraph, id: NodeId) -> Expr {
+        if let Node::Input(Input::Solved(solved)) = old.node(id) {
+            graph.take_call(old, solved, |expr| self.expr(expr));
+        }
         graph.copied(old.node(id), |operand| self.node(operand))
     }
 }

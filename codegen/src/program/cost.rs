@@ -3,6 +3,7 @@
 use std::{fmt, ops::AddAssign};
 
 use super::{Instruction, Operation, Program};
+use crate::expr::LANES;
 
 /// How many operations of each kind a program performs. Signs, absolute values, copies and stores count nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,6 +67,12 @@ impl Program {
                     Operation::Div(..) => operations.div += 1,
                     Operation::Abs(_) | Operation::Neg(_) => {}
                 },
+                Instruction::Share { .. } => {}
+                // All lanes count, those without a column too.
+                Instruction::Call { helper, .. } => {
+                    let own = self.helpers[*helper].operations();
+                    (0..LANES).for_each(|_| operations += own);
+                }
             }
         }
         operations
@@ -73,15 +80,14 @@ impl Program {
 
     /// How many pairs of a multiplication and an addition are fused; both count among [`Self::operations`].
     pub fn fused(&self) -> usize {
-        let fused = self.instructions.iter().filter(|instruction| {
-            matches!(
-                instruction,
-                Instruction::Compute {
-                    operation: Operation::MulAdd(..),
-                    ..
-                }
-            )
-        });
-        fused.count()
+        let of_one = |instruction: &Instruction| match instruction {
+            Instruction::Compute {
+                operation: Operation::MulAdd(..),
+                ..
+            } => 1,
+            Instruction::Call { helper, .. } => LANES * self.helpers[*helper].fused(),
+            _ => 0,
+        };
+        self.instructions.iter().map(of_one).sum()
     }
 }

@@ -1,17 +1,28 @@
 //! The meaning of a program: what it stores. Flattening is tested against the graph's own meaning.
 
+use std::collections::BTreeMap;
+
 use super::{Definition, Instruction, Operand, Operation, Program};
-use crate::{expr::Input, number::Number};
+use crate::{
+    expr::{Input, LANES},
+    number::Number,
+};
 
 impl Program {
     /// The stored values where `input` gives the inputs, in any kind of numbers.
     pub fn evaluate<N: Number>(&self, mut input: impl FnMut(Input) -> N) -> Vec<N> {
+        self.evaluate_by(&mut input)
+    }
+
+    /// The same, which helpers go through in turn.
+    fn evaluate_by<N: Number>(&self, input: &mut dyn FnMut(Input) -> N) -> Vec<N> {
         let mut values = vec![N::constant(f64::NAN); self.values.len()];
         for (value, slot) in self.values.iter().zip(&mut values) {
             if let Definition::Input(given) = value.definition {
                 *slot = input(given);
             }
         }
+        let mut shared = BTreeMap::new();
         for instruction in &self.instructions {
             match instruction {
                 Instruction::Compute { result, operation } => {
@@ -35,6 +46,33 @@ impl Program {
                         let (sine, cosine) = read(&values, angle).sin_cos();
                         for (result, number) in [(sines[place], sine), (cosines[place], cosine)] {
                             if let Some(result) = result {
+                                values[result.index()] = number;
+                            }
+                        }
+                    }
+                }
+                Instruction::Share {
+                    lockstep,
+                    values: given,
+                } => {
+                    let given = given.iter().map(|&own| read(&values, own));
+                    shared.insert(lockstep, given.collect::<Vec<_>>());
+                }
+                Instruction::Call {
+                    lockstep,
+                    helper,
+                    sides,
+                    results,
+                } => {
+                    let shared = &shared[lockstep];
+                    for lane in 0..LANES {
+                        let found = self.helpers[*helper].evaluate_by(&mut |input| match input {
+                            Input::Shared(place) => shared[place],
+                            Input::Side(place) => read(&values, sides[place][lane]),
+                            other => unreachable!("program: a helper is not given {other:?}"),
+                        });
+                        for (result, number) in results.iter().zip(found) {
+                            if let Some(result) = result[lane] {
                                 values[result.index()] = number;
                             }
                         }

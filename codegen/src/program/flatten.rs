@@ -4,27 +4,34 @@
 //! is computed as their sum. The sign then passes on to what uses the value and ends in a subtraction or a store.
 //! Sines and cosines are taken first, all angles together.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
 use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
 use crate::{
-    expr::{Expr, ExprGraph, Node, NodeId},
+    expr::{self, Expr, ExprGraph, Input, LANES, Node, NodeId, Solved},
     id::BodyId,
 };
 
 /// The program that stores `roots`.
 pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
+    let needed = graph.reachable(roots);
+    // What calls read is stored for them.
+    let mut stored_roots = graph.called(|id| needed[id.index()]);
+    stored_roots.extend(roots);
     let mut flattening = Flattening {
         graph,
         sines: sines(graph, roots),
-        needed: graph.reachable(roots),
-        wanted: wanted_signs(graph, roots),
-        stored: stored(graph, roots),
+        wanted: wanted_signs(graph, &stored_roots),
+        stored: stored(graph, &stored_roots),
+        solved: solved(graph, &needed),
+        needed,
+        helpers: Vec::new(),
         operands: vec![None; graph.len()],
         program: Program {
             values: Vec::new(),
             instructions: Vec::new(),
             stores: Vec::new(),
+            helpers: Vec::new(),
         },
     };
     flattening.ready_sines();
@@ -47,6 +54,10 @@ struct Flattening<'a> {
     wanted: Vec<bool>,
     /// For each node that is stored, whether its negative is.
     stored: Vec<Option<bool>>,
+    /// What is needed of each call that was not made yet.
+    solved: BTreeMap<(u16, u16), Vec<(Solved, NodeId)>>,
+    /// The helpers that are among the program's, in their order.
+    helpers: Vec<Arc<expr::Helper>>,
     /// The nodes already flattened, as signed values.
     operands: Vec<Option<Operand>>,
     program: Program,
@@ -99,6 +110,10 @@ impl Flattening<'_> {
         let of = |id| Expr::of(id);
         match self.graph.node(id) {
             Node::Number(bits) => Operand::Number(f64::from_bits(bits)),
+            Node::Input(Input::Solved(solved)) => {
+                self.call(solved);
+                self.operands[id.index()].expect("program: a call holds what is needed of it")
+            }
             Node::Input(input) => Operand::Value {
                 id: self.value(Definition::Input(input), id, false),
                 negative: false,
@@ -190,6 +205,54 @@ impl Flattening<'_> {
         }
     }
 
+    /// The call that computes a number, with all that is needed of it.
+    fn call(&mut self, Solved { lockstep, call, .. }: Solved) {
+        let of = self.graph.lockstep(lockstep);
+        let number = usize::from(lockstep);
+        let is_shared = self.program.instructions.iter().any(
+            |own| matches!(own, Instruction::Share { lockstep, .. } if *lockstep == number),
+        );
+        if !is_shared {
+            let values = of.shared.iter().map(|&own| self.expr(own)).collect();
+            self.program.instructions.push(Instruction::Share {
+                lockstep: number,
+                values,
+            });
+        }
+        let expr::Call { helper, sides } = &of.calls[&call];
+        let own = &of.helpers[*helper];
+        let mut results = vec![[None; LANES]; own.roots.len()];
+        for (solved, id) in self.solved.remove(&(lockstep, call)).unwrap_or_default() {
+            let result = self.value(Definition::Instruction, id, false);
+            results[usize::from(solved.place)][usize::from(solved.lane)] = Some(result);
+            self.operands[id.index()] = Some(Operand::Value {
+                id: result,
+                negative: false,
+            });
+        }
+        let helper = self.helper(own);
+        let sides = sides.iter().map(|row| row.map(|own| self.expr(own)));
+        let call = Instruction::Call {
+            lockstep: number,
+            helper,
+            sides: sides.collect(),
+            results,
+        };
+        self.program.instructions.push(call);
+    }
+
+    /// The place of a helper among the program's.
+    fn helper(&mut self, own: &Arc<expr::Helper>) -> usize {
+        let mut known = self.helpers.iter();
+        if let Some(place) = known.position(|known| Arc::ptr_eq(known, own)) {
+            return place;
+        }
+        self.helpers.push(own.clone());
+        let program = flatten(&own.graph, &own.roots);
+        self.program.helpers.push(program);
+        self.helpers.len() - 1
+    }
+
     /// First of all the sines and cosines of every angle that no other sine is part of, body after body: together they
     /// vectorise.
     fn ready_sines(&mut self) {
@@ -240,6 +303,18 @@ impl Flattening<'_> {
     }
 }
 
+/// What is needed of each call.
+fn solved(graph: &ExprGraph, needed: &[bool]) -> BTreeMap<(u16, u16), Vec<(Solved, NodeId)>> {
+    let mut calls: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for id in graph.ids().filter(|id| needed[id.index()]) {
+        if let Node::Input(Input::Solved(solved)) = graph.node(id) {
+            let call = (solved.lockstep, solved.call);
+            calls.entry(call).or_default().push((solved, id));
+        }
+    }
+    calls
+}
+
 /// The sines and cosines that `roots` need, by their angle: at most one of each.
 fn sines(graph: &ExprGraph, roots: &[Expr]) -> BTreeMap<NodeId, Vec<NodeId>> {
     let needed = graph.reachable(roots);
@@ -256,8 +331,11 @@ fn sines(graph: &ExprGraph, roots: &[Expr]) -> BTreeMap<NodeId, Vec<NodeId>> {
 fn ready(graph: &ExprGraph) -> Vec<bool> {
     let mut ready: Vec<bool> = Vec::with_capacity(graph.len());
     for node in graph.ids().map(|id| graph.node(id)) {
-        let is_trigonometric = matches!(node, Node::Sin(_) | Node::Cos(_));
-        ready.push(!is_trigonometric && node.operands().all(|operand| ready[operand.index()]));
+        let is_late = matches!(
+            node,
+            Node::Sin(_) | Node::Cos(_) | Node::Input(Input::Solved(_))
+        );
+        ready.push(!is_late && node.operands().all(|operand| ready[operand.index()]));
     }
     ready
 }

@@ -30,10 +30,13 @@ pub fn fuse(program: Program) -> Program {
     }
     let is_left = |result: ValueId| !fused[result.index()];
     instructions.retain(|instruction| instruction.results().all(is_left));
+    let helpers = program.helpers.into_iter().map(fuse).collect();
     without(
         Program {
             instructions,
-            ..program
+            helpers,
+            values: program.values,
+            stores: program.stores,
         },
         &fused,
     )
@@ -90,6 +93,11 @@ fn without(program: Program, removed: &[bool]) -> Program {
                 let results = sines.iter_mut().chain(cosines);
                 results.flatten().for_each(place);
             }
+            Instruction::Share { values, .. } => values.iter_mut().for_each(read),
+            Instruction::Call { sides, results, .. } => {
+                sides.as_flattened_mut().iter_mut().for_each(read);
+                results.iter_mut().flatten().flatten().for_each(place);
+            }
         }
     }
     let mut stores = program.stores;
@@ -98,5 +106,6 @@ fn without(program: Program, removed: &[bool]) -> Program {
         values,
         instructions,
         stores,
+        helpers: program.helpers,
     }
 }

@@ -20,7 +20,7 @@ pub use name::prepared_fields;
 pub use verify::{VerifyError, verify};
 
 use crate::{
-    expr::{Input, Purpose},
+    expr::{Input, LANES, Purpose},
     id::BodyId,
 };
 
@@ -37,6 +37,8 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     /// What is stored, row-major; where the stores stand in the text is the listing's choice.
     pub stores: Vec<Operand>,
+    /// What calls run on several columns, each of which a helper is a program for.
+    pub helpers: Vec<Self>,
 }
 
 /// What is known of a value.
@@ -50,6 +52,16 @@ pub struct ValueFacts {
     pub purpose: Purpose,
     /// The quantity and component, where a reader would know them.
     pub label: Option<String>,
+}
+
+impl ValueFacts {
+    /// What the function is given, where it is that.
+    pub fn input(&self) -> Option<Input> {
+        match self.definition {
+            Definition::Input(input) => Some(input),
+            Definition::Instruction => None,
+        }
+    }
 }
 
 /// Where a value comes from.
@@ -80,6 +92,24 @@ pub enum Instruction {
         sines: Vec<Option<ValueId>>,
         /// The cosine of each, where it is used.
         cosines: Vec<Option<ValueId>>,
+    },
+    /// What several calls are given alike.
+    Share {
+        /// The number of these calls.
+        lockstep: usize,
+        /// What they are given, by place.
+        values: Vec<Operand>,
+    },
+    /// A helper is run on several columns.
+    Call {
+        /// By which number it is given what calls share.
+        lockstep: usize,
+        /// Which of the program's helpers.
+        helper: usize,
+        /// For each number that it is given of a column, that of each lane.
+        sides: Vec<[Operand; LANES]>,
+        /// For each number that it computes, that of each lane, where it is used.
+        results: Vec<[Option<ValueId>; LANES]>,
     },
 }
 
@@ -172,6 +202,8 @@ impl Instruction {
         let (one, sines, cosines): (_, &[_], &[_]) = match self {
             Self::Compute { result, .. } => (Some(*result), &[], &[]),
             Self::SinCos { sines, cosines, .. } => (None, sines, cosines),
+            Self::Share { .. } => (None, &[], &[]),
+            Self::Call { results, .. } => (None, results.as_flattened(), &[]),
         };
         one.into_iter()
             .chain(sines.iter().chain(cosines).flatten().copied())
@@ -182,6 +214,8 @@ impl Instruction {
         let (operation, angles): (_, &[_]) = match self {
             Self::Compute { operation, .. } => (Some(*operation), &[]),
             Self::SinCos { angles, .. } => (None, angles),
+            Self::Share { values, .. } => (None, values),
+            Self::Call { sides, .. } => (None, sides.as_flattened()),
         };
         operation
             .into_iter()

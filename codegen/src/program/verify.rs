@@ -1,6 +1,9 @@
 //! What every program must hold; a breach is a bug of a pass, but for a number too large for f64.
 
+use std::collections::BTreeMap;
+
 use super::{Definition, Instruction, Operand, Operation, Program};
+use crate::expr::Input;
 
 /// A broken promise of a program.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -24,6 +27,9 @@ pub enum VerifyError {
     /// Sines of several angles are taken together more than once.
     #[error("sines are taken together in {0} places")]
     SinesApart(usize),
+    /// A call runs a helper that is not there, or gives it other numbers than it needs.
+    #[error("a call does not fit helper {0}")]
+    Unfit(usize),
     /// A sign stands where it costs an operation.
     #[error("value {0} has a misplaced sign")]
     MisplacedSign(usize),
@@ -35,6 +41,8 @@ pub enum VerifyError {
 /// # Errors
 /// The first promise that is broken.
 pub fn verify(program: &Program) -> Result<(), VerifyError> {
+    program.helpers.iter().try_for_each(verify)?;
+    check_calls(program)?;
     let mut assigned: Vec<bool> = program
         .values
         .iter()
@@ -65,7 +73,7 @@ pub fn verify(program: &Program) -> Result<(), VerifyError> {
     }
     let is_array = |instruction: &&Instruction| match instruction {
         Instruction::SinCos { angles, .. } => angles.len() > 1,
-        Instruction::Compute { .. } => false,
+        _ => false,
     };
     let n_arrays = program.instructions.iter().filter(is_array).count();
     if n_arrays > 1 {
@@ -78,6 +86,43 @@ pub fn verify(program: &Program) -> Result<(), VerifyError> {
     used.iter()
         .position(|&used| !used)
         .map_or(Ok(()), |dead| Err(VerifyError::Dead(dead)))
+}
+
+/// Checks that what calls share is there before them, and that each gives its helper what that needs.
+fn check_calls(program: &Program) -> Result<(), VerifyError> {
+    let mut shared = BTreeMap::new();
+    for instruction in &program.instructions {
+        match instruction {
+            Instruction::Share { lockstep, values } => {
+                shared.insert(*lockstep, values.len());
+            }
+            Instruction::Call {
+                lockstep,
+                helper,
+                sides,
+                results,
+            } => {
+                let of = program.helpers.get(*helper);
+                let of = of.ok_or(VerifyError::Unfit(*helper))?;
+                let n_shared = shared.get(lockstep).copied().unwrap_or(0);
+                let is_given = |input| match input {
+                    Input::Shared(place) => place < n_shared,
+                    Input::Side(place) => place < sides.len(),
+                    _ => false,
+                };
+                let mut inputs = of.values.iter().map(|value| value.definition);
+                let is_fit = inputs.all(|definition| match definition {
+                    Definition::Input(input) => is_given(input),
+                    Definition::Instruction => true,
+                });
+                if !is_fit || results.len() != of.stores.len() {
+                    return Err(VerifyError::Unfit(*helper));
+                }
+            }
+            Instruction::Compute { .. } | Instruction::SinCos { .. } => {}
+        }
+    }
+    Ok(())
 }
 
 fn check_operation(result: usize, operation: Operation) -> Result<(), VerifyError> {

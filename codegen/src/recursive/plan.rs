@@ -41,13 +41,15 @@ pub enum Technique {
     Composite,
     /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
     Reverse,
+    /// Where derivatives of accelerations would be long, their columns are solved for four at a time, by helpers that are called.
+    Lockstep,
     /// Common factors are taken out of sums.
     Factor,
 }
 
 impl Technique {
     /// All of them, with the names that they have in `kane.toml`.
-    pub const ALL: [(&str, Self); 15] = [
+    pub const ALL: [(&str, Self); 16] = [
         ("slide", Self::Slide),
         ("turn", Self::Turn),
         ("regroup", Self::Regroup),
@@ -62,6 +64,7 @@ impl Technique {
         ("fall", Self::Fall),
         ("composite", Self::Composite),
         ("reverse", Self::Reverse),
+        ("lockstep", Self::Lockstep),
         ("factor", Self::Factor),
     ];
 

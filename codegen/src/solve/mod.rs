@@ -10,6 +10,7 @@ mod carried;
 mod carriers;
 mod felt;
 mod inverse;
+mod lockstep;
 mod partitioned;
 mod projected;
 mod reduced;

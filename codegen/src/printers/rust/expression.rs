@@ -6,10 +6,10 @@ use syn::{
     token::{Minus, Plus, Slash, Star},
 };
 
-use super::{syntax, text::ident};
+use super::{lockstep::LANE, syntax, text::ident};
 use crate::{
     functions::Signature,
-    listing::{Code, Entry, Expression, Facts, Function, LocalId, Member, Stage, Step, Tightness},
+    listing::{Array, Code, Entry, Expression, Facts, Function, LocalId, Member, SHARED, Stage, Step, Tightness},
 };
 
 /// What a function's names are known from.
@@ -19,6 +19,10 @@ pub(super) struct Writer<'a> {
     pub(super) code: &'a Code,
     /// The stages of the function, where this is one.
     stages: &'a [Stage],
+    /// The function's name.
+    pub(super) of: &'a str,
+    /// True for a helper, which takes one column after the other.
+    is_by_lane: bool,
 }
 
 impl<'a> Writer<'a> {
@@ -28,15 +32,26 @@ impl<'a> Writer<'a> {
             signature: &function.signature,
             code: &function.code,
             stages: &[],
+            of: &function.signature.name,
+            is_by_lane: false,
         }
     }
 
-    pub(super) fn of_stage(facts: &'a Facts, stages: &'a [Stage], stage: &'a Stage) -> Self {
+    pub(super) fn of_helper(facts: &'a Facts, helper: &'a Function) -> Self {
+        Self {
+            is_by_lane: true,
+            ..Self::new(facts, helper)
+        }
+    }
+
+    pub(super) fn of_stage(facts: &'a Facts, function: &'a Function, stage: &'a Stage) -> Self {
         Self {
             facts,
             signature: &stage.signature,
             code: &stage.code,
-            stages,
+            stages: &function.stages,
+            of: &function.signature.name,
+            is_by_lane: false,
         }
     }
 
@@ -53,8 +68,12 @@ impl<'a> Writer<'a> {
             Expression::Number(value) => number(*value),
             Expression::Local(id) => syntax::name(&self.local(*id)),
             Expression::Element(id, place) => {
-                let array = ident(&self.code.array(*id).name);
-                syntax::index(syntax::name(&array), *place)
+                let Array { name, row, .. } = self.code.array(*id);
+                let array = syntax::name(&ident(name));
+                match row {
+                    Some(row) => syntax::index(syntax::index(array, place / row), place % row),
+                    None => syntax::index(array, *place),
+                }
             }
             Expression::Entry(entry) => self.entry(entry),
             Expression::Kept(stage, place) => {
@@ -94,16 +113,21 @@ impl<'a> Writer<'a> {
 
     /// Where a number of an argument stands.
     pub(super) fn entry(&self, entry: &Entry) -> Expr {
-        let argument = &self.signature.arguments[entry.argument];
-        let argument = syntax::name(&ident(&argument.name));
+        let declared = &self.signature.arguments[entry.argument];
+        let argument = syntax::name(&ident(&declared.name));
         if entry.steps.is_empty() {
             return syntax::dereferenced(argument);
         }
         let steps = entry.steps.iter();
-        steps.fold(argument, |base, step| match *step {
+        let number = steps.fold(argument, |base, step| match *step {
             Step::Index(place) => syntax::index(base, place),
             Step::Member(member) => syntax::field(base, &ident(self.member(member))),
-        })
+        });
+        if self.is_by_lane && declared.name != SHARED {
+            syntax::index_by(number, syntax::name(&ident(LANE)))
+        } else {
+            number
+        }
     }
 
     fn member(&self, member: Member) -> &str {

@@ -7,7 +7,7 @@ use syn::{Item, ItemFn, parse_quote};
 use super::{
     constants, derivatives,
     expression::Writer,
-    frames, signature, stages, statements,
+    frames, lockstep, signature, stages, statements,
     text::{allow_generated, doc, ident},
 };
 use crate::{
@@ -28,7 +28,8 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
     let mut items = pattern.map_or_else(Vec::new, |pattern| {
         constants::items(&facts.pattern_constants(pattern))
     });
-    items.extend(stages::items(facts, &function.stages));
+    items.extend(lockstep::items(facts, function));
+    items.extend(stages::items(facts, function));
     items.push(item(facts, function));
     items.extend(
         function

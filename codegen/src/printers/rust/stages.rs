@@ -12,14 +12,14 @@ use super::{
 };
 use crate::{
     functions::Signature,
-    listing::{Facts, Stage},
+    listing::{Facts, Function, Stage},
 };
 
 /// Every stage as a function, of which nobody else knows, and what it returns.
-pub(super) fn items(facts: &Facts, stages: &[Stage]) -> Vec<Item> {
-    let items = stages.iter().flat_map(|stage| {
+pub(super) fn items(facts: &Facts, of: &Function) -> Vec<Item> {
+    let items = of.stages.iter().flat_map(|stage| {
         let kept = (!stage.kept.is_empty()).then(|| structure(stage));
-        kept.into_iter().chain([function(facts, stages, stage)])
+        kept.into_iter().chain([function(facts, of, stage)])
     });
     items.collect()
 }
@@ -47,7 +47,8 @@ fn structure(stage: &Stage) -> Item {
     }
 }
 
-fn function(facts: &Facts, stages: &[Stage], stage: &Stage) -> Item {
+fn function(facts: &Facts, of: &Function, stage: &Stage) -> Item {
+    let stages = &of.stages;
     let Signature {
         name,
         doc: lines,
@@ -60,7 +61,7 @@ fn function(facts: &Facts, stages: &[Stage], stage: &Stage) -> Item {
         let (name, held) = (ident(&stages[place].keeps), type_of(&stages[place]));
         quote!(#name: &#held<R>)
     });
-    let writer = Writer::of_stage(facts, stages, stage);
+    let writer = Writer::of_stage(facts, of, stage);
     let fields = stage.kept.iter().map(|kept| {
         let (name, value) = (ident(&kept.name), writer.expression(&kept.value));
         let value: FieldValue = parse_quote!(#name: #value);

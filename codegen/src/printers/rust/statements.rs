@@ -5,7 +5,7 @@ use syn::{Stmt, parse_quote};
 use super::{
     declarations::Declarations,
     expression::Writer,
-    syntax,
+    lockstep, syntax,
     text::{comment, ident},
 };
 use crate::listing::{Entry, Expression, LocalId, Statement};
@@ -74,6 +74,23 @@ fn print(
             let code = writer.code;
             let names = [sines, cosines].map(|&id| code.array(id).name.as_str());
             printed.push(sin_cos_array(writer, names, angles));
+        }
+        Statement::Share { values, shared } => {
+            let values = values.iter().map(|value| writer.expression(value));
+            let name = ident(&writer.code.array(*shared).name);
+            let value = syntax::array(values);
+            printed.push(syntax::declare(syntax::pattern(&[Some(name)]), Some(value)));
+        }
+        Statement::Call {
+            helper,
+            shared,
+            sides,
+            solved,
+        } => {
+            let [shared, solved] = [shared, solved].map(|&id| writer.code.array(id).name.as_str());
+            let value = lockstep::call(writer, *helper, shared, sides);
+            let name = syntax::pattern(&[Some(ident(solved))]);
+            printed.push(syntax::declare(name, Some(value)));
         }
         Statement::StoreSinCos {
             angles,

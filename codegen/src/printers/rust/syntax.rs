@@ -55,11 +55,16 @@ pub(super) fn field(base: Expr, field: &Ident) -> Expr {
 
 /// `base[place]`.
 pub(super) fn index(base: Expr, place: usize) -> Expr {
+    index_by(base, integer(place))
+}
+
+/// The same, by a variable.
+pub(super) fn index_by(base: Expr, place: Expr) -> Expr {
     Expr::Index(ExprIndex {
         attrs: Vec::new(),
         expr: Box::new(base),
         bracket_token: Bracket::default(),
-        index: Box::new(integer(place)),
+        index: Box::new(place),
     })
 }
 
