@@ -151,6 +151,15 @@ impl Declared {
         }
     }
 
+    /// An array of these lengths that a function fills for itself.
+    pub fn scratch(name: String, element: Element, lengths: &[usize]) -> Self {
+        let lengths = lengths.iter().map(|&length| Length::Number(length));
+        Self {
+            lengths: lengths.collect(),
+            ..Self::written(&name, element)
+        }
+    }
+
     /// One of its elements: of `[[R; n]; 3]`, `[R; n]`.
     #[must_use]
     pub fn row(&self) -> Self {

@@ -7,6 +7,7 @@ use super::{
     Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement,
     group::Groups,
     headings,
+    scratch::{Scratch, numbered},
     stores::{Stores, is_field},
 };
 use crate::{
@@ -29,6 +30,8 @@ pub(super) struct ProgramContext<'a> {
     pub(super) tree: &'a Tree,
     /// Where inputs stand.
     pub(super) entry: &'a dyn Fn(Input) -> Entry,
+    /// Where what calls read stands.
+    pub(super) scratch: &'a Scratch,
 }
 
 /// The statements of a program that stores to these places.
@@ -41,15 +44,23 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entr
         stores: BTreeMap::new(),
         headings: headings::of(program, known.groups, known.tree),
         code: Code::default(),
-        shared: BTreeMap::new(),
         n_calls: 0,
         stored: BTreeSet::new(),
     };
-    let Stores {
-        of_values,
-        of_constants,
-    } = Stores::of(program, places, |operand| writer.operand(operand));
-    writer.stores = of_values;
+    assert_eq!(
+        places.len(),
+        program.stores.len(),
+        "listing: outputs have a place for each store"
+    );
+    let constant = |operand| writer.operand(operand);
+    let outputs = places.into_iter().zip(program.stores.iter().copied());
+    let outputs = Stores::of(program, outputs, constant);
+    let scratch = Stores::of(program, known.scratch.stores(program), constant);
+    writer.code.statements = scratch.of_constants;
+    writer.stores = scratch.of_values;
+    for (id, mut stores) in outputs.of_values {
+        writer.stores.entry(id).or_default().append(&mut stores);
+    }
     for instruction in &program.instructions {
         writer.instruction(instruction);
     }
@@ -59,7 +70,7 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entr
             writer.read(id);
         }
     }
-    writer.code.statements.extend(of_constants);
+    writer.code.statements.extend(outputs.of_constants);
     writer.code
 }
 
@@ -75,19 +86,9 @@ struct Writer<'a> {
     /// What stands before statements that are not written yet.
     headings: BTreeMap<ValueId, String>,
     code: Code,
-    /// What calls share, by their number.
-    shared: BTreeMap<usize, ArrayId>,
     n_calls: usize,
     /// What calls compute and is stored from their arrays.
     stored: BTreeSet<ValueId>,
-}
-
-/// The name of one of several: the first has no number.
-fn numbered(name: &str, place: usize) -> String {
-    match place {
-        0 => name.to_owned(),
-        _ => format!("{name}_{}", place + 1),
-    }
 }
 
 impl Writer<'_> {
@@ -111,13 +112,16 @@ impl Writer<'_> {
                 (&[angle], &[sine], &[cosine]) => self.sin_cos(angle, sine, cosine),
                 (angles, sines, cosines) => self.sin_cos_arrays(angles, sines, cosines),
             },
-            Instruction::Share { lockstep, values } => self.share(*lockstep, values),
+            Instruction::Share { .. } => self.read_all(instruction),
             Instruction::Call {
                 lockstep,
                 helper,
-                sides,
                 results,
-            } => self.call((*lockstep, *helper), sides, results),
+                ..
+            } => {
+                self.read_all(instruction);
+                self.call((*lockstep, *helper), results);
+            }
         }
     }
 
@@ -189,58 +193,50 @@ impl Writer<'_> {
         }
     }
 
+    /// Reads all that an instruction needs.
+    fn read_all(&mut self, instruction: &Instruction) {
+        for id in instruction.operands().filter_map(Operand::value) {
+            self.read(id);
+        }
+    }
+
     fn array(&mut self, name: String, length: usize, row: Option<usize>) -> ArrayId {
         self.code.arrays.push(Array { name, length, row });
         ArrayId::new(self.code.arrays.len() - 1)
     }
 
-    /// Reads what stands in an array.
-    fn read_all(&mut self, operands: &[Operand]) -> Vec<Expression> {
-        for id in operands.iter().filter_map(|own| own.value()) {
-            self.read(id);
-        }
-        operands.iter().map(|&own| self.operand(own)).collect()
-    }
-
-    fn share(&mut self, lockstep: usize, values: &[Operand]) {
-        let values = self.read_all(values);
-        let name = self.free(numbered("shared", lockstep));
-        let shared = self.array(name, values.len(), None);
-        self.shared.insert(lockstep, shared);
-        let statement = Statement::Share { values, shared };
-        self.code.statements.push(statement);
-    }
-
     /// A call; what it computes goes from its array to where it is stored.
-    fn call(
-        &mut self,
-        (lockstep, helper): (usize, usize),
-        sides: &[[Operand; LANES]],
-        results: &[[Option<ValueId>; LANES]],
-    ) {
-        let sides = self.read_all(sides.as_flattened());
+    fn call(&mut self, (lockstep, helper): (usize, usize), results: &[[Option<ValueId>; LANES]]) {
         let name = self.free(numbered("solved", self.n_calls));
-        self.n_calls += 1;
         let results = results.as_flattened();
         let solved = self.array(name, results.len(), Some(LANES));
         self.code.statements.push(Statement::Call {
             helper,
-            shared: self.shared[&lockstep],
-            sides,
+            given: self.known.scratch.given(lockstep, self.n_calls),
             solved,
         });
+        self.n_calls += 1;
         for (place, id) in results.iter().enumerate() {
-            let Some(id) = *id else { continue };
-            let element = Expression::Element(solved, place);
-            self.taken.insert(id, element.clone());
-            for (place, operand) in self.stores.remove(&id).unwrap_or_default() {
-                let value = match operand.is_negative() {
-                    true => Expression::Negative(Box::new(element.clone())),
-                    false => element.clone(),
-                };
-                self.code.statements.push(Statement::Store { place, value });
-                self.stored.insert(id);
+            if let Some(id) = *id {
+                self.taken.insert(id, Expression::Element(solved, place));
+                self.store_from(id);
             }
+        }
+    }
+
+    /// Stores what stands in an array, wherever it goes, without a local.
+    fn store_from(&mut self, id: ValueId) {
+        let stores = self.stores.remove(&id).unwrap_or_default();
+        let element = self.taken.get(&id).cloned().filter(|_| !stores.is_empty());
+        let Some(element) = element else { return };
+        self.stored.insert(id);
+        for (place, operand) in stores {
+            let value = if operand.is_negative() {
+                Expression::Negative(Box::new(element.clone()))
+            } else {
+                element.clone()
+            };
+            self.code.statements.push(Statement::Store { place, value });
         }
     }
 

@@ -33,6 +33,8 @@ pub struct Function {
     pub stages: Vec<Stage>,
     /// What it runs on several columns, as functions of one column.
     pub helpers: Vec<Self>,
+    /// What it fills for these: arrays that count as arguments behind its own.
+    pub scratch: Vec<Declared>,
 }
 
 impl Function {
@@ -51,7 +53,13 @@ impl Function {
             code,
             stages: Vec::new(),
             helpers: Vec::new(),
+            scratch: Vec::new(),
         }
+    }
+
+    /// All arguments, and the arrays that it fills for its helpers.
+    pub fn places(&self) -> impl Iterator<Item = &Declared> {
+        self.signature.arguments.iter().chain(&self.scratch)
     }
 
     /// The arguments that it reads.

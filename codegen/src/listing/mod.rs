@@ -24,6 +24,7 @@ mod local;
 mod module;
 mod name;
 mod plain;
+mod scratch;
 mod size;
 mod stages;
 mod stated;

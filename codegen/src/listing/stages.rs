@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::{Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement};
-use crate::functions::Signature;
+use crate::functions::{Declared, Signature};
 
 /// Longer functions have stages. They are beyond what a person reads line by line: a new body moves where stages end.
 const LONGEST: usize = 15_000;
@@ -39,7 +39,12 @@ pub struct Kept {
 }
 
 /// The stages of a function, in order; none where it is short.
-pub(super) fn of(signature: &Signature, code: &Code) -> Vec<Stage> {
+pub(super) fn of(signature: &Signature, scratch: &[Declared], code: &Code) -> Vec<Stage> {
+    let arguments = signature.arguments.iter().chain(scratch).cloned();
+    let signature = &Signature {
+        arguments: arguments.collect(),
+        ..signature.clone()
+    };
     let ranges = ranges(code);
     if ranges.len() < 2 {
         return Vec::new();
@@ -80,28 +85,6 @@ fn ranges(code: &Code) -> Vec<Range<usize>> {
     ranges
 }
 
-/// The statements of a stage. What calls share stands in every stage that has such a call, and in no other.
-fn statements<'a>(code: &'a Code, range: &Range<usize>) -> Vec<&'a Statement> {
-    let of_array = |wanted: ArrayId| {
-        let mut all = code.statements.iter();
-        all.find(|own| matches!(own, Statement::Share { shared, .. } if *shared == wanted))
-    };
-    let mut met = BTreeSet::new();
-    let mut statements = Vec::with_capacity(range.len());
-    for statement in &code.statements[range.clone()] {
-        match statement {
-            Statement::Share { .. } => {}
-            Statement::Call { shared, .. } => {
-                let is_new = met.insert(*shared);
-                statements.extend(of_array(*shared).filter(|_| is_new));
-                statements.push(statement);
-            }
-            _ => statements.push(statement),
-        }
-    }
-    statements
-}
-
 /// What a stage may hand on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Passed {
@@ -138,7 +121,7 @@ impl Flow {
         };
         let mut kept = vec![BTreeSet::new(); ranges.len()];
         for (stage, range) in ranges.iter().enumerate() {
-            for statement in statements(code, range) {
+            for statement in &code.statements[range.clone()] {
                 for local in statement.assigned() {
                     flow.locals[local.index()] = stage;
                 }
@@ -217,8 +200,11 @@ impl<'a> Cut<'a> {
         range: Range<usize>,
     ) -> Self {
         let (mut given, mut earlier) = (BTreeSet::new(), BTreeSet::new());
-        for statement in statements(whole, &range) {
+        for statement in &whole.statements[range.clone()] {
             given.extend(statement.stored().map(|entry| entry.argument));
+            if let Statement::Call { given: read, .. } = statement {
+                given.extend(read);
+            }
             for_each(statement, &mut |expression| {
                 if let Expression::Entry(entry) = expression {
                     given.insert(entry.argument);
@@ -242,7 +228,7 @@ impl<'a> Cut<'a> {
     }
 
     fn stage(mut self) -> Stage {
-        for statement in statements(self.whole, &self.range) {
+        for statement in &self.whole.statements[self.range.clone()] {
             let statement = self.statement(statement);
             self.code.statements.push(statement);
         }
@@ -312,20 +298,13 @@ impl<'a> Cut<'a> {
                     cosines,
                 }
             }
-            Statement::Share { values, shared } => {
-                let values = values.iter().map(|value| self.expression(value)).collect();
-                let shared = self.array(*shared);
-                Statement::Share { values, shared }
-            }
             Statement::Call {
                 helper,
-                shared,
-                sides,
+                given,
                 solved,
             } => Statement::Call {
-                sides: sides.iter().map(|side| self.expression(side)).collect(),
                 helper: *helper,
-                shared: self.arrays[shared],
+                given: given.map(|argument| self.argument(argument)),
                 solved: self.array(*solved),
             },
             Statement::StoreSinCos {
@@ -363,11 +342,15 @@ impl<'a> Cut<'a> {
     }
 
     fn entry(&self, entry: &Entry) -> Entry {
-        let argument = self.given.binary_search(&entry.argument);
         Entry {
-            argument: argument.unwrap_or_else(|_| unreachable!("listing: an argument not given")),
+            argument: self.argument(entry.argument),
             steps: entry.steps.clone(),
         }
+    }
+
+    fn argument(&self, place: usize) -> usize {
+        let argument = self.given.binary_search(&place);
+        argument.unwrap_or_else(|_| unreachable!("listing: an argument not given"))
     }
 
     /// What an earlier stage keeps.

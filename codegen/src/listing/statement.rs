@@ -50,21 +50,12 @@ pub enum Statement {
         /// Where their cosines go.
         cosines: Vec<Entry>,
     },
-    /// What several calls are given alike.
-    Share {
-        /// The numbers.
-        values: Vec<Expression>,
-        /// What holds them.
-        shared: ArrayId,
-    },
     /// A helper of the function is run on several columns.
     Call {
         /// The helper, by its place.
         helper: usize,
-        /// What it is given of all columns.
-        shared: ArrayId,
-        /// What it is given of each, a row for each number, with one of every lane.
-        sides: Vec<Expression>,
+        /// The arguments, by their places: what all columns share, and what is of each, a row for each number with one of every lane.
+        given: [usize; 2],
         /// What it computes, in such rows.
         solved: ArrayId,
     },
@@ -107,7 +98,6 @@ impl Statement {
             Self::SinCos { sine, cosine, .. } => [*sine, *cosine],
             Self::SinCosArray { .. }
             | Self::StoreSinCos { .. }
-            | Self::Share { .. }
             | Self::Call { .. }
             | Self::Store { .. }
             | Self::Heading(_)
@@ -120,9 +110,7 @@ impl Statement {
     pub fn filled(&self) -> impl Iterator<Item = ArrayId> + use<> {
         let pair = match self {
             Self::SinCosArray { sines, cosines, .. } => [Some(*sines), Some(*cosines)],
-            Self::Share { shared: array, .. } | Self::Call { solved: array, .. } => {
-                [Some(*array), None]
-            }
+            Self::Call { solved, .. } => [Some(*solved), None],
             _ => [None; 2],
         };
         pair.into_iter().flatten()
@@ -134,9 +122,7 @@ impl Statement {
             Self::Assign { value, .. } | Self::Store { value, .. } => std::slice::from_ref(value),
             Self::SinCos { angle, .. } => std::slice::from_ref(angle),
             Self::SinCosArray { angles, .. } | Self::StoreSinCos { angles, .. } => angles,
-            Self::Share { values, .. } => values,
-            Self::Call { sides, .. } => sides,
-            Self::Heading(_) | Self::Fence => &[],
+            Self::Call { .. } | Self::Heading(_) | Self::Fence => &[],
         }
     }
 

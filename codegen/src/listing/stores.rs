@@ -23,17 +23,12 @@ impl Stores {
     /// The stores to these places, with a fence wherever too many zeros would stand side by side.
     pub(super) fn of(
         program: &Program,
-        places: Vec<Entry>,
+        stored: impl IntoIterator<Item = (Entry, Operand)>,
         constant: impl Fn(Operand) -> Expression,
     ) -> Self {
-        assert_eq!(
-            places.len(),
-            program.stores.len(),
-            "listing: outputs have a place for each store"
-        );
         let mut stores = Self::default();
         let mut n_zeros = 0;
-        for (place, &store) in places.into_iter().zip(&program.stores) {
+        for (place, store) in stored {
             n_zeros = if store == Operand::Number(0.0) {
                 n_zeros + 1
             } else {

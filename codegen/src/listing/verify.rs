@@ -42,6 +42,9 @@ pub enum Fault {
     /// A helper that is called and not there.
     #[error("helper {0} is called, which is not there")]
     NoHelper(usize),
+    /// A call reads an argument that is not there, or is not written.
+    #[error("a call reads argument {0}, which nothing is stored to")]
+    NoArgument(usize),
     /// What is stored has no place in an output.
     #[error("{0:?} is stored, which is nothing that the function writes")]
     Unwritable(Entry),
@@ -80,6 +83,10 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
     } = function;
     function.helpers.iter().try_for_each(|own| verify(facts, own))?;
     check_calls(facts, function)?;
+    let signature = &Signature {
+        arguments: function.places().cloned().collect(),
+        ..signature.clone()
+    };
     let whole = State::after(facts, signature, code, &[], unstored(facts, signature))?;
     check_stored(&whole.close()?)?;
     if stages.is_empty() {
@@ -92,27 +99,26 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
     check_stored(&stored)
 }
 
-/// Checks that helpers that are called are there, and are given and compute what an array holds, of every lane.
+/// Checks that helpers that are called are there, and are given and compute what the arrays of a call hold, of every lane.
 fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
     let Function { code, helpers, .. } = function;
+    let extents = function.places().map(|place| facts.extent(place).size());
+    let extents: Vec<usize> = extents.collect();
     for statement in &code.statements {
-        if let Statement::Call {
+        let Statement::Call {
             helper,
-            shared,
-            sides,
+            given: [shared, sides],
             solved,
         } = statement
-        {
-            let helper = helpers.get(*helper).ok_or(Fault::NoHelper(*helper))?;
-            let arguments = helper.signature.arguments.iter();
-            let sizes = arguments.map(|argument| facts.extent(argument).size());
-            let sizes: Vec<usize> = sizes.collect();
-            let [n_shared, n_sides, n_solved] = sizes[..] else {
-                return Err(Fault::NoHelper(helpers.len()));
-            };
-            check_lengths(n_shared, code.array(*shared).length)?;
-            check_lengths(LANES * n_sides, sides.len())?;
-            check_lengths(LANES * n_solved, code.array(*solved).length)?;
+        else {
+            continue;
+        };
+        let helper = helpers.get(*helper).ok_or(Fault::NoHelper(*helper))?;
+        let own = helper.signature.arguments.iter();
+        let own: Vec<usize> = own.map(|place| facts.extent(place).size()).collect();
+        let held = [extents[*shared], extents[*sides], code.array(*solved).length];
+        for (own, (held, lanes)) in own.into_iter().zip(held.into_iter().zip([1, LANES, LANES])) {
+            check_lengths(lanes * own, held)?;
         }
     }
     Ok(())
@@ -246,14 +252,8 @@ impl<'a, 's> State<'a, 's> {
                     assign(&mut self.arrays[id.index()], &array.name)?;
                 }
             }
-            Statement::Share { values, shared } => {
-                let array = self.code.array(*shared);
-                check_lengths(values.len(), array.length)?;
-                assign(&mut self.arrays[shared.index()], &array.name)?;
-            }
-            Statement::Call { shared, solved, .. } => {
-                let array = self.code.array(*shared);
-                read(&mut self.arrays[shared.index()], &array.name)?;
+            Statement::Call { given, solved, .. } => {
+                given.iter().try_for_each(|&place| self.read_whole(place))?;
                 let array = self.code.array(*solved);
                 assign(&mut self.arrays[solved.index()], &array.name)?;
             }
@@ -298,6 +298,19 @@ impl<'a, 's> State<'a, 's> {
         }
         let mut operands = value.operands().iter();
         operands.try_for_each(|operand| self.read(operand))
+    }
+
+    /// Reads all that was stored to an argument.
+    fn read_whole(&self, place: usize) -> Result<(), Fault> {
+        let argument = self.signature.arguments.get(place);
+        let stored = argument.and_then(|argument| self.stored.get(argument.name.as_str()));
+        match (argument, stored) {
+            (Some(argument), Some(places)) => match places.iter().position(|is_stored| !is_stored) {
+                Some(place) => Err(Fault::NotStored(argument.name.clone(), place)),
+                None => Ok(()),
+            },
+            _ => Err(Fault::NoArgument(place)),
+        }
     }
 
     /// The name of the argument with this access, and the place in it.

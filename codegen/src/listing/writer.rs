@@ -9,6 +9,7 @@ use super::{
     group::Groups,
     helper,
     name::{self, Counted},
+    scratch::Scratch,
     stages,
 };
 use crate::{
@@ -47,8 +48,9 @@ impl<'a> Writer<'a> {
         let places = places(&signature, self.facts);
         let arguments = request.arguments();
         let given = self.given(&arguments);
-        let code = self.code(program, (&signature, &given), places, Counted::InFunction);
-        let stages = stages::of(&signature, &code);
+        let scratch = Scratch::of(program, signature.arguments.len());
+        let code = self.code(program, (&signature, &given, &scratch), places, Counted::InFunction);
+        let stages = stages::of(&signature, &scratch.declared, &code);
         let helpers = (0..program.helpers.len()).map(|place| self.helper(&signature, program, place));
         let helpers = helpers.collect();
         Function {
@@ -61,6 +63,7 @@ impl<'a> Writer<'a> {
             fused: program.fused(),
             stages,
             helpers,
+            scratch: scratch.declared,
             ..Function::plain(signature, emittable.operations, code)
         }
     }
@@ -71,7 +74,8 @@ impl<'a> Writer<'a> {
         let own = &program.helpers[place];
         let given = helper::entries(&signature, own);
         let places = places(&signature, self.facts);
-        let code = self.code(own, (&signature, &given), places, Counted::InFunction);
+        let scratch = Scratch::default();
+        let code = self.code(own, (&signature, &given, &scratch), places, Counted::InFunction);
         Function::helper(signature, own, code)
     }
 
@@ -95,7 +99,7 @@ impl<'a> Writer<'a> {
         });
         let code = self.code(
             program,
-            (&signature, &Given::new()),
+            (&signature, &Given::new(), &Scratch::default()),
             places.collect(),
             Counted::InPreparation,
         );
@@ -105,12 +109,12 @@ impl<'a> Writer<'a> {
     fn code(
         &self,
         program: &Program,
-        (signature, given): (&Signature, &Given),
+        (signature, given, scratch): (&Signature, &Given, &Scratch),
         places: Vec<Entry>,
         counted: Counted,
     ) -> Code {
         let groups = Groups::of(program);
-        let arguments = signature.arguments.iter();
+        let arguments = signature.arguments.iter().chain(&scratch.declared);
         let arguments = arguments.map(|argument| argument.name.as_str());
         let names = name::names(program, &groups, self.tree, arguments, counted);
         let known = ProgramContext {
@@ -118,6 +122,7 @@ impl<'a> Writer<'a> {
             names: &names,
             tree: self.tree,
             entry: &|input| self.entry(input, signature, given),
+            scratch,
         };
         code::of(program, &known, places)
     }

@@ -8,14 +8,15 @@ use syn::{
 
 use super::{lockstep::LANE, syntax, text::ident};
 use crate::{
-    functions::Signature,
+    functions::Declared,
     listing::{Array, Code, Entry, Expression, Facts, Function, LocalId, Member, SHARED, Stage, Step, Tightness},
 };
 
 /// What a function's names are known from.
 pub(super) struct Writer<'a> {
     pub(super) facts: &'a Facts,
-    signature: &'a Signature,
+    /// What entries stand in.
+    arguments: Vec<&'a Declared>,
     pub(super) code: &'a Code,
     /// The stages of the function, where this is one.
     stages: &'a [Stage],
@@ -29,7 +30,7 @@ impl<'a> Writer<'a> {
     pub(super) fn new(facts: &'a Facts, function: &'a Function) -> Self {
         Self {
             facts,
-            signature: &function.signature,
+            arguments: function.places().collect(),
             code: &function.code,
             stages: &[],
             of: &function.signature.name,
@@ -47,7 +48,7 @@ impl<'a> Writer<'a> {
     pub(super) fn of_stage(facts: &'a Facts, function: &'a Function, stage: &'a Stage) -> Self {
         Self {
             facts,
-            signature: &stage.signature,
+            arguments: stage.signature.arguments.iter().collect(),
             code: &stage.code,
             stages: &function.stages,
             of: &function.signature.name,
@@ -107,13 +108,23 @@ impl<'a> Writer<'a> {
         syntax::call(syntax::of_scalar(function), arguments)
     }
 
+    /// An argument, lent to a call: a function's own array is no reference, that of a stage is.
+    pub(super) fn lent(&self, place: usize) -> Expr {
+        let name = syntax::name(&ident(&self.arguments[place].name));
+        if self.stages.is_empty() {
+            syntax::reference(name)
+        } else {
+            name
+        }
+    }
+
     pub(super) fn local(&self, id: LocalId) -> Ident {
         ident(&self.code.local(id).name)
     }
 
     /// Where a number of an argument stands.
     pub(super) fn entry(&self, entry: &Entry) -> Expr {
-        let declared = &self.signature.arguments[entry.argument];
+        let declared = self.arguments[entry.argument];
         let argument = syntax::name(&ident(&declared.name));
         if entry.steps.is_empty() {
             return syntax::dereferenced(argument);

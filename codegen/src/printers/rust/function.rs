@@ -57,10 +57,11 @@ pub(super) fn item(facts: &Facts, function: &Function) -> Item {
         #[inline(never)]
         pub fn #name<R: kane::Real>(#(#arguments),*) {}
     };
-    item.block.stmts = match &function.stages[..] {
+    item.block.stmts = lockstep::scratch(function);
+    item.block.stmts.extend(match &function.stages[..] {
         [] => statements::of(&Writer::new(facts, function)),
-        stages => stages::calls(stages),
-    };
+        _ => stages::calls(function),
+    });
     Item::Fn(item)
 }
 

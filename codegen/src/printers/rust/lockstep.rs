@@ -1,8 +1,8 @@
 //! What a function runs on several columns: straight lines for one column, which a loop of fixed length repeats.
 
-use proc_macro2::{Ident, Literal};
+use proc_macro2::Literal;
 use quote::quote;
-use syn::{Expr, Item, parse_quote};
+use syn::{Expr, Item, Stmt, parse_quote};
 
 use super::{
     expression::Writer,
@@ -12,7 +12,7 @@ use super::{
 use crate::{
     expr::LANES,
     functions::{Declared, Length},
-    listing::{Expression, Facts, Function, SHARED, SIDES, SOLVED},
+    listing::{Facts, Function, SHARED, SIDES, SOLVED},
 };
 
 /// What counts the columns.
@@ -24,7 +24,7 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
     helpers.map(|helper| item(facts, helper)).collect()
 }
 
-/// A helper. What it computes is first given some numbers: zeros a compiler would write by a call of `memset`.
+/// A helper. What it computes is some numbers first, as scratch is: zeros a compiler would write by a call of `memset`.
 fn item(facts: &Facts, helper: &Function) -> Item {
     let signature = &helper.signature;
     let mut lines = signature.doc.clone();
@@ -34,7 +34,7 @@ fn item(facts: &Facts, helper: &Function) -> Item {
     let (doc, allow, name) = (doc(lines), allow_generated(), ident(&signature.name));
     let [shared, sides, solved] = [SHARED, SIDES, SOLVED].map(ident);
     let [n_shared, n_sides, n_solved] = [0, 1, 2].map(|place| length(&signature.arguments[place]));
-    let (lane, lanes) = (ident(LANE), number(LANES));
+    let (lane, lanes) = (ident(LANE), number_of(LANES));
     let statements = statements::of(&Writer::of_helper(facts, helper));
     parse_quote! {
         #doc
@@ -52,23 +52,36 @@ fn item(facts: &Facts, helper: &Function) -> Item {
 
 fn length(argument: &Declared) -> Literal {
     match argument.lengths[..] {
-        [Length::Number(length)] => number(length),
+        [Length::Number(length)] => number_of(length),
         _ => unreachable!("printers: a helper's arguments are arrays of known length"),
     }
 }
 
-fn number(number: usize) -> Literal {
+fn number_of(number: usize) -> Literal {
     Literal::usize_unsuffixed(number)
 }
 
 /// The call of a helper of a function: on what columns share, and on rows of what they do not.
-pub(super) fn call(writer: &Writer<'_>, helper: usize, shared: &str, sides: &[Expression]) -> Expr {
-    let rows = sides.chunks(LANES).map(|row| {
-        let row = row.iter().map(|side| writer.expression(side));
-        syntax::array(row)
+pub(super) fn call(writer: &Writer<'_>, helper: usize, given: [usize; 2]) -> Expr {
+    let name = ident(&format!("{}_lockstep_{}", writer.of, helper + 1));
+    let given = given.map(|place| writer.lent(place));
+    syntax::call(syntax::of_module(&name), given)
+}
+
+/// What a function fills for its calls, before it does.
+pub(super) fn scratch(function: &Function) -> Vec<Stmt> {
+    let arrays = function.scratch.iter().map(|array| {
+        let name = ident(&array.name);
+        let number = syntax::call(syntax::of_scalar("from_f64"), [syntax::number(1.0)]);
+        let filled = array.lengths.iter().rev();
+        let filled = filled.fold(quote!(#number), |row, length| match length {
+            Length::Number(length) => {
+                let length = number_of(*length);
+                quote!([#row; #length])
+            }
+            Length::Constant(_) => unreachable!("printers: scratch has known lengths"),
+        });
+        parse_quote!(let mut #name = #filled;)
     });
-    let name: Ident = ident(&format!("{}_lockstep_{}", writer.of, helper + 1));
-    let (shared, sides) = (ident(shared), syntax::array(rows));
-    let call = quote!(self::#name(&#shared, &#sides));
-    syn::parse2(call).unwrap_or_else(|error| unreachable!("printers: a call is no syntax: {error}"))
+    arrays.collect()
 }

@@ -92,11 +92,20 @@ fn shortened(mut field: FieldValue) -> FieldValue {
 }
 
 /// The calls of a function's stages, in order.
-pub(super) fn calls(stages: &[Stage]) -> Vec<Stmt> {
+pub(super) fn calls(function: &Function) -> Vec<Stmt> {
+    let Function { stages, scratch, .. } = function;
+    let is_own = |name: &String| scratch.iter().any(|array| array.name == *name);
     let calls = stages.iter().map(|stage| {
         let name = ident(&stage.signature.name);
         let own = stage.signature.arguments.iter();
-        let own = own.map(|argument| ident(&argument.name));
+        let own = own.map(|argument| {
+            let name = ident(&argument.name);
+            if is_own(&argument.name) {
+                quote!(&mut #name)
+            } else {
+                quote!(#name)
+            }
+        });
         let earlier = stage.earlier.iter();
         let earlier = earlier.map(|&place| ident(&stages[place].keeps));
         let call: TokenStream = quote!(self::#name(#(#own,)* #(&#earlier),*));

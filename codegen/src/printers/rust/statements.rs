@@ -75,22 +75,14 @@ fn print(
             let names = [sines, cosines].map(|&id| code.array(id).name.as_str());
             printed.push(sin_cos_array(writer, names, angles));
         }
-        Statement::Share { values, shared } => {
-            let values = values.iter().map(|value| writer.expression(value));
-            let name = ident(&writer.code.array(*shared).name);
-            let value = syntax::array(values);
-            printed.push(syntax::declare(syntax::pattern(&[Some(name)]), Some(value)));
-        }
         Statement::Call {
             helper,
-            shared,
-            sides,
+            given,
             solved,
         } => {
-            let [shared, solved] = [shared, solved].map(|&id| writer.code.array(id).name.as_str());
-            let value = lockstep::call(writer, *helper, shared, sides);
-            let name = syntax::pattern(&[Some(ident(solved))]);
-            printed.push(syntax::declare(name, Some(value)));
+            let value = lockstep::call(writer, *helper, *given);
+            let solved = ident(&writer.code.array(*solved).name);
+            printed.push(syntax::declare(syntax::pattern(&[Some(solved)]), Some(value)));
         }
         Statement::StoreSinCos {
             angles,

@@ -3,10 +3,10 @@
 use proc_macro2::Span;
 use syn::{
     BinOp, Expr, ExprArray, ExprAssign, ExprBinary, ExprCall, ExprField, ExprIndex, ExprInfer,
-    ExprLit, ExprParen, ExprPath, ExprTuple, ExprUnary, Ident, Lit, LitFloat, LitInt, Local,
+    ExprLit, ExprParen, ExprPath, ExprReference, ExprTuple, ExprUnary, Ident, Lit, LitFloat, LitInt, Local,
     LocalInit, LocalModifiers, Pat, PatIdent, PatTuple, PatWild, Path, Stmt, UnOp,
     punctuated::Punctuated,
-    token::{Bracket, Dot, Eq, Let, Minus, Paren, PathSep, Semi, Star, Underscore},
+    token::{And, Bracket, Dot, Eq, Let, Minus, Paren, PathSep, Semi, Star, Underscore},
 };
 
 /// A name.
@@ -18,6 +18,11 @@ pub(super) fn name(name: &Ident) -> Expr {
 pub(super) fn of_scalar(function: &str) -> Expr {
     let function = Ident::new(function, Span::call_site());
     path([Ident::new("R", Span::call_site()), function].into_iter())
+}
+
+/// An item of the module itself.
+pub(super) fn of_module(name: &Ident) -> Expr {
+    path([Ident::new("self", Span::call_site()), name.clone()].into_iter())
 }
 
 fn path(segments: impl Iterator<Item = Ident>) -> Expr {
@@ -56,6 +61,16 @@ pub(super) fn field(base: Expr, field: &Ident) -> Expr {
 /// `base[place]`.
 pub(super) fn index(base: Expr, place: usize) -> Expr {
     index_by(base, integer(place))
+}
+
+/// `&a`.
+pub(super) fn reference(a: Expr) -> Expr {
+    Expr::Reference(ExprReference {
+        attrs: Vec::new(),
+        and_token: And::default(),
+        mutability: None,
+        expr: Box::new(a),
+    })
 }
 
 /// The same, by a variable.
