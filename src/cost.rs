@@ -2,7 +2,7 @@
 //!
 //! Constants of a generated module, for code that adds up what a loop needs, or refuses a module that needs too much.
 
-/// The operations of one call, whatever the state: generated functions have no branch and no loop.
+/// The operations of one call, whatever the state: generated functions have no branch, and loops of fixed length alone.
 ///
 /// Signs, absolute values, copies and stores count nothing. A fused multiply-add counts as a multiplication and an addition.
 ///

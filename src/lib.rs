@@ -1,7 +1,7 @@
 //! Runtime for robot and multibody dynamics that a compiler wrote as plain Rust.
 //!
 //! The package `kane-codegen` with its command `kane` reads a model in URDF, MJCF or TOML and writes a Rust module: one function for the mass
-//! matrix, one for inverse dynamics, and so on. The functions have no loop, branch, allocation or panic. This crate is what such a module needs, and
+//! matrix, one for inverse dynamics, and so on. The functions have no branch, allocation or panic. This crate is what such a module needs, and
 //! what you do with it: integration, batches of states, inverse kinematics, derivatives of a controller's steps.
 //!
 //! # A control loop

@@ -52,11 +52,13 @@ impl ExprGraph {
         let call = &lockstep.calls[&call];
         let helper = &lockstep.helpers[call.helper];
         std::array::from_fn(|lane| {
-            helper.graph.evaluate_by(&helper.roots, &mut |input| match input {
-                Input::Shared(place) => of(lockstep.shared[place]),
-                Input::Side(place) => of(call.sides[place][lane]),
-                other => unreachable!("expr: a helper is not given {other:?}"),
-            })
+            helper
+                .graph
+                .evaluate_by(&helper.roots, &mut |input| match input {
+                    Input::Shared(place) => of(lockstep.shared[place]),
+                    Input::Side(place) => of(call.sides[place][lane]),
+                    other => unreachable!("expr: a helper is not given {other:?}"),
+                })
         })
     }
 }

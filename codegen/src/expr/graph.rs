@@ -32,7 +32,7 @@ pub struct ExprGraph {
     // Only ever looked up, so that nothing depends on hash order.
     pub(super) known: FxHashMap<Node, NodeId>,
     /// Helpers and their calls, by number.
-    pub(super) locksteps: BTreeMap<u16, Lockstep>,
+    pub(super) locksteps: BTreeMap<u16, Lockstep<Self>>,
     scope: Option<BodyId>,
     purpose: Purpose,
     /// True while labels are hints.

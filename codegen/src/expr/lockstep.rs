@@ -1,20 +1,20 @@
-//! Calls in a graph: what several columns go through alike stands in a graph of its own, which takes them side by side.
+//! What several columns go through alike: a graph `G` of its own, which is run on several of them side by side.
 //!
 //! A helper computes from numbers that all columns share and from those of one column. A call runs it on [`LANES`] columns, each by
-//! itself. What comes out are inputs of the graph, which are made after all that the call reads.
+//! itself.
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use super::{Expr, ExprGraph, Input, Node, NodeId};
+use super::node::Expr;
 
 /// How many columns a call takes: vectors of AVX2 have as many, and fewer than that of a last call are wasted.
 pub const LANES: usize = 4;
 
 /// What a column goes through.
 #[derive(Clone, Debug)]
-pub struct Helper {
-    /// Its graph, whose inputs are [`Input::Shared`] and [`Input::Side`].
-    pub graph: ExprGraph,
+pub struct Helper<G> {
+    /// Its graph, which is given what is shared, and what is of one column.
+    pub graph: G,
     /// What it computes.
     pub roots: Vec<Expr>,
 }
@@ -30,136 +30,18 @@ pub struct Call {
 
 /// Helpers that share numbers, and their calls.
 #[derive(Clone, Debug)]
-pub struct Lockstep {
+pub struct Lockstep<G> {
     /// What all columns share.
     pub shared: Vec<Expr>,
     /// The helpers.
-    pub helpers: Vec<Arc<Helper>>,
+    pub helpers: Vec<Arc<Helper<G>>>,
     /// Their calls, by number.
     pub calls: BTreeMap<u16, Call>,
-}
-
-/// One number that a call computes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Solved {
-    /// The lockstep, by its number in the graph.
-    pub lockstep: u16,
-    /// The call.
-    pub call: u16,
-    /// The column.
-    pub lane: u16,
-    /// Which of the helper's roots.
-    pub place: u16,
 }
 
 impl Call {
     /// All that it reads beside what is shared.
     pub fn operands(&self) -> impl Iterator<Item = Expr> + '_ {
         self.sides.iter().flatten().copied()
-    }
-}
-
-impl ExprGraph {
-    /// Adds helpers, and what all columns share.
-    ///
-    /// # Panics
-    /// For the 65,537th of a graph.
-    pub fn add_lockstep(&mut self, shared: Vec<Expr>, helpers: Vec<Arc<Helper>>) -> u16 {
-        let number = u16::try_from(self.locksteps.len()).expect("expr: a lockstep a function");
-        let lockstep = Lockstep {
-            shared,
-            helpers,
-            calls: BTreeMap::new(),
-        };
-        self.locksteps.insert(number, lockstep);
-        number
-    }
-
-    /// Calls a helper on columns. For each of them what it computes.
-    ///
-    /// # Panics
-    /// For the 65,537th call of a lockstep.
-    pub fn call(&mut self, lockstep: u16, call: Call) -> [Vec<Expr>; LANES] {
-        let of = self.lockstep_mut(lockstep);
-        let number = u16::try_from(of.calls.len()).expect("expr: calls are numbered in 16 bits");
-        let n_solved = of.helpers[call.helper].roots.len();
-        of.calls.insert(number, call);
-        let solved = |lane: usize, place: usize| {
-            let narrow = |number: usize| u16::try_from(number).expect("expr: speeds are fewer");
-            Input::Solved(Solved {
-                lockstep,
-                call: number,
-                lane: narrow(lane),
-                place: narrow(place),
-            })
-        };
-        std::array::from_fn(|lane| {
-            let places = 0..n_solved;
-            places.map(|place| self.input(solved(lane, place))).collect()
-        })
-    }
-
-    /// A lockstep of the graph.
-    pub fn lockstep(&self, number: u16) -> &Lockstep {
-        &self.locksteps[&number]
-    }
-
-    fn lockstep_mut(&mut self, number: u16) -> &mut Lockstep {
-        let own = self.locksteps.get_mut(&number);
-        own.expect("expr: a lockstep is there before its calls")
-    }
-
-    /// What a node needs: its operands, and where a call computes it all that the call reads.
-    pub fn operands(&self, id: NodeId) -> impl Iterator<Item = NodeId> {
-        let solved = match self.node(id) {
-            Node::Input(Input::Solved(solved)) => Some(solved),
-            _ => None,
-        };
-        let called = solved.map(|Solved { lockstep, call, .. }| {
-            let lockstep = self.lockstep(lockstep);
-            let shared = lockstep.shared.iter().copied();
-            shared.chain(lockstep.calls[&call].operands())
-        });
-        let called = called.into_iter().flatten().map(Expr::node);
-        self.node(id).operands().chain(called)
-    }
-
-    /// What calls read, of those whose numbers are among these nodes.
-    pub fn called(&self, is_needed: impl Fn(NodeId) -> bool) -> Vec<Expr> {
-        let mut met = BTreeMap::new();
-        for id in self.ids().filter(|id| is_needed(*id)) {
-            if let Node::Input(Input::Solved(own)) = self.node(id) {
-                met.insert((own.lockstep, own.call), own);
-            }
-        }
-        let mut read = Vec::new();
-        let mut shared = None;
-        for (lockstep, call) in met.into_keys() {
-            let of = self.lockstep(lockstep);
-            if shared.replace(lockstep) != Some(lockstep) {
-                read.extend(&of.shared);
-            }
-            read.extend(of.calls[&call].operands());
-        }
-        read
-    }
-
-    /// Takes the call that computes a number of another graph over, on what stands here for its operands, unless it is there.
-    pub fn take_call(&mut self, other: &Self, solved: Solved, of: impl Fn(Expr) -> Expr) {
-        let Solved { lockstep, call, .. } = solved;
-        let theirs = other.lockstep(lockstep);
-        let own = self.locksteps.entry(lockstep);
-        let own = own.or_insert_with(|| Lockstep {
-            shared: theirs.shared.iter().map(|expr| of(*expr)).collect(),
-            helpers: theirs.helpers.clone(),
-            calls: BTreeMap::new(),
-        });
-        own.calls.entry(call).or_insert_with(|| {
-            let Call { helper, sides } = &theirs.calls[&call];
-            Call {
-                helper: *helper,
-                sides: sides.iter().map(|row| row.map(&of)).collect(),
-            }
-        });
     }
 }

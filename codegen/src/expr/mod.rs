@@ -6,6 +6,7 @@
 //! Does not: reorder sums, distribute products, or know mechanics: of bodies it knows the numbers alone, of which inputs are
 //! told by, and which are scopes, where the greater number is further out.
 
+mod calls;
 mod copy;
 mod dump;
 mod evaluate;
@@ -18,7 +19,7 @@ mod vector;
 
 pub(crate) use evaluate::signed;
 pub use graph::ExprGraph;
-pub use lockstep::{Call, Helper, LANES, Lockstep, Solved};
-pub use node::{Binding, Expr, Input, Label, Node, NodeId};
+pub use lockstep::{Call, Helper, LANES, Lockstep};
+pub use node::{Binding, Expr, Input, Label, Node, NodeId, Solved};
 pub use purpose::Purpose;
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

@@ -1,6 +1,5 @@
 //! What the graph is made of: nodes, signed references to them, inputs, labels.
 
-use super::lockstep::Solved;
 use crate::id::{BodyId, CoordinateId, ParameterId, SpeedId};
 
 /// A node of an [`ExprGraph`](super::ExprGraph), in order of creation: operands have smaller ids.
@@ -74,6 +73,19 @@ pub enum Input {
     Parameter(ParameterId),
     /// A field of `Prepared`, by its place in the module's list.
     Prepared(usize),
+}
+
+/// One number that a call computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Solved {
+    /// The lockstep, by its number in the graph.
+    pub lockstep: u16,
+    /// The call.
+    pub call: u16,
+    /// The column.
+    pub lane: u16,
+    /// Which of the helper's roots.
+    pub place: u16,
 }
 
 /// When a value is known.

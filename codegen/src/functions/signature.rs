@@ -152,11 +152,11 @@ impl Declared {
     }
 
     /// An array of these lengths that a function fills for itself.
-    pub fn scratch(name: String, element: Element, lengths: &[usize]) -> Self {
+    pub fn scratch(name: &str, element: Element, lengths: &[usize]) -> Self {
         let lengths = lengths.iter().map(|&length| Length::Number(length));
         Self {
             lengths: lengths.collect(),
-            ..Self::written(&name, element)
+            ..Self::written(name, element)
         }
     }
 

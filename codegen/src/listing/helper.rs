@@ -1,10 +1,10 @@
 //! What a function runs on several columns: a function of one column, of which nobody else knows.
 
-use super::{Code, Function, Step, writer::Given};
+use super::{Code, Function, Step, entry::Given};
 use crate::{
     expr::Input,
     functions::Signature,
-    program::{Instruction, Program},
+    program::{Instruction, Program, ValueFacts},
 };
 
 /// Its argument that all columns share.
@@ -18,19 +18,28 @@ pub const SOLVED: &str = "solved";
 pub(super) fn signature(function: &str, program: &Program, place: usize) -> Signature {
     let (n_shared, n_sides) = given(program, place);
     let n_solved = program.helpers[place].stores.len();
-    Signature::helper(function, place + 1, [(SHARED, n_shared), (SIDES, n_sides)], (SOLVED, n_solved))
+    Signature::helper(
+        function,
+        place + 1,
+        [(SHARED, n_shared), (SIDES, n_sides)],
+        (SOLVED, n_solved),
+    )
 }
 
 /// How many numbers a helper is given that columns share, and how many of a column.
 fn given(program: &Program, place: usize) -> (usize, usize) {
     let mut instructions = program.instructions.iter();
     let call = instructions.find_map(|instruction| match instruction {
-        Instruction::Call { lockstep, helper, sides, .. } if *helper == place => {
-            Some((*lockstep, sides.len()))
-        }
+        Instruction::Call {
+            lockstep,
+            helper,
+            sides,
+            ..
+        } if *helper == place => Some((*lockstep, sides.len())),
         _ => None,
     });
-    let (number, n_sides) = call.unwrap_or_else(|| unreachable!("listing: helper {place} is not called"));
+    let (number, n_sides) =
+        call.unwrap_or_else(|| unreachable!("listing: helper {place} is not called"));
     let mut instructions = program.instructions.iter();
     let n_shared = instructions.find_map(|instruction| match instruction {
         Instruction::Share { lockstep, values } if *lockstep == number => Some(values.len()),
@@ -41,7 +50,7 @@ fn given(program: &Program, place: usize) -> (usize, usize) {
 
 /// Where a helper finds what it is given.
 pub(super) fn entries(signature: &Signature, program: &Program) -> Given {
-    let inputs = program.values.iter().filter_map(|value| value.input());
+    let inputs = program.values.iter().filter_map(ValueFacts::input);
     let entries = inputs.map(|input| {
         let (name, place) = match input {
             Input::Shared(place) => (SHARED, place),

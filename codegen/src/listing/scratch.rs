@@ -35,12 +35,12 @@ impl Scratch {
             match instruction {
                 Instruction::Share { lockstep, values } => {
                     let name = numbered("shared", scratch.shared.len());
-                    let place = scratch.declare(name, &[values.len()]);
+                    let place = scratch.declare(&name, &[values.len()]);
                     scratch.shared.insert(*lockstep, place);
                 }
                 Instruction::Call { sides, .. } => {
                     let name = numbered("sides", scratch.sides.len());
-                    let place = scratch.declare(name, &[sides.len(), LANES]);
+                    let place = scratch.declare(&name, &[sides.len(), LANES]);
                     scratch.sides.push(place);
                 }
                 Instruction::Compute { .. } | Instruction::SinCos { .. } => {}
@@ -49,7 +49,7 @@ impl Scratch {
         scratch
     }
 
-    fn declare(&mut self, name: String, lengths: &[usize]) -> usize {
+    fn declare(&mut self, name: &str, lengths: &[usize]) -> usize {
         let array = Declared::scratch(name, Element::Scalar, lengths);
         self.declared.push(array);
         self.n_arguments + self.declared.len() - 1
@@ -75,7 +75,8 @@ impl Scratch {
                     let argument = sides_of.next().copied().unwrap_or_default();
                     for (row, lanes) in sides.iter().enumerate() {
                         let lanes = lanes.iter().enumerate();
-                        stores.extend(lanes.map(|(lane, &side)| (at(argument, &[row, lane]), side)));
+                        stores
+                            .extend(lanes.map(|(lane, &side)| (at(argument, &[row, lane]), side)));
                     }
                 }
                 Instruction::Compute { .. } | Instruction::SinCos { .. } => {}

@@ -81,7 +81,10 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
         stages,
         ..
     } = function;
-    function.helpers.iter().try_for_each(|own| verify(facts, own))?;
+    function
+        .helpers
+        .iter()
+        .try_for_each(|own| verify(facts, own))?;
     check_calls(facts, function)?;
     let signature = &Signature {
         arguments: function.places().cloned().collect(),
@@ -116,7 +119,11 @@ fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
         let helper = helpers.get(*helper).ok_or(Fault::NoHelper(*helper))?;
         let own = helper.signature.arguments.iter();
         let own: Vec<usize> = own.map(|place| facts.extent(place).size()).collect();
-        let held = [extents[*shared], extents[*sides], code.array(*solved).length];
+        let held = [
+            extents[*shared],
+            extents[*sides],
+            code.array(*solved).length,
+        ];
         for (own, (held, lanes)) in own.into_iter().zip(held.into_iter().zip([1, LANES, LANES])) {
             check_lengths(lanes * own, held)?;
         }
@@ -305,10 +312,12 @@ impl<'a, 's> State<'a, 's> {
         let argument = self.signature.arguments.get(place);
         let stored = argument.and_then(|argument| self.stored.get(argument.name.as_str()));
         match (argument, stored) {
-            (Some(argument), Some(places)) => match places.iter().position(|is_stored| !is_stored) {
-                Some(place) => Err(Fault::NotStored(argument.name.clone(), place)),
-                None => Ok(()),
-            },
+            (Some(argument), Some(places)) => {
+                match places.iter().position(|is_stored| !is_stored) {
+                    Some(place) => Err(Fault::NotStored(argument.name.clone(), place)),
+                    None => Ok(()),
+                }
+            }
             _ => Err(Fault::NoArgument(place)),
         }
     }

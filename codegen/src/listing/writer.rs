@@ -1,10 +1,9 @@
 //! Functions of a listing, from programs.
 
-use std::collections::BTreeMap;
-
 use super::{
     Code, Entry, Facts, Function, Member, Step, code,
     code::ProgramContext,
+    entry::Given,
     function::places,
     group::Groups,
     helper,
@@ -19,9 +18,6 @@ use crate::{
     program::Program,
     tree::Tree,
 };
-
-/// The argument's name, and the steps in it, of what a function is given.
-pub(super) type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
 
 /// What functions are made from.
 pub(super) struct Writer<'a> {
@@ -49,9 +45,15 @@ impl<'a> Writer<'a> {
         let arguments = request.arguments();
         let given = self.given(&arguments);
         let scratch = Scratch::of(program, signature.arguments.len());
-        let code = self.code(program, (&signature, &given, &scratch), places, Counted::InFunction);
+        let code = self.code(
+            program,
+            (&signature, &given, &scratch),
+            places,
+            Counted::InFunction,
+        );
         let stages = stages::of(&signature, &scratch.declared, &code);
-        let helpers = (0..program.helpers.len()).map(|place| self.helper(&signature, program, place));
+        let helpers =
+            (0..program.helpers.len()).map(|place| self.helper(&signature, program, place));
         let helpers = helpers.collect();
         Function {
             arguments,
@@ -75,7 +77,12 @@ impl<'a> Writer<'a> {
         let given = helper::entries(&signature, own);
         let places = places(&signature, self.facts);
         let scratch = Scratch::default();
-        let code = self.code(own, (&signature, &given, &scratch), places, Counted::InFunction);
+        let code = self.code(
+            own,
+            (&signature, &given, &scratch),
+            places,
+            Counted::InFunction,
+        );
         Function::helper(signature, own, code)
     }
 

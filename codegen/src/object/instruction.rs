@@ -209,6 +209,8 @@ impl At<'_, '_> {
                     Content::Number(0),
                 );
             }
+            Mnemonic::Inc => self.assign(self.operand(0, state).plus(1), state),
+            Mnemonic::Dec => self.assign(self.operand(0, state).plus(-1), state),
             Mnemonic::Sub => {
                 let value = match self.operand(1, state) {
                     Content::Number(number) => self.operand(0, state).plus(number.wrapping_neg()),
@@ -232,21 +234,37 @@ impl At<'_, '_> {
         }
     }
 
-    /// Whether the addresses of the stack that it compares are one.
+    /// Whether the numbers, or the addresses of the stack, that it compares are one, or whether the number that it computes is zero.
     fn compared(&self, state: &State) -> Option<bool> {
-        if self.instruction.code() != Code::Cmp_r64_rm64
-            && self.instruction.code() != Code::Cmp_rm64_r64
-        {
-            return None;
-        }
-        match [0, 1].map(|number| self.operand(number, state)) {
-            [Content::Stack(one), Content::Stack(other)] => Some(one == other),
+        let instruction = self.instruction;
+        let is_half = match instruction.op0_register() {
+            register if register.is_gpr32() => true,
+            register if register.is_gpr64() => false,
+            _ => return None,
+        };
+        let [one, other] = match instruction.mnemonic() {
+            Mnemonic::Cmp | Mnemonic::Sub | Mnemonic::Add => {
+                [0, 1].map(|number| self.operand(number, state))
+            }
+            Mnemonic::Inc | Mnemonic::Dec => [self.operand(0, state), Content::Number(1)],
+            _ => return None,
+        };
+        match (one, other) {
+            (Content::Stack(one), Content::Stack(other)) => {
+                (instruction.mnemonic() == Mnemonic::Cmp).then_some(one == other)
+            }
+            (Content::Number(one), Content::Number(other)) => {
+                let is_sum = matches!(instruction.mnemonic(), Mnemonic::Add | Mnemonic::Inc);
+                let left = one.wrapping_sub(if is_sum { other.wrapping_neg() } else { other });
+                let half = u64::from(u32::MAX).cast_signed();
+                Some(if is_half { left & half == 0 } else { left == 0 })
+            }
             _ => None,
         }
     }
 
-    /// Where it jumps to within its function, if whether it does follows from addresses of the stack alone: a large stack is
-    /// touched page by page.
+    /// Where it jumps to within its function, if whether it does follows from numbers in the code or addresses of the stack alone:
+    /// columns are counted, and a large stack is touched page by page.
     pub(super) fn counted_jump(&self, state: &State) -> Option<u64> {
         let instruction = self.instruction;
         let is_taken = match instruction.mnemonic() {
@@ -278,11 +296,11 @@ impl At<'_, '_> {
             OpKind::Register => {
                 let register = instruction.op0_register();
                 // A number that is given to a half fills the whole.
-                let is_number = register.is_gpr32() && matches!(value, Content::Number(_));
-                let register = if is_number {
-                    register.full_register()
-                } else {
-                    register
+                let (register, value) = match value {
+                    Content::Number(number) if register.is_gpr32() => {
+                        (register.full_register(), half(number))
+                    }
+                    value => (register, value),
                 };
                 state.set(register, value);
             }
@@ -299,7 +317,14 @@ impl At<'_, '_> {
     fn operand(&self, number: u32, state: &State) -> Content {
         let instruction = self.instruction;
         match instruction.op_kind(number) {
-            OpKind::Register => state.register(instruction.op_register(number)),
+            OpKind::Register => {
+                let register = instruction.op_register(number);
+                match state.register(register.full_register()) {
+                    Content::Number(number) if register.is_gpr32() => half(number),
+                    own if register.is_gpr64() => own,
+                    _ => Content::Unknown,
+                }
+            }
             OpKind::Memory => {
                 let reference = self.reference(self.offsets.displacement_offset());
                 if let Some(reference) = reference.filter(|reference| reference.is_indirect) {
@@ -378,6 +403,11 @@ impl At<'_, '_> {
         let after = self.instruction.len().checked_sub(within)?;
         self.files.reference(at, i64::try_from(after).ok()?)
     }
+}
+
+/// The lower half of a number.
+fn half(number: i64) -> Content {
+    Content::Number(number & u64::from(u32::MAX).cast_signed())
 }
 
 fn unknown() -> Target {

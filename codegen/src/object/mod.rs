@@ -4,8 +4,8 @@
 //! instructions, and every promise that it breaks, with the instruction.
 //!
 //! The promises concern every `pub fn` with `#[inline(never)]`, for a scalar that the hardware computes with:
-//! - It has no jump. One exception: a loop touches a large stack page by page, and its length is fixed. So each call executes the same instructions.
-//! - It calls nothing but the runtime's sines and cosines and the stages of a long function, which keep the same promises. So it cannot panic.
+//! - It has no jump but those of loops whose length is a number in the code: over the pages of a large stack, or the columns of a helper. So each call executes the same instructions.
+//! - It calls nothing but the runtime's sines and cosines, the stages of a long function and its helpers, which keep the same promises. So it cannot panic.
 //! - It uses no memory but that of its arguments, its stack and constants, and no address depends on a number that it computes.
 //!
 //! Needs: `rustc`, and machine code of x86-64 in ELF. Does not: say how long an instruction takes; compile for other
@@ -95,7 +95,7 @@ pub struct FunctionReport {
     pub text: u64,
     /// The most bytes of stack below its return address, with what it calls.
     pub stack: u64,
-    /// How many instructions a call executes, with what it calls; without jumps they are as many as there are.
+    /// How many instructions a call executes, with what it calls.
     pub instructions: u64,
     /// The promises that it breaks, by address.
     pub breaches: Vec<Breach>,
@@ -120,7 +120,7 @@ pub enum What {
     Jump,
     /// A call that ends in a panic.
     Panic(String),
-    /// A call of anything but the runtime's sines and cosines, or a stage of the function.
+    /// A call of anything but the runtime's sines and cosines, or a part of the function.
     Call(String),
     /// Memory that is no constant and belongs to nobody's arguments.
     Static(Option<String>),

@@ -47,7 +47,7 @@ const OF_CALLEE: [Register; 9] = [
 /// What a function may use of the stack below the stack pointer.
 const RED_ZONE: i64 = 128;
 /// What it may read above its return address, where further arguments are.
-const MOST_ARGUMENTS: i64 = 128;
+const MOST_ARGUMENTS: i64 = 4096;
 /// Bytes of a return address, and of a register.
 pub(super) const WORD: i64 = 8;
 /// The largest alignment of a stack: a page.
@@ -77,7 +77,7 @@ pub(super) struct State {
     aligned: i64,
     /// What was used through arguments, by their numbers.
     pub(super) arguments: BTreeMap<usize, Used>,
-    /// Whether the addresses of the stack that were compared last are one.
+    /// Whether the numbers or the addresses of the stack that were compared last are one.
     pub(super) are_equal: Option<bool>,
 }
 

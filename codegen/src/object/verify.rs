@@ -58,7 +58,7 @@ pub fn verify(runtime: &Runtime, path: &Path) -> Result<Report, Error> {
             .and_then(|location| files.function(location));
         let code = code.ok_or_else(|| Error::Object(format!("`{symbol}` is not in it")))?;
         let facts = verifier.facts(code);
-        functions.extend(verifier.stages(code.location, &mut generated));
+        functions.extend(verifier.parts(code.location, &mut generated));
         functions.push(FunctionReport {
             name: root.name,
             ..facts.function
@@ -78,10 +78,13 @@ fn name_in_module(name: &str) -> Option<&str> {
     (scalar.is_empty() || scalar.starts_with('<') && scalar.ends_with('>')).then_some(name)
 }
 
-/// True for a stage of a function of the module.
-fn is_stage(name: &str) -> bool {
-    let number = name_in_module(name).and_then(|name| name.rsplit_once("_stage_"));
-    number.is_some_and(|(_, number)| number.parse::<usize>().is_ok())
+/// True for a stage of a function of the module, and for what it runs on several columns.
+fn is_part(name: &str) -> bool {
+    let own = name_in_module(name);
+    ["_stage_", "_lockstep_"].into_iter().any(|kind| {
+        let number = own.and_then(|name| name.rsplit_once(kind));
+        number.is_some_and(|(_, number)| number.parse::<usize>().is_ok())
+    })
 }
 
 /// What is known of a function.
@@ -135,31 +138,31 @@ impl Verifier<'_, '_> {
 
     /// The functions of the module that were read for the one at a location, and not for one before it; with it they are known as
     /// generated.
-    fn stages(&self, own: Location, generated: &mut BTreeSet<Location>) -> Vec<FunctionReport> {
+    fn parts(&self, own: Location, generated: &mut BTreeSet<Location>) -> Vec<FunctionReport> {
         generated.insert(own);
         let read = self.facts.iter();
-        let read = read.filter(|(_, facts)| is_stage(&facts.function.name));
-        let stages = read.filter(|(location, _)| generated.insert(**location));
-        let mut stages: Vec<FunctionReport> =
-            stages.map(|(_, facts)| facts.function.clone()).collect();
-        for stage in &mut stages {
-            stage.name = name_in_module(&stage.name).unwrap_or_default().to_owned();
+        let read = read.filter(|(_, facts)| is_part(&facts.function.name));
+        let parts = read.filter(|(location, _)| generated.insert(**location));
+        let mut parts: Vec<FunctionReport> =
+            parts.map(|(_, facts)| facts.function.clone()).collect();
+        for part in &mut parts {
+            part.name = name_in_module(&part.name).unwrap_or_default().to_owned();
         }
         // The tenth after the ninth.
-        stages.sort_by(|one, other| {
+        parts.sort_by(|one, other| {
             (one.name.len(), &one.name).cmp(&(other.name.len(), &other.name))
         });
-        stages
+        parts
     }
 
-    /// The facts of a callee, where it is one of the runtime's sines and cosines, or a stage of a function.
+    /// The facts of a callee, where it is one of the runtime's sines and cosines, or a part of a function.
     fn of_callee(&mut self, target: &Target) -> Option<Facts> {
         let Target::Function(location) = *target else {
             return None;
         };
         let name = self.files.name(location);
         let is_sine = SINES.iter().any(|start| name.starts_with(start));
-        let is_known = is_sine || is_stage(name);
+        let is_known = is_sine || is_part(name);
         let code = self.files.function(location);
         let code = code.filter(|_| is_known && !self.open.contains(&location))?;
         Some(self.facts(code))

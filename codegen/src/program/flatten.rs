@@ -57,7 +57,7 @@ struct Flattening<'a> {
     /// What is needed of each call that was not made yet.
     solved: BTreeMap<(u16, u16), Vec<(Solved, NodeId)>>,
     /// The helpers that are among the program's, in their order.
-    helpers: Vec<Arc<expr::Helper>>,
+    helpers: Vec<Arc<expr::Helper<ExprGraph>>>,
     /// The nodes already flattened, as signed values.
     operands: Vec<Option<Operand>>,
     program: Program,
@@ -209,9 +209,10 @@ impl Flattening<'_> {
     fn call(&mut self, Solved { lockstep, call, .. }: Solved) {
         let of = self.graph.lockstep(lockstep);
         let number = usize::from(lockstep);
-        let is_shared = self.program.instructions.iter().any(
-            |own| matches!(own, Instruction::Share { lockstep, .. } if *lockstep == number),
-        );
+        let is_shared =
+            self.program.instructions.iter().any(
+                |own| matches!(own, Instruction::Share { lockstep, .. } if *lockstep == number),
+            );
         if !is_shared {
             let values = of.shared.iter().map(|&own| self.expr(own)).collect();
             self.program.instructions.push(Instruction::Share {
@@ -242,7 +243,7 @@ impl Flattening<'_> {
     }
 
     /// The place of a helper among the program's.
-    fn helper(&mut self, own: &Arc<expr::Helper>) -> usize {
+    fn helper(&mut self, own: &Arc<expr::Helper<ExprGraph>>) -> usize {
         let mut known = self.helpers.iter();
         if let Some(place) = known.position(|known| Arc::ptr_eq(known, own)) {
             return place;

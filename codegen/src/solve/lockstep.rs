@@ -49,7 +49,11 @@ impl Factors {
         };
         let mut helpers: Vec<(Vec<bool>, BTreeSet<usize>, Solver)> = Vec::new();
         let mut calls = Vec::with_capacity(groups.len());
-        for Group { columns: own, halves } in groups {
+        for Group {
+            columns: own,
+            halves,
+        } in groups
+        {
             let is_given: Vec<bool> = (0..self.order.len())
                 .map(|speed| own.iter().any(|&own| !graph.is_zero(columns[own][speed])))
                 .collect();
@@ -64,7 +68,16 @@ impl Factors {
         }
         let (texts, solvers): (Vec<_>, Vec<_>) = helpers
             .into_iter()
-            .map(|(.., Solver { helper, given, found })| (Arc::new(helper), (given, found)))
+            .map(
+                |(
+                    ..,
+                    Solver {
+                        helper,
+                        given,
+                        found,
+                    },
+                )| (Arc::new(helper), (given, found)),
+            )
             .unzip();
         if calls.is_empty() {
             return solved;
@@ -149,7 +162,7 @@ impl Factors {
 
 /// A helper, the speeds of which it is given entries, and those of which it computes them.
 struct Solver {
-    helper: Helper,
+    helper: Helper<ExprGraph>,
     given: Vec<usize>,
     found: Vec<usize>,
 }

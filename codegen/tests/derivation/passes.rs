@@ -365,7 +365,7 @@ fn sines_of_all_angles_that_are_known_at_the_start_are_taken_together_in_the_ord
     program::verify(&program).unwrap();
     let angles = |instruction: &program::Instruction| match instruction {
         program::Instruction::SinCos { angles, .. } => Some(angles.len()),
-        program::Instruction::Compute { .. } => None,
+        _ => None,
     };
     let found: Vec<_> = program.instructions.iter().map(angles).collect();
     // The two operations of the angles, the three angles, then the rest with the sine of what holds sines.

@@ -71,7 +71,13 @@ fn input(case: &Value, tree: &Tree, input: Input) -> f64 {
         Input::Parameter(_) | Input::Prepared(_) | Input::Sine(_) | Input::Cosine(_) => {
             unreachable!("the references have no parameters, nor are sines given")
         }
-        Input::Point(_) | Input::FrameForce(_) | Input::FrameMoment(_) | Input::Product(..) => {
+        Input::Shared(_)
+        | Input::Side(_)
+        | Input::Solved(_)
+        | Input::Point(_)
+        | Input::FrameForce(_)
+        | Input::FrameMoment(_)
+        | Input::Product(..) => {
             unreachable!("no function here is of a frame, nor a product")
         }
     }

@@ -211,6 +211,7 @@ fn of_dynamics() -> impl Iterator<Item = (&'static str, Technique)> {
         Technique::Composite,
         Technique::Reverse,
         Technique::Carriers,
+        Technique::Lockstep,
     ];
     let all = Technique::ALL.into_iter();
     all.filter(move |(_, technique)| !others.contains(technique))

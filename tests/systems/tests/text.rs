@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::Command};
 use kane_codegen::{
     compile::Options,
     config::{Formulation, Functions},
-    description::no_includes,
+    description::{Base, Reading, no_includes},
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
@@ -52,12 +52,36 @@ fn modules() -> Vec<(String, String)> {
 
 /// Collects what has no place in a generated function.
 #[derive(Default)]
-struct Found(Vec<String>);
+struct Found {
+    what: Vec<String>,
+    /// What counts the columns, in a helper.
+    lane: Option<&'static str>,
+}
 
 impl Found {
     fn add(&mut self, what: impl Into<String>) {
-        self.0.push(what.into());
+        self.what.push(what.into());
     }
+
+    /// What stages before keep is lent to a stage, and what a helper reads to that; what is filled for helpers to both.
+    fn visit_lent(&mut self, argument: &syn::Expr) {
+        match argument {
+            syn::Expr::Reference(lent) => match (&lent.mutability, &*lent.expr) {
+                (Some(_), syn::Expr::Path(own)) if own.path.get_ident().is_some_and(is_scratch) => {
+                }
+                (Some(_), _) => self.add("something that is lent to be changed"),
+                (None, own) => self.visit_expr(own),
+            },
+            own => self.visit_expr(own),
+        }
+    }
+}
+
+/// True for an array that a function fills for its helpers, or that a helper fills.
+fn is_scratch(name: &syn::Ident) -> bool {
+    let name = name.to_string();
+    let mut kinds = ["shared", "sides", "solved"].into_iter();
+    kinds.any(|kind| name.starts_with(kind))
 }
 
 /// `R::name` is a path of two segments.
@@ -91,6 +115,7 @@ impl<'ast> Visit<'ast> for Found {
             | syn::Expr::Lit(_)
             | syn::Expr::Paren(_)
             | syn::Expr::Path(_)
+            | syn::Expr::Repeat(_)
             | syn::Expr::Struct(_) => {}
             syn::Expr::Call(call) => match called(&call.func).as_deref() {
                 // A fence is no instruction.
@@ -101,15 +126,9 @@ impl<'ast> Visit<'ast> for Found {
                     | "R::abs"
                     | "core::sync::atomic::compiler_fence",
                 ) => {}
-                Some(stage) if stage.starts_with("self::") && stage.contains("_stage_") => {
-                    // What stages before it keep is lent to it.
+                Some(part) if part.starts_with("self::") && is_part(part) => {
                     for argument in &call.args {
-                        match argument {
-                            syn::Expr::Reference(lent) if lent.mutability.is_none() => {
-                                self.visit_expr(&lent.expr);
-                            }
-                            own => self.visit_expr(own),
-                        }
+                        self.visit_lent(argument);
                     }
                     return;
                 }
@@ -117,6 +136,12 @@ impl<'ast> Visit<'ast> for Found {
             },
             syn::Expr::Index(index) => {
                 let is_integer = matches!(&*index.index, syn::Expr::Lit(literal) if matches!(literal.lit, syn::Lit::Int(_)));
+                let is_lane = matches!(&*index.index, syn::Expr::Path(own) if own.path.get_ident().is_some_and(|own| self.lane.is_some_and(|lane| own == lane)));
+                if is_lane {
+                    // The name of the lane is no index elsewhere.
+                    self.visit_expr(&index.expr);
+                    return;
+                }
                 if !is_integer {
                     self.add("an index that is no integer literal");
                 }
@@ -142,7 +167,11 @@ impl<'ast> Visit<'ast> for Found {
     }
 
     fn visit_pat_ident(&mut self, pattern: &'ast syn::PatIdent) {
-        if pattern.mutability.is_some() || pattern.by_ref.is_some() || pattern.subpat.is_some() {
+        let is_scratch = is_scratch(&pattern.ident);
+        if pattern.mutability.is_some() && !is_scratch
+            || pattern.by_ref.is_some()
+            || pattern.subpat.is_some()
+        {
             self.add("a name that is not bound once");
         }
     }
@@ -164,6 +193,7 @@ impl<'ast> Visit<'ast> for Anywhere {
     fn visit_expr(&mut self, expr: &'ast syn::Expr) {
         let found = match expr {
             syn::Expr::Unsafe(_) => Some("unsafe"),
+            syn::Expr::ForLoop(own) if columns(own).is_some() => None,
             syn::Expr::ForLoop(_) | syn::Expr::While(_) | syn::Expr::Loop(_) => Some("a loop"),
             syn::Expr::If(_) | syn::Expr::Match(_) => Some("a branch"),
             syn::Expr::Closure(_) => Some("a closure"),
@@ -192,13 +222,42 @@ impl<'ast> Visit<'ast> for Anywhere {
     }
 }
 
-/// Asserts that a module's functions are straight lines; how many there are, and how many stages of these.
+/// True for a stage of a function, and for a helper.
+fn is_part(name: &str) -> bool {
+    name.contains("_stage_") || is_helper(name)
+}
+
+fn is_helper(name: &str) -> bool {
+    name.contains("_lockstep_")
+}
+
+/// What a loop over four columns repeats.
+fn columns(own: &syn::ExprForLoop) -> Option<&syn::Block> {
+    let is_lane = matches!(&*own.pat, syn::Pat::Ident(pattern) if pattern.ident == "lane");
+    let four = syn::parse_quote!(0..4);
+    (is_lane && *own.expr == four && own.label.is_none()).then_some(&own.body)
+}
+
+/// What a helper repeats for every column; it does nothing else than that.
+fn repeated(body: &syn::Block) -> Option<&syn::Block> {
+    let [
+        syn::Stmt::Local(_),
+        syn::Stmt::Expr(syn::Expr::ForLoop(own), None),
+        syn::Stmt::Expr(syn::Expr::Path(_), None),
+    ] = &body.stmts[..]
+    else {
+        return None;
+    };
+    columns(own)
+}
+
+/// Asserts that a module's functions are straight lines; how many there are, and how many stages and helpers of these.
 fn assert_straight(name: &str, text: &str) -> (usize, usize) {
     let file = syn::parse_file(text).expect("what is generated is Rust");
     let mut anywhere = Anywhere::default();
     anywhere.visit_file(&file);
     assert!(anywhere.0.is_empty(), "{name}: {:?}", anywhere.0);
-    let (mut n_functions, mut n_stages) = (0, 0);
+    let (mut n_functions, mut n_parts) = (0, 0);
     for item in &file.items {
         // The free functions, and what prepares the parameters.
         let bodies: Vec<(String, &syn::Block)> = match item {
@@ -217,14 +276,22 @@ fn assert_straight(name: &str, text: &str) -> (usize, usize) {
         };
         for (function, body) in bodies {
             let mut found = Found::default();
-            found.visit_block(body);
-            assert!(found.0.is_empty(), "{name}, {function}: {:?}", found.0);
-            let is_stage = function.contains("_stage_");
-            n_stages += usize::from(is_stage);
-            n_functions += usize::from(!is_stage);
+            if is_helper(&function) {
+                found.lane = Some("lane");
+                found.visit_block(repeated(body).expect("a helper repeats straight lines"));
+            } else {
+                found.visit_block(body);
+            }
+            assert!(
+                found.what.is_empty(),
+                "{name}, {function}: {:?}",
+                found.what
+            );
+            n_parts += usize::from(is_part(&function));
+            n_functions += usize::from(!is_part(&function));
         }
     }
-    (n_functions, n_stages)
+    (n_functions, n_parts)
 }
 
 #[test]
@@ -247,6 +314,25 @@ fn so_are_the_stages_of_a_long_function() {
     // What every module has: its preparation, and the rates of coordinates.
     assert_eq!(n_functions, 3);
     assert!(n_stages > 2, "{n_stages}");
+}
+
+#[test]
+fn so_are_the_helpers_of_a_function_but_for_a_loop_over_four_columns() {
+    let options = Options {
+        functions: Functions::Named(vec!["d(forward_dynamics)/d(q, u)".to_owned()]),
+        reading: Reading {
+            base: Some(Base::Free),
+            ..Reading::default()
+        },
+        ..Options::default()
+    };
+    let text = include_str!("../../robots/solo12/solo12.urdf");
+    let source = Source::new("solo12.urdf", text);
+    let module = generate(&source, "solo12", &options, &no_includes).expect("a robot");
+    let (n_functions, n_helpers) = assert_straight("solo12", &module.source);
+    // What modules with quaternions have: their preparation, the rates of coordinates, and what makes quaternions unit ones.
+    assert_eq!(n_functions, 4);
+    assert!(n_helpers > 2, "{n_helpers}");
 }
 
 /// The ways in which a user's crate can take a module in: attributes of the crate, and the module's declaration.

@@ -6,11 +6,17 @@ use syn::{
     token::{Minus, Plus, Slash, Star},
 };
 
-use super::{lockstep::LANE, syntax, text::ident};
+use super::{syntax, text::ident};
 use crate::{
     functions::Declared,
-    listing::{Array, Code, Entry, Expression, Facts, Function, LocalId, Member, SHARED, Stage, Step, Tightness},
+    listing::{
+        Array, Code, Entry, Expression, Facts, Function, LocalId, Member, SHARED, Stage, Step,
+        Tightness,
+    },
 };
+
+/// What counts the columns of a helper.
+pub(super) const LANE: &str = "lane";
 
 /// What a function's names are known from.
 pub(super) struct Writer<'a> {

@@ -2,10 +2,10 @@
 
 use proc_macro2::Literal;
 use quote::quote;
-use syn::{Expr, Item, Stmt, parse_quote};
+use syn::{Item, Stmt, parse_quote};
 
 use super::{
-    expression::Writer,
+    expression::{LANE, Writer},
     statements, syntax,
     text::{allow_generated, doc, ident},
 };
@@ -14,9 +14,6 @@ use crate::{
     functions::{Declared, Length},
     listing::{Facts, Function, SHARED, SIDES, SOLVED},
 };
-
-/// What counts the columns.
-pub(super) const LANE: &str = "lane";
 
 /// The helpers of a function, of which nobody else knows.
 pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
@@ -39,6 +36,7 @@ fn item(facts: &Facts, helper: &Function) -> Item {
     parse_quote! {
         #doc
         #allow
+        #[allow(clippy::needless_range_loop, reason = "a column's numbers stand in several arrays")]
         #[inline(never)]
         fn #name<R: kane::Real>(#shared: &[R; #n_shared], #sides: &[[R; #lanes]; #n_sides]) -> [[R; #lanes]; #n_solved] {
             let mut #solved = [#sides[0]; #n_solved];
@@ -59,13 +57,6 @@ fn length(argument: &Declared) -> Literal {
 
 fn number_of(number: usize) -> Literal {
     Literal::usize_unsuffixed(number)
-}
-
-/// The call of a helper of a function: on what columns share, and on rows of what they do not.
-pub(super) fn call(writer: &Writer<'_>, helper: usize, given: [usize; 2]) -> Expr {
-    let name = ident(&format!("{}_lockstep_{}", writer.of, helper + 1));
-    let given = given.map(|place| writer.lent(place));
-    syntax::call(syntax::of_module(&name), given)
 }
 
 /// What a function fills for its calls, before it does.

@@ -93,7 +93,9 @@ fn shortened(mut field: FieldValue) -> FieldValue {
 
 /// The calls of a function's stages, in order.
 pub(super) fn calls(function: &Function) -> Vec<Stmt> {
-    let Function { stages, scratch, .. } = function;
+    let Function {
+        stages, scratch, ..
+    } = function;
     let is_own = |name: &String| scratch.iter().any(|array| array.name == *name);
     let calls = stages.iter().map(|stage| {
         let name = ident(&stage.signature.name);

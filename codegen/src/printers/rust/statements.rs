@@ -1,11 +1,11 @@
 //! The statements of a function.
 
-use syn::{Stmt, parse_quote};
+use syn::{Expr, Stmt, parse_quote};
 
 use super::{
     declarations::Declarations,
     expression::Writer,
-    lockstep, syntax,
+    syntax,
     text::{comment, ident},
 };
 use crate::listing::{Entry, Expression, LocalId, Statement};
@@ -80,9 +80,12 @@ fn print(
             given,
             solved,
         } => {
-            let value = lockstep::call(writer, *helper, *given);
+            let value = call(writer, *helper, *given);
             let solved = ident(&writer.code.array(*solved).name);
-            printed.push(syntax::declare(syntax::pattern(&[Some(solved)]), Some(value)));
+            printed.push(syntax::declare(
+                syntax::pattern(&[Some(solved)]),
+                Some(value),
+            ));
         }
         Statement::StoreSinCos {
             angles,
@@ -107,6 +110,13 @@ fn print(
             core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
         }),
     }
+}
+
+/// The call of a helper of a function: on what columns share, and on rows of what they do not.
+fn call(writer: &Writer<'_>, helper: usize, given: [usize; 2]) -> Expr {
+    let name = ident(&format!("{}_lockstep_{}", writer.of, helper + 1));
+    let given = given.map(|place| writer.lent(place));
+    syntax::call(syntax::of_module(&name), given)
 }
 
 fn sin_cos_array(writer: &Writer<'_>, names: [&str; 2], angles: &[Expression]) -> Stmt {

@@ -3,8 +3,8 @@
 use proc_macro2::Span;
 use syn::{
     BinOp, Expr, ExprArray, ExprAssign, ExprBinary, ExprCall, ExprField, ExprIndex, ExprInfer,
-    ExprLit, ExprParen, ExprPath, ExprReference, ExprTuple, ExprUnary, Ident, Lit, LitFloat, LitInt, Local,
-    LocalInit, LocalModifiers, Pat, PatIdent, PatTuple, PatWild, Path, Stmt, UnOp,
+    ExprLit, ExprParen, ExprPath, ExprReference, ExprTuple, ExprUnary, Ident, Lit, LitFloat,
+    LitInt, Local, LocalInit, LocalModifiers, Pat, PatIdent, PatTuple, PatWild, Path, Stmt, UnOp,
     punctuated::Punctuated,
     token::{And, Bracket, Dot, Eq, Let, Minus, Paren, PathSep, Semi, Star, Underscore},
 };

@@ -2,9 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use kane_codegen::functions::Signature;
 use kane_codegen::listing::{
-    Code, Entry, Expression, Facts, Fault, Function, LocalId, Module, Stage, Statement, verify,
+    Code, Entry, Expression, Facts, Fault, Function, LocalId, Module, SHARED, Stage, Statement,
+    verify,
+};
+use kane_codegen::{
+    description::{self, Base, Reading, no_includes},
+    diagnostic::Source,
+    expr::LANES,
+    functions::Signature,
 };
 
 use super::verify::module_of;
@@ -13,9 +19,19 @@ use crate::module::hinges;
 /// Numbers of arguments, by the argument's name and the place.
 type Numbers = BTreeMap<(String, usize), f64>;
 
+/// What statements are given.
+struct Given<'a> {
+    facts: &'a Facts,
+    /// What stands at a place of an argument that is read.
+    number: &'a dyn Fn(&(String, usize)) -> f64,
+    /// What earlier stages have stored.
+    stored: &'a Numbers,
+    helpers: &'a [Function],
+}
+
 /// What statements have computed.
 struct Run<'a> {
-    facts: &'a Facts,
+    given: &'a Given<'a>,
     signature: &'a Signature,
     locals: Vec<f64>,
     arrays: Vec<Vec<f64>>,
@@ -25,9 +41,14 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn of(facts: &'a Facts, signature: &'a Signature, code: &Code, kept: &'a [Vec<f64>]) -> Self {
+    fn of(
+        given: &'a Given<'a>,
+        signature: &'a Signature,
+        code: &Code,
+        kept: &'a [Vec<f64>],
+    ) -> Self {
         let mut run = Self {
-            facts,
+            given,
             signature,
             locals: vec![f64::NAN; code.locals.len()],
             arrays: code
@@ -46,7 +67,7 @@ impl<'a> Run<'a> {
 
     fn place(&self, entry: &Entry) -> (String, usize) {
         let argument = &self.signature.arguments[entry.argument];
-        let place = self.facts.extent(argument).place(&entry.steps);
+        let place = self.given.facts.extent(argument).place(&entry.steps);
         (
             argument.name.clone(),
             place.expect("a place of the argument"),
@@ -84,9 +105,49 @@ impl<'a> Run<'a> {
                 let (place, value) = (self.place(place), self.value(value));
                 assert!(self.stored.insert(place, value).is_none());
             }
+            Statement::Call {
+                helper,
+                given,
+                solved,
+            } => {
+                let given = given.map(|place| self.scratch(place));
+                self.arrays[solved.index()] = self.called(&self.given.helpers[*helper], &given);
+            }
             Statement::Heading(_) | Statement::Fence => {}
             Statement::StoreSinCos { .. } => unreachable!("of the function of sines alone"),
         }
+    }
+
+    /// All that was stored to an argument.
+    fn scratch(&self, place: usize) -> Vec<f64> {
+        let name = &self.signature.arguments[place].name;
+        let own = (name.clone(), 0)..(format!("{name} "), 0);
+        let both = [self.given.stored, &self.stored];
+        let stored = both
+            .into_iter()
+            .flat_map(|numbers| numbers.range(own.clone()));
+        let stored: BTreeMap<usize, f64> =
+            stored.map(|((_, place), value)| (*place, *value)).collect();
+        stored.into_values().collect()
+    }
+
+    /// What a helper computes, a row for each number, with that of each lane.
+    fn called(&self, helper: &Function, [shared, sides]: &[Vec<f64>; 2]) -> Vec<f64> {
+        let mut rows = BTreeMap::new();
+        for lane in 0..LANES {
+            let number = |(name, place): &(String, usize)| match name.as_str() {
+                SHARED => shared[*place],
+                _ => sides[LANES * place + lane],
+            };
+            let given = Given {
+                number: &number,
+                ..*self.given
+            };
+            let run = Run::of(&given, &helper.signature, &helper.code, &[]);
+            let stored = run.stored.into_iter();
+            rows.extend(stored.map(|((_, place), value)| (LANES * place + lane, value)));
+        }
+        rows.into_values().collect()
     }
 
     fn value(&self, expression: &Expression) -> f64 {
@@ -96,7 +157,7 @@ impl<'a> Run<'a> {
             Expression::Local(id) => self.locals[id.index()],
             Expression::Element(id, place) => self.arrays[id.index()][*place],
             Expression::Kept(stage, place) => self.kept[*stage][*place],
-            Expression::Entry(entry) => given(&self.place(entry)),
+            Expression::Entry(entry) => (self.given.number)(&self.place(entry)),
             Expression::Negative(a) => -self.value(a),
             Expression::Absolute(a) => self.value(a).abs(),
             Expression::Sum(both) => two(both).iter().sum(),
@@ -118,16 +179,23 @@ fn given((name, place): &(String, usize)) -> f64 {
 }
 
 /// What the stages store, one after the other, each given what those before it keep.
-fn staged(facts: &Facts, stages: &[Stage]) -> Numbers {
+fn staged(facts: &Facts, stages: &[Stage], helpers: &[Function]) -> Numbers {
     let (mut stored, mut kept) = (Numbers::new(), Vec::new());
     for stage in stages {
-        let run = Run::of(facts, &stage.signature, &stage.code, &kept);
+        let given = Given {
+            facts,
+            number: &given,
+            stored: &stored,
+            helpers,
+        };
+        let run = Run::of(&given, &stage.signature, &stage.code, &kept);
         let returned = stage
             .kept
             .iter()
             .map(|kept| run.value(&kept.value))
             .collect();
-        stored.extend(run.stored);
+        let own = run.stored;
+        stored.extend(own);
         kept.push(returned);
     }
     stored
@@ -138,11 +206,22 @@ fn assert_same(module: &Module, function: &Function) {
         signature,
         code,
         stages,
+        helpers,
         ..
     } = function;
     assert!(stages.len() > 2, "{} is not long", signature.name);
-    let whole = Run::of(&module.facts, signature, code, &[]).stored;
-    let staged = staged(&module.facts, stages);
+    let with_scratch = Signature {
+        arguments: function.places().cloned().collect(),
+        ..signature.clone()
+    };
+    let of_whole = Given {
+        facts: &module.facts,
+        number: &given,
+        stored: &Numbers::new(),
+        helpers,
+    };
+    let whole = Run::of(&of_whole, &with_scratch, code, &[]).stored;
+    let staged = staged(&module.facts, stages, helpers);
     assert_eq!(whole.len(), staged.len());
     // The operations are the same, so are the bits.
     for (place, value) in &whole {
@@ -164,6 +243,23 @@ fn stages_store_what_their_function_does() {
     let module = module_of(model, &["d(inverse_dynamics)/d(q, u, u_dot)"]);
     let name = "d_inverse_dynamics_d_q_u_u_dot";
     assert_same(&module, module.function(name).expect("it is asked for"));
+}
+
+#[test]
+fn stages_fill_what_helpers_are_given() {
+    let talos = include_str!("../../../../tests/robots/talos/talos.urdf");
+    let reading = Reading {
+        base: Some(Base::Free),
+        ..Reading::default()
+    };
+    let source = Source::new("talos.urdf", talos);
+    let description = description::read(&source, &reading, &no_includes);
+    let model = description::toml::write(&description).expect("it can be written");
+    let module = module_of(&model, &["d(forward_dynamics)/d(q, u)"]);
+    let function = module.function("d_forward_dynamics_d_q_u");
+    let function = function.expect("it is asked for");
+    assert!(function.helpers.len() > 2, "columns are solved in lockstep");
+    assert_same(&module, function);
 }
 
 #[test]
