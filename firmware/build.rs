@@ -22,6 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "jacobian(panda_hand_tcp)",
             "coriolis_matrix",
             "d(inverse_dynamics)/d(q, u, u_dot)",
+            "d(forward_dynamics)/d(q, u, tau)",
             "vjp(forward_dynamics; q, u, tau)",
         ])
         .run()?;

@@ -139,7 +139,7 @@ case ${1:-} in
         frames="pose($frame)+jacobian($frame), jacobian($frame, panda_link3), jacobian_packed($frame), point_jacobian($frame)"
         frames+=", velocity($frame, local), acceleration($frame), jacobian_dot_u($frame), generalized_force($frame), imu($frame)"
         frames+=", operational_inverse_inertia($frame, panda_link4)"
-        derivatives="d(inverse_dynamics)/d(q, u, u_dot), packed(d(forward_dynamics)/d(q)), jvp(inverse_dynamics; q, u, u_dot)"
+        derivatives="d(inverse_dynamics)/d(q, u, u_dot), d(forward_dynamics)/d(q, u, tau), jvp(inverse_dynamics; q, u, u_dot)"
         derivatives+=", vjp(forward_dynamics; q, u, tau), hessian(inverse_dynamics; q)"
         generate panda --functions "$frames, coriolis_matrix, mass_matrix_dot, mass_matrix_inverse, regressor, base_regressor, $derivatives"
         ;;

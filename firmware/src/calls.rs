@@ -183,6 +183,20 @@ fn panda_derivatives<R: Scalar>(machine: &mut impl Machine, system: &panda::Prep
         },
     );
     let function = Function {
+        name: "panda::d_forward_dynamics_d_q_u_tau",
+        address: panda::d_forward_dynamics_d_q_u_tau::<R> as *const (),
+    };
+    // Its columns are solved in lockstep.
+    function.at_states(
+        machine,
+        |state: &State<R, _, _>, rows: &mut [_; 3 * panda::NU]| {
+            if let [by_q, by_u, by_tau] = rows.as_chunks_mut::<{ panda::NU }>().0 {
+                let State { q, u, tau, .. } = state;
+                panda::d_forward_dynamics_d_q_u_tau(system, q, u, tau, by_q, by_u, by_tau);
+            }
+        },
+    );
+    let function = Function {
         name: "panda::vjp_forward_dynamics_q_u_tau",
         address: panda::vjp_forward_dynamics_q_u_tau::<R> as *const (),
     };

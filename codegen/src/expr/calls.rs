@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use super::{
     graph::ExprGraph,
-    lockstep::{Call, Helper, LANES, Lockstep},
+    lockstep::{Call, Helper, LANES, Lockstep, Met},
     node::{Expr, Input, Node, NodeId, Solved},
 };
 
@@ -60,39 +60,35 @@ impl ExprGraph {
         own.expect("expr: a lockstep is there before its calls")
     }
 
-    /// What a node needs: its operands, and where a call computes it all that the call reads.
-    pub fn operands(&self, id: NodeId) -> impl Iterator<Item = NodeId> {
-        let solved = match self.node(id) {
-            Node::Input(Input::Solved(solved)) => Some(solved),
-            _ => None,
-        };
-        let called = solved.map(|Solved { lockstep, call, .. }| {
-            let lockstep = self.lockstep(lockstep);
-            let shared = lockstep.shared.iter().copied();
-            shared.chain(lockstep.calls[&call].operands())
-        });
-        let called = called.into_iter().flatten().map(Expr::node);
-        self.node(id).operands().chain(called)
+    /// What calls read that compute some of these nodes, each once.
+    pub fn called(&self, is_needed: impl Fn(NodeId) -> bool) -> Vec<Expr> {
+        let mut met = Met::default();
+        let needed = self.ids().filter(|id| is_needed(*id));
+        let calls = needed.filter_map(|id| self.call_of(id, &mut met));
+        calls.flatten().collect()
     }
 
-    /// What calls read, of those whose numbers are among these nodes.
-    pub fn called(&self, is_needed: impl Fn(NodeId) -> bool) -> Vec<Expr> {
-        let mut met = BTreeMap::new();
-        for id in self.ids().filter(|id| is_needed(*id)) {
-            if let Node::Input(Input::Solved(own)) = self.node(id) {
-                met.insert((own.lockstep, own.call), own);
-            }
+    /// What the call reads that computes a node, where none met before has the same call.
+    pub(super) fn read_by_call(
+        &self,
+        id: NodeId,
+        met: &mut Met,
+    ) -> impl Iterator<Item = NodeId> + use<'_> {
+        let read = self.call_of(id, met).into_iter().flatten();
+        read.map(Expr::node)
+    }
+
+    fn call_of(&self, id: NodeId, met: &mut Met) -> Option<impl Iterator<Item = Expr> + use<'_>> {
+        let Node::Input(Input::Solved(Solved { lockstep, call, .. })) = self.node(id) else {
+            return None;
+        };
+        if !met.calls.insert((lockstep, call)) {
+            return None;
         }
-        let mut read = Vec::new();
-        let mut shared = None;
-        for (lockstep, call) in met.into_keys() {
-            let of = self.lockstep(lockstep);
-            if shared.replace(lockstep) != Some(lockstep) {
-                read.extend(&of.shared);
-            }
-            read.extend(of.calls[&call].operands());
-        }
-        read
+        let of = self.lockstep(lockstep);
+        let is_first = met.locksteps.insert(lockstep);
+        let shared = of.shared.iter().filter(move |_| is_first).copied();
+        Some(shared.chain(of.calls[&call].operands()))
     }
 
     /// Takes the call that computes a number of another graph over, on what stands here for its operands, unless it is there.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
 use super::{
-    lockstep::Lockstep,
+    lockstep::{Lockstep, Met},
     node::{Binding, Expr, Input, Label, Node, NodeId},
     purpose::Purpose,
 };
@@ -100,9 +100,11 @@ impl ExprGraph {
         for root in roots {
             uses[root.node().index()] += 1;
         }
+        let mut met = Met::default();
         for id in self.ids().rev() {
             if uses[id.index()] > 0 {
-                for operand in self.operands(id) {
+                let read = self.read_by_call(id, &mut met);
+                for operand in self.node(id).operands().chain(read) {
                     uses[operand.index()] += 1;
                 }
             }

@@ -3,7 +3,10 @@
 //! A helper computes from numbers that all columns share and from those of one column. A call runs it on [`LANES`] columns, each by
 //! itself.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use super::node::Expr;
 
@@ -44,4 +47,11 @@ impl Call {
     pub fn operands(&self) -> impl Iterator<Item = Expr> + '_ {
         self.sides.iter().flatten().copied()
     }
+}
+
+/// Which locksteps and calls were met while going over a graph.
+#[derive(Debug, Default)]
+pub(super) struct Met {
+    pub(super) locksteps: BTreeSet<u16>,
+    pub(super) calls: BTreeSet<(u16, u16)>,
 }

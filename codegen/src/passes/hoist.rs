@@ -56,11 +56,12 @@ pub fn run(
         .ids()
         .filter(|id| needed[id.index()] && old.binding(*id) == Binding::State)
     {
-        for operand in old.operands(id) {
+        for operand in old.node(id).operands() {
             boundary[operand.index()] = true;
         }
     }
-    for root in roots {
+    let called = old.called(|id| needed[id.index()]);
+    for root in roots.iter().chain(&called) {
         boundary[root.node().index()] = true;
     }
     for id in old.ids().filter(|id| needed[id.index()]) {

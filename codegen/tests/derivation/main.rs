@@ -19,6 +19,7 @@ mod fused;
 mod hessians;
 mod hybrid;
 mod identities;
+mod lockstep;
 mod multiply_add;
 mod number;
 mod parameters;

@@ -159,6 +159,29 @@ fn derivatives_hold() {
 }
 
 #[test]
+fn columns_in_lockstep_hold() {
+    let path = repository("tests/robots/solo12/solo12.urdf");
+    let source = Source::new("solo12.urdf", fs::read_to_string(path).unwrap());
+    let functions = Functions::Named(vec!["d(forward_dynamics)/d(q, u)".to_owned()]);
+    let text = module(&source, Some(Base::Free), functions);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("solo12.rs");
+    fs::write(&path, text).unwrap();
+    let options = Options {
+        scalar: Scalar::F32,
+        opt_level: OptLevel::Two,
+        ..RELEASE
+    };
+    for runtime in [released(), &runtime(&options)] {
+        let report = verify(runtime, &path).unwrap();
+        let helpers = report.functions.iter();
+        let helpers = helpers.filter(|one| one.name.contains("_lockstep_"));
+        assert!(helpers.count() > 2);
+        assert_holds(&report, "solo12");
+    }
+}
+
+#[test]
 fn an_arm_holds_with_larger_vectors_and_fused_operations() {
     let path = repository("tests/robots/panda/panda.urdf");
     let source = Source::new("panda.urdf", fs::read_to_string(path).unwrap());

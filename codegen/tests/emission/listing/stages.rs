@@ -245,21 +245,62 @@ fn stages_store_what_their_function_does() {
     assert_same(&module, module.function(name).expect("it is asked for"));
 }
 
-#[test]
-fn stages_fill_what_helpers_are_given() {
-    let talos = include_str!("../../../../tests/robots/talos/talos.urdf");
+/// The derivatives of a floating robot's accelerations.
+fn in_lockstep(name: &str, urdf: &str) -> Module {
     let reading = Reading {
         base: Some(Base::Free),
         ..Reading::default()
     };
-    let source = Source::new("talos.urdf", talos);
+    let source = Source::new(name, urdf);
     let description = description::read(&source, &reading, &no_includes);
     let model = description::toml::write(&description).expect("it can be written");
-    let module = module_of(&model, &["d(forward_dynamics)/d(q, u)"]);
+    module_of(&model, &["d(forward_dynamics)/d(q, u)"])
+}
+
+#[test]
+fn stages_fill_what_helpers_are_given() {
+    let talos = include_str!("../../../../tests/robots/talos/talos.urdf");
+    let module = in_lockstep("talos.urdf", talos);
     let function = module.function("d_forward_dynamics_d_q_u");
     let function = function.expect("it is asked for");
     assert!(function.helpers.len() > 2, "columns are solved in lockstep");
     assert_same(&module, function);
+}
+
+#[test]
+fn calls_of_what_is_not_there_are_refused() {
+    let solo12 = include_str!("../../../../tests/robots/solo12/solo12.urdf");
+    let module = in_lockstep("solo12.urdf", solo12);
+    let right = module.function("d_forward_dynamics_d_q_u");
+    let right = right.expect("it is asked for");
+    assert_eq!(verify(&module.facts, right), Ok(()));
+    let planted = |plant: &dyn Fn(&mut Vec<Statement>)| {
+        let mut function = right.clone();
+        plant(&mut function.code.statements);
+        verify(&module.facts, &function).expect_err("a planted fault")
+    };
+    let each_call = |change: &dyn Fn(&mut usize, &mut [usize; 2])| {
+        planted(&|statements| {
+            for statement in statements {
+                if let Statement::Call { helper, given, .. } = statement {
+                    change(helper, given);
+                }
+            }
+        })
+    };
+    let fault = each_call(&|helper, _| *helper += 1_000);
+    assert!(matches!(fault, Fault::NoHelper(_)), "{fault}");
+    // What the function is given, and not what it has filled.
+    let fault = each_call(&|_, given| given[1] = 0);
+    assert!(matches!(fault, Fault::Lengths(..)), "{fault}");
+    let n_own = right.signature.arguments.len();
+    let fault = planted(&|statements| {
+        statements.retain(|statement| {
+            let mut stored = statement.stored();
+            !stored.any(|entry| entry.argument >= n_own)
+        });
+    });
+    assert!(matches!(fault, Fault::NotStored(..)), "{fault}");
 }
 
 #[test]

@@ -1,0 +1,142 @@
+//! Columns that go through one text four at a time, against columns one by one.
+
+use kane_codegen::{
+    compile,
+    description::{Base, Reading},
+    expr::{Input, LANES},
+    functions::{Derived, Formulation},
+    program::{self, Instruction, Program, VerifyError},
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+use kane_test_support::{compare::assert_within, dynamics::State, systems::trees};
+
+use crate::{
+    compiled::read,
+    derivatives::INVERTED,
+    evaluator::{hoisted, input},
+    frames::{relative, request, system},
+};
+
+/// One set of columns, two of them in one function, and columns without what the tree makes zero.
+const REQUESTS: [&str; 3] = [
+    "d(forward_dynamics)/d(q, u, tau)",
+    "forward_dynamics+d(forward_dynamics)/d(u, q)+d(loaded_forward_dynamics)/d(q)",
+    "packed(d(forward_dynamics)/d(q, u))",
+];
+
+fn derived(tree: &Tree, text: &str, is_in_lockstep: bool) -> Derived {
+    let plan = Plan::full(tree).with(Technique::Lockstep, is_in_lockstep);
+    compile::candidate(tree, &request(tree, text), Formulation::Recursive, &plan)
+}
+
+/// What is emitted, and the values that were computed before.
+fn emitted(tree: &Tree, derived: &Derived) -> (Program, Vec<f64>) {
+    let (graph, roots, prepared) = hoisted(tree, &derived.graph, &derived.roots);
+    (program::flatten(&graph, &roots), prepared)
+}
+
+fn n_calls(program: &Program) -> usize {
+    let instructions = program.instructions.iter();
+    let calls = instructions.filter(|own| matches!(own, Instruction::Call { .. }));
+    calls.count()
+}
+
+#[test]
+fn columns_in_lockstep_are_those_one_by_one() {
+    let mut n_with_calls = 0;
+    for seed in trees::tried(561..=584) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        let given = |own: Input| input(&tree, &state, own);
+        for text in REQUESTS {
+            let [one_by_one, lockstep] = [false, true].map(|is| derived(&tree, text, is));
+            let expected = one_by_one.graph.evaluate(&one_by_one.roots, given);
+            let found = lockstep.graph.evaluate(&lockstep.roots, given);
+            let what = format!("{seed}, {text}");
+            // The same rows of factors, some of them before and some after what lies between was eliminated.
+            assert_within(&what, relative(&found, &expected), INVERTED);
+            let (program, prepared) = emitted(&tree, &lockstep);
+            n_with_calls += usize::from(n_calls(&program) > 0);
+            for program in [program.clone(), program::fuse(program)] {
+                assert_eq!(program::verify(&program), Ok(()), "{what}");
+                let own = program.evaluate(|own| match own {
+                    Input::Prepared(place) => prepared[place],
+                    own => given(own),
+                });
+                assert_within(&what, relative(&own, &found), INVERTED);
+            }
+        }
+    }
+    assert!(n_with_calls > 20, "{n_with_calls} functions have calls");
+}
+
+/// The humanoid: its legs, its arms and its trunk are columns of different helpers.
+fn humanoid() -> Tree {
+    let reading = Reading {
+        base: Some(Base::Free),
+        ..Reading::default()
+    };
+    read("tests/robots/talos/talos.urdf", &reading)
+}
+
+#[test]
+fn calls_count_for_every_lane_and_their_text_once() {
+    let tree = humanoid();
+    let [flat, lockstep] = [false, true].map(|is| {
+        let derived = derived(&tree, REQUESTS[0], is);
+        emitted(&tree, &derived).0
+    });
+    let of_helpers = |own: &Instruction| match own {
+        Instruction::Call { helper, .. } => LANES * lockstep.helpers[*helper].operations().total(),
+        _ => 0,
+    };
+    let in_calls: usize = lockstep.instructions.iter().map(of_helpers).sum();
+    let operations = lockstep.operations().total();
+    let own = lockstep.instructions.iter();
+    let own = own.filter(|own| matches!(own, Instruction::Compute { .. }));
+    // Signs are instructions too, and sines are not among these.
+    assert!(operations <= in_calls + own.count() + 64);
+    assert!(operations > in_calls);
+    // A tenth more operations, for half of the text.
+    assert!(10 * operations < 11 * flat.operations().total());
+    let text = |program: &Program| {
+        let helpers = program.helpers.iter().map(|own| own.instructions.len());
+        program.instructions.len() + helpers.sum::<usize>()
+    };
+    assert!(3 * text(&lockstep) < 2 * text(&flat));
+    assert!(n_calls(&lockstep) > lockstep.helpers.len());
+}
+
+/// The program with calls after a fault is planted in it.
+fn planted(plant: impl Fn(&mut Vec<Instruction>)) -> Result<(), VerifyError> {
+    let (_, tree) = system(562);
+    let (mut program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], true));
+    assert!(n_calls(&program) > 0);
+    plant(&mut program.instructions);
+    program::verify(&program)
+}
+
+#[test]
+fn calls_without_what_they_share_or_need_are_refused() {
+    let fault = planted(|instructions| {
+        instructions.retain(|own| !matches!(own, Instruction::Share { .. }));
+    });
+    assert!(matches!(fault, Err(VerifyError::Unfit(_))), "{fault:?}");
+    let fault = planted(|instructions| {
+        for instruction in instructions {
+            if let Instruction::Call { sides, .. } = instruction {
+                sides.pop();
+            }
+        }
+    });
+    assert!(matches!(fault, Err(VerifyError::Unfit(_))), "{fault:?}");
+    let fault = planted(|instructions| {
+        for instruction in instructions {
+            if let Instruction::Call { helper, .. } = instruction {
+                *helper += 1_000;
+            }
+        }
+    });
+    assert!(matches!(fault, Err(VerifyError::Unfit(_))), "{fault:?}");
+}
