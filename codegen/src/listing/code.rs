@@ -196,7 +196,10 @@ impl Writer<'_> {
     /// Reads all that an instruction needs.
     fn read_all(&mut self, instruction: &Instruction) {
         for id in instruction.operands().filter_map(Operand::value) {
-            self.read(id);
+            // What another call computes may stand where it is needed already.
+            if !self.stored.contains(&id) {
+                self.read(id);
+            }
         }
     }
 

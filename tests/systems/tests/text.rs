@@ -234,8 +234,15 @@ fn is_helper(name: &str) -> bool {
 /// What a loop over four columns repeats.
 fn columns(own: &syn::ExprForLoop) -> Option<&syn::Block> {
     let is_lane = matches!(&*own.pat, syn::Pat::Ident(pattern) if pattern.ident == "lane");
-    let four = syn::parse_quote!(0..4);
-    (is_lane && *own.expr == four && own.label.is_none()).then_some(&own.body)
+    let number = |bound: &Option<Box<syn::Expr>>| match bound.as_deref() {
+        Some(syn::Expr::Lit(literal)) => match &literal.lit {
+            syn::Lit::Int(number) => number.base10_parse::<usize>().ok(),
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_four = matches!(&*own.expr, syn::Expr::Range(range) if number(&range.start) == Some(0) && number(&range.end) == Some(4) && matches!(range.limits, syn::RangeLimits::HalfOpen(_)));
+    (is_lane && is_four && own.label.is_none()).then_some(&own.body)
 }
 
 /// What a helper repeats for every column; it does nothing else than that.
