@@ -9,7 +9,7 @@ use std::{
     sync::Arc,
 };
 
-use super::{BodySpeed, Carriers, Factors, inverse, reduced::Reduced};
+use super::{Carriers, Factors, inverse, reduced::Reduced};
 use crate::{
     expr::{Call, Expr, ExprGraph, Helper, Input, LANES, NodeId, Purpose},
     tree::Tree,
@@ -32,6 +32,7 @@ impl Factors {
         tree: &Tree,
         columns: &[Vec<Expr>],
     ) -> Vec<Vec<Expr>> {
+        graph.begin(Purpose::Solution);
         let (groups, few) = self.groups(graph, tree, columns);
         let zero = graph.zero();
         let mut solved = vec![vec![zero; self.order.len()]; columns.len()];
@@ -47,45 +48,29 @@ impl Factors {
             shared: Vec::new(),
             places: BTreeMap::new(),
         };
-        let mut helpers: Vec<(Vec<bool>, BTreeSet<usize>, Solver)> = Vec::new();
+        let mut solvers: Vec<Solver> = Vec::new();
         let mut calls = Vec::with_capacity(groups.len());
-        for Group {
-            columns: own,
-            halves,
-        } in groups
-        {
-            let is_given: Vec<bool> = (0..self.order.len())
-                .map(|speed| own.iter().any(|&own| !graph.is_zero(columns[own][speed])))
-                .collect();
-            let mut known = helpers.iter();
-            let known = known.position(|(given, at, _)| *given == is_given && *at == halves);
-            let helper = known.unwrap_or_else(|| {
-                let solver = writer.solver(graph, &is_given, &halves);
-                helpers.push((is_given, halves, solver));
-                helpers.len() - 1
+        for group in groups {
+            let is_given = |speed: &usize| {
+                let mut own = group.columns.iter();
+                own.any(|&own| !graph.is_zero(columns[own][*speed]))
+            };
+            let given: Vec<usize> = (0..self.order.len()).filter(is_given).collect();
+            let mut known = solvers.iter();
+            let known = known.position(|own| own.given == given && own.halves == group.halves);
+            let solver = known.unwrap_or_else(|| {
+                solvers.push(writer.solver(graph, given, group.halves));
+                solvers.len() - 1
             });
-            calls.push((own, helper));
+            calls.push((group.columns, solver));
         }
-        let (texts, solvers): (Vec<_>, Vec<_>) = helpers
-            .into_iter()
-            .map(
-                |(
-                    ..,
-                    Solver {
-                        helper,
-                        given,
-                        found,
-                    },
-                )| (Arc::new(helper), (given, found)),
-            )
-            .unzip();
         if calls.is_empty() {
             return solved;
         }
-        graph.begin(Purpose::Solution);
-        let lockstep = graph.add_lockstep(writer.shared, texts);
+        let helpers = solvers.iter().map(|own| own.helper.clone()).collect();
+        let lockstep = graph.add_lockstep(writer.shared, helpers);
         for (own, helper) in calls {
-            let (given, found) = &solvers[helper];
+            let Solver { given, found, .. } = &solvers[helper];
             let side = |speed: &usize| {
                 std::array::from_fn(|lane| own.get(lane).map_or(zero, |&own| columns[own][*speed]))
             };
@@ -160,10 +145,11 @@ impl Factors {
     }
 }
 
-/// A helper, the speeds of which it is given entries, and those of which it computes them.
+/// A helper, the speeds of which it is given entries, the places of their halves, and the speeds of which it computes entries.
 struct Solver {
-    helper: Helper<ExprGraph>,
+    helper: Arc<Helper<ExprGraph>>,
     given: Vec<usize>,
+    halves: BTreeSet<usize>,
     found: Vec<usize>,
 }
 
@@ -193,31 +179,30 @@ impl Writer<'_> {
     fn solver(
         &mut self,
         graph: &mut ExprGraph,
-        is_given: &[bool],
-        halves: &BTreeSet<usize>,
+        given: Vec<usize>,
+        halves: BTreeSet<usize>,
     ) -> Solver {
         let mut helper = ExprGraph::default();
         helper.begin(Purpose::Solution);
-        let mut given = Vec::new();
-        let mut b = vec![helper.zero(); is_given.len()];
-        for &BodySpeed { body, speed, .. } in self.factors.order.iter().rev() {
-            if is_given[speed.index()] {
-                helper.enter(body);
-                b[speed.index()] = helper.input(Input::Side(given.len()));
-                given.push(speed.index());
+        let mut b = vec![helper.zero(); self.factors.order.len()];
+        for own in self.factors.order.iter().rev() {
+            if let Ok(place) = given.binary_search(&own.index()) {
+                helper.enter(own.body);
+                b[own.index()] = helper.input(Input::Side(place));
             }
         }
         self.eliminate(graph, &mut helper, &mut b);
-        self.substitute(graph, &mut helper, &mut b, halves);
+        self.substitute(graph, &mut helper, &mut b, &halves);
         let found = (0..b.len()).filter(|&speed| !helper.is_zero(b[speed]));
         let found: Vec<usize> = found.collect();
-        let roots = found.iter().map(|&speed| b[speed]).collect();
+        let helper = Helper {
+            roots: found.iter().map(|&speed| b[speed]).collect(),
+            graph: helper,
+        };
         Solver {
-            helper: Helper {
-                graph: helper,
-                roots,
-            },
+            helper: Arc::new(helper),
             given,
+            halves,
             found,
         }
     }
