@@ -102,6 +102,25 @@ impl<'data> Files<'data> {
         })
     }
 
+    /// So many bytes of the constant to which those at a location refer, as [`Self::reference`] has it.
+    pub(super) fn constant(&self, at: Location, after: i64, length: usize) -> Option<&'data [u8]> {
+        let reference = self.reference(at, after)?;
+        if reference.target != Target::Constant || reference.is_indirect {
+            return None;
+        }
+        let (file, relocation) = (self.objects.get(at.0)?, self.relocations.get(&at)?);
+        let RelocationTarget::Symbol(index) = relocation.target() else {
+            return None;
+        };
+        let symbol = file.symbol_by_index(index).ok()?;
+        let section = file.section_by_index(symbol.section_index()?).ok()?;
+        let start = symbol
+            .address()
+            .wrapping_add_signed(relocation.addend() + after);
+        let start = usize::try_from(start.checked_sub(section.address())?).ok()?;
+        section.data().ok()?.get(start..start.checked_add(length)?)
+    }
+
     fn target(&self, number: usize, relocation: &Relocation, after: i64) -> Option<Target> {
         let file = self.objects.get(number)?;
         let RelocationTarget::Symbol(index) = relocation.target() else {

@@ -154,7 +154,10 @@ impl At<'_, '_> {
                 Register::FS | Register::GS => Some(What::Segment),
                 // The state of the processor, of which only it knows the size.
                 _ if size == 0 => Some(What::Strange),
-                _ => check_address(self.used_address(memory, state), size, writes, state),
+                _ => {
+                    let mut addresses = self.used_addresses(memory, state).into_iter();
+                    addresses.find_map(|address| check_address(address, size, writes, state))
+                }
             };
             broken.extend(what);
         }
@@ -167,6 +170,7 @@ impl At<'_, '_> {
         if instruction.rflags_modified() != RflagsBits::NONE {
             state.are_equal = self.compared(state);
         }
+        self.update_vectors(info, state);
         match instruction.mnemonic() {
             // What pushes or pops fewer bytes leaves the stack pointer unknown, below.
             Mnemonic::Push if instruction.stack_pointer_increment() == -8 => {
@@ -341,7 +345,7 @@ impl At<'_, '_> {
     }
 
     /// The address of memory that is used, be it an operand or the stack.
-    fn used_address(&self, memory: &UsedMemory, state: &State) -> Content {
+    pub(super) fn used_address(&self, memory: &UsedMemory, state: &State) -> Content {
         // Iced has counted an address from the instruction's end already.
         if self.instruction.is_ip_rel_memory_operand() && memory.base() == Register::None {
             return self.operand_address(state);
@@ -355,7 +359,7 @@ impl At<'_, '_> {
     }
 
     /// Bytes of the operand in memory.
-    fn size(&self) -> usize {
+    pub(super) fn size(&self) -> usize {
         self.instruction.memory_size().size()
     }
 

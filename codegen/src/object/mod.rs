@@ -19,6 +19,7 @@ mod file;
 // What an instruction does to the registers and the stack, and what it must not do.
 mod instruction;
 mod state;
+mod vectors;
 mod verify;
 
 use std::{fmt, io, path::PathBuf};

@@ -67,6 +67,8 @@ pub(super) struct Used {
 #[derive(Debug)]
 pub(super) struct State {
     registers: BTreeMap<Register, Content>,
+    /// What vectors hold that were loaded from constants, by their largest registers.
+    vectors: BTreeMap<Register, Vec<u8>>,
     /// By their distance from the return address.
     stack: BTreeMap<i64, Content>,
     /// The lowest address of the stack that was used.
@@ -91,6 +93,7 @@ impl State {
         registers.insert(Register::RSP, Content::Stack(0));
         Self {
             registers,
+            vectors: BTreeMap::new(),
             stack: BTreeMap::new(),
             lowest: 0,
             gap: 0..0,
@@ -117,6 +120,21 @@ impl State {
             };
             self.registers.insert(full, value);
         }
+    }
+
+    /// The bytes of a vector, where it was loaded from a constant.
+    pub(super) fn vector(&self, register: Register) -> Option<&[u8]> {
+        let bytes = self.vectors.get(&register.full_register())?;
+        bytes.get(..register.size())
+    }
+
+    /// Gives a vector the bytes of a constant, or others that are not known.
+    pub(super) fn set_vector(&mut self, register: Register, bytes: Option<&[u8]>) {
+        let full = register.full_register();
+        match bytes {
+            Some(bytes) => self.vectors.insert(full, bytes.to_vec()),
+            None => self.vectors.remove(&full),
+        };
     }
 
     /// What the argument of a number is, at a call that pushes so much onto the stack.
@@ -214,6 +232,7 @@ impl State {
     pub(super) fn returned(&mut self, kept: i64) {
         self.stack.retain(|&place, _| place >= kept);
         self.are_equal = None;
+        self.vectors.clear();
         for register in OF_CALLEE {
             self.set(register, Content::Unknown);
         }

@@ -4,6 +4,7 @@
 
 mod planted;
 mod stages;
+mod vectors;
 
 use std::{
     fs,
