@@ -6,7 +6,7 @@
 use crate::{
     functions::{Derived, Formulation, Request},
     passes::{factor, hoist, hoist::Preparation, sines},
-    program::{self, Operations},
+    program::{self, Operations, Program},
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -56,7 +56,16 @@ pub(super) fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> 
 
 /// The operations that are left in the loop.
 pub fn operations(derived: &Derived) -> Operations {
+    in_loop(derived).operations()
+}
+
+/// As many of them as are written down: what several columns go through alike once.
+pub(super) fn written(derived: &Derived) -> usize {
+    in_loop(derived).written()
+}
+
+fn in_loop(derived: &Derived) -> Program {
     let mut preparation = Preparation::default();
     let (graph, roots) = hoist::run(&derived.graph, &derived.roots, "", &mut preparation);
-    program::flatten(&graph, &roots).operations()
+    program::flatten(&graph, &roots)
 }

@@ -14,6 +14,7 @@ mod graph;
 mod lockstep;
 mod lookup;
 mod node;
+mod outline;
 mod purpose;
 mod vector;
 

@@ -34,6 +34,9 @@ pub(super) fn loaded_forward_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.
 fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Told {
     let zero = Accelerations::Zero;
+    // Columns pass twice and share what they have in common, which calls would not.
+    let in_lockstep = plan.uses(Technique::Lockstep);
+    let plan = &plan.with(Technique::Lockstep, false);
     // What is said of the mass matrix does not depend on accelerations, so that it is there for them.
     let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads);
     let mut bias = bias_of(graph, tree, plan, loads, &found.by_u);
@@ -58,7 +61,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     let columns = all.iter().flat_map(|(_, matrix)| transposed(matrix));
     let needed = columns.map(|column| column.into_iter().map(|entry| -entry).collect());
     let needed: Vec<_> = needed.collect();
-    let solved = if plan.uses(Technique::Lockstep) {
+    let solved = if in_lockstep {
         factors.solutions_in_lockstep(graph, tree, &needed)
     } else {
         factors.solutions(graph, tree, &needed)

@@ -78,6 +78,20 @@ impl Program {
         operations
     }
 
+    /// How many operations its text has: those of a helper once, however often it is run.
+    pub fn written(&self) -> usize {
+        let of_helper = |helper: &Self| helper.operations().total();
+        let called = self
+            .instructions
+            .iter()
+            .map(|instruction| match instruction {
+                Instruction::Call { helper, .. } => LANES * of_helper(&self.helpers[*helper]),
+                _ => 0,
+            });
+        let helpers: usize = self.helpers.iter().map(of_helper).sum();
+        self.operations().total() + helpers - called.sum::<usize>()
+    }
+
     /// How many pairs of a multiplication and an addition are fused; both count among [`Self::operations`].
     pub fn fused(&self) -> usize {
         let of_one = |instruction: &Instruction| match instruction {

@@ -34,6 +34,13 @@ impl Levered {
         }
     }
 
+    /// All of its numbers.
+    pub(super) fn parts_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        let Wrench { force, moment } = &mut self.wrench;
+        let own = [force, moment, &mut self.lever].into_iter();
+        own.chain(&mut self.arrived).flatten()
+    }
+
     /// What the joint reads about (0 to 2) or along (3 to 5) an axis.
     pub(super) fn read(&self, place: usize) -> Expr {
         match place {

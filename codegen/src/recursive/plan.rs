@@ -41,7 +41,7 @@ pub enum Technique {
     Composite,
     /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
     Reverse,
-    /// Where derivatives of accelerations would be long, their columns are solved for four at a time, by helpers that are called.
+    /// Where derivatives of dynamics would be long, their columns go four at a time, by helpers that are called.
     Lockstep,
     /// Common factors are taken out of sums.
     Factor,

@@ -23,6 +23,26 @@ pub(super) struct Column {
 }
 
 impl Column {
+    /// All of its numbers.
+    pub(super) fn parts_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        let Carrying {
+            needed,
+            momentum,
+            couple,
+            ..
+        } = &mut self.carrying;
+        let levered = [needed, momentum, &mut self.displaced].into_iter();
+        levered.flat_map(Levered::parts_mut).chain(couple)
+    }
+
+    /// True for columns of which the same has left.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let has_left = |own: &Self| {
+            [own.carrying.needed, own.carrying.momentum, own.displaced].map(|part| part.has_left())
+        };
+        has_left(self) == has_left(other)
+    }
+
     /// What is needed by the speed and by the coordinate, about (0 to 2) or along (3 to 5) an axis.
     pub(super) fn needed(&self, place: usize) -> [Expr; 2] {
         [self.carrying.needed, self.displaced].map(|part| part.read(place))

@@ -9,47 +9,29 @@
 //! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
 //! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
 
+mod carried;
 mod column;
 mod displaced;
+mod lockstep;
 mod reader;
 mod way;
 
-use self::{
-    column::Column,
-    reader::Reader,
-    way::{At, doubled, ways},
-};
+pub use self::carried::Derivatives;
+
+use self::{carried::Carried, column::Column, lockstep::Inward, way::ways};
 use super::{
-    coriolis::{Column as Carrying, Masses, Velocity},
-    lever::Levered,
     linkage::Linkage,
     loaded,
-    moments::{Changing, Moments, Rates},
-    passage::{Drive, Passenger, speeds},
-    plan::Plan,
-    rotation::Turn,
+    moments::{Moments, Rates},
+    plan::{Plan, Technique},
     shortcut::Shortcuts,
-    speed_matrix,
-    wrench::Wrench,
 };
 use crate::{
-    expr::{ExprGraph, Purpose, Vector},
+    expr::{ExprGraph, Purpose},
     given::{Accelerations, Loads},
-    id::{BodyId, BodyMap},
-    solve::SpeedMatrix,
-    tree::{Motion, Tree},
+    id::BodyMap,
+    tree::Tree,
 };
-
-/// How generalized forces change: rows are forces, columns speeds.
-#[derive(Clone, Debug)]
-pub struct Derivatives {
-    /// With the coordinates, along the motions of the speeds.
-    pub by_q: SpeedMatrix,
-    /// With the speeds.
-    pub by_u: SpeedMatrix,
-    /// With the accelerations: the mass matrix.
-    pub by_u_dot: SpeedMatrix,
-}
 
 /// The derivatives of `A y_dot - f` of Eq. (43), without springs, dampers and rotors.
 pub fn of_inverse_dynamics(
@@ -69,12 +51,7 @@ pub fn of_inverse_dynamics(
     let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut shortcuts = Shortcuts::new(graph, &linkage);
-    let zero = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
-    let mut found = Derivatives {
-        by_q: zero.clone(),
-        by_u: zero.clone(),
-        by_u_dot: zero,
-    };
+    let mut found = Derivatives::zero(graph, tree);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut carried = Carried {
@@ -86,6 +63,7 @@ pub fn of_inverse_dynamics(
             way: &ways[body].at_motions,
             columns: std::mem::take(&mut columns[body]),
             found: &mut found,
+            is_alone: false,
         };
         linkage.passages[body].inward(graph, &mut carried);
         let Carried {
@@ -108,212 +86,17 @@ pub fn of_inverse_dynamics(
             rates[lower].hint(graph, "composite");
             wrenches[lower] = wrenches[lower].plus(graph, &wrench);
             columns[lower].extend(others);
+            // What is read where joints follow others would have to be told apart by motions.
+            if plan.uses(Technique::Lockstep) && !tree.has_followers() {
+                let mut inward = Inward {
+                    linkage: &linkage,
+                    ways: &ways,
+                    shortcuts: &mut shortcuts,
+                    found: &mut found,
+                };
+                inward.send(graph, lower, &mut columns[lower]);
+            }
         }
     }
     found
-}
-
-/// A composite body and the columns of what it carries, on their way inward through a joint.
-struct Carried<'a, 'b> {
-    body: BodyId,
-    shortcuts: &'a mut Shortcuts<'b>,
-    moments: Moments,
-    /// Doubled.
-    rates: Rates,
-    wrench: Wrench,
-    /// The rest of the way.
-    way: &'a [At],
-    columns: Vec<Column>,
-    found: &'a mut Derivatives,
-}
-
-impl Carried<'_, '_> {
-    fn next(&mut self) -> At {
-        let (at, rest) = self
-            .way
-            .split_last()
-            .expect("derivatives: the way inward is the way outward");
-        self.way = rest;
-        *at
-    }
-
-    fn masses(&self) -> Masses<'_> {
-        Masses {
-            body: self.body,
-            moments: &self.moments,
-            rates: &self.rates,
-        }
-    }
-
-    /// The column of a turn; `own` is the angular velocity that enters with it, where that has several components.
-    fn begin_turn(&self, graph: &mut ExprGraph, reader: &Reader, at: &At, own: Vector) -> Column {
-        let (axis, Self { moments, rates, .. }) = (reader.place, self);
-        let velocity: Velocity = [doubled(graph, at.after.w), at.v];
-        let mut carrying = Carrying::of_turn(graph, self.masses(), reader.motion, axis, velocity);
-        let e = graph.unit_vector(axis);
-        let own = graph.cross(own, e);
-        let (spun, swept) = (
-            moments.spinning(graph, own),
-            graph.cross(own, moments.first),
-        );
-        let more = Wrench {
-            force: swept,
-            moment: spun,
-        };
-        let needed = carrying.needed.wrench.minus(graph, &more);
-        carrying.needed = Levered::new(graph, needed);
-
-        let (u, a) = (reader.by_q[2], graph.cross(at.after.a, e));
-        let [moment, force] = if graph.is_zero_vector(own) {
-            displaced::by_angle(graph, moments, axis, &at.after)
-        } else {
-            displaced::by_turn(graph, moments, reader.by_q[0], [at.after.w, u])
-        };
-        let moment = [
-            graph.cross(e, self.wrench.moment),
-            graph.cross(moments.first, a),
-            moment,
-            rates.times(graph, u),
-        ];
-        let force = [
-            graph.cross(e, self.wrench.force),
-            graph.scale(moments.mass, a),
-            force,
-            graph.cross(u, rates.first),
-        ];
-        let displaced = Wrench {
-            force: sum(graph, &force),
-            moment: sum(graph, &moment),
-        };
-        Column {
-            carrying,
-            displaced: Levered::new(graph, displaced),
-        }
-    }
-
-    /// The column of a translation.
-    fn begin_shift(&self, graph: &mut ExprGraph, reader: &Reader, at: &At) -> Column {
-        let (axis, moments) = (reader.place - 3, &self.moments);
-        let velocity: Velocity = [doubled(graph, at.lower.w), at.v];
-        let carrying = Carrying::of_shift(graph, self.masses(), reader.motion, axis, velocity);
-        let (e, d) = (graph.unit_vector(axis), reader.by_q[1]);
-        let moment = [
-            graph.cross(e, self.wrench.force),
-            graph.cross(moments.first, d),
-        ];
-        let displaced = Wrench {
-            force: graph.scale(moments.mass, d),
-            moment: sum(graph, &moment),
-        };
-        Column {
-            carrying,
-            displaced: Levered::new(graph, displaced),
-        }
-    }
-
-    /// Rows and mirrored entries of motions that enter together, of which the columns began last.
-    fn read(&mut self, graph: &mut ExprGraph, readers: &[Reader]) {
-        let first = self.columns.len() - readers.len();
-        let Self { columns, found, .. } = self;
-        for reader in readers {
-            for (i, column) in columns.iter().enumerate() {
-                let own = &column.carrying;
-                let row = [reader.motion, own.motion];
-                let mirrored = [own.motion, reader.motion];
-                let momentum = own.momentum.read(reader.place);
-                let [needed, moved] = column.needed(reader.place);
-                speed_matrix::add(graph, &mut found.by_u, row, needed);
-                // Of its own column the force by the coordinate is read where it begins.
-                let displaced = if own.motion == reader.motion && i >= first {
-                    moved
-                } else {
-                    reader.displaced(graph, own)
-                };
-                speed_matrix::add(graph, &mut found.by_q, mirrored, displaced);
-                if i >= first {
-                    // Each of them meets each other.
-                    speed_matrix::add(graph, &mut found.by_u_dot, row, momentum);
-                    continue;
-                }
-                let a = &mut found.by_u_dot;
-                speed_matrix::add_mirrored(graph, a, row, momentum, false);
-                speed_matrix::add(graph, &mut found.by_q, row, moved);
-                let driven = reader.driven(graph, own);
-                speed_matrix::add(graph, &mut found.by_u, mirrored, driven);
-            }
-        }
-    }
-}
-
-fn sum(graph: &mut ExprGraph, terms: &[Vector]) -> Vector {
-    let zero = graph.zero_vector();
-    terms
-        .iter()
-        .fold(zero, |sum, &term| graph.add_vectors(sum, term))
-}
-
-impl Passenger for Carried<'_, '_> {
-    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
-        let next = self.shortcuts.next(graph, lower);
-        for column in &mut self.columns {
-            column.reach(graph, offset, next);
-        }
-        graph.enter(self.body);
-        self.wrench = self.wrench.moved(graph, offset);
-        self.rates = self.rates.moved(graph, offset);
-        self.moments = self.moments.moved(graph, offset);
-    }
-
-    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let at = self.next();
-        let own = match drive {
-            Drive::AngularVelocity(_) => drive.speeds(graph),
-            Drive::Nothing | Drive::Angle(..) => graph.zero_vector(),
-        };
-        let motions = drive.motions().into_iter().enumerate();
-        let motions = motions.filter_map(|(axis, motion)| Some((axis, motion?)));
-        let readers: Vec<Reader> = motions
-            .map(|(axis, motion)| Reader::of_turn(graph, motion, axis, &at, own))
-            .collect();
-        for reader in &readers {
-            let column = self.begin_turn(graph, reader, &at, own);
-            self.columns.push(column);
-        }
-        self.read(graph, &readers);
-        if let Drive::Angle(axis, _) = drive {
-            let at = (self.body, axis);
-            let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
-            for column in &mut self.columns {
-                column.before_turn(graph, axis, shortcut);
-            }
-        }
-        for column in &mut self.columns {
-            column.turn(graph, rotation);
-        }
-        graph.enter(self.body);
-        self.wrench = self.wrench.map(|v| rotation.backward(graph, v));
-        let w = drive.speeds(graph);
-        let w = doubled(graph, w);
-        self.rates = self
-            .rates
-            .undriven(graph, &mut self.moments, rotation, (drive, w));
-    }
-
-    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let at = self.next();
-        let moving = motions.into_iter().enumerate();
-        let moving = moving.filter_map(|(axis, motion)| Some((axis, motion?)));
-        let readers: Vec<Reader> = moving
-            .map(|(axis, motion)| Reader::of_shift(graph, motion, axis, &at))
-            .collect();
-        for reader in &readers {
-            let column = self.begin_shift(graph, reader, &at);
-            self.columns.push(column);
-        }
-        self.read(graph, &readers);
-        graph.enter(self.body);
-        let own = speeds(graph, motions);
-        let own = doubled(graph, own);
-        self.rates = self.rates.carried(graph, &self.moments, own);
-    }
 }

@@ -1,0 +1,143 @@
+//! Columns that have come to one link pass inward four at a time: what a column goes through is derived once, on sides in the place
+//! of its numbers, and called for four.
+
+use super::{
+    super::{
+        linkage::Linkage,
+        moments::{Moments, Rates},
+        shortcut::Shortcuts,
+        wrench::Wrench,
+    },
+    carried::{Carried, Derivatives},
+    column::Column,
+    way::Went,
+};
+use crate::{
+    expr::{Expr, ExprGraph, Input, LANES},
+    id::{BodyId, BodyMap},
+};
+
+/// The way inward of columns that nothing joins.
+pub(super) struct Inward<'a, 'b> {
+    pub(super) linkage: &'a Linkage<'b>,
+    pub(super) ways: &'a BodyMap<Went>,
+    pub(super) shortcuts: &'a mut Shortcuts<'b>,
+    pub(super) found: &'a mut Derivatives,
+}
+
+/// An entry that is read off a column on its way.
+struct Read {
+    /// Of which matrix.
+    matrix: usize,
+    /// The speed of the motion that reads it.
+    speed: usize,
+    /// False for the mirrored one, a row of the column's speed.
+    is_column: bool,
+    value: Expr,
+}
+
+impl Inward<'_, '_> {
+    /// Sends columns at a link to the inertial frame, as long as there are enough of a kind.
+    pub(super) fn send(&mut self, graph: &mut ExprGraph, at: BodyId, columns: &mut Vec<Column>) {
+        while let Some(group) = taken(columns) {
+            self.send_group(graph, at, group);
+        }
+    }
+
+    fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, mut group: [Column; LANES]) {
+        let parts = group.each_mut().map(|column| {
+            let parts = column.parts_mut();
+            parts.map(|part| *part).collect::<Vec<Expr>>()
+        });
+        let mut one = group[0];
+        let mut sides = Vec::new();
+        for (place, part) in one.parts_mut().enumerate() {
+            let lanes = parts.each_ref().map(|own| own[place]);
+            let is_known = graph.as_number(lanes[0]).is_some();
+            if !is_known || lanes.iter().any(|own| *own != lanes[0]) {
+                *part = graph.input(Input::Side(sides.len()));
+                sides.push(lanes);
+            }
+        }
+        let reads = self.reads(graph, at, &one);
+        let values: Vec<Expr> = reads.iter().map(|read| read.value).collect();
+        graph.enter(at);
+        let lanes = graph.call_outlined(&values, &sides);
+        for (column, lane) in group.iter().zip(lanes) {
+            let own = column.carrying.motion.speed.index();
+            for (read, value) in reads.iter().zip(lane) {
+                let matrix = &mut *self.found.matrices_mut()[read.matrix];
+                let entry = if read.is_column {
+                    &mut matrix[read.speed][own]
+                } else {
+                    &mut matrix[own][read.speed]
+                };
+                *entry = graph.add(*entry, value);
+            }
+        }
+    }
+
+    /// What is read off a column on its way from a link to the inertial frame.
+    fn reads(&mut self, graph: &mut ExprGraph, at: BodyId, column: &Column) -> Vec<Read> {
+        let tree = self.linkage.tree;
+        let mut found = Derivatives::zero(graph, tree);
+        let mut columns = vec![*column];
+        let mut next = Some(at);
+        while let Some(body) = next {
+            let nothing = graph.zero_vector();
+            let mut carried = Carried {
+                body,
+                shortcuts: self.shortcuts,
+                moments: Moments {
+                    mass: graph.zero(),
+                    first: nothing,
+                    second: graph.zero_symmetric(),
+                },
+                rates: Rates::zero(graph),
+                wrench: Wrench {
+                    force: nothing,
+                    moment: nothing,
+                },
+                way: &self.ways[body].at_motions,
+                columns,
+                found: &mut found,
+                is_alone: true,
+            };
+            self.linkage.passages[body].inward(graph, &mut carried);
+            columns = carried.columns;
+            next = tree.lower(body);
+            for (column, lower) in columns.iter().zip(next) {
+                column.hint(graph, tree, lower);
+            }
+        }
+        let own = column.carrying.motion.speed.index();
+        let mut reads = Vec::new();
+        for (matrix, of) in found.matrices_mut().into_iter().enumerate() {
+            for speed in (0..tree.n_speeds).filter(|speed| *speed != own) {
+                let both = [(true, of[speed][own]), (false, of[own][speed])];
+                let both = both.into_iter().filter(|(_, value)| !graph.is_zero(*value));
+                reads.extend(both.map(|(is_column, value)| Read {
+                    matrix,
+                    speed,
+                    is_column,
+                    value,
+                }));
+            }
+        }
+        reads
+    }
+}
+
+/// Four columns of a kind, the first, taken from those at a link.
+fn taken(columns: &mut Vec<Column>) -> Option<[Column; LANES]> {
+    let group = columns.iter().enumerate().find_map(|(first, column)| {
+        let alike = (first..columns.len()).filter(|&other| column.is_like(&columns[other]));
+        let alike: Vec<usize> = alike.take(LANES).collect();
+        <[usize; LANES]>::try_from(alike).ok()
+    })?;
+    let taken = group.map(|place| columns[place]);
+    for place in group.into_iter().rev() {
+        columns.remove(place);
+    }
+    Some(taken)
+}
