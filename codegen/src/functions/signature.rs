@@ -100,15 +100,15 @@ impl Signature {
             ..Declared::read(name, Element::Scalar, meaning)
         };
         let doc = format!(
-            "The accelerations that four columns of forces make, each column by itself: `{of}` calls it for columns that are zero on the same branches."
+            "What several columns of `{of}` go through alike: four of them at a time, each by itself."
         );
         Self {
             name: format!("{of}_lockstep_{number}"),
             doc: vec![doc],
             tables: Vec::new(),
             arguments: vec![
-                argument(shared, "factors of the mass matrix"),
-                argument(sides, "forces of each column"),
+                argument(shared, "what all columns share"),
+                argument(sides, "the numbers of each column"),
                 Declared {
                     lengths: vec![Length::Number(n_found)],
                     ..Declared::written(found, Element::Scalar)
