@@ -98,7 +98,7 @@ fn calls_count_for_every_lane_and_their_text_once() {
     // Signs are instructions too, and sines are not among these.
     assert!(operations <= in_calls + own.count() + 64);
     assert!(operations > in_calls);
-    // A tenth more operations, for half of the text.
+    // At most a tenth more operations, for two thirds of the text.
     assert!(10 * operations < 11 * flat.operations().total());
     let text = |program: &Program| {
         let helpers = program.helpers.iter().map(|own| own.instructions.len());
