@@ -20,8 +20,9 @@ pub use crate::options::Options;
 use crate::{
     error::Error,
     functions::{CompactBlock, Formulation, Request},
-    passes::{hoist, hoist::Preparation},
+    passes::{branches, hoist, hoist::Preparation},
     program::{self, Operations, Program},
+    recursive::Technique,
     threads,
     tree::Tree,
 };
@@ -80,6 +81,11 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         if derived.graph.overflowed() || graph.overflowed() {
             return Err(Error::Unrepresentable { function: name });
         }
+        let (graph, roots) = if options.without.contains(&Technique::Lockstep) {
+            (graph, roots)
+        } else {
+            branches::run(tree, graph, roots)
+        };
         let program = program::flatten(&graph, &roots);
         let program = if options.fma {
             program::fuse(program)

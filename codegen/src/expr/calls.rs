@@ -4,60 +4,83 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use super::{
     graph::ExprGraph,
-    lockstep::{Call, Helper, LANES, Lockstep, Met},
+    lockstep::{Call, Helper, Lockstep, Met},
     node::{Expr, Input, Node, NodeId, Solved},
 };
 
 impl ExprGraph {
-    /// Adds helpers, and what all columns share.
+    /// A number that no lockstep has, nor will have but by [`Self::add_lockstep`].
     ///
     /// # Panics
     /// For the 65,537th of a graph.
-    pub fn add_lockstep(&mut self, shared: Vec<Expr>, helpers: Vec<Arc<Helper<Self>>>) -> u16 {
-        let number = u16::try_from(self.locksteps.len()).expect("expr: a lockstep a function");
+    pub fn next_lockstep(&self) -> u16 {
+        let last = self.locksteps.last_key_value();
+        last.map_or(0, |(last, _)| {
+            last.checked_add(1).expect("expr: a lockstep a function")
+        })
+    }
+
+    /// Adds helpers, and what all columns share, under a number that is free.
+    pub fn add_lockstep(
+        &mut self,
+        number: u16,
+        shared: Vec<Expr>,
+        helpers: Vec<Arc<Helper<Self>>>,
+    ) {
         let lockstep = Lockstep {
             shared,
             helpers,
             calls: BTreeMap::new(),
         };
-        self.locksteps.insert(number, lockstep);
+        let known = self.locksteps.insert(number, lockstep);
+        debug_assert!(known.is_none(), "expr: lockstep {number} is there already");
+    }
+
+    /// Calls a helper on columns. The number of the call.
+    ///
+    /// # Panics
+    /// For the 65,537th call of a lockstep.
+    pub fn add_call(&mut self, lockstep: u16, call: Call) -> u16 {
+        let own = self.locksteps.get_mut(&lockstep);
+        let of = own.expect("expr: a lockstep is there before its calls");
+        let number = u16::try_from(of.calls.len()).expect("expr: calls are numbered in 16 bits");
+        of.calls.insert(number, call);
         number
+    }
+
+    /// What a call computes of a lane, by its place.
+    ///
+    /// # Panics
+    /// For the 65,537th number that a helper computes.
+    pub fn solved(&mut self, (lockstep, call): (u16, u16), lane: usize, place: usize) -> Expr {
+        let narrow = |number: usize| u16::try_from(number).expect("expr: 65,536 numbers a column");
+        self.input(Input::Solved(Solved {
+            lockstep,
+            call,
+            lane: narrow(lane),
+            place: narrow(place),
+        }))
     }
 
     /// Calls a helper on columns. For each of them what it computes.
     ///
     /// # Panics
     /// For the 65,537th call of a lockstep.
-    pub fn call(&mut self, lockstep: u16, call: Call) -> [Vec<Expr>; LANES] {
-        let of = self.lockstep_mut(lockstep);
-        let number = u16::try_from(of.calls.len()).expect("expr: calls are numbered in 16 bits");
-        let n_solved = of.helpers[call.helper].roots.len();
-        of.calls.insert(number, call);
-        let solved = |lane: usize, place: usize| {
-            let narrow = |number: usize| u16::try_from(number).expect("expr: speeds are fewer");
-            Input::Solved(Solved {
-                lockstep,
-                call: number,
-                lane: narrow(lane),
-                place: narrow(place),
-            })
-        };
-        std::array::from_fn(|lane| {
+    pub fn call(&mut self, lockstep: u16, call: Call) -> Vec<Vec<Expr>> {
+        let of = &self.lockstep(lockstep).helpers[call.helper];
+        let (lanes, n_solved) = (of.lanes, of.roots.len());
+        let number = self.add_call(lockstep, call);
+        let mut column = |lane| {
             let places = 0..n_solved;
-            places
-                .map(|place| self.input(solved(lane, place)))
-                .collect()
-        })
+            let own = places.map(|place| self.solved((lockstep, number), lane, place));
+            own.collect()
+        };
+        (0..lanes).map(&mut column).collect()
     }
 
     /// A lockstep of the graph.
     pub fn lockstep(&self, number: u16) -> &Lockstep<Self> {
         &self.locksteps[&number]
-    }
-
-    fn lockstep_mut(&mut self, number: u16) -> &mut Lockstep<Self> {
-        let own = self.locksteps.get_mut(&number);
-        own.expect("expr: a lockstep is there before its calls")
     }
 
     /// What calls read that compute some of these nodes, each once.
@@ -105,7 +128,10 @@ impl ExprGraph {
             let Call { helper, sides } = &theirs.calls[&call];
             Call {
                 helper: *helper,
-                sides: sides.iter().map(|row| row.map(&of)).collect(),
+                sides: sides
+                    .iter()
+                    .map(|row| row.iter().map(|own| of(*own)).collect())
+                    .collect(),
             }
         });
     }

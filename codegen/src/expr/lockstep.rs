@@ -1,7 +1,7 @@
 //! What several columns go through alike: a graph `G` of its own, which is run on several of them side by side.
 //!
-//! A helper computes from numbers that all columns share and from those of one column. A call runs it on [`LANES`] columns, each by
-//! itself.
+//! A helper computes from numbers that all columns share and from those of one column. A call runs it on as many columns as it has
+//! lanes, each by itself. Columns may be those of a matrix, or branches of the tree that are alike.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -10,12 +10,14 @@ use std::{
 
 use super::node::Expr;
 
-/// How many columns a call takes: vectors of AVX2 have as many, and fewer than that of a last call are wasted.
+/// How many columns of a matrix a call takes: vectors of AVX2 have as many, and fewer than that of a last call are wasted.
 pub const LANES: usize = 4;
 
 /// What a column goes through.
 #[derive(Clone, Debug)]
 pub struct Helper<G> {
+    /// On how many columns a call runs it.
+    pub lanes: usize,
     /// Its graph, which is given what is shared, and what is of one column.
     pub graph: G,
     /// What it computes.
@@ -28,7 +30,7 @@ pub struct Call {
     /// The helper, by its place in the lockstep.
     pub helper: usize,
     /// For each number that the helper is given of a column, that of each lane.
-    pub sides: Vec<[Expr; LANES]>,
+    pub sides: Vec<Vec<Expr>>,
 }
 
 /// Helpers that share numbers, and their calls.

@@ -10,25 +10,25 @@ use super::{
 
 impl ExprGraph {
     /// What `roots` are for each column of `sides`: they were derived on [`Input::Side`]s in the place of these.
-    pub fn call_outlined(&mut self, roots: &[Expr], sides: &[[Expr; LANES]]) -> [Vec<Expr>; LANES] {
+    pub fn call_outlined(&mut self, roots: &[Expr], sides: Vec<Vec<Expr>>) -> Vec<Vec<Expr>> {
         let outline = Outline::of(self, roots);
         let varying: Vec<Option<Expr>> = roots.iter().map(|root| outline.varying(*root)).collect();
         let helper = Helper {
+            lanes: LANES,
             graph: outline.helper,
             roots: varying.iter().flatten().copied().collect(),
         };
-        let lockstep = self.add_lockstep(outline.shared, vec![Arc::new(helper)]);
-        let call = Call {
-            helper: 0,
-            sides: sides.to_vec(),
-        };
-        self.call(lockstep, call).map(|lane| {
+        let lockstep = self.next_lockstep();
+        self.add_lockstep(lockstep, outline.shared, vec![Arc::new(helper)]);
+        let lanes = self.call(lockstep, Call { helper: 0, sides }).into_iter();
+        let lanes = lanes.map(|lane| {
             let mut lane = lane.into_iter();
             let all = roots.iter().zip(&varying);
             // What does not depend on sides is the same for all.
             let own = all.map(|(root, varies)| varies.and_then(|_| lane.next()).unwrap_or(*root));
             own.collect()
-        })
+        });
+        lanes.collect()
     }
 }
 

@@ -90,7 +90,7 @@ impl Signature {
     /// What a function runs on several columns, as a function of one: named after it, with a number.
     pub fn helper(
         of: &str,
-        number: usize,
+        (number, lanes): (usize, usize),
         given: [(&str, usize); 2],
         (found, n_found): (&str, usize),
     ) -> Self {
@@ -100,7 +100,7 @@ impl Signature {
             ..Declared::read(name, Element::Scalar, meaning)
         };
         let doc = format!(
-            "What several columns of `{of}` go through alike: four of them at a time, each by itself."
+            "What several columns or branches of `{of}` go through alike: {lanes} of them at a time, each by itself."
         );
         Self {
             name: format!("{of}_lockstep_{number}"),

@@ -11,7 +11,7 @@ use super::{
     stores::{Stores, is_field},
 };
 use crate::{
-    expr::{Input, LANES},
+    expr::Input,
     program::{Definition, Instruction, Operand, Operation, Program, ValueId},
     tree::Tree,
 };
@@ -209,17 +209,17 @@ impl Writer<'_> {
     }
 
     /// A call; what it computes goes from its array to where it is stored.
-    fn call(&mut self, (lockstep, helper): (usize, usize), results: &[[Option<ValueId>; LANES]]) {
+    fn call(&mut self, (lockstep, helper): (usize, usize), results: &[Vec<Option<ValueId>>]) {
         let name = self.free(numbered("solved", self.n_calls));
-        let results = results.as_flattened();
-        let solved = self.array(name, results.len(), Some(LANES));
+        let lanes = self.program.helpers[helper].lanes;
+        let solved = self.array(name, lanes * results.len(), Some(lanes));
         self.code.statements.push(Statement::Call {
             helper,
             given: self.known.scratch.given(lockstep, self.n_calls),
             solved,
         });
         self.n_calls += 1;
-        for (place, id) in results.iter().enumerate() {
+        for (place, id) in results.iter().flatten().enumerate() {
             if let Some(id) = *id {
                 self.taken.insert(id, Expression::Element(solved, place));
                 self.store_from(id);

@@ -33,6 +33,8 @@ pub struct Function {
     pub stages: Vec<Stage>,
     /// What it runs on several columns, as functions of one column.
     pub helpers: Vec<Self>,
+    /// On how many columns it is run, where it is a helper; else 1.
+    pub lanes: usize,
     /// What it fills for these: arrays that count as arguments behind its own.
     pub scratch: Vec<Declared>,
 }
@@ -53,6 +55,7 @@ impl Function {
             code,
             stages: Vec::new(),
             helpers: Vec::new(),
+            lanes: 1,
             scratch: Vec::new(),
         }
     }

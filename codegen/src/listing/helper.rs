@@ -20,7 +20,7 @@ pub(super) fn signature(function: &str, program: &Program, place: usize) -> Sign
     let n_solved = program.helpers[place].stores.len();
     Signature::helper(
         function,
-        place + 1,
+        (place + 1, program.helpers[place].lanes),
         [(SHARED, n_shared), (SIDES, n_sides)],
         (SOLVED, n_solved),
     )
@@ -67,6 +67,7 @@ impl Function {
     pub(super) fn helper(signature: Signature, program: &Program, code: Code) -> Self {
         Self {
             fused: program.fused(),
+            lanes: program.lanes,
             ..Self::plain(signature, program.operations(), code)
         }
     }

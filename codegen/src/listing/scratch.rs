@@ -6,7 +6,6 @@ use std::collections::BTreeMap;
 
 use super::{Entry, Step};
 use crate::{
-    expr::LANES,
     functions::{Declared, Element},
     program::{Instruction, Operand, Program},
 };
@@ -38,9 +37,10 @@ impl Scratch {
                     let place = scratch.declare(&name, &[values.len()]);
                     scratch.shared.insert(*lockstep, place);
                 }
-                Instruction::Call { sides, .. } => {
+                Instruction::Call { helper, sides, .. } => {
+                    let lanes = program.helpers[*helper].lanes;
                     let name = numbered("sides", scratch.sides.len());
-                    let place = scratch.declare(&name, &[sides.len(), LANES]);
+                    let place = scratch.declare(&name, &[sides.len(), lanes]);
                     scratch.sides.push(place);
                 }
                 Instruction::Compute { .. } | Instruction::SinCos { .. } => {}

@@ -3,10 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Code, Entry, Expression, Extent, Facts, Function, Stage, Statement};
-use crate::{
-    expr::LANES,
-    functions::{Access, Signature},
-};
+use crate::functions::{Access, Signature};
 
 /// A broken promise of a function.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -124,7 +121,8 @@ fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
             extents[*sides],
             code.array(*solved).length,
         ];
-        for (own, (held, lanes)) in own.into_iter().zip(held.into_iter().zip([1, LANES, LANES])) {
+        let lanes = [1, helper.lanes, helper.lanes];
+        for (own, (held, lanes)) in own.into_iter().zip(held.into_iter().zip(lanes)) {
             check_lengths(lanes * own, held)?;
         }
     }

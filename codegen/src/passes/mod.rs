@@ -9,6 +9,7 @@
 //!
 //! Dead values, order and names are the program's: see `program`.
 
+pub mod branches;
 pub mod factor;
 pub mod hoist;
 mod rebuild;

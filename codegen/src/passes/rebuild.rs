@@ -19,6 +19,11 @@ impl Rebuilt {
         self.new[id.index()] = Some(expr);
     }
 
+    /// True once it is there.
+    pub(super) fn has(&self, id: NodeId) -> bool {
+        self.new[id.index()].is_some()
+    }
+
     pub(super) fn node(&self, id: NodeId) -> Expr {
         self.new[id.index()].expect("passes: operands are rebuilt before what uses them")
     }

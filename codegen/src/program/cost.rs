@@ -3,7 +3,6 @@
 use std::{fmt, ops::AddAssign};
 
 use super::{Instruction, Operation, Program};
-use crate::expr::LANES;
 
 /// How many operations of each kind a program performs. Signs, absolute values, copies and stores count nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,7 +70,7 @@ impl Program {
                 // All lanes count, those without a column too.
                 Instruction::Call { helper, .. } => {
                     let own = self.helpers[*helper].operations();
-                    (0..LANES).for_each(|_| operations += own);
+                    (0..self.helpers[*helper].lanes).for_each(|_| operations += own);
                 }
             }
         }
@@ -85,7 +84,10 @@ impl Program {
             .instructions
             .iter()
             .map(|instruction| match instruction {
-                Instruction::Call { helper, .. } => LANES * of_helper(&self.helpers[*helper]),
+                Instruction::Call { helper, .. } => {
+                    let helper = &self.helpers[*helper];
+                    helper.lanes * of_helper(helper)
+                }
                 _ => 0,
             });
         let helpers: usize = self.helpers.iter().map(of_helper).sum();
@@ -99,7 +101,10 @@ impl Program {
                 operation: Operation::MulAdd(..),
                 ..
             } => 1,
-            Instruction::Call { helper, .. } => LANES * self.helpers[*helper].fused(),
+            Instruction::Call { helper, .. } => {
+                let helper = &self.helpers[*helper];
+                helper.lanes * helper.fused()
+            }
             _ => 0,
         };
         self.instructions.iter().map(of_one).sum()

@@ -3,10 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Definition, Instruction, Operand, Operation, Program};
-use crate::{
-    expr::{Input, LANES},
-    number::Number,
-};
+use crate::{expr::Input, number::Number};
 
 impl Program {
     /// The stored values where `input` gives the inputs, in any kind of numbers.
@@ -65,7 +62,7 @@ impl Program {
                     results,
                 } => {
                     let shared = &shared[lockstep];
-                    for lane in 0..LANES {
+                    for lane in 0..self.helpers[*helper].lanes {
                         let found = self.helpers[*helper].evaluate_by(&mut |input| match input {
                             Input::Shared(place) => shared[place],
                             Input::Side(place) => read(&values, sides[place][lane]),

@@ -8,7 +8,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
 use crate::{
-    expr::{self, Expr, ExprGraph, Input, LANES, Node, NodeId, Solved},
+    expr::{self, Expr, ExprGraph, Input, Node, NodeId, Solved},
     id::BodyId,
 };
 
@@ -32,6 +32,7 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
             instructions: Vec::new(),
             stores: Vec::new(),
             helpers: Vec::new(),
+            lanes: 1,
         },
     };
     flattening.ready_sines();
@@ -222,7 +223,7 @@ impl Flattening<'_> {
         }
         let expr::Call { helper, sides } = &of.calls[&call];
         let own = &of.helpers[*helper];
-        let mut results = vec![[None; LANES]; own.roots.len()];
+        let mut results = vec![vec![None; own.lanes]; own.roots.len()];
         for (solved, id) in self.solved.remove(&(lockstep, call)).unwrap_or_default() {
             let result = self.value(Definition::Instruction, id, false);
             results[usize::from(solved.place)][usize::from(solved.lane)] = Some(result);
@@ -232,7 +233,8 @@ impl Flattening<'_> {
             });
         }
         let helper = self.helper(own);
-        let sides = sides.iter().map(|row| row.map(|own| self.expr(own)));
+        let side = |row: &Vec<Expr>| row.iter().map(|own| self.expr(*own)).collect();
+        let sides = sides.iter().map(side);
         let call = Instruction::Call {
             lockstep: number,
             helper,
@@ -249,8 +251,10 @@ impl Flattening<'_> {
             return place;
         }
         self.helpers.push(own.clone());
-        let program = flatten(&own.graph, &own.roots);
-        self.program.helpers.push(program);
+        self.program.helpers.push(Program {
+            lanes: own.lanes,
+            ..flatten(&own.graph, &own.roots)
+        });
         self.helpers.len() - 1
     }
 

@@ -37,6 +37,7 @@ pub fn fuse(program: Program) -> Program {
             helpers,
             values: program.values,
             stores: program.stores,
+            lanes: program.lanes,
         },
         &fused,
     )
@@ -95,7 +96,7 @@ fn without(program: Program, removed: &[bool]) -> Program {
             }
             Instruction::Share { values, .. } => values.iter_mut().for_each(read),
             Instruction::Call { sides, results, .. } => {
-                sides.as_flattened_mut().iter_mut().for_each(read);
+                sides.iter_mut().flatten().for_each(read);
                 results.iter_mut().flatten().flatten().for_each(place);
             }
         }
@@ -107,5 +108,6 @@ fn without(program: Program, removed: &[bool]) -> Program {
         instructions,
         stores,
         helpers: program.helpers,
+        lanes: program.lanes,
     }
 }

@@ -20,7 +20,7 @@ pub use name::prepared_fields;
 pub use verify::{VerifyError, verify};
 
 use crate::{
-    expr::{Input, LANES, Purpose},
+    expr::{Input, Purpose},
     id::BodyId,
 };
 
@@ -39,6 +39,8 @@ pub struct Program {
     pub stores: Vec<Operand>,
     /// What calls run on several columns, each of which a helper is a program for.
     pub helpers: Vec<Self>,
+    /// On how many columns a call runs it, where it is a helper; else 1.
+    pub lanes: usize,
 }
 
 /// What is known of a value.
@@ -107,9 +109,9 @@ pub enum Instruction {
         /// Which of the program's helpers.
         helper: usize,
         /// For each number that it is given of a column, that of each lane.
-        sides: Vec<[Operand; LANES]>,
+        sides: Vec<Vec<Operand>>,
         /// For each number that it computes, that of each lane, where it is used.
-        results: Vec<[Option<ValueId>; LANES]>,
+        results: Vec<Vec<Option<ValueId>>>,
     },
 }
 
@@ -202,11 +204,14 @@ impl Instruction {
         let (one, sines, cosines): (_, &[_], &[_]) = match self {
             Self::Compute { result, .. } => (Some(*result), &[], &[]),
             Self::SinCos { sines, cosines, .. } => (None, sines, cosines),
-            Self::Share { .. } => (None, &[], &[]),
-            Self::Call { results, .. } => (None, results.as_flattened(), &[]),
+            Self::Share { .. } | Self::Call { .. } => (None, &[], &[]),
         };
-        one.into_iter()
-            .chain(sines.iter().chain(cosines).flatten().copied())
+        let of_call: &[Vec<_>] = match self {
+            Self::Call { results, .. } => results,
+            _ => &[],
+        };
+        let several = sines.iter().chain(cosines).chain(of_call.iter().flatten());
+        one.into_iter().chain(several.flatten().copied())
     }
 
     /// The operands.
@@ -215,12 +220,14 @@ impl Instruction {
             Self::Compute { operation, .. } => (Some(*operation), &[]),
             Self::SinCos { angles, .. } => (None, angles),
             Self::Share { values, .. } => (None, values),
-            Self::Call { sides, .. } => (None, sides.as_flattened()),
+            Self::Call { .. } => (None, &[]),
         };
-        operation
-            .into_iter()
-            .flat_map(Operation::operands)
-            .chain(angles.iter().copied())
+        let of_call: &[Vec<_>] = match self {
+            Self::Call { sides, .. } => sides,
+            _ => &[],
+        };
+        let own = operation.into_iter().flat_map(Operation::operands);
+        own.chain(angles.iter().chain(of_call.iter().flatten()).copied())
     }
 }
 

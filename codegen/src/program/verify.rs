@@ -115,6 +115,10 @@ fn check_calls(program: &Program) -> Result<(), VerifyError> {
                     Definition::Input(input) => is_given(input),
                     Definition::Instruction => true,
                 });
+                let has_lanes = |n: usize| n == of.lanes;
+                let is_fit = is_fit
+                    && sides.iter().map(Vec::len).all(has_lanes)
+                    && results.iter().map(Vec::len).all(has_lanes);
                 if !is_fit || results.len() != of.stores.len() {
                     return Err(VerifyError::Unfit(*helper));
                 }

@@ -68,11 +68,16 @@ impl Factors {
             return solved;
         }
         let helpers = solvers.iter().map(|own| own.helper.clone()).collect();
-        let lockstep = graph.add_lockstep(writer.shared, helpers);
+        let lockstep = graph.next_lockstep();
+        graph.add_lockstep(lockstep, writer.shared, helpers);
         for (own, helper) in calls {
             let Solver { given, found, .. } = &solvers[helper];
             let side = |speed: &usize| {
-                std::array::from_fn(|lane| own.get(lane).map_or(zero, |&own| columns[own][*speed]))
+                let entry = |lane| {
+                    own.get(lane)
+                        .map_or(zero, |&own: &usize| columns[own][*speed])
+                };
+                (0..LANES).map(entry).collect()
             };
             let sides = given.iter().map(side).collect();
             let lanes = graph.call(lockstep, Call { helper, sides });
@@ -196,6 +201,7 @@ impl Writer<'_> {
         let found = (0..b.len()).filter(|&speed| !helper.is_zero(b[speed]));
         let found: Vec<usize> = found.collect();
         let helper = Helper {
+            lanes: LANES,
             roots: found.iter().map(|&speed| b[speed]).collect(),
             graph: helper,
         };

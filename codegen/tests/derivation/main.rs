@@ -1,6 +1,7 @@
 //! Deriving: from a tree to programs, by meaning and by count.
 
 mod base_parameters;
+mod branches;
 mod chains;
 mod compiled;
 mod counts;

@@ -89,8 +89,12 @@ fn generated(text: &str, formulation: Formulation) -> String {
     let options = Options {
         functions: Functions::All(Vec::new()),
         formulation,
-        // Which solver is the cheaper, and what carries branches, depends on all bodies.
-        without: BTreeSet::from([Technique::Articulated, Technique::Carriers]),
+        // Which solver is the cheaper, what carries branches, and which of them are alike depends on all bodies.
+        without: BTreeSet::from([
+            Technique::Articulated,
+            Technique::Carriers,
+            Technique::Lockstep,
+        ]),
         ..Options::default()
     };
     generate(

@@ -231,7 +231,7 @@ fn is_helper(name: &str) -> bool {
     name.contains("_lockstep_")
 }
 
-/// What a loop over four columns repeats.
+/// What a loop over a few columns repeats.
 fn columns(own: &syn::ExprForLoop) -> Option<&syn::Block> {
     let is_lane = matches!(&*own.pat, syn::Pat::Ident(pattern) if pattern.ident == "lane");
     let number = |bound: &Option<Box<syn::Expr>>| match bound.as_deref() {
@@ -241,8 +241,8 @@ fn columns(own: &syn::ExprForLoop) -> Option<&syn::Block> {
         },
         _ => None,
     };
-    let is_four = matches!(&*own.expr, syn::Expr::Range(range) if number(&range.start) == Some(0) && number(&range.end) == Some(4) && matches!(range.limits, syn::RangeLimits::HalfOpen(_)));
-    (is_lane && is_four && own.label.is_none()).then_some(&own.body)
+    let is_short = matches!(&*own.expr, syn::Expr::Range(range) if number(&range.start) == Some(0) && number(&range.end).is_some_and(|end| (3..=8).contains(&end)) && matches!(range.limits, syn::RangeLimits::HalfOpen(_)));
+    (is_lane && is_short && own.label.is_none()).then_some(&own.body)
 }
 
 /// What a helper repeats for every column; it does nothing else than that.

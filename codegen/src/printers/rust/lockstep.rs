@@ -10,7 +10,6 @@ use super::{
     text::{allow_generated, doc, ident},
 };
 use crate::{
-    expr::LANES,
     functions::{Declared, Length},
     listing::{Facts, Function, SHARED, SIDES, SOLVED},
 };
@@ -26,12 +25,12 @@ fn item(facts: &Facts, helper: &Function) -> Item {
     let signature = &helper.signature;
     let mut lines = signature.doc.clone();
     lines.push(String::new());
-    lines.push("For one column:".to_owned());
+    lines.push("For one of them:".to_owned());
     lines.extend(helper.cost());
     let (doc, allow, name) = (doc(lines), allow_generated(), ident(&signature.name));
     let [shared, sides, solved] = [SHARED, SIDES, SOLVED].map(ident);
     let [n_shared, n_sides, n_solved] = [0, 1, 2].map(|place| length(&signature.arguments[place]));
-    let (lane, lanes) = (ident(LANE), number_of(LANES));
+    let (lane, lanes) = (ident(LANE), number_of(helper.lanes));
     let statements = statements::of(&Writer::of_helper(facts, helper));
     parse_quote! {
         #doc

@@ -56,13 +56,13 @@ impl Inward<'_, '_> {
             let is_known = graph.as_number(lanes[0]).is_some();
             if !is_known || lanes.iter().any(|own| *own != lanes[0]) {
                 *part = graph.input(Input::Side(sides.len()));
-                sides.push(lanes);
+                sides.push(lanes.to_vec());
             }
         }
         let reads = self.reads(graph, at, &one);
         let values: Vec<Expr> = reads.iter().map(|read| read.value).collect();
         graph.enter(at);
-        let lanes = graph.call_outlined(&values, &sides);
+        let lanes = graph.call_outlined(&values, sides);
         for (column, lane) in group.iter().zip(lanes) {
             let own = column.carrying.motion.speed.index();
             for (read, value) in reads.iter().zip(lane) {

@@ -1,0 +1,241 @@
+//! Which operations go side by side.
+
+use std::collections::BTreeMap;
+
+use super::{
+    alike::Branches,
+    signs::{Free, Price, Sign, Signs},
+    traced::Traced,
+};
+use crate::expr::{Expr, ExprGraph, Node, NodeId};
+
+/// One operation of each branch, all alike.
+pub(super) struct Group {
+    /// By branch.
+    pub(super) members: Vec<NodeId>,
+    /// In the order of the first's.
+    pub(super) operands: Vec<Operand>,
+    /// The sign of each branch's, where that of the first is positive.
+    signs: Vec<Sign>,
+}
+
+/// An operand of a group.
+pub(super) struct Operand {
+    /// By branch.
+    pub(super) nodes: Vec<NodeId>,
+    from: From,
+}
+
+/// Where an operand comes from.
+#[derive(Clone, Copy)]
+enum From {
+    /// It is what another group computes.
+    Group(usize),
+    /// It is given, and may be negated.
+    Given(Free),
+}
+
+impl Operand {
+    /// The group that computes it, if one does for all branches.
+    pub(super) fn group(&self) -> Option<usize> {
+        match self.from {
+            From::Group(group) => Some(group),
+            From::Given(_) => None,
+        }
+    }
+}
+
+/// All groups.
+pub(super) struct Groups {
+    pub(super) lanes: usize,
+    pub(super) all: Vec<Group>,
+    /// For each node, its group.
+    of: Vec<Option<usize>>,
+    signs: Signs,
+    given: BTreeMap<Vec<NodeId>, Free>,
+}
+
+impl Groups {
+    pub(super) fn of(branches: &Branches, graph: &ExprGraph, traced: &Traced) -> Self {
+        let mut groups = Self {
+            lanes: branches.lanes,
+            all: Vec::new(),
+            of: vec![None; graph.len()],
+            signs: Signs::new(branches.lanes),
+            given: BTreeMap::new(),
+        };
+        for members in candidates(branches, graph, traced) {
+            groups.try_one(graph, traced, members);
+        }
+        groups
+    }
+
+    /// The group that a node is in.
+    pub(super) fn group(&self, id: NodeId) -> Option<usize> {
+        self.of[id.index()]
+    }
+
+    /// True for a group that was not taken apart.
+    pub(super) fn is_whole(&self, group: usize) -> bool {
+        self.group(self.all[group].members[0]) == Some(group)
+    }
+
+    /// Takes a group apart.
+    pub(super) fn part(&mut self, group: usize) {
+        for member in &self.all[group].members {
+            self.of[member.index()] = None;
+        }
+    }
+
+    /// True where the number that a branch computes is the negative of what the helper does.
+    pub(super) fn is_negative(&self, group: usize, lane: usize) -> bool {
+        self.signs.is_negative(lane, &self.all[group].signs[lane])
+    }
+
+    /// True where an operand is a number of the model for each branch.
+    pub(super) fn are_numbers(&self, operand: &Operand) -> bool {
+        match operand.from {
+            From::Given(free) => self.signs.price(free) == Price::Number,
+            From::Group(_) => false,
+        }
+    }
+
+    /// What the helper is given for an operand: for each branch.
+    pub(super) fn given(&self, operand: &Operand) -> Vec<Expr> {
+        let nodes = operand.nodes.iter().enumerate();
+        let given = nodes.map(|(lane, &id)| {
+            let is_negative = match operand.from {
+                From::Group(group) => self.is_negative(group, lane),
+                From::Given(free) => self.signs.is_negative(lane, &Sign::free(free, false)),
+            };
+            Expr::of(id).signed(is_negative)
+        });
+        given.collect()
+    }
+
+    /// Groups these, unless there are no signs with which they are alike.
+    fn try_one(&mut self, graph: &ExprGraph, traced: &Traced, members: Vec<NodeId>) {
+        let places: Vec<Vec<Expr>> = members.iter().map(|id| operands(graph, *id)).collect();
+        let first = &places[0];
+        let color = |own: Expr| traced.colors[own.node().index()];
+        let is_turned = |own: &[Expr]| {
+            own.iter()
+                .zip(first)
+                .any(|(own, first)| color(*own) != color(*first))
+        };
+        let aligned: Vec<Vec<Expr>> = places
+            .iter()
+            .map(|own| {
+                let mut own = own.clone();
+                if is_turned(&own) {
+                    own.reverse();
+                }
+                own
+            })
+            .collect();
+        let mut operands = Vec::new();
+        let mut signs = Vec::new();
+        for place in 0..first.len() {
+            let across: Vec<Expr> = aligned.iter().map(|own| own[place]).collect();
+            let (operand, of_operand) = self.operand(graph, &across);
+            operands.push(operand);
+            signs.push(of_operand);
+        }
+        let signs = match (graph.node(members[0]), &signs[..]) {
+            (Node::Add(..), [a, b]) => {
+                let both = a.iter().zip(b).map(|(a, b)| a.times(b));
+                let conditions: Vec<Sign> = both.skip(1).collect();
+                if !self.signs.positive(&conditions) {
+                    return;
+                }
+                a.clone()
+            }
+            (Node::Mul(..) | Node::Div(..), [a, b]) => {
+                a.iter().zip(b).map(|(a, b)| a.times(b)).collect()
+            }
+            // An absolute value has none.
+            _ => vec![Sign::default(); self.lanes],
+        };
+        for member in &members {
+            self.of[member.index()] = Some(self.all.len());
+        }
+        self.all.push(Group {
+            members,
+            operands,
+            signs,
+        });
+    }
+
+    /// An operand, and for each branch the sign of its term, where that of the first is as it is.
+    fn operand(&mut self, graph: &ExprGraph, across: &[Expr]) -> (Operand, Vec<Sign>) {
+        let nodes: Vec<NodeId> = across.iter().map(|own| own.node()).collect();
+        let of_first = self.group(nodes[0]);
+        let from = match of_first {
+            Some(group) if self.all[group].members == nodes => From::Group(group),
+            _ => From::Given(self.free(graph, &nodes)),
+        };
+        let signs = across.iter().enumerate().map(|(lane, own)| {
+            let turned = own.is_negative() ^ across[0].is_negative();
+            match from {
+                From::Group(group) => self.all[group].signs[lane].clone().signed(turned),
+                From::Given(_) if lane == 0 => Sign::default(),
+                From::Given(free) => Sign::free(free, turned),
+            }
+        });
+        let signs = signs.collect();
+        (Operand { nodes, from }, signs)
+    }
+
+    /// The sign of what is given: a number has another wherever it stands.
+    fn free(&mut self, graph: &ExprGraph, nodes: &[NodeId]) -> Free {
+        let mut numbers = nodes.iter().map(|id| graph.node(*id));
+        if numbers.all(|node| matches!(node, Node::Number(_))) {
+            return self.signs.add(Price::Number);
+        }
+        let is_shared = nodes.iter().all(|id| *id == nodes[0]);
+        let price = if is_shared {
+            Price::Shared
+        } else {
+            Price::Side
+        };
+        let signs = &mut self.signs;
+        *self
+            .given
+            .entry(nodes.to_vec())
+            .or_insert_with(|| signs.add(price))
+    }
+}
+
+/// The operands of an operation, with their signs in a sum.
+fn operands(graph: &ExprGraph, id: NodeId) -> Vec<Expr> {
+    match graph.node(id) {
+        Node::Add(a, b) => vec![a, b],
+        other => other.operands().map(Expr::of).collect(),
+    }
+}
+
+/// Operations of one colour, one of each branch, in the order of the first branch's.
+fn candidates(branches: &Branches, graph: &ExprGraph, traced: &Traced) -> Vec<Vec<NodeId>> {
+    let mut by_color: BTreeMap<u32, Vec<Vec<NodeId>>> = BTreeMap::new();
+    for id in graph.ids().filter(|id| traced.needed[id.index()]) {
+        let is_operation = matches!(
+            graph.node(id),
+            Node::Add(..) | Node::Mul(..) | Node::Div(..) | Node::Abs(_)
+        );
+        if let Some(lane) = traced.lanes[id.index()].filter(|_| is_operation) {
+            let own = by_color.entry(traced.colors[id.index()]);
+            own.or_insert_with(|| vec![Vec::new(); branches.lanes])[lane].push(id);
+        }
+    }
+    let mut found = Vec::new();
+    for lanes in by_color.into_values() {
+        let n_own = lanes[0].len();
+        if lanes.iter().all(|own| own.len() == n_own) {
+            found.extend(
+                (0..n_own).map(|place| lanes.iter().map(|own| own[place]).collect::<Vec<_>>()),
+            );
+        }
+    }
+    found.sort();
+    found
+}

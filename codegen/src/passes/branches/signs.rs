@@ -1,0 +1,144 @@
+//! With which sign each branch goes through what all go through: where one adds, another may subtract.
+//!
+//! What a branch is given may be negated for it, so each such number has a sign that is free. A product has the sign of its factors.
+//! Terms of a sum must have one sign, which is a condition on those that are free: linear equations modulo 2, solved as they
+//! come.
+
+use std::collections::BTreeMap;
+
+/// A sign that is free, by number.
+pub(super) type Free = usize;
+
+/// A sign: the product of free ones, or its negative.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Sign {
+    /// The free signs that are factors, in order.
+    free: Vec<Free>,
+    is_negative: bool,
+}
+
+impl Sign {
+    /// A free sign, or its negative.
+    pub(super) fn free(own: Free, is_negative: bool) -> Self {
+        Self {
+            free: vec![own],
+            is_negative,
+        }
+    }
+
+    /// The same, or its negative.
+    #[must_use]
+    pub(super) fn signed(mut self, is_negative: bool) -> Self {
+        self.is_negative ^= is_negative;
+        self
+    }
+
+    /// The product of two.
+    #[must_use]
+    pub(super) fn times(&self, other: &Self) -> Self {
+        let (mut a, mut b) = (self.free.iter().peekable(), other.free.iter().peekable());
+        let mut free = Vec::with_capacity(self.free.len() + other.free.len());
+        loop {
+            let (next, from_both) = match (a.peek(), b.peek()) {
+                (None, None) => break,
+                (Some(&&one), Some(&&two)) => (one.min(two), one == two),
+                (Some(&&one), None) | (None, Some(&&one)) => (one, false),
+            };
+            a.next_if(|own| **own == next);
+            b.next_if(|own| **own == next);
+            if !from_both {
+                free.push(next);
+            }
+        }
+        Self {
+            free,
+            is_negative: self.is_negative ^ other.is_negative,
+        }
+    }
+}
+
+/// What a free sign costs where it is negative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Price {
+    /// A number: nothing.
+    Number,
+    /// What differs from branch to branch: a sign where it is stored.
+    Side,
+    /// What all share: they do not any more.
+    Shared,
+}
+
+/// The free signs of several branches, and what is known of them.
+#[derive(Debug)]
+pub(super) struct Signs {
+    prices: Vec<Price>,
+    /// For each branch but the first, the signs that follow from others, which do not.
+    follow: Vec<BTreeMap<Free, Sign>>,
+}
+
+impl Signs {
+    /// Of so many branches; the first has no signs of its own.
+    pub(super) fn new(lanes: usize) -> Self {
+        Self {
+            prices: Vec::new(),
+            follow: vec![BTreeMap::new(); lanes - 1],
+        }
+    }
+
+    /// One that is free.
+    pub(super) fn add(&mut self, price: Price) -> Free {
+        self.prices.push(price);
+        self.prices.len() - 1
+    }
+
+    /// What a free sign costs where it is negative.
+    pub(super) fn price(&self, own: Free) -> Price {
+        self.prices[own]
+    }
+
+    /// Has these be positive, one for each branch but the first, if all can be.
+    pub(super) fn positive(&mut self, signs: &[Sign]) -> bool {
+        let signs: Vec<Sign> = (1..)
+            .zip(signs)
+            .map(|(lane, sign)| self.known(lane, sign))
+            .collect();
+        if signs
+            .iter()
+            .any(|sign| sign.free.is_empty() && sign.is_negative)
+        {
+            return false;
+        }
+        for (follow, sign) in self.follow.iter_mut().zip(signs) {
+            let price = |own: &Free| (self.prices[*own], *own);
+            let Some(cheapest) = sign.free.iter().copied().min_by_key(price) else {
+                continue;
+            };
+            let mut rest = sign;
+            rest.free.retain(|own| *own != cheapest);
+            for other in follow.values_mut() {
+                if let Ok(place) = other.free.binary_search(&cheapest) {
+                    other.free.remove(place);
+                    *other = other.times(&rest);
+                }
+            }
+            follow.insert(cheapest, rest);
+        }
+        true
+    }
+
+    /// A sign of a branch, by those that follow from no others.
+    fn known(&self, lane: usize, sign: &Sign) -> Sign {
+        let start = Sign::default().signed(sign.is_negative);
+        sign.free
+            .iter()
+            .fold(start, |known, own| match self.follow[lane - 1].get(own) {
+                Some(followed) => known.times(followed),
+                None => known.times(&Sign::free(*own, false)),
+            })
+    }
+
+    /// Whether a sign of a branch is negative, where those that are still free are positive.
+    pub(super) fn is_negative(&self, lane: usize, sign: &Sign) -> bool {
+        lane > 0 && self.known(lane, sign).is_negative
+    }
+}

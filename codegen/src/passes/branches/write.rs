@@ -1,0 +1,197 @@
+//! The graph anew: for each call what it reads, then the call, and all else at the end in the order that it had.
+
+use std::{collections::BTreeMap, sync::Arc};
+
+use super::{
+    calls::Calls,
+    groups::{Group, Groups, Operand},
+    layers::reads,
+};
+use crate::{
+    expr::{Call, Expr, ExprGraph, Helper, Input, Node, NodeId},
+    passes::rebuild::Rebuilt,
+};
+
+/// The graph with its calls, and its roots.
+pub(super) fn written(
+    old: &ExprGraph,
+    roots: &[Expr],
+    groups: &Groups,
+    calls: &Calls,
+) -> (ExprGraph, Vec<Expr>) {
+    let mut writer = Writer {
+        old,
+        groups,
+        calls,
+        graph: ExprGraph::with_capacity(old.len()),
+        rebuilt: Rebuilt::new(old),
+    };
+    for call in 0..calls.groups.len() {
+        writer.call(call);
+    }
+    let needed = old.reachable(roots);
+    for id in old.ids().filter(|id| needed[id.index()]) {
+        writer.copy(id);
+    }
+    let roots = roots
+        .iter()
+        .map(|&root| writer.rebuilt.expr(root))
+        .collect();
+    (writer.graph, roots)
+}
+
+struct Writer<'a> {
+    old: &'a ExprGraph,
+    groups: &'a Groups,
+    calls: &'a Calls,
+    graph: ExprGraph,
+    rebuilt: Rebuilt,
+}
+
+/// A helper while it is written.
+#[derive(Default)]
+struct Written {
+    graph: ExprGraph,
+    /// What each group of the call computes.
+    groups: BTreeMap<usize, Expr>,
+    shared: Vec<Expr>,
+    sides: Vec<Vec<Expr>>,
+    /// Where what was given before stands.
+    places: BTreeMap<Vec<Expr>, Input>,
+}
+
+impl Writer<'_> {
+    /// A node as it was, unless it is there already or a call's.
+    fn copy(&mut self, id: NodeId) {
+        if self.groups.group(id).is_none() && !self.rebuilt.has(id) {
+            self.graph.enter_like(self.old, id);
+            let expr = self.rebuilt.copy(&mut self.graph, self.old, id);
+            self.graph.name_like(expr, self.old, Expr::of(id));
+            self.rebuilt.set(id, expr);
+        }
+    }
+
+    /// The group of a call that computes an operand, if one does.
+    fn inside(&self, call: usize, operand: &Operand) -> Option<usize> {
+        operand.group().filter(|&group| self.calls.has(call, group))
+    }
+
+    /// What a call reads, and the call.
+    fn call(&mut self, call: usize) {
+        self.copy_operands(call);
+        let mut written = Written::default();
+        let own = &self.calls.groups[call];
+        for &number in own {
+            let group = &self.groups.all[number];
+            let operands: Vec<Expr> = group
+                .operands
+                .iter()
+                .map(|operand| match self.inside(call, operand) {
+                    Some(inside) => written.groups[&inside],
+                    None => self.given(&mut written, operand),
+                })
+                .collect();
+            let expr = self.operation(&mut written.graph, group, &operands);
+            written.groups.insert(number, expr);
+        }
+        let found = own
+            .iter()
+            .copied()
+            .filter(|&group| self.calls.is_found[group]);
+        let found: Vec<usize> = found.collect();
+        let helper = Helper {
+            lanes: self.groups.lanes,
+            roots: found.iter().map(|number| written.groups[number]).collect(),
+            graph: written.graph,
+        };
+        let number = self.old.next_lockstep().max(self.graph.next_lockstep());
+        self.graph
+            .add_lockstep(number, written.shared, vec![Arc::new(helper)]);
+        let call = Call {
+            helper: 0,
+            sides: written.sides,
+        };
+        let call = self.graph.add_call(number, call);
+        for (place, &group) in found.iter().enumerate() {
+            for (lane, &member) in self.groups.all[group].members.iter().enumerate() {
+                self.graph.enter_like(self.old, member);
+                let solved = self.graph.solved((number, call), lane, place);
+                let expr = solved.signed(self.groups.is_negative(group, lane));
+                self.graph.name_like(expr, self.old, Expr::of(member));
+                self.rebuilt.set(member, expr);
+            }
+        }
+    }
+
+    /// All that a call needs and those before it have not computed.
+    fn copy_operands(&mut self, call: usize) {
+        let own = self.calls.groups[call].iter();
+        let operands = own.flat_map(|&group| &self.groups.all[group].operands);
+        let outside = operands.filter(|operand| self.inside(call, operand).is_none());
+        let mut open: Vec<NodeId> = outside.flat_map(|operand| operand.nodes.clone()).collect();
+        let mut wanted = vec![false; self.old.len()];
+        while let Some(id) = open.pop() {
+            if self.groups.group(id).is_none() && !self.rebuilt.has(id) && !wanted[id.index()] {
+                wanted[id.index()] = true;
+                open.extend(reads(self.old, id));
+            }
+        }
+        for id in self.old.ids().filter(|id| wanted[id.index()]) {
+            self.copy(id);
+        }
+    }
+
+    /// An operand that a helper is given.
+    fn given(&self, written: &mut Written, operand: &Operand) -> Expr {
+        let row = self.groups.given(operand).into_iter();
+        let row: Vec<Expr> = row.map(|own| self.rebuilt.expr(own)).collect();
+        let is_negative = row[0].is_negative();
+        let row: Vec<Expr> = row.into_iter().map(|own| own.signed(is_negative)).collect();
+        let is_shared = row.iter().all(|own| *own == row[0]);
+        if let Node::Number(bits) = self.graph.node(row[0].node())
+            && is_shared
+        {
+            return written
+                .graph
+                .number(f64::from_bits(bits))
+                .signed(is_negative);
+        }
+        let Written {
+            shared,
+            sides,
+            places,
+            graph,
+            ..
+        } = written;
+        let input = *places.entry(row.clone()).or_insert_with(|| {
+            if is_shared {
+                shared.push(row[0]);
+                Input::Shared(shared.len() - 1)
+            } else {
+                sides.push(row);
+                Input::Side(sides.len() - 1)
+            }
+        });
+        graph.enter_like(self.old, operand.nodes[0]);
+        graph.input(input).signed(is_negative)
+    }
+
+    /// What the first of a group's members does, in a helper.
+    fn operation(&self, helper: &mut ExprGraph, group: &Group, operands: &[Expr]) -> Expr {
+        let member = group.members[0];
+        helper.enter_like(self.old, member);
+        let expr = match (self.old.node(member), operands) {
+            (Node::Add(one, other), &[a, b]) => {
+                let [a, b] =
+                    [(a, one), (b, other)].map(|(own, as_is)| own.signed(as_is.is_negative()));
+                helper.add(a, b)
+            }
+            (Node::Mul(..), &[a, b]) => helper.mul(a, b),
+            (Node::Div(..), &[a, b]) => helper.div(a, b),
+            (Node::Abs(_), &[a]) => helper.abs(a),
+            (other, _) => unreachable!("passes: {other:?} is in no group"),
+        };
+        helper.name_like(expr, self.old, Expr::of(member));
+        expr
+    }
+}
