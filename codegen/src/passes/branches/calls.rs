@@ -135,7 +135,7 @@ impl Calls {
             n_found,
         } = self.rows(groups, call);
         let n_moves = 2 * (lanes * gathered.len() + whole.len()) + lanes * n_found;
-        2 * (lanes - 1) * self.groups[call].len() > 3 * n_moves
+        (lanes - 1) * self.groups[call].len() > n_moves
     }
 
     /// Whether a call computes a group.

@@ -2,7 +2,7 @@
 
 use proc_macro2::Literal;
 use quote::quote;
-use syn::{Item, Stmt, parse_quote};
+use syn::{Expr, Item, Stmt, parse_quote};
 
 use super::{
     expression::{LANE, Writer},
@@ -20,7 +20,7 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
     helpers.map(|helper| item(facts, helper)).collect()
 }
 
-/// A helper. What it computes is some numbers first, as scratch is: zeros a compiler would write by a call of `memset`.
+/// A helper. What it computes is some numbers first, as scratch is.
 fn item(facts: &Facts, helper: &Function) -> Item {
     let signature = &helper.signature;
     let mut lines = signature.doc.clone();
@@ -32,13 +32,14 @@ fn item(facts: &Facts, helper: &Function) -> Item {
     let [n_shared, n_sides, n_solved] = [0, 1, 2].map(|place| length(&signature.arguments[place]));
     let (lane, lanes) = (ident(LANE), number_of(helper.lanes));
     let statements = statements::of(&Writer::of_helper(facts, helper));
+    let some = some();
     parse_quote! {
         #doc
         #allow
         #[allow(clippy::needless_range_loop, reason = "a column's numbers stand in several arrays")]
         #[inline(never)]
         fn #name<R: kane::Real>(#shared: &[R; #n_shared], #sides: &[[R; #lanes]; #n_sides]) -> [[R; #lanes]; #n_solved] {
-            let mut #solved = [#sides[0]; #n_solved];
+            let mut #solved = [[#some; #lanes]; #n_solved];
             for #lane in 0..#lanes {
                 #(#statements)*
             }
@@ -54,6 +55,11 @@ fn length(argument: &Declared) -> Literal {
     }
 }
 
+/// The number that arrays are filled with before they are: not zero, which a compiler would write by a call of `memset`.
+fn some() -> Expr {
+    syntax::call(syntax::of_scalar("from_f64"), [syntax::number(1.0)])
+}
+
 fn number_of(number: usize) -> Literal {
     Literal::usize_unsuffixed(number)
 }
@@ -62,7 +68,7 @@ fn number_of(number: usize) -> Literal {
 pub(super) fn scratch(function: &Function) -> Vec<Stmt> {
     let arrays = function.scratch.iter().map(|array| {
         let name = ident(&array.name);
-        let number = syntax::call(syntax::of_scalar("from_f64"), [syntax::number(1.0)]);
+        let number = some();
         let filled = array.lengths.iter().rev();
         let filled = filled.fold(quote!(#number), |row, length| match length {
             Length::Number(length) => {
