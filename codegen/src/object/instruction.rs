@@ -274,6 +274,8 @@ impl At<'_, '_> {
         let is_taken = match instruction.mnemonic() {
             Mnemonic::Je => state.are_equal?,
             Mnemonic::Jne => !state.are_equal?,
+            // Back to where a loop begins that is left in its middle.
+            Mnemonic::Jmp if self.is_back() => true,
             _ => return None,
         };
         let is_near = self.reference(self.offsets.immediate_offset()).is_none();
@@ -282,6 +284,12 @@ impl At<'_, '_> {
         } else {
             instruction.next_ip()
         })
+    }
+
+    fn is_back(&self) -> bool {
+        let instruction = self.instruction;
+        let is_near = instruction.op0_kind() == OpKind::NearBranch64;
+        is_near && instruction.near_branch_target() < instruction.ip()
     }
 
     /// Twice the same register, of which the difference is taken.

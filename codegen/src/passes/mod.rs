@@ -6,6 +6,7 @@
 //!    loop.
 //! 2. `sines`, where it is asked for: sines and cosines of coordinates are inputs.
 //! 3. `hoist`: no operation of a function depends on parameters alone; those are `Prepared`'s.
+//! 4. `branches`, where a function is long: what branches of the tree that are alike go through alike is written once.
 //!
 //! Dead values, order and names are the program's: see `program`.
 

@@ -77,7 +77,12 @@ pub(super) fn scratch(function: &Function) -> Vec<Stmt> {
             }
             Length::Constant(_) => unreachable!("printers: scratch has known lengths"),
         });
-        parse_quote!(let mut #name = #filled;)
+        // What is empty is not filled.
+        if array.lengths.contains(&Length::Number(0)) {
+            parse_quote!(let #name = #filled;)
+        } else {
+            parse_quote!(let mut #name = #filled;)
+        }
     });
     arrays.collect()
 }

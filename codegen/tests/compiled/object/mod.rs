@@ -160,11 +160,18 @@ fn derivatives_hold() {
 }
 
 #[test]
-fn columns_in_lockstep_hold() {
+fn columns_and_branches_in_lockstep_hold() {
     let path = repository("tests/robots/solo12/solo12.urdf");
     let source = Source::new("solo12.urdf", fs::read_to_string(path).unwrap());
-    let functions = Functions::Named(vec!["d(forward_dynamics)/d(q, u)".to_owned()]);
-    let text = module(&source, Some(Base::Free), functions);
+    let functions = [
+        "forward_dynamics",
+        "mass_matrix_inverse",
+        "regressor_packed",
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        "d(forward_dynamics)/d(q, u)",
+    ];
+    let functions = functions.map(str::to_owned).to_vec();
+    let text = module(&source, Some(Base::Free), Functions::Named(functions));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("solo12.rs");
     fs::write(&path, text).unwrap();
@@ -177,7 +184,7 @@ fn columns_in_lockstep_hold() {
         let report = verify(runtime, &path).unwrap();
         let helpers = report.functions.iter();
         let helpers = helpers.filter(|one| one.name.contains("_lockstep_"));
-        assert!(helpers.count() > 2);
+        assert!(helpers.count() > 8);
         assert_holds(&report, "solo12");
     }
 }
