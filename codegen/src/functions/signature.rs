@@ -99,6 +99,14 @@ impl Signature {
             lengths: vec![Length::Number(length)],
             ..Declared::read(name, Element::Scalar, meaning)
         };
+        let found = Declared {
+            lengths: vec![Length::Number(n_found)],
+            ..Declared::written(found, Element::Scalar)
+        };
+        let shared = Some(shared).filter(|(_, length)| *length > 0);
+        let arguments = shared
+            .map(|shared| argument(shared, "what all share"))
+            .into_iter();
         let doc = format!(
             "What several columns or branches of `{of}` go through alike: {lanes} of them at a time, each by itself."
         );
@@ -106,14 +114,9 @@ impl Signature {
             name: format!("{of}_lockstep_{number}"),
             doc: vec![doc],
             tables: Vec::new(),
-            arguments: vec![
-                argument(shared, "what all columns share"),
-                argument(sides, "the numbers of each column"),
-                Declared {
-                    lengths: vec![Length::Number(n_found)],
-                    ..Declared::written(found, Element::Scalar)
-                },
-            ],
+            arguments: arguments
+                .chain([argument(sides, "the numbers of each"), found])
+                .collect(),
         }
     }
 

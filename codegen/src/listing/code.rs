@@ -213,9 +213,11 @@ impl Writer<'_> {
         let name = self.free(numbered("solved", self.n_calls));
         let lanes = self.program.helpers[helper].lanes;
         let solved = self.array(name, lanes * results.len(), Some(lanes));
+        let (shared, sides) = self.known.scratch.given(lockstep, self.n_calls);
         self.code.statements.push(Statement::Call {
             helper,
-            given: self.known.scratch.given(lockstep, self.n_calls),
+            shared,
+            sides,
             solved,
         });
         self.n_calls += 1;

@@ -55,9 +55,9 @@ impl Scratch {
         self.n_arguments + self.declared.len() - 1
     }
 
-    /// What a call is given: what all columns share, and what is of each.
-    pub(super) fn given(&self, lockstep: usize, call: usize) -> [usize; 2] {
-        [self.shared[&lockstep], self.sides[call]]
+    /// What a call is given: what all columns share, if there is any, and what is of each.
+    pub(super) fn given(&self, lockstep: usize, call: usize) -> (Option<usize>, usize) {
+        (self.shared.get(&lockstep).copied(), self.sides[call])
     }
 
     /// What is stored, and where.

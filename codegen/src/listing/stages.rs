@@ -202,8 +202,8 @@ impl<'a> Cut<'a> {
         let (mut given, mut earlier) = (BTreeSet::new(), BTreeSet::new());
         for statement in &whole.statements[range.clone()] {
             given.extend(statement.stored().map(|entry| entry.argument));
-            if let Statement::Call { given: read, .. } = statement {
-                given.extend(read);
+            if let Statement::Call { shared, sides, .. } = statement {
+                given.extend(shared.iter().chain([sides]));
             }
             for_each(statement, &mut |expression| {
                 if let Expression::Entry(entry) = expression {
@@ -300,11 +300,13 @@ impl<'a> Cut<'a> {
             }
             Statement::Call {
                 helper,
-                given,
+                shared,
+                sides,
                 solved,
             } => Statement::Call {
                 helper: *helper,
-                given: given.map(|argument| self.argument(argument)),
+                shared: shared.map(|argument| self.argument(argument)),
+                sides: self.argument(*sides),
                 solved: self.array(*solved),
             },
             Statement::StoreSinCos {

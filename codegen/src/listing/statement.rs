@@ -54,8 +54,10 @@ pub enum Statement {
     Call {
         /// The helper, by its place.
         helper: usize,
-        /// The arguments, by their places: what all columns share, and what is of each, a row for each number with one of every lane.
-        given: [usize; 2],
+        /// What all columns share, an argument by its place, if there is any.
+        shared: Option<usize>,
+        /// What is of each: a row for each number, with one of every lane.
+        sides: usize,
         /// What it computes, in such rows.
         solved: ArrayId,
     },

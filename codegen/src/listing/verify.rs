@@ -107,7 +107,8 @@ fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
     for statement in &code.statements {
         let Statement::Call {
             helper,
-            given: [shared, sides],
+            shared,
+            sides,
             solved,
         } = statement
         else {
@@ -116,13 +117,12 @@ fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
         let helper = helpers.get(*helper).ok_or(Fault::NoHelper(*helper))?;
         let own = helper.signature.arguments.iter();
         let own: Vec<usize> = own.map(|place| facts.extent(place).size()).collect();
-        let held = [
-            extents[*shared],
-            extents[*sides],
-            code.array(*solved).length,
-        ];
-        let lanes = [1, helper.lanes, helper.lanes];
-        for (own, (held, lanes)) in own.into_iter().zip(held.into_iter().zip(lanes)) {
+        let lanes = helper.lanes;
+        let mut held: Vec<_> = shared.iter().map(|&place| (extents[place], 1)).collect();
+        held.push((extents[*sides], lanes));
+        held.push((code.array(*solved).length, lanes));
+        check_lengths(own.len(), held.len())?;
+        for (own, (held, lanes)) in own.into_iter().zip(held) {
             check_lengths(lanes * own, held)?;
         }
     }
@@ -257,8 +257,14 @@ impl<'a, 's> State<'a, 's> {
                     assign(&mut self.arrays[id.index()], &array.name)?;
                 }
             }
-            Statement::Call { given, solved, .. } => {
-                given.iter().try_for_each(|&place| self.read_whole(place))?;
+            Statement::Call {
+                shared,
+                sides,
+                solved,
+                ..
+            } => {
+                let mut given = shared.iter().chain([sides]);
+                given.try_for_each(|&place| self.read_whole(place))?;
                 let array = self.code.array(*solved);
                 assign(&mut self.arrays[solved.index()], &array.name)?;
             }

@@ -61,7 +61,7 @@ impl Program {
                     sides,
                     results,
                 } => {
-                    let shared = &shared[lockstep];
+                    let shared = shared.get(lockstep).map_or(&[][..], Vec::as_slice);
                     for lane in 0..self.helpers[*helper].lanes {
                         let found = self.helpers[*helper].evaluate_by(&mut |input| match input {
                             Input::Shared(place) => shared[place],

@@ -214,7 +214,7 @@ impl Flattening<'_> {
             self.program.instructions.iter().any(
                 |own| matches!(own, Instruction::Share { lockstep, .. } if *lockstep == number),
             );
-        if !is_shared {
+        if !is_shared && !of.shared.is_empty() {
             let values = of.shared.iter().map(|&own| self.expr(own)).collect();
             self.program.instructions.push(Instruction::Share {
                 lockstep: number,

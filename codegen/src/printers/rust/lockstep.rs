@@ -29,7 +29,12 @@ fn item(facts: &Facts, helper: &Function) -> Item {
     lines.extend(helper.cost());
     let (doc, allow, name) = (doc(lines), allow_generated(), ident(&signature.name));
     let [shared, sides, solved] = [SHARED, SIDES, SOLVED].map(ident);
-    let [n_shared, n_sides, n_solved] = [0, 1, 2].map(|place| length(&signature.arguments[place]));
+    let argument = |name: &str| {
+        let mut arguments = signature.arguments.iter();
+        arguments.find(|own| own.name == name).map(length)
+    };
+    let n_shared = argument(SHARED).into_iter();
+    let [n_sides, n_solved] = [SIDES, SOLVED].map(argument);
     let (lane, lanes) = (ident(LANE), number_of(helper.lanes));
     let statements = statements::of(&Writer::of_helper(facts, helper));
     let some = some();
@@ -38,7 +43,7 @@ fn item(facts: &Facts, helper: &Function) -> Item {
         #allow
         #[allow(clippy::needless_range_loop, reason = "a column's numbers stand in several arrays")]
         #[inline(never)]
-        fn #name<R: kane::Real>(#shared: &[R; #n_shared], #sides: &[[R; #lanes]; #n_sides]) -> [[R; #lanes]; #n_solved] {
+        fn #name<R: kane::Real>(#(#shared: &[R; #n_shared],)* #sides: &[[R; #lanes]; #n_sides]) -> [[R; #lanes]; #n_solved] {
             let mut #solved = [[#some; #lanes]; #n_solved];
             for #lane in 0..#lanes {
                 #(#statements)*
@@ -77,12 +82,7 @@ pub(super) fn scratch(function: &Function) -> Vec<Stmt> {
             }
             Length::Constant(_) => unreachable!("printers: scratch has known lengths"),
         });
-        // What is empty is not filled.
-        if array.lengths.contains(&Length::Number(0)) {
-            parse_quote!(let #name = #filled;)
-        } else {
-            parse_quote!(let mut #name = #filled;)
-        }
+        parse_quote!(let mut #name = #filled;)
     });
     arrays.collect()
 }

@@ -77,10 +77,11 @@ fn print(
         }
         Statement::Call {
             helper,
-            given,
+            shared,
+            sides,
             solved,
         } => {
-            let value = call(writer, *helper, *given);
+            let value = call(writer, *helper, shared.iter().chain([sides]));
             let solved = ident(&writer.code.array(*solved).name);
             printed.push(syntax::declare(
                 syntax::pattern(&[Some(solved)]),
@@ -113,9 +114,9 @@ fn print(
 }
 
 /// The call of a helper of a function: on what columns share, and on rows of what they do not.
-fn call(writer: &Writer<'_>, helper: usize, given: [usize; 2]) -> Expr {
+fn call<'a>(writer: &Writer<'_>, helper: usize, given: impl Iterator<Item = &'a usize>) -> Expr {
     let name = ident(&format!("{}_lockstep_{}", writer.of, helper + 1));
-    let given = given.map(|place| writer.lent(place));
+    let given = given.map(|&place| writer.lent(place));
     syntax::call(syntax::of_module(&name), given)
 }
 

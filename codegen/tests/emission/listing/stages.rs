@@ -9,7 +9,6 @@ use kane_codegen::listing::{
 use kane_codegen::{
     description::{self, Base, Reading, no_includes},
     diagnostic::Source,
-    expr::LANES,
     functions::Signature,
 };
 
@@ -107,10 +106,12 @@ impl<'a> Run<'a> {
             }
             Statement::Call {
                 helper,
-                given,
+                shared,
+                sides,
                 solved,
             } => {
-                let given = given.map(|place| self.scratch(place));
+                let shared = shared.map(|place| self.scratch(place)).unwrap_or_default();
+                let given = [shared, self.scratch(*sides)];
                 self.arrays[solved.index()] = self.called(&self.given.helpers[*helper], &given);
             }
             Statement::Heading(_) | Statement::Fence => {}
@@ -134,10 +135,11 @@ impl<'a> Run<'a> {
     /// What a helper computes, a row for each number, with that of each lane.
     fn called(&self, helper: &Function, [shared, sides]: &[Vec<f64>; 2]) -> Vec<f64> {
         let mut rows = BTreeMap::new();
-        for lane in 0..LANES {
+        let lanes = helper.lanes;
+        for lane in 0..lanes {
             let number = |(name, place): &(String, usize)| match name.as_str() {
                 SHARED => shared[*place],
-                _ => sides[LANES * place + lane],
+                _ => sides[lanes * place + lane],
             };
             let given = Given {
                 number: &number,
@@ -145,7 +147,7 @@ impl<'a> Run<'a> {
             };
             let run = Run::of(&given, &helper.signature, &helper.code, &[]);
             let stored = run.stored.into_iter();
-            rows.extend(stored.map(|((_, place), value)| (LANES * place + lane, value)));
+            rows.extend(stored.map(|((_, place), value)| (lanes * place + lane, value)));
         }
         rows.into_values().collect()
     }
@@ -279,11 +281,11 @@ fn calls_of_what_is_not_there_are_refused() {
         plant(&mut function.code.statements);
         verify(&module.facts, &function).expect_err("a planted fault")
     };
-    let each_call = |change: &dyn Fn(&mut usize, &mut [usize; 2])| {
+    let each_call = |change: &dyn Fn(&mut usize, &mut usize)| {
         planted(&|statements| {
             for statement in statements {
-                if let Statement::Call { helper, given, .. } = statement {
-                    change(helper, given);
+                if let Statement::Call { helper, sides, .. } = statement {
+                    change(helper, sides);
                 }
             }
         })
@@ -291,7 +293,7 @@ fn calls_of_what_is_not_there_are_refused() {
     let fault = each_call(&|helper, _| *helper += 1_000);
     assert!(matches!(fault, Fault::NoHelper(_)), "{fault}");
     // What the function is given, and not what it has filled.
-    let fault = each_call(&|_, given| given[1] = 0);
+    let fault = each_call(&|_, sides| *sides = 0);
     assert!(matches!(fault, Fault::Lengths(..)), "{fault}");
     let n_own = right.signature.arguments.len();
     let fault = planted(&|statements| {
