@@ -5,15 +5,20 @@
 /// With AVX, and of sixteen and more, eight at a time, in a function of its own, to which what is left is filled up: where the
 /// optimizer sees where the lanes go to, it packs some of them with one another and with results, and five sines and
 /// cosines took as long as one after the other (LLVM 22). Otherwise they are lanes of [`each`]. Up to a
-/// hundred angles compile without a loop, and without a call of `memcpy`, which a copy of `angles` would become.
-#[inline]
+/// hundred angles compile without a loop, and without a call of `memcpy`, which a copy of `angles` would become, or, of many
+/// angles, one of the results: they are computed where they are used.
+#[expect(
+    clippy::inline_always,
+    reason = "of a function of its own many results are a copy"
+)]
+#[inline(always)]
 pub(crate) fn scalars<T: Copy, const N: usize>(
     angles: [T; N],
     f: impl Fn(T) -> (T, T) + Copy,
 ) -> ([T; N], [T; N]) {
     let left = N % 8;
     if N <= 2 || N < 16 && cfg!(not(target_feature = "avx")) {
-        return each(angles, f);
+        return few(angles, f);
     }
     let mut both = ([angles[0]; N], [angles[0]; N]);
     let (xs, x) = angles.as_chunks();
@@ -41,6 +46,14 @@ pub(crate) fn scalars<T: Copy, const N: usize>(
         (s[0], c[0]) = f(a);
     }
     both
+}
+
+#[inline]
+fn few<T: Copy, const N: usize>(
+    angles: [T; N],
+    f: impl Fn(T) -> (T, T) + Copy,
+) -> ([T; N], [T; N]) {
+    each(angles, f)
 }
 
 #[inline(never)]

@@ -52,10 +52,9 @@ fn report(text: &str) -> Report {
 }
 
 fn assert_holds(report: &Report, what: &str) {
-    for function in report.all() {
-        let (name, breaches) = (&function.name, &function.breaches);
-        assert!(breaches.is_empty(), "{what}, {name}: {breaches:#?}");
-    }
+    let broken = report.all().filter(|own| !own.breaches.is_empty());
+    let broken: Vec<_> = broken.map(|own| (&own.name, &own.breaches)).collect();
+    assert!(broken.is_empty(), "{what}: {broken:#?}");
 }
 
 /// The module of a model.
@@ -242,24 +241,27 @@ fn sines_of(n_angles: usize) -> String {
         let [factor, cosine] = others;
         format!("o[{angle}] = sines[{angle}] * q[{factor}] + cosines[{cosine}] * q[{angle}];\n")
     });
-    format!(
-        "#[inline(never)]\npub fn of_{n_angles}<R: kane::Real>(q: &[R; {n_angles}], o: &mut [R; {n_angles}]) {{\n\
-         let (sines, cosines) = R::sin_cos_array([{}]);\n{}}}\n",
-        angles.join(", "),
-        stores.collect::<String>()
-    )
+    let (angles, stores) = (angles.join(", "), stores.collect::<String>());
+    // What two functions call is a function of its own.
+    let functions = ["one", "other"].map(|name| {
+        format!(
+            "#[inline(never)]\npub fn {name}_of_{n_angles}<R: kane::Real>(q: &[R; {n_angles}], o: &mut [R; {n_angles}]) {{\n\
+             let (sines, cosines) = R::sin_cos_array([{angles}]);\n{stores}}}\n"
+        )
+    });
+    functions.concat()
 }
 
 #[test]
 fn sines_of_any_number_of_angles_hold() {
-    let text: String = (1..=18).chain([24, 26, 33, 64]).map(sines_of).collect();
+    let text: String = (1..=64).map(sines_of).collect();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("sines.rs");
     fs::write(&path, text).unwrap();
     let haswell = Some("haswell".to_owned());
     let holds = |runtime: &Runtime, what: &str| {
         let report = verify(runtime, &path).unwrap();
-        assert_eq!(report.functions.len(), 22);
+        assert_eq!(report.functions.len(), 2 * 64);
         assert_holds(&report, what);
     };
     holds(released(), "release");
