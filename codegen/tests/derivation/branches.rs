@@ -1,13 +1,14 @@
 //! What branches that are alike go through side by side, against each by itself.
 
 use kane_codegen::{
-    compile,
+    compile::{self, Options},
+    config::Functions,
     description::{Base, Reading},
     expr::Input,
     functions::Formulation,
     passes::branches,
     program::{self, Instruction, Program},
-    recursive::Plan,
+    recursive::{Plan, Technique},
     tree::Tree,
 };
 use kane_test_support::{
@@ -194,6 +195,35 @@ fn a_quadruped_s_legs_are_written_once() {
     };
     // Legs on both sides, mirror images of one another: all but what they give the trunk and take from it.
     insta::assert_snapshot!(written("inverse_dynamics"), @"403 of 1189");
-    insta::assert_snapshot!(written("d(inverse_dynamics)/d(q, u, u_dot)"), @"2180 of 4490");
+    insta::assert_snapshot!(written("d(inverse_dynamics)/d(q, u, u_dot)"), @"1538 of 4490");
     insta::assert_snapshot!(written("regressor_packed"), @"875 of 2831");
+}
+
+#[test]
+fn long_functions_alone_have_branches_side_by_side() {
+    let reading = Reading {
+        base: Some(Base::Free),
+        ..Reading::default()
+    };
+    let tree = read("tests/robots/solo12/solo12.urdf", &reading);
+    let helpers = |without: &[Technique]| {
+        let options = Options {
+            functions: Functions::Named(vec![REQUESTS[0].to_owned(), REQUESTS[4].to_owned()]),
+            without: without.iter().copied().collect(),
+            ..Options::default()
+        };
+        let compiled = compile::compile(&tree, &options).unwrap();
+        let functions = compiled.functions.into_iter();
+        // The rates of coordinates are always there.
+        let asked_for = functions.filter(|own| own.operations.total() > 100);
+        asked_for
+            .map(|own| own.program.helpers.len())
+            .collect::<Vec<_>>()
+    };
+    let [short, long] = helpers(&[])[..] else {
+        panic!("two functions are asked for");
+    };
+    assert_eq!(short, 0);
+    assert!(long > 0);
+    assert_eq!(helpers(&[Technique::Lockstep]), [0, 0]);
 }
