@@ -15,7 +15,7 @@ use kane_codegen::{
     diagnostic::Source,
     functions::CATALOGUE,
     generate::generate,
-    recursive::Technique,
+    recursive::Technique::{Articulated, Carriers, Lockstep},
 };
 use similar::ChangeTag;
 
@@ -90,11 +90,7 @@ fn generated(text: &str, formulation: Formulation) -> String {
         functions: Functions::All(Vec::new()),
         formulation,
         // Which solver is the cheaper, what carries branches, and which of them are alike depends on all bodies.
-        without: BTreeSet::from([
-            Technique::Articulated,
-            Technique::Carriers,
-            Technique::Lockstep,
-        ]),
+        without: BTreeSet::from([Articulated, Carriers, Lockstep]),
         ..Options::default()
     };
     generate(
