@@ -128,10 +128,7 @@ macro_rules! scalars {
                 sin_cos::$sin_cos(self)
             }
 
-            #[expect(
-                clippy::inline_always,
-                reason = "of a function of its own many results are a copy"
-            )]
+            // Of a function of its own, many results would be a copy.
             #[inline(always)]
             fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 sin_cos::scalars(angles, sin_cos::$sin_cos)

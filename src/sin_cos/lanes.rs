@@ -24,16 +24,16 @@ pub(crate) fn scalars<T: Copy, const N: usize>(
     let (xs, x) = angles.as_chunks();
     let (ss, s) = both.0.as_chunks_mut();
     let (cs, c) = both.1.as_chunks_mut();
-    for ((x, s), c) in xs.iter().zip(ss).zip(cs) {
-        eight(x, s, c, f);
+    for ((&x, s), c) in xs.iter().zip(ss).zip(cs) {
+        let [sines, cosines] = eight(x, f);
+        (*s, *c) = (sines.0, cosines.0);
     }
     if left == 3 || left > 4 {
         let mut filled = [x[0]; 8];
         filled[..left].copy_from_slice(x);
-        let (mut sines, mut cosines) = (filled, filled);
-        eight(&filled, &mut sines, &mut cosines, f);
-        s.copy_from_slice(&sines[..left]);
-        c.copy_from_slice(&cosines[..left]);
+        let [sines, cosines] = eight(filled, f);
+        s.copy_from_slice(&sines.0[..left]);
+        c.copy_from_slice(&cosines.0[..left]);
     } else if let [a, b, d, e] = *x {
         let (sines, cosines) = each([a, b, d, e], f);
         s.copy_from_slice(&sines);
@@ -56,9 +56,34 @@ fn few<T: Copy, const N: usize>(
     each(angles, f)
 }
 
+/// Eight numbers that are written at once and read one by one: where they lie in two lines of a cache, that takes longer.
+#[repr(align(64))]
+struct Line<T>([T; 8]);
+
+/// The two results of eight angles. These come one by one, in registers: an array would be written number by number and read as a
+/// vector, and that waits until all that was written before is in the cache.
+#[expect(clippy::inline_always, reason = "it only takes the array apart")]
+#[inline(always)]
+fn eight<T: Copy>(x: [T; 8], f: impl Fn(T) -> (T, T)) -> [Line<T>; 2] {
+    let [a, b, d, e, g, h, i, j] = x;
+    eight_in_registers(a, b, d, e, g, h, i, j, f)
+}
+
+#[expect(clippy::too_many_arguments, reason = "each is a register")]
 #[inline(never)]
-fn eight<T: Copy>(x: &[T; 8], s: &mut [T; 8], c: &mut [T; 8], f: impl Fn(T) -> (T, T)) {
-    (*s, *c) = each(*x, f);
+fn eight_in_registers<T: Copy>(
+    a: T,
+    b: T,
+    d: T,
+    e: T,
+    g: T,
+    h: T,
+    i: T,
+    j: T,
+    f: impl Fn(T) -> (T, T),
+) -> [Line<T>; 2] {
+    let (sines, cosines) = each([a, b, d, e, g, h, i, j], f);
+    [Line(sines), Line(cosines)]
 }
 
 /// The two results of `f` for each of `angles`, in groups of eight, four, two and one written out.

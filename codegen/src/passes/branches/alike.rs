@@ -28,6 +28,10 @@ impl Branches {
         let mut found = Vec::new();
         for lower in lowers {
             let uppers = tree.body_ids().filter(|&body| tree.lower(body) == lower);
+            let uppers: Vec<BodyId> = uppers.collect();
+            if uppers.len() < FEWEST {
+                continue;
+            }
             let mut kinds: BTreeMap<Vec<String>, Vec<Vec<BodyId>>> = BTreeMap::new();
             for upper in uppers {
                 let mut bodies = Vec::new();
@@ -37,10 +41,10 @@ impl Branches {
             }
             let mut alike: Vec<Vec<Vec<BodyId>>> = kinds.into_values().collect();
             alike.sort();
-            for branches in alike.iter().flat_map(|alike| alike.chunks(MOST)) {
-                if branches.len() >= FEWEST {
-                    found.push(Self::those(branches));
-                }
+            alike.retain(|own| own.len() >= FEWEST);
+            for own in &alike {
+                let n_helpers = own.len().div_ceil(MOST);
+                found.extend(own.chunks(own.len().div_ceil(n_helpers)).map(Self::those));
             }
         }
         found

@@ -43,7 +43,9 @@ impl Calls {
             if unworthy.is_empty() {
                 break calls.groups;
             }
-            unworthy.into_iter().for_each(|group| groups.part(group));
+            for group in unworthy {
+                groups.part(group);
+            }
         };
         let mut n_parts = vec![1; layers.len()];
         loop {
@@ -67,14 +69,18 @@ impl Calls {
             if long.is_empty() {
                 return calls;
             }
-            long.into_iter().for_each(|layer| n_parts[layer] += 1);
+            for layer in long {
+                n_parts[layer] += 1;
+            }
         }
     }
 
     fn by(graph: &ExprGraph, roots: &[Expr], groups: &Groups, calls: Vec<Vec<usize>>) -> Self {
         let mut of = vec![None; groups.all.len()];
         for (call, own) in calls.iter().enumerate() {
-            own.iter().for_each(|&group| of[group] = Some(call));
+            for &group in own {
+                of[group] = Some(call);
+            }
         }
         let mut is_found = vec![false; groups.all.len()];
         let call = |id: NodeId| groups.group(id).and_then(|group| of[group]);

@@ -49,7 +49,7 @@ impl Traced {
             let node = graph.node(id);
             let (kind, lane) = match node {
                 Node::Number(_) | Node::Input(Input::Parameter(_) | Input::Prepared(_)) => continue,
-                Node::Input(input) => traced.input(branches, &givens, id, input),
+                Node::Input(input) => given(branches, &givens, id, input),
                 _ => (traced.operation(node), traced.lane(node)),
             };
             let next = u32::try_from(known.len()).expect("passes: fewer colours than nodes") + 1;
@@ -57,26 +57,6 @@ impl Traced {
             traced.lanes[id.index()] = lane;
         }
         traced
-    }
-
-    fn input(
-        &self,
-        branches: &Branches,
-        givens: &BTreeMap<Input, (&'static str, BodyId, usize)>,
-        id: NodeId,
-        input: Input,
-    ) -> (Kind, Option<usize>) {
-        let given = givens.get(&input).copied().or(match input {
-            Input::Force(body, axis) => Some(("force", body, axis)),
-            Input::Moment(body, axis) => Some(("moment", body, axis)),
-            Input::RelativeAngularVelocity(body, axis) => Some(("turn", body, axis)),
-            _ => None,
-        });
-        let own = given.and_then(|(what, body, place)| {
-            let (lane, of) = branches.place(body)?;
-            Some((Kind::Given(what, of, place), Some(lane)))
-        });
-        own.unwrap_or((Kind::Itself(id), None))
     }
 
     fn operation(&self, node: Node) -> Kind {
@@ -105,6 +85,26 @@ impl Traced {
         let first = lanes.next()?;
         lanes.all(|lane| lane == first).then_some(first)
     }
+}
+
+/// What an input is, and its branch.
+fn given(
+    branches: &Branches,
+    givens: &BTreeMap<Input, (&'static str, BodyId, usize)>,
+    id: NodeId,
+    input: Input,
+) -> (Kind, Option<usize>) {
+    let known = givens.get(&input).copied().or(match input {
+        Input::Force(body, axis) => Some(("force", body, axis)),
+        Input::Moment(body, axis) => Some(("moment", body, axis)),
+        Input::RelativeAngularVelocity(body, axis) => Some(("turn", body, axis)),
+        _ => None,
+    });
+    let own = known.and_then(|(what, body, place)| {
+        let (lane, of) = branches.place(body)?;
+        Some((Kind::Given(what, of, place), Some(lane)))
+    });
+    own.unwrap_or((Kind::Itself(id), None))
 }
 
 /// Whose the inputs are that are numbered over the whole tree: what each is, its body, and its place among such of the body.
