@@ -44,7 +44,9 @@ impl Branches {
             alike.retain(|own| own.len() >= FEWEST);
             for own in &alike {
                 let n_helpers = own.len().div_ceil(MOST);
-                found.extend(own.chunks(own.len().div_ceil(n_helpers)).map(Self::those));
+                let helpers = own.chunks(own.len().div_ceil(n_helpers));
+                let helpers = helpers.filter(|own| own.len() >= FEWEST);
+                found.extend(helpers.map(Self::those));
             }
         }
         found
