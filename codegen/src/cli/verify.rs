@@ -15,7 +15,7 @@ use super::{Failures, Outcome, json, parse::one_of};
 /// Check what is promised of generated functions on their machine code
 ///
 /// Compiles each module with rustc and reads every instruction of its functions. No function may jump, except in loops of
-/// fixed length: over the columns of a helper, or the pages of a large stack. A function may call only its own stages and helpers and the runtime's sines and cosines, which are read too; so none
+/// fixed length: over the columns or branches of a helper, or the pages of a large stack. A function may call only its own stages and helpers and the runtime's sines and cosines, which are read too; so none
 /// can panic. It may use only its arguments, its stack and constants as memory, and no address may depend on a value. The output
 /// is a table of bytes of machine code, bytes of stack and instructions of a call, and a list of broken promises. The numbers
 /// depend on the compiler, its target and its options. --format json is for programs.

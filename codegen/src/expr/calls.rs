@@ -9,7 +9,7 @@ use super::{
 };
 
 impl ExprGraph {
-    /// A number that no lockstep has, nor will have but by [`Self::add_lockstep`].
+    /// One more than the last number that a lockstep has; [`Self::take_call`] adds those of another graph.
     ///
     /// # Panics
     /// For the 65,537th of a graph.

@@ -108,7 +108,7 @@ impl Signature {
             .map(|shared| argument(shared, "what all share"))
             .into_iter();
         let doc = format!(
-            "What several columns or branches of `{of}` go through alike: {lanes} of them at a time, each by itself."
+            "What several columns or branches of `{of}` go through alike: {lanes} of them at a time, each by itself. Names are those of the first."
         );
         Self {
             name: format!("{of}_lockstep_{number}"),

@@ -10,7 +10,7 @@ use crate::{
 /// Of fewer branches compilers make no vectors, and what moves between them costs as much as is saved.
 const FEWEST: usize = 3;
 
-/// More branches than these go in several helpers: a processor has few vectors as long.
+/// More branches are split among several helpers: longer vectors are rare.
 const MOST: usize = 8;
 
 /// Branches on one body, or on the inertial frame, that are alike.
@@ -44,8 +44,8 @@ impl Branches {
             alike.retain(|own| own.len() >= FEWEST);
             for own in &alike {
                 let n_helpers = own.len().div_ceil(MOST);
-                let helpers = own.chunks(own.len().div_ceil(n_helpers));
-                let helpers = helpers.filter(|own| own.len() >= FEWEST);
+                let start = |helper: usize| helper * own.len() / n_helpers;
+                let helpers = (0..n_helpers).map(|helper| &own[start(helper)..start(helper + 1)]);
                 found.extend(helpers.map(Self::those));
             }
         }

@@ -12,9 +12,9 @@ const MOST_ROWS: usize = 240;
 /// Rows of numbers, one of each branch, that a call moves.
 #[derive(Default)]
 struct Rows {
-    /// What stands apart before.
+    /// Rows that are stored number by number.
     gathered: BTreeSet<Vec<Expr>>,
-    /// What another call computes, or numbers of the model.
+    /// Rows that are there as such: results of calls, and numbers of the model.
     whole: BTreeSet<Vec<Expr>>,
     /// How many it computes for others.
     n_found: usize,
@@ -57,13 +57,12 @@ impl Calls {
             let (of, parts): (Vec<usize>, Vec<_>) = parts.unzip();
             let calls = Self::by(graph, roots, groups, parts);
             let long = (0..of.len()).filter(|&call| {
-                let is_one = calls.groups[call].len() == 1;
                 let Rows {
                     gathered,
                     whole,
                     n_found,
                 } = calls.rows(groups, call);
-                !is_one && gathered.len() + whole.len() + n_found > MOST_ROWS
+                gathered.len() + whole.len() + n_found > MOST_ROWS
             });
             let long: BTreeSet<usize> = long.map(|call| of[call]).collect();
             if long.is_empty() {
@@ -121,7 +120,7 @@ impl Calls {
             if of_call == Some(call) || row.iter().all(|own| *own == row[0]) {
                 continue;
             }
-            if operand.group().is_some() || groups.are_numbers(operand) {
+            if of_call.is_some() || groups.are_numbers(operand) {
                 rows.whole.insert(row);
             } else {
                 rows.gathered.insert(row);

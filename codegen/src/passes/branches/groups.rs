@@ -95,7 +95,7 @@ impl Groups {
     /// True where an operand is a number of the model for each branch.
     pub(super) fn are_numbers(&self, operand: &Operand) -> bool {
         match operand.from {
-            From::Given(free) => self.signs.price(free) == Price::Number,
+            From::Given(free) => matches!(self.signs.price(free), Price::Number | Price::Equal),
             From::Group(_) => false,
         }
     }
@@ -190,7 +190,13 @@ impl Groups {
     fn free(&mut self, graph: &ExprGraph, nodes: &[NodeId]) -> Free {
         let mut numbers = nodes.iter().map(|id| graph.node(*id));
         if numbers.all(|node| matches!(node, Node::Number(_))) {
-            return self.signs.add(Price::Number);
+            let are_equal = nodes.iter().all(|id| *id == nodes[0]);
+            let price = if are_equal {
+                Price::Equal
+            } else {
+                Price::Number
+            };
+            return self.signs.add(price);
         }
         let is_shared = nodes.iter().all(|id| *id == nodes[0]);
         let price = if is_shared {
@@ -214,10 +220,22 @@ fn operands(graph: &ExprGraph, id: NodeId) -> Vec<Expr> {
     }
 }
 
+/// For each node, whether an angle needs it: sines of all angles are taken together, before any call.
+fn of_angles(graph: &ExprGraph, traced: &Traced) -> Vec<bool> {
+    let needed = graph.ids().filter(|id| traced.needed[id.index()]);
+    let angles = needed.filter_map(|id| match graph.node(id) {
+        Node::Sin(angle) | Node::Cos(angle) => Some(Expr::of(angle)),
+        _ => None,
+    });
+    graph.reachable(&angles.collect::<Vec<_>>())
+}
+
 /// Operations of one colour, one of each branch, in the order of the first branch's.
 fn candidates(branches: &Branches, graph: &ExprGraph, traced: &Traced) -> Vec<Vec<NodeId>> {
     let mut by_color: BTreeMap<u32, Vec<Vec<NodeId>>> = BTreeMap::new();
-    for id in graph.ids().filter(|id| traced.needed[id.index()]) {
+    let of_angle = of_angles(graph, traced);
+    let may = |id: &NodeId| traced.needed[id.index()] && !of_angle[id.index()];
+    for id in graph.ids().filter(may) {
         let is_operation = matches!(
             graph.node(id),
             Node::Add(..) | Node::Mul(..) | Node::Div(..) | Node::Abs(_)

@@ -11,7 +11,7 @@ impl Layers {
         let needed = graph.reachable(roots);
         let reads: Vec<Vec<NodeId>> = graph.ids().map(|id| reads(graph, id)).collect();
         let mut layers = vec![0; graph.len()];
-        // What another group computes is there within a layer, where it is that for all branches.
+        // An operand that one group computes for all branches may be of the same layer.
         let after = |layers: &[usize], nodes: &[NodeId], is_inside: bool| {
             let before = nodes.iter().map(|own| {
                 let is_called = !is_inside && groups.group(*own).is_some();
@@ -19,7 +19,8 @@ impl Layers {
             });
             before.max().unwrap_or(0)
         };
-        // What a branch needs may come after what the first one does: until nothing moves.
+        // What a branch needs may come after what the first one does: until nothing moves. This ends: a group's members have one
+        // colour, and the colour of an operand is part of it.
         let mut has_moved = true;
         while has_moved {
             has_moved = false;

@@ -60,11 +60,13 @@ impl Sign {
 /// What a free sign costs where it is negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Price {
-    /// A number: nothing.
+    /// Numbers that differ from branch to branch: nothing.
     Number,
     /// What differs from branch to branch: a sign where it is stored.
     Side,
-    /// What all share: they do not any more.
+    /// One number for all: each branch then gets its own.
+    Equal,
+    /// What all share: each branch then gets its own.
     Shared,
 }
 
@@ -96,7 +98,7 @@ impl Signs {
         self.prices[own]
     }
 
-    /// Has these be positive, one for each branch but the first, if all can be.
+    /// Makes these signs positive, one for each branch but the first. False, and nothing changes, if they cannot all be.
     pub(super) fn positive(&mut self, signs: &[Sign]) -> bool {
         let signs: Vec<Sign> = (1..)
             .zip(signs)

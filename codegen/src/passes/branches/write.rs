@@ -104,6 +104,7 @@ impl Writer<'_> {
             roots: found.iter().map(|number| written.groups[number]).collect(),
             graph: written.graph,
         };
+        // Calls of the old graph keep their numbers.
         let number = self.old.next_lockstep().max(self.graph.next_lockstep());
         self.graph
             .add_lockstep(number, written.shared, vec![Arc::new(helper)]);
