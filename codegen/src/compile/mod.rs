@@ -3,6 +3,7 @@
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
+mod beside;
 mod candidate;
 mod choose;
 mod option_check;
@@ -20,7 +21,7 @@ pub use crate::options::Options;
 use crate::{
     error::Error,
     functions::{CompactBlock, Formulation, Request},
-    passes::{branches, hoist, hoist::Preparation},
+    passes::{hoist, hoist::Preparation},
     program::{self, Operations, Program},
     recursive::Technique,
     threads,
@@ -81,12 +82,11 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         if derived.graph.overflowed() || graph.overflowed() {
             return Err(Error::Unrepresentable { function: name });
         }
-        let (graph, roots) = if options.without.contains(&Technique::Lockstep) {
-            (graph, roots)
+        let program = if options.without.contains(&Technique::Lockstep) {
+            program::flatten(&graph, &roots)
         } else {
-            branches::run(tree, graph, roots)
+            beside::flattened(tree, &function.arguments(), &graph, &roots)
         };
-        let program = program::flatten(&graph, &roots);
         let program = if options.fma {
             program::fuse(program)
         } else {

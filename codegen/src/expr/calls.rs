@@ -83,6 +83,12 @@ impl ExprGraph {
         &self.locksteps[&number]
     }
 
+    /// All that a call reads: what is shared, and what is of its columns.
+    pub fn read_by(&self, (lockstep, call): (u16, u16)) -> impl Iterator<Item = Expr> + use<'_> {
+        let of = self.lockstep(lockstep);
+        of.shared.iter().copied().chain(of.calls[&call].operands())
+    }
+
     /// What calls read that compute some of these nodes, each once.
     pub fn called(&self, is_needed: impl Fn(NodeId) -> bool) -> Vec<Expr> {
         let mut met = Met::default();

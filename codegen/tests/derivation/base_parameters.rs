@@ -6,7 +6,6 @@
 
 use kane_codegen::{
     base_parameters,
-    description::{Base, Reading},
     functions::Formulation,
     recursive::Plan,
     tree::{N_INERTIAL, Tree},
@@ -21,7 +20,7 @@ use kane_test_support::{
 };
 
 use crate::{
-    compiled::{read, written},
+    compiled::{robot, written},
     evaluator::Evaluator,
 };
 
@@ -114,29 +113,10 @@ fn factors_hold_whatever_gravity_is_set_to() {
     }
 }
 
-fn robot(name: &str) -> Tree {
-    let (path, reading) = file(name);
-    read(&path, &reading)
-}
-
-/// Robots with legs stand free.
-fn file(name: &str) -> (String, Reading) {
-    let base = ["solo12", "talos"].contains(&name).then_some(Base::Free);
-    let path = format!("tests/robots/{name}/{name}.urdf");
-    let reading = Reading {
-        base,
-        ..Reading::default()
-    };
-    (path, reading)
-}
-
 /// Those robots whose regressors are small, for the seconds of elimination.
 fn robots(formulation: Formulation) -> impl Iterator<Item = Evaluator> {
     let names = ["double_pendulum", "ur5", "panda"].into_iter();
-    names.map(move |name| {
-        let (path, reading) = file(name);
-        Evaluator::of(name, &written(&path, &reading), formulation, Plan::full)
-    })
+    names.map(move |name| Evaluator::of(name, &written(name), formulation, Plan::full))
 }
 
 /// The columns that are not zero, over their lengths.

@@ -1,13 +1,14 @@
 //! What branches that are alike go through side by side, against each by itself.
 
+use std::collections::BTreeSet;
+
 use kane_codegen::{
     compile::{self, Options},
     config::Functions,
-    description::{Base, Reading},
     expr::Input,
     functions::Formulation,
     passes::branches,
-    program::{self, Instruction, Program},
+    program::{self, Program},
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -19,19 +20,21 @@ use kane_test_support::{
 };
 
 use crate::{
-    compiled::read,
+    compiled::robot,
     evaluator::{hoisted, input},
     frames::{INVERTED, relative, request},
 };
 
-/// Values, matrices, derivatives by columns in lockstep, and products with a multiplier.
-const REQUESTS: [&str; 7] = [
+/// Values, matrices, derivatives by columns in lockstep, products with directions and multipliers, sines as arguments.
+const REQUESTS: [&str; 9] = [
     "inverse_dynamics",
     "forward_dynamics",
     "mass_matrix_inverse",
     "regressor_packed",
+    "inverse_dynamics(sin_cos)",
     "d(inverse_dynamics)/d(q, u, u_dot)",
     "d(forward_dynamics)/d(q, u, tau)",
+    "jvp(forward_dynamics; q, u, tau)",
     "vjp(inverse_dynamics; q, u, u_dot)",
 ];
 
@@ -65,71 +68,130 @@ fn body(random: &mut Random, name: &str, side: f64, joint: &str) -> String {
     )
 }
 
-/// A trunk with so many branches that are alike, every other one a mirror image or with numbers of its own, and one that is not.
-fn model(seed: u64, n_branches: usize) -> String {
+/// Which branches a model has.
+struct Shape {
+    /// How many are alike, on a trunk or on the ground.
+    n_branches: usize,
+    is_on_ground: bool,
+    /// Every other one is a mirror image; else each has numbers of its own.
+    is_mirrored: bool,
+    /// The last joint of each mimics another.
+    is_following: bool,
+    /// How many fingers are alike at the end of each.
+    n_fingers: usize,
+    /// How many branches of another kind there are.
+    n_others: usize,
+}
+
+impl Shape {
+    fn random(random: &mut Random) -> Self {
+        Self {
+            n_branches: [3, 5, 6, 9, 11][random.below(5)],
+            is_on_ground: random.chance(0.2),
+            is_mirrored: random.chance(0.5),
+            is_following: random.chance(0.2),
+            n_fingers: if random.chance(0.2) { 3 } else { 0 },
+            n_others: [0, 1, 4][random.below(3)],
+        }
+    }
+}
+
+/// Bodies as they are added.
+struct Bodies {
+    random: Random,
+    lowers: Vec<usize>,
+    text: String,
+}
+
+impl Bodies {
+    /// A body on this one; its number.
+    fn add(&mut self, lower: usize, side: f64, joint: &str) -> usize {
+        self.lowers.push(lower);
+        let number = self.lowers.len();
+        self.text += &body(&mut self.random, &format!("b{number}"), side, joint);
+        number
+    }
+
+    /// A branch with these joints.
+    fn branch(&mut self, lower: usize, side: f64, joints: &[&str], shape: &Shape) {
+        let mut last = lower;
+        for joint in joints {
+            last = self.add(last, side, joint);
+        }
+        if shape.is_following {
+            let leader = self.add(last, side, JOINTS[0]);
+            let mimic = format!(
+                "{}mimic = {{ joint = \"b{leader}\", multiplier = 0.8, offset = 0.1 }}\n",
+                JOINTS[1]
+            );
+            last = self.add(leader, side, &mimic);
+        }
+        for _ in 0..shape.n_fingers {
+            self.add(last, side, JOINTS[2]);
+        }
+    }
+}
+
+fn model(seed: u64, shape: &Shape) -> String {
     let mut random = Random::new(seed);
-    let n_bodies = 1 + random.below(3);
-    let joints: Vec<&str> = (0..n_bodies).map(|_| JOINTS[random.below(6)]).collect();
-    let is_mirrored = random.chance(0.5);
-    let mut lowers = vec![0];
+    let n_joints = 1 + random.below(if shape.n_branches > 6 { 2 } else { 3 });
+    let joints: Vec<&str> = (0..n_joints).map(|_| JOINTS[random.below(6)]).collect();
     let base = if random.chance(0.3) {
         "joint = \"revolute\"\naxis = [0.0, 1.0, 0.0]\n"
     } else {
         "joint = \"free\"\n"
     };
-    let mut bodies = body(&mut random, "trunk", 1.0, base);
-    let first = random.clone();
-    for branch in 0..n_branches {
+    let mut bodies = Bodies {
+        random,
+        lowers: Vec::new(),
+        text: String::new(),
+    };
+    let trunk = bodies.add(0, 1.0, base);
+    let lower = if shape.is_on_ground { 0 } else { trunk };
+    let first = bodies.random.clone();
+    for branch in 0..shape.n_branches {
         let side = if branch % 2 == 0 { 1.0 } else { -1.0 };
-        if is_mirrored {
-            random = first.clone();
+        if shape.is_mirrored {
+            bodies.random = first.clone();
         }
-        for (place, joint) in joints.iter().enumerate() {
-            lowers.push(if place == 0 { 1 } else { lowers.len() });
-            bodies += &body(&mut random, &format!("b{branch}_{place}"), side, joint);
-        }
+        bodies.branch(lower, side, &joints, shape);
     }
-    lowers.push(1);
-    bodies += &body(&mut random, "tail", 1.0, "joint = [\"theta2\", \"s3\"]\n");
+    for _ in 0..shape.n_others {
+        bodies.add(lower, 1.0, "joint = [\"theta2\", \"s3\"]\n");
+    }
     let order = if seed.is_multiple_of(2) {
         "notes"
     } else {
         "body"
     };
+    let Bodies { lowers, text, .. } = bodies;
     format!(
-        "name = \"branches\"\ngravity = [0.3, -0.2, -9.81]\norder = \"{order}\"\nlower_bodies = {lowers:?}\n{bodies}"
+        "name = \"branches\"\ngravity = [0.3, -0.2, -9.81]\norder = \"{order}\"\nlower_bodies = {lowers:?}\n{text}"
     )
 }
 
 /// A program with every branch by itself, and with those that are alike side by side; the values that were computed before.
 fn both(tree: &Tree, text: &str) -> ([Program; 2], Vec<f64>) {
     let plan = Plan::full(tree);
-    let derived = compile::candidate(tree, &request(tree, text), Formulation::Recursive, &plan);
+    let request = request(tree, text);
+    let derived = compile::candidate(tree, &request, Formulation::Recursive, &plan);
     let (graph, roots, prepared) = hoisted(tree, &derived.graph, &derived.roots);
     let apart = program::flatten(&graph, &roots);
-    let (graph, roots) = branches::side_by_side(tree, graph, roots);
-    ([apart, program::flatten(&graph, &roots)], prepared)
-}
-
-/// How many calls take so many columns.
-fn n_calls(program: &Program, n_lanes: usize) -> usize {
-    let instructions = program.instructions.iter();
-    let calls = instructions.filter(|own| match own {
-        Instruction::Call { helper, .. } => program.helpers[*helper].lanes == n_lanes,
-        _ => false,
-    });
-    calls.count()
+    let beside = match branches::run(tree, &request.arguments(), &graph, &roots) {
+        Some((graph, roots)) => program::flatten(&graph, &roots),
+        None => apart.clone(),
+    };
+    ([apart, beside], prepared)
 }
 
 #[test]
 fn branches_side_by_side_compute_the_same_bits() {
-    let mut n_with_calls = 0;
+    let mut n_with_calls = [0; REQUESTS.len()];
     for seed in trees::tried(701..=740) {
-        // Columns go four at a time.
-        let n_branches = [3, 5, 6][Random::new(seed).below(3)];
-        let tree = tree(&model(seed, n_branches)).expect("it is accepted");
+        let shape = Shape::random(&mut Random::new(seed));
+        let tree = tree(&model(seed, &shape)).expect("it is accepted");
         let state = State::random(&tree, seed);
-        for text in REQUESTS {
+        for (place, text) in REQUESTS.into_iter().enumerate() {
             let ([apart, beside], prepared) = both(&tree, text);
             let given = |own: Input| match own {
                 Input::Prepared(place) => prepared[place],
@@ -142,9 +204,10 @@ fn branches_side_by_side_compute_the_same_bits() {
             assert!(expected.iter().all(|number| number.is_finite()), "{what}");
             // All but the sign of a zero.
             assert_eq!(found, expected, "{what}");
-            let is_called = n_calls(&beside, n_branches) > 0;
-            assert_eq!(is_called, beside.written() < apart.written(), "{what}");
-            n_with_calls += usize::from(is_called);
+            let is_shorter = beside.written() < apart.written();
+            let is_called = beside.helpers.len() > apart.helpers.len();
+            assert_eq!(is_called, is_shorter, "{what}");
+            n_with_calls[place] += usize::from(is_called);
             let fused = program::fuse(beside);
             assert_eq!(program::verify(&fused), Ok(()), "{what}");
             // Rounded once where the others round twice.
@@ -152,25 +215,59 @@ fn branches_side_by_side_compute_the_same_bits() {
             assert_within(&what, relative(&fused, &expected), INVERTED);
         }
     }
-    let least = trees::least(150);
-    assert!(
-        u64::try_from(n_with_calls).unwrap() > least,
-        "{n_with_calls} functions have calls"
-    );
+    for (text, n) in REQUESTS.into_iter().zip(n_with_calls) {
+        let n = u64::try_from(n).unwrap();
+        assert!(n > trees::least(20), "{text}: {n} have calls");
+    }
+}
+
+#[test]
+fn many_branches_and_those_within_branches_go_in_teams() {
+    let shape = Shape {
+        n_branches: 11,
+        is_on_ground: false,
+        is_mirrored: false,
+        is_following: true,
+        n_fingers: 3,
+        n_others: 4,
+    };
+    let lanes = |shape: &Shape| {
+        let tree = tree(&model(5, shape)).expect("it is accepted");
+        let ([_, beside], _) = both(&tree, "inverse_dynamics");
+        let helpers = beside.helpers.iter();
+        helpers.map(|helper| helper.lanes).collect::<BTreeSet<_>>()
+    };
+    // Eleven are five and six, with their fingers; the others are four.
+    assert_eq!(lanes(&shape), BTreeSet::from([4, 5, 6]));
+    let two = Shape {
+        n_branches: 2,
+        ..shape
+    };
+    assert_eq!(lanes(&two), BTreeSet::from([3, 4]));
 }
 
 #[test]
 fn two_branches_and_those_of_other_joints_stay_as_they_are() {
-    let two = tree(&model(3, 2)).expect("it is accepted");
-    let three = model(5, 3);
-    // The last branch has a joint of another kind.
-    let last = three.rfind("\n[[body]]\nname = \"b2_").unwrap();
-    let joint = last + three[last..].find("joint = ").unwrap();
-    let tail = three.rfind("\n[[body]]\nname = \"tail\"").unwrap();
+    let shape = |n_branches| Shape {
+        n_branches,
+        is_on_ground: false,
+        is_mirrored: true,
+        is_following: false,
+        n_fingers: 0,
+        n_others: 1,
+    };
+    let two = tree(&model(3, &shape(2))).expect("it is accepted");
+    let three = model(5, &shape(3));
+    // The last branch ends in a joint of another kind.
+    let ends: Vec<usize> = three.match_indices("joint = ").map(|(at, _)| at).collect();
+    let [.., joint, _] = ends[..] else {
+        panic!("it has bodies")
+    };
+    let rest = joint + three[joint..].find("\n[[body]]").unwrap();
     let text = format!(
         "{}joint = [\"theta2\"]\n{}",
         &three[..joint],
-        &three[tail..]
+        &three[rest..]
     );
     let unlike = tree(&text).expect("it is accepted");
     for tree in [two, unlike] {
@@ -184,11 +281,7 @@ fn two_branches_and_those_of_other_joints_stay_as_they_are() {
 
 #[test]
 fn a_quadruped_s_legs_are_written_once() {
-    let reading = Reading {
-        base: Some(Base::Free),
-        ..Reading::default()
-    };
-    let tree = read("tests/robots/solo12/solo12.urdf", &reading);
+    let tree = robot("solo12");
     let written = |text| {
         let ([apart, beside], _) = both(&tree, text);
         format!("{} of {}", beside.written(), apart.written())
@@ -201,21 +294,19 @@ fn a_quadruped_s_legs_are_written_once() {
 
 #[test]
 fn long_functions_alone_have_branches_side_by_side() {
-    let reading = Reading {
-        base: Some(Base::Free),
-        ..Reading::default()
-    };
-    let tree = read("tests/robots/solo12/solo12.urdf", &reading);
+    let tree = robot("solo12");
     let helpers = |without: &[Technique]| {
         let options = Options {
-            functions: Functions::Named(vec![REQUESTS[0].to_owned(), REQUESTS[4].to_owned()]),
+            functions: Functions::Named(vec![
+                "inverse_dynamics".to_owned(),
+                "d(inverse_dynamics)/d(q, u, u_dot)".to_owned(),
+            ]),
             without: without.iter().copied().collect(),
             ..Options::default()
         };
         let compiled = compile::compile(&tree, &options).unwrap();
         let functions = compiled.functions.into_iter();
-        // The rates of coordinates are always there.
-        let asked_for = functions.filter(|own| own.operations.total() > 100);
+        let asked_for = functions.filter(|own| own.function.text().contains("inverse_dynamics"));
         asked_for
             .map(|own| own.program.helpers.len())
             .collect::<Vec<_>>()

@@ -9,7 +9,7 @@ use std::{collections::BTreeMap, fs, path::Path};
 use kane_codegen::{
     compile::{self, Emittable, Options},
     config::Functions,
-    description::{self, Description, Reading, no_includes, toml},
+    description::{self, Base, Description, Reading, no_includes, toml},
     diagnostic::Source,
     expr::Input,
     passes::sines,
@@ -21,9 +21,26 @@ pub(crate) fn read(path: &str, reading: &Reading) -> Tree {
     tree::build(&described(path, reading)).unwrap().tree
 }
 
+/// A robot of the repository; those with legs stand free.
+pub(crate) fn robot(name: &str) -> Tree {
+    let (path, reading) = file(name);
+    read(&path, &reading)
+}
+
 /// The same as it is written in our own format.
-pub(crate) fn written(path: &str, reading: &Reading) -> String {
-    toml::write(&described(path, reading)).unwrap()
+pub(crate) fn written(name: &str) -> String {
+    let (path, reading) = file(name);
+    toml::write(&described(&path, &reading)).unwrap()
+}
+
+fn file(name: &str) -> (String, Reading) {
+    let base = ["solo12", "talos"].contains(&name).then_some(Base::Free);
+    let path = format!("tests/robots/{name}/{name}.urdf");
+    let reading = Reading {
+        base,
+        ..Reading::default()
+    };
+    (path, reading)
 }
 
 fn described(path: &str, reading: &Reading) -> Description {

@@ -3,12 +3,11 @@
 use kane_codegen::{
     compile::{self, Options},
     config::Functions,
-    description::{Base, Reading},
     program::{Operand, Program},
     recursive::Technique,
 };
 
-use crate::compiled::read;
+use crate::compiled::robot;
 
 /// The most numbers that were computed and are needed later, between two instructions.
 fn waiting(program: &Program) -> usize {
@@ -36,11 +35,7 @@ fn waiting(program: &Program) -> usize {
 
 #[test]
 fn few_numbers_of_a_regressor_wait() {
-    let reading = Reading {
-        base: Some(Base::Free),
-        ..Reading::default()
-    };
-    let tree = read("tests/robots/solo12/solo12.urdf", &reading);
+    let tree = robot("solo12");
     let options = Options {
         functions: Functions::Named(vec!["regressor_packed".to_owned()]),
         // What stands in arrays does not wait.

@@ -10,78 +10,116 @@ use crate::{
 /// Of fewer branches compilers make no vectors, and what moves between them costs as much as is saved.
 const FEWEST: usize = 3;
 
-/// More branches are split among several helpers: longer vectors are rare.
+/// More branches are split among several teams: longer vectors are rare.
 const MOST: usize = 8;
 
-/// Branches on one body, or on the inertial frame, that are alike.
-pub(super) struct Branches {
-    /// How many.
-    pub(super) lanes: usize,
-    /// For each of their bodies, on which branch it is, and where there.
-    places: BTreeMap<BodyId, (usize, usize)>,
+/// Branches on one body, or on the inertial frame, that are alike and go side by side: the bodies of each.
+type Team = Vec<Vec<BodyId>>;
+
+/// A branch of a team.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Branch {
+    /// Its team.
+    pub(super) team: usize,
+    /// Its lane there.
+    pub(super) lane: usize,
 }
+
+/// All teams; no two share a body.
+pub(super) struct Branches(Vec<Team>);
 
 impl Branches {
-    /// All that are alike; those further inward first.
-    pub(super) fn of(tree: &Tree) -> Vec<Self> {
-        let lowers = std::iter::once(None).chain(tree.body_ids().map(Some));
-        let mut found = Vec::new();
-        for lower in lowers {
-            let uppers = tree.body_ids().filter(|&body| tree.lower(body) == lower);
-            let uppers: Vec<BodyId> = uppers.collect();
-            if uppers.len() < FEWEST {
-                continue;
-            }
-            let mut kinds: BTreeMap<Vec<String>, Vec<Vec<BodyId>>> = BTreeMap::new();
-            for upper in uppers {
-                let mut bodies = Vec::new();
-                let mut kind = Vec::new();
-                branch(tree, upper, &mut bodies, &mut kind);
-                kinds.entry(kind).or_default().push(bodies);
-            }
-            let mut alike: Vec<Vec<Vec<BodyId>>> = kinds.into_values().collect();
-            alike.sort();
-            alike.retain(|own| own.len() >= FEWEST);
-            for own in &alike {
-                let n_helpers = own.len().div_ceil(MOST);
-                let start = |helper: usize| helper * own.len() / n_helpers;
-                let helpers = (0..n_helpers).map(|helper| &own[start(helper)..start(helper + 1)]);
-                found.extend(helpers.map(Self::those));
+    /// Branches within those of a team go with these.
+    pub(super) fn of(tree: &Tree) -> Self {
+        let mut teams: Vec<Team> = Vec::new();
+        let kinds = kinds(tree);
+        let is_root = |body: &BodyId| tree.lower(*body).is_none();
+        let roots: Vec<BodyId> = tree.body_ids().filter(is_root).collect();
+        let mut is_taken = vec![false; tree.bodies.len()];
+        let bodies = tree.body_ids().map(Some);
+        for lower in std::iter::once(None).chain(bodies) {
+            let uppers = match lower {
+                None => &roots[..],
+                Some(lower) if is_taken[lower.index()] => continue,
+                Some(lower) => tree.uppers(lower),
+            };
+            for own in teams_of(tree, &kinds, uppers) {
+                for body in own.iter().flatten() {
+                    is_taken[body.index()] = true;
+                }
+                teams.push(own);
             }
         }
-        found
+        Self(teams)
     }
 
-    fn those(branches: &[Vec<BodyId>]) -> Self {
-        let mut places = BTreeMap::new();
-        for (lane, bodies) in branches.iter().enumerate() {
-            let bodies = bodies.iter().enumerate();
-            places.extend(bodies.map(|(place, &body)| (body, (lane, place))));
-        }
-        Self {
-            lanes: branches.len(),
-            places,
-        }
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
-    /// On which branch a body is, and where there.
-    pub(super) fn place(&self, body: BodyId) -> Option<(usize, usize)> {
-        self.places.get(&body).copied()
+    /// How many branches each team has.
+    pub(super) fn lanes(&self) -> impl Iterator<Item = usize> {
+        self.0.iter().map(Vec::len)
+    }
+
+    /// How many branches a team has.
+    pub(super) fn lanes_of(&self, team: usize) -> usize {
+        self.0[team].len()
+    }
+
+    /// Each branch with its bodies, which are in the same order for all of a team.
+    pub(super) fn all(&self) -> impl Iterator<Item = (Branch, &[BodyId])> {
+        self.0.iter().enumerate().flat_map(|(team, branches)| {
+            let branches = branches.iter().enumerate();
+            branches.map(move |(lane, bodies)| (Branch { team, lane }, &bodies[..]))
+        })
     }
 }
 
-/// The bodies of a branch, and what kind it is.
-fn branch(tree: &Tree, body: BodyId, bodies: &mut Vec<BodyId>, kind: &mut Vec<String>) {
-    bodies.push(body);
-    let uppers = tree.uppers(body);
-    kind.push(format!(
-        "{} {}",
-        moves(&tree.body(body).joint),
-        uppers.len()
-    ));
+/// The teams of branches that begin with these bodies.
+fn teams_of(tree: &Tree, kinds: &[usize], uppers: &[BodyId]) -> Vec<Team> {
+    let mut by_kind: BTreeMap<usize, Vec<BodyId>> = BTreeMap::new();
     for &upper in uppers {
-        branch(tree, upper, bodies, kind);
+        let own = by_kind.entry(kinds[upper.index()]);
+        own.or_default().push(upper);
     }
+    let mut alike: Vec<Vec<BodyId>> = by_kind.into_values().collect();
+    alike.retain(|own| own.len() >= FEWEST);
+    alike.sort();
+    let teams = alike.iter().flat_map(|own| {
+        let n_teams = own.len().div_ceil(MOST);
+        let start = move |team: usize| team * own.len() / n_teams;
+        (0..n_teams).map(move |team| {
+            let own = &own[start(team)..start(team + 1)];
+            own.iter().map(|&body| branch(tree, body)).collect()
+        })
+    });
+    teams.collect()
+}
+
+/// For each body, what kind of branch it begins: by its joint, and by the kinds of those that begin on it.
+fn kinds(tree: &Tree) -> Vec<usize> {
+    let mut known: BTreeMap<(String, Vec<usize>), usize> = BTreeMap::new();
+    let mut kinds = vec![0; tree.bodies.len()];
+    for body in tree.body_ids().rev() {
+        let uppers = tree.uppers(body).iter();
+        let uppers = uppers.map(|upper| kinds[upper.index()]).collect();
+        let next = known.len();
+        let kind = (moves(&tree.body(body).joint), uppers);
+        kinds[body.index()] = *known.entry(kind).or_insert(next);
+    }
+    kinds
+}
+
+/// The bodies of a branch.
+fn branch(tree: &Tree, first: BodyId) -> Vec<BodyId> {
+    let mut bodies = Vec::new();
+    let mut open = vec![first];
+    while let Some(body) = open.pop() {
+        bodies.push(body);
+        open.extend(tree.uppers(body).iter().rev());
+    }
+    bodies
 }
 
 /// By which coordinates and speeds a joint moves.

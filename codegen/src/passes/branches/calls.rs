@@ -20,6 +20,12 @@ struct Rows {
     n_found: usize,
 }
 
+impl Rows {
+    fn len(&self) -> usize {
+        self.gathered.len() + self.whole.len() + self.n_found
+    }
+}
+
 /// All calls.
 pub(super) struct Calls {
     /// The groups of each, operands first.
@@ -31,22 +37,31 @@ pub(super) struct Calls {
 }
 
 impl Calls {
-    /// Those of layers that are worth a call; the groups of others are taken apart.
+    /// Those that are worth it; the groups of others are taken apart.
     pub(super) fn of(graph: &ExprGraph, roots: &[Expr], groups: &mut Groups) -> Self {
-        let layers = loop {
-            let layers = Layers::of(graph, roots, groups);
-            let calls = Self::by(graph, roots, groups, layers.groups(groups));
+        loop {
+            let layers = Layers::of(graph, roots, groups).groups();
+            let calls = Self::of_layers(graph, roots, groups, &layers);
             let unworthy = (0..calls.groups.len()).filter(|&call| !calls.is_worth_it(groups, call));
             let unworthy: Vec<usize> = unworthy
                 .flat_map(|call| calls.groups[call].clone())
                 .collect();
             if unworthy.is_empty() {
-                break calls.groups;
+                return calls;
             }
             for group in unworthy {
-                groups.part(group);
+                groups.dissolve(group);
             }
-        };
+        }
+    }
+
+    /// A call for each layer, or as many as it takes for none to move too many rows.
+    fn of_layers(
+        graph: &ExprGraph,
+        roots: &[Expr],
+        groups: &Groups,
+        layers: &[Vec<usize>],
+    ) -> Self {
         let mut n_parts = vec![1; layers.len()];
         loop {
             let layers = layers.iter().zip(&n_parts).enumerate();
@@ -55,28 +70,27 @@ impl Calls {
                 parts.map(move |part| (layer, part.to_vec()))
             });
             let (of, parts): (Vec<usize>, Vec<_>) = parts.unzip();
-            let calls = Self::by(graph, roots, groups, parts);
-            let long = (0..of.len()).filter(|&call| {
-                let Rows {
-                    gathered,
-                    whole,
-                    n_found,
-                } = calls.rows(groups, call);
-                gathered.len() + whole.len() + n_found > MOST_ROWS
-            });
-            let long: BTreeSet<usize> = long.map(|call| of[call]).collect();
+            let calls = Self::of_parts(graph, roots, groups, parts);
+            let long = |call: &usize| calls.rows(groups, *call).len() > MOST_ROWS;
+            let long: BTreeSet<usize> = (0..of.len()).filter(long).map(|call| of[call]).collect();
             if long.is_empty() {
                 return calls;
             }
             for layer in long {
-                n_parts[layer] += 1;
+                n_parts[layer] += 1 + n_parts[layer] / 8;
             }
         }
     }
 
-    fn by(graph: &ExprGraph, roots: &[Expr], groups: &Groups, calls: Vec<Vec<usize>>) -> Self {
+    /// A call for each part.
+    fn of_parts(
+        graph: &ExprGraph,
+        roots: &[Expr],
+        groups: &Groups,
+        parts: Vec<Vec<usize>>,
+    ) -> Self {
         let mut of = vec![None; groups.all.len()];
-        for (call, own) in calls.iter().enumerate() {
+        for (call, own) in parts.iter().enumerate() {
             for &group in own {
                 of[group] = Some(call);
             }
@@ -104,10 +118,15 @@ impl Calls {
             .chain(&read)
             .for_each(|own| find(None, own.node()));
         Self {
-            groups: calls,
+            groups: parts,
             of,
             is_found,
         }
+    }
+
+    /// Whether calls are numbered far enough for all of them.
+    pub(super) fn have_numbers(&self, graph: &ExprGraph) -> bool {
+        usize::from(graph.next_lockstep()) + self.groups.len() < usize::from(u16::MAX)
     }
 
     /// What a call moves.
@@ -116,8 +135,11 @@ impl Calls {
         let mut rows = Rows::default();
         for operand in own.iter().flat_map(|&group| &groups.all[group].operands) {
             let of_call = operand.group().and_then(|group| self.of[group]);
+            if of_call == Some(call) {
+                continue;
+            }
             let row = groups.given(operand);
-            if of_call == Some(call) || row.iter().all(|own| *own == row[0]) {
+            if row.iter().all(|own| *own == row[0]) {
                 continue;
             }
             if of_call.is_some() || groups.are_numbers(operand) {
@@ -133,14 +155,15 @@ impl Calls {
     /// False where a call would move more numbers than it saves operations. A row that is gathered is written number by number and
     /// read, one that stands in a row already moves as a vector, and what it computes is read number by number.
     fn is_worth_it(&self, groups: &Groups, call: usize) -> bool {
-        let lanes = groups.lanes;
+        let own = &self.groups[call];
+        let lanes = groups.lanes(own[0]);
         let Rows {
             gathered,
             whole,
             n_found,
         } = self.rows(groups, call);
         let n_moves = 2 * (lanes * gathered.len() + whole.len()) + lanes * n_found;
-        (lanes - 1) * self.groups[call].len() > n_moves
+        (lanes - 1) * own.len() > n_moves
     }
 
     /// Whether a call computes a group.

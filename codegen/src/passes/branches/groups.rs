@@ -3,14 +3,15 @@
 use std::collections::BTreeMap;
 
 use super::{
-    alike::Branches,
+    alike::{Branch, Branches},
     signs::{Free, Price, Sign, Signs},
     traced::Traced,
 };
 use crate::expr::{Expr, ExprGraph, Node, NodeId};
 
-/// One operation of each branch, all alike.
+/// One operation of each branch of a team, all alike.
 pub(super) struct Group {
+    pub(super) team: usize,
     /// By branch.
     pub(super) members: Vec<NodeId>,
     /// In the order of the first's.
@@ -31,8 +32,8 @@ pub(super) struct Operand {
 enum From {
     /// It is what another group computes.
     Group(usize),
-    /// It is given, and may be negated.
-    Given(Free),
+    /// It is given to a team, and may be negated.
+    Given(usize, Free),
 }
 
 impl Operand {
@@ -40,34 +41,38 @@ impl Operand {
     pub(super) fn group(&self) -> Option<usize> {
         match self.from {
             From::Group(group) => Some(group),
-            From::Given(_) => None,
+            From::Given(..) => None,
         }
     }
 }
 
 /// All groups.
 pub(super) struct Groups {
-    pub(super) lanes: usize,
     pub(super) all: Vec<Group>,
     /// For each node, its group.
     of: Vec<Option<usize>>,
-    signs: Signs,
-    given: BTreeMap<Vec<NodeId>, Free>,
+    /// By team.
+    signs: Vec<Signs>,
+    given: BTreeMap<(usize, Vec<NodeId>), Free>,
 }
 
 impl Groups {
     pub(super) fn of(branches: &Branches, graph: &ExprGraph, traced: &Traced) -> Self {
         let mut groups = Self {
-            lanes: branches.lanes,
             all: Vec::new(),
             of: vec![None; graph.len()],
-            signs: Signs::new(branches.lanes),
+            signs: branches.lanes().map(Signs::new).collect(),
             given: BTreeMap::new(),
         };
-        for members in candidates(branches, graph, traced) {
-            groups.try_one(graph, traced, members);
+        for (members, team) in candidates(branches, graph, traced) {
+            groups.try_one(graph, traced, team, members);
         }
         groups
+    }
+
+    /// How many branches a group has.
+    pub(super) fn lanes(&self, group: usize) -> usize {
+        self.all[group].members.len()
     }
 
     /// The group that a node is in.
@@ -81,7 +86,7 @@ impl Groups {
     }
 
     /// Takes a group apart.
-    pub(super) fn part(&mut self, group: usize) {
+    pub(super) fn dissolve(&mut self, group: usize) {
         for member in &self.all[group].members {
             self.of[member.index()] = None;
         }
@@ -89,13 +94,16 @@ impl Groups {
 
     /// True where the number that a branch computes is the negative of what the helper does.
     pub(super) fn is_negative(&self, group: usize, lane: usize) -> bool {
-        self.signs.is_negative(lane, &self.all[group].signs[lane])
+        let Group { team, signs, .. } = &self.all[group];
+        self.signs[*team].is_negative(lane, &signs[lane])
     }
 
     /// True where an operand is a number of the model for each branch.
     pub(super) fn are_numbers(&self, operand: &Operand) -> bool {
         match operand.from {
-            From::Given(free) => matches!(self.signs.price(free), Price::Number | Price::Equal),
+            From::Given(team, free) => {
+                matches!(self.signs[team].price(free), Price::Number | Price::Equal)
+            }
             From::Group(_) => false,
         }
     }
@@ -106,7 +114,9 @@ impl Groups {
         let given = nodes.map(|(lane, &id)| {
             let is_negative = match operand.from {
                 From::Group(group) => self.is_negative(group, lane),
-                From::Given(free) => self.signs.is_negative(lane, &Sign::free(free, false)),
+                From::Given(team, free) => {
+                    self.signs[team].is_negative(lane, &Sign::free(free, false))
+                }
             };
             Expr::of(id).signed(is_negative)
         });
@@ -114,7 +124,7 @@ impl Groups {
     }
 
     /// Groups these, unless there are no signs with which they are alike.
-    fn try_one(&mut self, graph: &ExprGraph, traced: &Traced, members: Vec<NodeId>) {
+    fn try_one(&mut self, graph: &ExprGraph, traced: &Traced, team: usize, members: Vec<NodeId>) {
         let places: Vec<Vec<Expr>> = members.iter().map(|id| operands(graph, *id)).collect();
         let first = &places[0];
         let color = |own: Expr| traced.colors[own.node().index()];
@@ -137,7 +147,7 @@ impl Groups {
         let mut signs = Vec::new();
         for place in 0..first.len() {
             let across: Vec<Expr> = aligned.iter().map(|own| own[place]).collect();
-            let (operand, of_operand) = self.operand(graph, &across);
+            let (operand, of_operand) = self.operand(graph, team, &across);
             operands.push(operand);
             signs.push(of_operand);
         }
@@ -145,7 +155,7 @@ impl Groups {
             (Node::Add(..), [a, b]) => {
                 let both = a.iter().zip(b).map(|(a, b)| a.times(b));
                 let conditions: Vec<Sign> = both.skip(1).collect();
-                if !self.signs.positive(&conditions) {
+                if !self.signs[team].require_positive(&conditions) {
                     return;
                 }
                 a.clone()
@@ -154,12 +164,13 @@ impl Groups {
                 a.iter().zip(b).map(|(a, b)| a.times(b)).collect()
             }
             // An absolute value has none.
-            _ => vec![Sign::default(); self.lanes],
+            _ => vec![Sign::default(); members.len()],
         };
         for member in &members {
             self.of[member.index()] = Some(self.all.len());
         }
         self.all.push(Group {
+            team,
             members,
             operands,
             signs,
@@ -167,19 +178,19 @@ impl Groups {
     }
 
     /// An operand, and for each branch the sign of its term, where that of the first is as it is.
-    fn operand(&mut self, graph: &ExprGraph, across: &[Expr]) -> (Operand, Vec<Sign>) {
+    fn operand(&mut self, graph: &ExprGraph, team: usize, across: &[Expr]) -> (Operand, Vec<Sign>) {
         let nodes: Vec<NodeId> = across.iter().map(|own| own.node()).collect();
         let of_first = self.group(nodes[0]);
         let from = match of_first {
             Some(group) if self.all[group].members == nodes => From::Group(group),
-            _ => From::Given(self.free(graph, &nodes)),
+            _ => From::Given(team, self.free(graph, team, &nodes)),
         };
         let signs = across.iter().enumerate().map(|(lane, own)| {
             let turned = own.is_negative() ^ across[0].is_negative();
             match from {
                 From::Group(group) => self.all[group].signs[lane].clone().signed(turned),
-                From::Given(_) if lane == 0 => Sign::default(),
-                From::Given(free) => Sign::free(free, turned),
+                From::Given(..) if lane == 0 => Sign::default(),
+                From::Given(_, free) => Sign::free(free, turned),
             }
         });
         let signs = signs.collect();
@@ -187,28 +198,24 @@ impl Groups {
     }
 
     /// The sign of what is given: a number has another wherever it stands.
-    fn free(&mut self, graph: &ExprGraph, nodes: &[NodeId]) -> Free {
-        let mut numbers = nodes.iter().map(|id| graph.node(*id));
-        if numbers.all(|node| matches!(node, Node::Number(_))) {
-            let are_equal = nodes.iter().all(|id| *id == nodes[0]);
-            let price = if are_equal {
+    fn free(&mut self, graph: &ExprGraph, team: usize, nodes: &[NodeId]) -> Free {
+        let is_number = |id: &NodeId| matches!(graph.node(*id), Node::Number(_));
+        let are_equal = nodes.iter().all(|id| *id == nodes[0]);
+        let signs = &mut self.signs[team];
+        if nodes.iter().all(is_number) {
+            return signs.add(if are_equal {
                 Price::Equal
             } else {
                 Price::Number
-            };
-            return self.signs.add(price);
+            });
         }
-        let is_shared = nodes.iter().all(|id| *id == nodes[0]);
-        let price = if is_shared {
+        let price = if are_equal {
             Price::Shared
         } else {
             Price::Side
         };
-        let signs = &mut self.signs;
-        *self
-            .given
-            .entry(nodes.to_vec())
-            .or_insert_with(|| signs.add(price))
+        let given = self.given.entry((team, nodes.to_vec()));
+        *given.or_insert_with(|| signs.add(price))
     }
 }
 
@@ -230,9 +237,13 @@ fn of_angles(graph: &ExprGraph, traced: &Traced) -> Vec<bool> {
     graph.reachable(&angles.collect::<Vec<_>>())
 }
 
-/// Operations of one colour, one of each branch, in the order of the first branch's.
-fn candidates(branches: &Branches, graph: &ExprGraph, traced: &Traced) -> Vec<Vec<NodeId>> {
-    let mut by_color: BTreeMap<u32, Vec<Vec<NodeId>>> = BTreeMap::new();
+/// Operations of one colour, one of each branch of a team, in the order of the first branch's; and the team.
+fn candidates(
+    branches: &Branches,
+    graph: &ExprGraph,
+    traced: &Traced,
+) -> Vec<(Vec<NodeId>, usize)> {
+    let mut by_color: BTreeMap<(usize, u32), Vec<Vec<NodeId>>> = BTreeMap::new();
     let of_angle = of_angles(graph, traced);
     let may = |id: &NodeId| traced.needed[id.index()] && !of_angle[id.index()];
     for id in graph.ids().filter(may) {
@@ -240,18 +251,17 @@ fn candidates(branches: &Branches, graph: &ExprGraph, traced: &Traced) -> Vec<Ve
             graph.node(id),
             Node::Add(..) | Node::Mul(..) | Node::Div(..) | Node::Abs(_)
         );
-        if let Some(lane) = traced.lanes[id.index()].filter(|_| is_operation) {
-            let own = by_color.entry(traced.colors[id.index()]);
-            own.or_insert_with(|| vec![Vec::new(); branches.lanes])[lane].push(id);
+        if let Some(Branch { team, lane }) = traced.branches[id.index()].filter(|_| is_operation) {
+            let own = by_color.entry((team, traced.colors[id.index()]));
+            own.or_insert_with(|| vec![Vec::new(); branches.lanes_of(team)])[lane].push(id);
         }
     }
     let mut found = Vec::new();
-    for lanes in by_color.into_values() {
+    for ((team, _), lanes) in by_color {
         let n_own = lanes[0].len();
         if lanes.iter().all(|own| own.len() == n_own) {
-            found.extend(
-                (0..n_own).map(|place| lanes.iter().map(|own| own[place]).collect::<Vec<_>>()),
-            );
+            let across = |place: usize| lanes.iter().map(|own| own[place]).collect();
+            found.extend((0..n_own).map(|place| (across(place), team)));
         }
     }
     found.sort();

@@ -70,12 +70,54 @@ pub(super) enum Price {
     Shared,
 }
 
-/// The free signs of several branches, and what is known of them.
+/// The free signs of a team's branches, and what is known of them.
 #[derive(Debug)]
 pub(super) struct Signs {
     prices: Vec<Price>,
-    /// For each branch but the first, the signs that follow from others, which do not.
-    follow: Vec<BTreeMap<Free, Sign>>,
+    /// For each branch but the first.
+    known: Vec<Known>,
+}
+
+/// What is known of the signs of a branch.
+#[derive(Clone, Debug, Default)]
+struct Known {
+    /// The signs that follow from others, which do not.
+    follow: BTreeMap<Free, Sign>,
+    /// For each sign, those that follow from it, and some that once did.
+    followers: BTreeMap<Free, Vec<Free>>,
+}
+
+impl Known {
+    /// A sign, by those that follow from no others.
+    fn of(&self, sign: &Sign) -> Sign {
+        let start = Sign::default().signed(sign.is_negative);
+        sign.free
+            .iter()
+            .fold(start, |known, own| match self.follow.get(own) {
+                Some(followed) => known.times(followed),
+                None => known.times(&Sign::free(*own, false)),
+            })
+    }
+
+    /// From now on a sign that followed from no others follows from these.
+    fn set(&mut self, own: Free, sign: Sign) {
+        for other in self.followers.remove(&own).unwrap_or_default() {
+            let Some(follows) = self.follow.get_mut(&other) else {
+                continue;
+            };
+            if let Ok(place) = follows.free.binary_search(&own) {
+                follows.free.remove(place);
+                *follows = follows.times(&sign);
+                for from in &sign.free {
+                    self.followers.entry(*from).or_default().push(other);
+                }
+            }
+        }
+        for from in &sign.free {
+            self.followers.entry(*from).or_default().push(own);
+        }
+        self.follow.insert(own, sign);
+    }
 }
 
 impl Signs {
@@ -83,7 +125,7 @@ impl Signs {
     pub(super) fn new(lanes: usize) -> Self {
         Self {
             prices: Vec::new(),
-            follow: vec![BTreeMap::new(); lanes - 1],
+            known: vec![Known::default(); lanes - 1],
         }
     }
 
@@ -99,48 +141,25 @@ impl Signs {
     }
 
     /// Makes these signs positive, one for each branch but the first. False, and nothing changes, if they cannot all be.
-    pub(super) fn positive(&mut self, signs: &[Sign]) -> bool {
-        let signs: Vec<Sign> = (1..)
-            .zip(signs)
-            .map(|(lane, sign)| self.known(lane, sign))
-            .collect();
-        if signs
-            .iter()
-            .any(|sign| sign.free.is_empty() && sign.is_negative)
-        {
+    pub(super) fn require_positive(&mut self, signs: &[Sign]) -> bool {
+        let signs = self.known.iter().zip(signs);
+        let signs: Vec<Sign> = signs.map(|(known, sign)| known.of(sign)).collect();
+        let is_not = |sign: &Sign| sign.free.is_empty() && sign.is_negative;
+        if signs.iter().any(is_not) {
             return false;
         }
-        for (follow, sign) in self.follow.iter_mut().zip(signs) {
+        for (known, mut sign) in self.known.iter_mut().zip(signs) {
             let price = |own: &Free| (self.prices[*own], *own);
-            let Some(cheapest) = sign.free.iter().copied().min_by_key(price) else {
-                continue;
-            };
-            let mut rest = sign;
-            rest.free.retain(|own| *own != cheapest);
-            for other in follow.values_mut() {
-                if let Ok(place) = other.free.binary_search(&cheapest) {
-                    other.free.remove(place);
-                    *other = other.times(&rest);
-                }
+            if let Some(cheapest) = sign.free.iter().copied().min_by_key(price) {
+                sign.free.retain(|own| *own != cheapest);
+                known.set(cheapest, sign);
             }
-            follow.insert(cheapest, rest);
         }
         true
     }
 
-    /// A sign of a branch, by those that follow from no others.
-    fn known(&self, lane: usize, sign: &Sign) -> Sign {
-        let start = Sign::default().signed(sign.is_negative);
-        sign.free
-            .iter()
-            .fold(start, |known, own| match self.follow[lane - 1].get(own) {
-                Some(followed) => known.times(followed),
-                None => known.times(&Sign::free(*own, false)),
-            })
-    }
-
     /// Whether a sign of a branch is negative, where those that are still free are positive.
     pub(super) fn is_negative(&self, lane: usize, sign: &Sign) -> bool {
-        lane > 0 && self.known(lane, sign).is_negative
+        lane > 0 && self.known[lane - 1].of(sign).is_negative
     }
 }

@@ -1,11 +1,13 @@
 //! The graph anew: for each call what it reads, then the call, and all else at the end in the order that it had.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use super::{
     calls::Calls,
     groups::{Group, Groups, Operand},
-    layers::reads,
 };
 use crate::{
     expr::{Call, Expr, ExprGraph, Helper, Input, Node, NodeId},
@@ -13,7 +15,7 @@ use crate::{
 };
 
 /// The graph with its calls, and its roots.
-pub(super) fn written(
+pub(super) fn rewritten(
     old: &ExprGraph,
     roots: &[Expr],
     groups: &Groups,
@@ -25,6 +27,7 @@ pub(super) fn written(
         calls,
         graph: ExprGraph::with_capacity(old.len()),
         rebuilt: Rebuilt::new(old),
+        read: BTreeSet::new(),
     };
     for call in 0..calls.groups.len() {
         writer.call(call);
@@ -46,11 +49,13 @@ struct Writer<'a> {
     calls: &'a Calls,
     graph: ExprGraph,
     rebuilt: Rebuilt,
+    /// Calls of the old graph all of whose operands are there.
+    read: BTreeSet<(u16, u16)>,
 }
 
 /// A helper while it is written.
 #[derive(Default)]
-struct Written {
+struct NewHelper {
     graph: ExprGraph,
     /// What each group of the call computes.
     groups: BTreeMap<usize, Expr>,
@@ -79,7 +84,7 @@ impl Writer<'_> {
     /// What a call reads, and the call.
     fn call(&mut self, call: usize) {
         self.copy_operands(call);
-        let mut written = Written::default();
+        let mut helper = NewHelper::default();
         let own = &self.calls.groups[call];
         for &number in own {
             let group = &self.groups.all[number];
@@ -87,32 +92,35 @@ impl Writer<'_> {
                 .operands
                 .iter()
                 .map(|operand| match self.inside(call, operand) {
-                    Some(inside) => written.groups[&inside],
-                    None => self.given(&mut written, operand),
+                    Some(inside) => helper.groups[&inside],
+                    None => self.given(&mut helper, operand),
                 })
                 .collect();
-            let expr = self.operation(&mut written.graph, group, &operands);
-            written.groups.insert(number, expr);
+            let expr = self.operation(&mut helper.graph, group, &operands);
+            helper.groups.insert(number, expr);
         }
         let found = own
             .iter()
             .copied()
             .filter(|&group| self.calls.is_found[group]);
         let found: Vec<usize> = found.collect();
+        let NewHelper {
+            graph,
+            groups,
+            shared,
+            sides,
+            ..
+        } = helper;
         let helper = Helper {
-            lanes: self.groups.lanes,
-            roots: found.iter().map(|number| written.groups[number]).collect(),
-            graph: written.graph,
+            lanes: self.groups.lanes(own[0]),
+            roots: found.iter().map(|number| groups[number]).collect(),
+            graph,
         };
         // Calls of the old graph keep their numbers.
         let number = self.old.next_lockstep().max(self.graph.next_lockstep());
         self.graph
-            .add_lockstep(number, written.shared, vec![Arc::new(helper)]);
-        let call = Call {
-            helper: 0,
-            sides: written.sides,
-        };
-        let call = self.graph.add_call(number, call);
+            .add_lockstep(number, shared, vec![Arc::new(helper)]);
+        let call = self.graph.add_call(number, Call { helper: 0, sides });
         for (place, &group) in found.iter().enumerate() {
             for (lane, &member) in self.groups.all[group].members.iter().enumerate() {
                 self.graph.enter_like(self.old, member);
@@ -130,20 +138,28 @@ impl Writer<'_> {
         let operands = own.flat_map(|&group| &self.groups.all[group].operands);
         let outside = operands.filter(|operand| self.inside(call, operand).is_none());
         let mut open: Vec<NodeId> = outside.flat_map(|operand| operand.nodes.clone()).collect();
-        let mut wanted = vec![false; self.old.len()];
+        let mut wanted = BTreeSet::new();
         while let Some(id) = open.pop() {
-            if self.groups.group(id).is_none() && !self.rebuilt.has(id) && !wanted[id.index()] {
-                wanted[id.index()] = true;
-                open.extend(reads(self.old, id));
+            if self.groups.group(id).is_some() || self.rebuilt.has(id) || !wanted.insert(id) {
+                continue;
+            }
+            match self.old.node(id) {
+                Node::Input(Input::Solved(solved)) => {
+                    let read = (solved.lockstep, solved.call);
+                    if self.read.insert(read) {
+                        open.extend(self.old.read_by(read).map(Expr::node));
+                    }
+                }
+                node => open.extend(node.operands()),
             }
         }
-        for id in self.old.ids().filter(|id| wanted[id.index()]) {
+        for id in wanted {
             self.copy(id);
         }
     }
 
     /// An operand that a helper is given.
-    fn given(&self, written: &mut Written, operand: &Operand) -> Expr {
+    fn given(&self, helper: &mut NewHelper, operand: &Operand) -> Expr {
         let row = self.groups.given(operand).into_iter();
         let row: Vec<Expr> = row.map(|own| self.rebuilt.expr(own)).collect();
         let is_negative = row[0].is_negative();
@@ -152,18 +168,18 @@ impl Writer<'_> {
         if let Node::Number(bits) = self.graph.node(row[0].node())
             && is_shared
         {
-            return written
+            return helper
                 .graph
                 .number(f64::from_bits(bits))
                 .signed(is_negative);
         }
-        let Written {
+        let NewHelper {
             shared,
             sides,
             places,
             graph,
             ..
-        } = written;
+        } = helper;
         let input = *places.entry(row.clone()).or_insert_with(|| {
             if is_shared {
                 shared.push(row[0]);
