@@ -128,7 +128,7 @@ macro_rules! scalars {
                 sin_cos::$sin_cos(self)
             }
 
-            // Of a function of its own, many results would be a copy.
+            // A call would copy its results by `memcpy`.
             #[inline(always)]
             fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
                 sin_cos::scalars(angles, sin_cos::$sin_cos)

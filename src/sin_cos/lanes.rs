@@ -2,14 +2,15 @@
 
 /// The two results of `f`, which has no branch, for each of `angles`, all of them scalars.
 ///
-/// With AVX, and of sixteen and more, eight at a time, in a function of its own, to which what is left is filled up: where the
-/// optimizer sees where the lanes go to, it packs some of them with one another and with results, and five sines and
-/// cosines took as long as one after the other (LLVM 22). Otherwise they are lanes of [`each`]. Up to a
-/// hundred angles compile without a loop, and without a call of `memcpy`, which a copy of `angles` would become, or, of many
-/// angles, one of the results: they are computed where they are used.
+/// Two angles, or fewer than sixteen without AVX, are lanes of [`each`]. Of more, eight at a time go to a function of their own:
+/// where the optimizer sees what the lanes are for, it packs some of them with one another and with results, and five sines
+/// and cosines took as long as one after the other (LLVM 22). What is left is filled up to eight, or goes by four, two or one.
+///
+/// Up to a hundred angles compile without a loop. This function is inlined: as a call it would copy `angles`, or many
+/// results, by `memcpy`.
 #[expect(
     clippy::inline_always,
-    reason = "of a function of its own many results are a copy"
+    reason = "a call would copy its results by `memcpy`"
 )]
 #[inline(always)]
 pub(crate) fn scalars<T: Copy, const N: usize>(
@@ -48,6 +49,7 @@ pub(crate) fn scalars<T: Copy, const N: usize>(
     both
 }
 
+/// Those of few angles. The optimizer decides whether it is a call, for so few results need no `memcpy`.
 #[inline]
 fn few<T: Copy, const N: usize>(
     angles: [T; N],
@@ -56,20 +58,20 @@ fn few<T: Copy, const N: usize>(
     each(angles, f)
 }
 
-/// Eight numbers that are written at once and read one by one: where they lie in two lines of a cache, that takes longer.
+/// Eight numbers in one line of the cache. They are written as one vector and read one by one, which takes longer across two lines.
 #[repr(align(64))]
 struct Line<T>([T; 8]);
 
-/// The two results of eight angles. These come one by one, in registers: an array would be written number by number and read as a
-/// vector, and that waits until all that was written before is in the cache.
-#[expect(clippy::inline_always, reason = "it only takes the array apart")]
+/// The two results of eight angles. The angles go to the call one by one, in registers. In an array they would be written number by
+/// number and read as a vector, and such a read waits for all stores before it.
+#[expect(clippy::inline_always, reason = "it only passes registers on")]
 #[inline(always)]
 fn eight<T: Copy>(x: [T; 8], f: impl Fn(T) -> (T, T)) -> [Line<T>; 2] {
     let [a, b, d, e, g, h, i, j] = x;
     eight_in_registers(a, b, d, e, g, h, i, j, f)
 }
 
-#[expect(clippy::too_many_arguments, reason = "each is a register")]
+#[expect(clippy::too_many_arguments, reason = "each angle is in a register")]
 #[inline(never)]
 fn eight_in_registers<T: Copy>(
     a: T,

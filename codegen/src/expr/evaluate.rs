@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Expr, ExprGraph, Input, LANES, Node, Solved};
+use super::{Expr, ExprGraph, Input, Node, Solved};
 use crate::number::Number;
 
 impl ExprGraph {
@@ -47,11 +47,11 @@ impl ExprGraph {
         &self,
         Solved { lockstep, call, .. }: Solved,
         of: impl Fn(Expr) -> N,
-    ) -> [Vec<N>; LANES] {
+    ) -> Vec<Vec<N>> {
         let lockstep = self.lockstep(lockstep);
         let call = &lockstep.calls[&call];
         let helper = &lockstep.helpers[call.helper];
-        std::array::from_fn(|lane| {
+        let lanes = (0..helper.lanes).map(|lane| {
             helper
                 .graph
                 .evaluate_by(&helper.roots, &mut |input| match input {
@@ -59,7 +59,8 @@ impl ExprGraph {
                     Input::Side(place) => of(call.sides[place][lane]),
                     other => unreachable!("expr: a helper is not given {other:?}"),
                 })
-        })
+        });
+        lanes.collect()
     }
 }
 

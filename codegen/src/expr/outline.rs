@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use super::{
     graph::ExprGraph,
-    lockstep::{Call, Helper, LANES},
+    lockstep::{Call, Helper},
     node::{Expr, Input, Node, NodeId},
 };
 
@@ -14,7 +14,7 @@ impl ExprGraph {
         let outline = Outline::of(self, roots);
         let varying: Vec<Option<Expr>> = roots.iter().map(|root| outline.varying(*root)).collect();
         let helper = Helper {
-            lanes: LANES,
+            lanes: sides[0].len(),
             graph: outline.helper,
             roots: varying.iter().flatten().copied().collect(),
         };

@@ -274,7 +274,7 @@ impl At<'_, '_> {
         let is_taken = match instruction.mnemonic() {
             Mnemonic::Je => state.are_equal?,
             Mnemonic::Jne => !state.are_equal?,
-            // Back to where a loop begins that is left in its middle.
+            // Back to the start of a loop whose test stands in its middle.
             Mnemonic::Jmp if self.is_back() => true,
             _ => return None,
         };
