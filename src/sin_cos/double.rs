@@ -52,7 +52,7 @@ pub(crate) fn sin_cos<W: Word<Float = f64>>(x: W) -> (W, W) {
 #[inline(always)]
 fn quarter_turns<W: Word<Float = f64>>(x: W) -> (W, W) {
     let round = W::from(ROUND);
-    let shifted = x.cut(CUT) * TWO_OVER_PI.into() + round;
+    let shifted = x * TWO_OVER_PI.into() + round;
     (shifted, shifted - round)
 }
 
@@ -61,15 +61,16 @@ fn quarter_turns<W: Word<Float = f64>>(x: W) -> (W, W) {
 fn reduce<W: Word<Float = f64>>(x: W, n: W) -> (W, W) {
     let half_pi = |part: usize| W::from(HALF_PI[part]);
     // The first difference is exact; the second loses `rest`.
-    let first = x.cut(CUT) - n * half_pi(0);
+    let first = x - n * half_pi(0);
     let w = n * half_pi(1);
     let second = first - w;
     let rest = (first - second) - w;
     let w = n * half_pi(2);
     let hi = second - w;
-    // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
-    let lo = ((second - hi) - w) + rest + W::from(0.0) * x;
-    (hi, lo)
+    let lo = ((second - hi) - w) + rest;
+    let kept = |part: W| W::from_bits(part.to_bits() & x.within(CUT));
+    // `0 x` is 0, or NaN where x is not finite.
+    (kept(hi), kept(lo) + W::from(0.0) * x)
 }
 
 /// `sin(hi + lo)` for `|hi| <= π/4`.
@@ -77,9 +78,9 @@ fn reduce<W: Word<Float = f64>>(x: W, n: W) -> (W, W) {
 fn sin<W: Word<Float = f64>>(hi: W, lo: W) -> W {
     let k = |power: usize| W::from(SIN[power]);
     let z = hi * hi;
-    let cube = z * hi;
-    let p = k(1) + z * (k(2) + z * (k(3) + z * (k(4) + z * k(5))));
-    hi - ((z * (W::from(0.5) * lo - cube * p) - lo) - cube * k(0))
+    let (zz, cube) = (z * z, z * hi);
+    let p = z * (k(1) + z * k(2)) + z * zz * ((k(3) + z * k(4)) + zz * k(5));
+    hi - (((z * (W::from(0.5) * lo) - lo) - cube * k(0)) - cube * p)
 }
 
 /// `cos(hi + lo)` for `|hi| <= π/4`.
@@ -87,8 +88,9 @@ fn sin<W: Word<Float = f64>>(hi: W, lo: W) -> W {
 fn cos<W: Word<Float = f64>>(hi: W, lo: W) -> W {
     let (one, k) = (W::from(1.0), |power: usize| W::from(COS[power]));
     let z = hi * hi;
-    let p = k(0) + z * (k(1) + z * (k(2) + z * (k(3) + z * (k(4) + z * k(5)))));
+    let zz = z * z;
+    let p = ((k(0) + z * k(1)) + zz * (k(2) + z * k(3))) + zz * zz * (k(4) + z * k(5));
     let half = W::from(0.5) * z;
     let head = one - half;
-    head + (((one - head) - half) + (z * (z * p) - hi * lo))
+    head + ((((one - head) - half) - hi * lo) + zz * p)
 }

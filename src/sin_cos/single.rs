@@ -34,7 +34,7 @@ pub(crate) fn sin_cos<W: Word<Float = f32>>(x: W) -> (W, W) {
 #[inline(always)]
 fn quarter_turns<W: Word<Float = f32>>(x: W) -> (W, W) {
     let round = W::from(ROUND);
-    let shifted = x.cut(CUT) * TWO_OVER_PI.into() + round;
+    let shifted = x * TWO_OVER_PI.into() + round;
     (shifted, shifted - round)
 }
 
@@ -43,15 +43,16 @@ fn quarter_turns<W: Word<Float = f32>>(x: W) -> (W, W) {
 fn reduce<W: Word<Float = f32>>(x: W, n: W) -> (W, W) {
     let half_pi = |part: usize| W::from(HALF_PI[part]);
     // The first two differences are exact; the third loses `rest`.
-    let second = (x.cut(CUT) - n * half_pi(0)) - n * half_pi(1);
+    let second = (x - n * half_pi(0)) - n * half_pi(1);
     let w = n * half_pi(2);
     let third = second - w;
     let rest = (second - third) - w;
     let w = n * half_pi(3);
     let hi = third - w;
-    // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
-    let lo = ((third - hi) - w) + rest + W::from(0.0) * x;
-    (hi, lo)
+    let lo = ((third - hi) - w) + rest;
+    let kept = |part: W| W::from_bits(part.to_bits() & x.within(CUT));
+    // `0 x` is 0, or NaN where x is not finite.
+    (kept(hi), kept(lo) + W::from(0.0) * x)
 }
 
 /// `sin(hi + lo)` for `|hi| <= π/4`.
@@ -60,8 +61,8 @@ fn sin<W: Word<Float = f32>>(hi: W, lo: W) -> W {
     let k = |power: usize| W::from(SIN[power]);
     let z = hi * hi;
     let cube = z * hi;
-    let p = k(1) + z * k(2);
-    hi - ((z * (W::from(0.5) * lo - cube * p) - lo) - cube * k(0))
+    let p = z * cube * (k(1) + z * k(2));
+    hi - (((z * (W::from(0.5) * lo) - lo) - p) - cube * k(0))
 }
 
 /// `cos(hi + lo)` for `|hi| <= π/4`.
@@ -69,8 +70,9 @@ fn sin<W: Word<Float = f32>>(hi: W, lo: W) -> W {
 fn cos<W: Word<Float = f32>>(hi: W, lo: W) -> W {
     let (one, k) = (W::from(1.0), |power: usize| W::from(COS[power]));
     let z = hi * hi;
-    let p = k(0) + z * (k(1) + z * k(2));
+    let zz = z * z;
+    let p = (k(0) + z * k(1)) + zz * k(2);
     let half = W::from(0.5) * z;
     let head = one - half;
-    head + (((one - head) - half) + (z * (z * p) - hi * lo))
+    head + ((((one - head) - half) - hi * lo) + zz * p)
 }
