@@ -73,8 +73,8 @@ macro_rules! lanes {
             const SHIFT: u32 = <$scalar as Word>::SHIFT;
 
             #[inline(always)]
-            fn within(self, limit: $scalar) -> $bits {
-                cast(self.abs().simd_le(Self::splat(limit)))
+            fn cut(self, limit: $scalar) -> Self {
+                self.fast_max(Self::splat(-limit)).fast_min(Self::splat(limit))
             }
 
             #[inline(always)]

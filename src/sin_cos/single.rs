@@ -34,7 +34,7 @@ pub(crate) fn sin_cos<W: Word<Float = f32>>(x: W) -> (W, W) {
 #[inline(always)]
 fn quarter_turns<W: Word<Float = f32>>(x: W) -> (W, W) {
     let round = W::from(ROUND);
-    let shifted = x * TWO_OVER_PI.into() + round;
+    let shifted = x.cut(CUT) * TWO_OVER_PI.into() + round;
     (shifted, shifted - round)
 }
 
@@ -43,16 +43,15 @@ fn quarter_turns<W: Word<Float = f32>>(x: W) -> (W, W) {
 fn reduce<W: Word<Float = f32>>(x: W, n: W) -> (W, W) {
     let half_pi = |part: usize| W::from(HALF_PI[part]);
     // The first two differences are exact; the third loses `rest`.
-    let second = (x - n * half_pi(0)) - n * half_pi(1);
+    let second = (x.cut(CUT) - n * half_pi(0)) - n * half_pi(1);
     let w = n * half_pi(2);
     let third = second - w;
     let rest = (second - third) - w;
     let w = n * half_pi(3);
     let hi = third - w;
-    let lo = ((third - hi) - w) + rest;
-    let kept = |part: W| W::from_bits(part.to_bits() & x.within(CUT));
-    // `0 x` is 0, or NaN where x is not finite.
-    (kept(hi), kept(lo) + W::from(0.0) * x)
+    // `0 x` is 0, or NaN where x is not finite: it undoes the cut of an infinity.
+    let lo = ((third - hi) - w) + rest + W::from(0.0) * x;
+    (hi, lo)
 }
 
 /// `sin(hi + lo)` for `|hi| <= π/4`.

@@ -29,8 +29,8 @@ pub(crate) trait Word:
     /// By how much 2 is shifted to be the sign bit.
     const SHIFT: u32;
 
-    /// All bits where it lies from `-limit` to `limit`, none elsewhere.
-    fn within(self, limit: Self::Float) -> Self::Bits;
+    /// Between `-limit` and `limit`; anything for NaN.
+    fn cut(self, limit: Self::Float) -> Self;
     /// The bits.
     fn to_bits(self) -> Self::Bits;
     /// From the bits.
@@ -62,10 +62,11 @@ macro_rules! words {
             const TWO: $bits = 2;
             const SHIFT: u32 = $bits::BITS - 2;
 
-            // By its bits: of comparisons the optimizer could make jumps.
+            // Not `clamp`: of its comparisons the optimizer packs some with those of other lanes, and makes jumps of what
+            // is left of them, where SSE2 is all there is.
             #[inline(always)]
-            fn within(self, limit: Self) -> $bits {
-                (self.abs().to_bits().cast_signed() - limit.to_bits().cast_signed() - 1) >> ($bits::BITS - 1)
+            fn cut(self, limit: Self) -> Self {
+                self.max(-limit).min(limit)
             }
 
             #[inline(always)]
