@@ -71,8 +71,9 @@ pub trait Real:
 
     /// Sine and cosine of an angle in rad.
     ///
-    /// For `f64` and `f32`: below 1 ulp for `|x| < 10000`, in [-1, 1] for any finite argument, NaN for the
-    /// others; no branch, no call, no fused multiply-add.
+    /// For `f64` and `f32`: the error is below 0.8 ulp for `|x| <= 10000`. Far beyond it, from `2^30` in `f64` and from `2^16` in `f32`, the
+    /// numbers mean nothing: keep the angles of wheels small. They are in [-1, 1] for any finite argument, and NaN for the others.
+    /// No branch, no call, no fused multiply-add.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 

@@ -2,7 +2,7 @@
 
 /// The two results of `f`, which has no branch, for each of `angles`, all of them scalars.
 ///
-/// Two angles, or fewer than sixteen without AVX, are lanes of [`each`]. Of more, eight at a time go to a function of their own:
+/// Up to two angles, or fewer than sixteen without AVX, are lanes of [`each`]. Of more, eight at a time go to a function of their own:
 /// where the optimizer sees what the lanes are for, it packs some of them with one another and with results, and five sines
 /// and cosines took as long as one after the other (LLVM 22). What is left is filled up to eight, or goes by four, two or one.
 ///

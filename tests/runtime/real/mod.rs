@@ -338,8 +338,14 @@ fn arrays_have_the_bits_of_their_lanes() {
         lanes_are_scalars::<1>(&mut random);
         lanes_are_scalars::<2>(&mut random);
         lanes_are_scalars::<3>(&mut random);
+        lanes_are_scalars::<4>(&mut random);
         lanes_are_scalars::<7>(&mut random);
+        lanes_are_scalars::<9>(&mut random);
+        lanes_are_scalars::<10>(&mut random);
+        lanes_are_scalars::<12>(&mut random);
         lanes_are_scalars::<16>(&mut random);
+        lanes_are_scalars::<18>(&mut random);
+        lanes_are_scalars::<20>(&mut random);
         lanes_are_scalars::<31>(&mut random);
     }
 }

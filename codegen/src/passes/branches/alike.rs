@@ -13,6 +13,9 @@ const FEWEST: usize = 3;
 /// More branches are split among several teams: longer vectors are rare.
 const MOST: usize = 8;
 
+/// Longer branches stay apart: what their signs depend on grows with each body, and time with its square.
+const MOST_BODIES: usize = 32;
+
 /// Branches on one body, or on the inertial frame, that are alike and go side by side: the bodies of each.
 type Team = Vec<Vec<BodyId>>;
 
@@ -86,6 +89,8 @@ fn teams_of(tree: &Tree, kinds: &[usize], uppers: &[BodyId]) -> Vec<Team> {
     let mut alike: Vec<Vec<BodyId>> = by_kind.into_values().collect();
     alike.retain(|own| own.len() >= FEWEST);
     alike.sort();
+    let is_short = |own: &Vec<BodyId>| branch(tree, own[0]).len() <= MOST_BODIES;
+    alike.retain(is_short);
     let teams = alike.iter().flat_map(|own| {
         let n_teams = own.len().div_ceil(MOST);
         let start = move |team: usize| team * own.len() / n_teams;
