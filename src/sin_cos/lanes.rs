@@ -62,7 +62,7 @@ fn few<T: Copy, const N: usize>(
 #[repr(align(64))]
 struct Line<T>([T; 8]);
 
-/// The two results of eight angles. The angles go to the call one by one, in registers. In an array they would be written number by
+/// The two results of eight angles. The angles go to the call one by one, in registers where a processor passes eight. In an array they would be written number by
 /// number and read as a vector, and such a read waits for all stores before it.
 #[expect(clippy::inline_always, reason = "it only passes registers on")]
 #[inline(always)]
@@ -71,7 +71,10 @@ fn eight<T: Copy>(x: [T; 8], f: impl Fn(T) -> (T, T)) -> [Line<T>; 2] {
     eight_in_registers(a, b, d, e, g, h, i, j, f)
 }
 
-#[expect(clippy::too_many_arguments, reason = "each angle is in a register")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "an array would be passed in memory"
+)]
 #[inline(never)]
 fn eight_in_registers<T: Copy>(
     a: T,

@@ -3,7 +3,7 @@
 //! In: a [`Tree`] and [`Options`]. Out: a [`Compiled`] module. Afterwards: each function is in the formulation that
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
-mod beside;
+mod branches;
 mod candidate;
 mod choose;
 mod option_check;
@@ -85,7 +85,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         let program = if options.without.contains(&Technique::Lockstep) {
             program::flatten(&graph, &roots)
         } else {
-            beside::flattened(tree, &function.arguments(), &graph, &roots)
+            branches::flattened(tree, &function.arguments(), &graph, &roots)
         };
         let program = if options.fma {
             program::fuse(program)

@@ -108,7 +108,7 @@ impl Signature {
             .map(|shared| argument(shared, "what all share"))
             .into_iter();
         let doc = format!(
-            "What several columns or branches of `{of}` go through alike: {lanes} of them at a time, each by itself. Names are those of the first."
+            "Helper of `{of}`: what {lanes} columns or branches go through alike, for all of them side by side. Names are those of the first. `--without lockstep` writes them out."
         );
         Self {
             name: format!("{of}_lockstep_{number}"),

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use kane_codegen::{
     compile::{self, Options},
     config::Functions,
-    expr::Input,
-    functions::Formulation,
+    expr::{Expr, ExprGraph, Input},
+    functions::{Formulation, Request},
     passes::branches,
     program::{self, Program},
     recursive::{Plan, Technique},
@@ -104,6 +104,21 @@ struct Bodies {
 }
 
 impl Bodies {
+    fn new(random: Random) -> Self {
+        Self {
+            random,
+            lowers: Vec::new(),
+            text: String::new(),
+        }
+    }
+
+    fn model(&self, order: &str) -> String {
+        let Self { lowers, text, .. } = self;
+        format!(
+            "name = \"branches\"\ngravity = [0.3, -0.2, -9.81]\norder = \"{order}\"\nlower_bodies = {lowers:?}\n{text}"
+        )
+    }
+
     /// A body on this one; its number.
     fn add(&mut self, lower: usize, side: f64, joint: &str) -> usize {
         self.lowers.push(lower);
@@ -141,11 +156,7 @@ fn model(seed: u64, shape: &Shape) -> String {
     } else {
         "joint = \"free\"\n"
     };
-    let mut bodies = Bodies {
-        random,
-        lowers: Vec::new(),
-        text: String::new(),
-    };
+    let mut bodies = Bodies::new(random);
     let trunk = bodies.add(0, 1.0, base);
     let lower = if shape.is_on_ground { 0 } else { trunk };
     let first = bodies.random.clone();
@@ -164,24 +175,52 @@ fn model(seed: u64, shape: &Shape) -> String {
     } else {
         "body"
     };
-    let Bodies { lowers, text, .. } = bodies;
-    format!(
-        "name = \"branches\"\ngravity = [0.3, -0.2, -9.81]\norder = \"{order}\"\nlower_bodies = {lowers:?}\n{text}"
-    )
+    bodies.model(order)
 }
 
-/// A program with every branch by itself, and with those that are alike side by side; the values that were computed before.
-fn both(tree: &Tree, text: &str) -> ([Program; 2], Vec<f64>) {
-    let plan = Plan::full(tree);
-    let request = request(tree, text);
-    let derived = compile::candidate(tree, &request, Formulation::Recursive, &plan);
-    let (graph, roots, prepared) = hoisted(tree, &derived.graph, &derived.roots);
-    let apart = program::flatten(&graph, &roots);
-    let beside = match branches::run(tree, &request.arguments(), &graph, &roots) {
+/// A function before the pass, and the values that were computed before.
+struct Function {
+    request: Request,
+    graph: ExprGraph,
+    roots: Vec<Expr>,
+    prepared: Vec<f64>,
+}
+
+impl Function {
+    fn of(tree: &Tree, text: &str) -> Self {
+        let plan = Plan::full(tree);
+        let request = request(tree, text);
+        let derived = compile::candidate(tree, &request, Formulation::Recursive, &plan);
+        let (graph, roots, prepared) = hoisted(tree, &derived.graph, &derived.roots);
+        Self {
+            request,
+            graph,
+            roots,
+            prepared,
+        }
+    }
+
+    fn beside(&self, tree: &Tree) -> Option<(ExprGraph, Vec<Expr>)> {
+        let arguments = self.request.arguments();
+        branches::run(tree, &arguments, &self.graph, &self.roots)
+    }
+
+    fn given(&self, tree: &Tree, state: &State, own: Input) -> f64 {
+        match own {
+            Input::Prepared(place) => self.prepared[place],
+            own => input(tree, state, own),
+        }
+    }
+}
+
+/// A program with every branch by itself, and with those that are alike side by side.
+fn both(tree: &Tree, function: &Function) -> [Program; 2] {
+    let apart = program::flatten(&function.graph, &function.roots);
+    let beside = match function.beside(tree) {
         Some((graph, roots)) => program::flatten(&graph, &roots),
         None => apart.clone(),
     };
-    ([apart, beside], prepared)
+    [apart, beside]
 }
 
 #[test]
@@ -192,11 +231,9 @@ fn branches_side_by_side_compute_the_same_bits() {
         let tree = tree(&model(seed, &shape)).expect("it is accepted");
         let state = State::random(&tree, seed);
         for (place, text) in REQUESTS.into_iter().enumerate() {
-            let ([apart, beside], prepared) = both(&tree, text);
-            let given = |own: Input| match own {
-                Input::Prepared(place) => prepared[place],
-                own => input(&tree, &state, own),
-            };
+            let function = Function::of(&tree, text);
+            let [apart, beside] = both(&tree, &function);
+            let given = |own: Input| function.given(&tree, &state, own);
             let what = format!("{seed}, {text}");
             assert_eq!(program::verify(&beside), Ok(()), "{what}");
             assert_eq!(beside.operations(), apart.operations(), "{what}");
@@ -233,7 +270,7 @@ fn many_branches_and_those_within_branches_go_in_teams() {
     };
     let lanes = |shape: &Shape| {
         let tree = tree(&model(5, shape)).expect("it is accepted");
-        let ([_, beside], _) = both(&tree, "inverse_dynamics");
+        let [_, beside] = both(&tree, &Function::of(&tree, "inverse_dynamics"));
         let helpers = beside.helpers.iter();
         helpers.map(|helper| helper.lanes).collect::<BTreeSet<_>>()
     };
@@ -244,6 +281,76 @@ fn many_branches_and_those_within_branches_go_in_teams() {
         ..shape
     };
     assert_eq!(lanes(&two), BTreeSet::from([3, 4]));
+}
+
+#[test]
+fn children_of_the_same_kinds_are_alike_in_any_order() {
+    let hinge = "joint = \"revolute\"\naxis = [0.6, 0.0, 0.8]\n";
+    let slide = "joint = \"prismatic\"\naxis = [0.6, 0.0, 0.8]\n";
+    let written = |turned: [bool; 4]| {
+        let mut bodies = Bodies::new(Random::new(3));
+        let trunk = bodies.add(0, 1.0, "joint = \"free\"\n");
+        for is_turned in turned {
+            let hip = bodies.add(trunk, 1.0, hinge);
+            let (one, other) = if is_turned {
+                (slide, hinge)
+            } else {
+                (hinge, slide)
+            };
+            bodies.add(hip, 1.0, one);
+            bodies.add(hip, 1.0, other);
+        }
+        let tree = tree(&bodies.model("body")).expect("it is accepted");
+        let [apart, beside] = both(&tree, &Function::of(&tree, "inverse_dynamics"));
+        assert!(beside.written() < apart.written());
+        beside.helpers.len()
+    };
+    assert_eq!(written([false; 4]), written([false, true, false, true]));
+}
+
+/// Six chains of so many hinges on a body that floats.
+fn chains(n_bodies: usize) -> Tree {
+    let mut bodies = Bodies::new(Random::new(3));
+    let trunk = bodies.add(0, 1.0, "joint = \"free\"\n");
+    for _ in 0..6 {
+        let mut last = trunk;
+        for place in 0..n_bodies {
+            last = bodies.add(last, 1.0, JOINTS[place % 3]);
+        }
+    }
+    tree(&bodies.model("body")).expect("it is accepted")
+}
+
+#[test]
+fn branches_of_more_than_32_bodies_stay_apart() {
+    let is_beside = |n_bodies| {
+        let tree = chains(n_bodies);
+        let function = Function::of(&tree, "inverse_dynamics");
+        function.beside(&tree).is_some()
+    };
+    assert!(is_beside(32));
+    assert!(!is_beside(33));
+}
+
+#[test]
+fn no_call_of_long_branches_moves_more_rows_than_a_compiler_takes() {
+    let tree = chains(32);
+    let state = State::random(&tree, 3);
+    let function = Function::of(&tree, "inverse_dynamics");
+    let (graph, roots) = function.beside(&tree).expect("they are alike");
+    let given = |own: Input| function.given(&tree, &state, own);
+    let expected: Vec<f64> = function.graph.evaluate(&function.roots, given);
+    let found: Vec<f64> = graph.evaluate(&roots, given);
+    assert!(expected.iter().all(|number| number.is_finite()));
+    assert_eq!(found, expected);
+    let rows: Vec<usize> = (0..graph.next_lockstep())
+        .map(|number| {
+            let own = graph.lockstep(number);
+            own.calls[&0].sides.len() + own.helpers[0].roots.len()
+        })
+        .collect();
+    assert!(rows.iter().sum::<usize>() > 240, "{rows:?}");
+    assert!(rows.iter().all(|own| *own <= 240), "{rows:?}");
 }
 
 #[test]
@@ -272,7 +379,7 @@ fn two_branches_and_those_of_other_joints_stay_as_they_are() {
     let unlike = tree(&text).expect("it is accepted");
     for tree in [two, unlike] {
         for text in REQUESTS {
-            let ([apart, beside], _) = both(&tree, text);
+            let [apart, beside] = both(&tree, &Function::of(&tree, text));
             assert_eq!(beside.helpers.len(), apart.helpers.len(), "{text}");
             assert_eq!(beside.written(), apart.written(), "{text}");
         }
@@ -283,7 +390,7 @@ fn two_branches_and_those_of_other_joints_stay_as_they_are() {
 fn a_quadruped_s_legs_are_written_once() {
     let tree = robot("solo12");
     let written = |text| {
-        let ([apart, beside], _) = both(&tree, text);
+        let [apart, beside] = both(&tree, &Function::of(&tree, text));
         format!("{} of {}", beside.written(), apart.written())
     };
     // Legs on both sides, mirror images of one another: all but what they give the trunk and take from it.

@@ -87,16 +87,15 @@ fn teams_of(tree: &Tree, kinds: &[usize], uppers: &[BodyId]) -> Vec<Team> {
         own.or_default().push(upper);
     }
     let mut alike: Vec<Vec<BodyId>> = by_kind.into_values().collect();
-    alike.retain(|own| own.len() >= FEWEST);
+    let bodies = |first| branch(tree, kinds, first);
+    alike.retain(|own| own.len() >= FEWEST && bodies(own[0]).len() <= MOST_BODIES);
     alike.sort();
-    let is_short = |own: &Vec<BodyId>| branch(tree, own[0]).len() <= MOST_BODIES;
-    alike.retain(is_short);
     let teams = alike.iter().flat_map(|own| {
         let n_teams = own.len().div_ceil(MOST);
         let start = move |team: usize| team * own.len() / n_teams;
         (0..n_teams).map(move |team| {
             let own = &own[start(team)..start(team + 1)];
-            own.iter().map(|&body| branch(tree, body)).collect()
+            own.iter().map(|&first| bodies(first)).collect()
         })
     });
     teams.collect()
@@ -108,7 +107,8 @@ fn kinds(tree: &Tree) -> Vec<usize> {
     let mut kinds = vec![0; tree.bodies.len()];
     for body in tree.body_ids().rev() {
         let uppers = tree.uppers(body).iter();
-        let uppers = uppers.map(|upper| kinds[upper.index()]).collect();
+        let mut uppers: Vec<usize> = uppers.map(|upper| kinds[upper.index()]).collect();
+        uppers.sort_unstable();
         let next = known.len();
         let kind = (moves(&tree.body(body).joint), uppers);
         kinds[body.index()] = *known.entry(kind).or_insert(next);
@@ -116,13 +116,15 @@ fn kinds(tree: &Tree) -> Vec<usize> {
     kinds
 }
 
-/// The bodies of a branch.
-fn branch(tree: &Tree, first: BodyId) -> Vec<BodyId> {
+/// The bodies of a branch: those of one that is alike come in the same order.
+fn branch(tree: &Tree, kinds: &[usize], first: BodyId) -> Vec<BodyId> {
     let mut bodies = Vec::new();
     let mut open = vec![first];
     while let Some(body) = open.pop() {
         bodies.push(body);
-        open.extend(tree.uppers(body).iter().rev());
+        let mut uppers = tree.uppers(body).to_vec();
+        uppers.sort_by_key(|upper| kinds[upper.index()]);
+        open.extend(uppers.into_iter().rev());
     }
     bodies
 }

@@ -199,21 +199,19 @@ impl Groups {
 
     /// The sign of what is given: a number has another wherever it stands.
     fn free(&mut self, graph: &ExprGraph, team: usize, nodes: &[NodeId]) -> Free {
-        let is_number = |id: &NodeId| matches!(graph.node(*id), Node::Number(_));
+        let mut numbers = nodes.iter().map(|id| graph.node(*id));
+        let are_numbers = numbers.all(|node| matches!(node, Node::Number(_)));
         let are_equal = nodes.iter().all(|id| *id == nodes[0]);
-        let signs = &mut self.signs[team];
-        if nodes.iter().all(is_number) {
-            return signs.add(if are_equal {
-                Price::Equal
-            } else {
-                Price::Number
-            });
-        }
-        let price = if are_equal {
-            Price::Shared
-        } else {
-            Price::Side
+        let price = match (are_numbers, are_equal) {
+            (true, true) => Price::Equal,
+            (true, false) => Price::Number,
+            (false, true) => Price::Shared,
+            (false, false) => Price::Side,
         };
+        let signs = &mut self.signs[team];
+        if are_numbers {
+            return signs.add(price);
+        }
         let given = self.given.entry((team, nodes.to_vec()));
         *given.or_insert_with(|| signs.add(price))
     }
