@@ -160,7 +160,7 @@ impl ExprGraph {
     }
 
     /// Labels an operation that has no label yet, and moves it into the current scope, whose quantity it is. A number or
-    /// an input keeps its own name, and so does what belongs to a body further inward.
+    /// an input keeps its own name, but for what a call computes, and so does what belongs to a body further inward.
     pub fn name(&mut self, expr: Expr, text: impl Into<String>) {
         self.name_by(expr, || text.into());
     }
@@ -175,7 +175,7 @@ impl ExprGraph {
             (None, false) => self.scope <= scope,
             (Some(label), false) => label.is_hint && self.scope <= scope,
         };
-        if !is_free || matches!(self.node(id), Node::Number(_) | Node::Input(_)) {
+        if !is_free || self.node(id).has_own_name() {
             return;
         }
         self.labels[id.index()] = Some(Label {

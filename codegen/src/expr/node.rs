@@ -159,6 +159,14 @@ impl std::ops::Neg for Expr {
 }
 
 impl Node {
+    /// True for numbers, and for inputs other than what calls compute.
+    pub(super) fn has_own_name(self) -> bool {
+        match self {
+            Self::Input(input) => !matches!(input, Input::Solved(_)),
+            node => matches!(node, Self::Number(_)),
+        }
+    }
+
     /// The operands.
     pub fn operands(self) -> impl Iterator<Item = NodeId> {
         let pair = match self {

@@ -11,6 +11,7 @@ mod coloring;
 mod derivative;
 mod derivative_trait;
 mod derive;
+mod derive_accelerations;
 mod derive_center;
 mod derive_coriolis;
 mod derive_derivatives;

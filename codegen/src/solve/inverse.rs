@@ -8,6 +8,7 @@
 use super::{BodySpeed, Carriers, Factors, SpeedMatrix, felt::Felt, inverse, reduced::Reduced};
 use crate::{
     expr::{Expr, ExprGraph, Purpose},
+    id::SpeedId,
     tree::Tree,
 };
 
@@ -15,13 +16,28 @@ impl Factors {
     /// `A^-1`; what is structurally zero is the number zero. What branches feel passes through the carriers that
     /// [`factorise_on_carriers`](super::factorise_on_carriers) was given.
     pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, carriers: &Carriers) -> SpeedMatrix {
+        self.inverse_but(graph, tree, carriers, &[])
+    }
+
+    /// The same without the rows and columns of some speeds, which stay zero. Nothing else may be eliminated before these.
+    pub fn inverse_but(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        carriers: &Carriers,
+        left_out: &[SpeedId],
+    ) -> SpeedMatrix {
         graph.begin(Purpose::Inverse);
         let n = self.order.len();
+        let is_left_out = |place: usize| left_out.contains(&self.order[place].speed);
         let mut reduced = Reduced::new(self, carriers);
         let mut felt = Felt::new(tree, carriers);
         let mut h = vec![vec![graph.zero(); n]; n];
         for i in (0..n).rev() {
             for j in (i..n).rev() {
+                if is_left_out(i) || is_left_out(j) {
+                    continue;
+                }
                 let (own, other) = (self.order[i], self.order[j]);
                 graph.enter(own.body);
                 let (row, foot) = reduced.row(graph, tree, i, &reduced.path(j));

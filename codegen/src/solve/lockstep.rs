@@ -12,6 +12,7 @@ use std::{
 use super::{Carriers, Factors, inverse, reduced::Reduced};
 use crate::{
     expr::{Call, Expr, ExprGraph, Helper, Input, LANES, NodeId, Purpose},
+    id::{BodyId, SpeedId},
     tree::Tree,
 };
 
@@ -24,54 +25,99 @@ struct Group {
     halves: BTreeSet<usize>,
 }
 
-impl Factors {
-    /// The accelerations `x` with `A x = b` for each of several `b`, as [`Self::solutions`] has them.
-    pub fn solutions_in_lockstep(
-        &self,
-        graph: &mut ExprGraph,
-        tree: &Tree,
-        columns: &[Vec<Expr>],
-    ) -> Vec<Vec<Expr>> {
-        graph.begin(Purpose::Solution);
-        let (groups, few) = self.groups(graph, tree, columns);
-        let zero = graph.zero();
-        let mut solved = vec![vec![zero; self.order.len()]; columns.len()];
-        let rest: Vec<Vec<Expr>> = few.iter().map(|&own| columns[own].clone()).collect();
-        for (place, column) in few.into_iter().zip(self.solutions(graph, tree, &rest)) {
-            solved[place] = column;
-        }
-        let carriers = Carriers::default();
-        let mut writer = Writer {
-            factors: self,
+/// A helper, the speeds of which it is given entries, the places of their halves, and the speeds of which it computes entries.
+#[derive(Debug)]
+struct Solver {
+    helper: Arc<Helper<ExprGraph>>,
+    given: Vec<usize>,
+    halves: BTreeSet<usize>,
+    found: Vec<usize>,
+}
+
+/// What helpers the graph has: their lockstep, how many there are, and how many numbers they share.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    lockstep: u16,
+    helpers: usize,
+    shared: usize,
+}
+
+/// Solves for columns as they become known.
+#[derive(Debug)]
+pub struct LockstepSolver<'a> {
+    writer: Writer<'a>,
+    solvers: Vec<Solver>,
+    known: Option<Known>,
+}
+
+impl<'a> LockstepSolver<'a> {
+    /// One for `L^T D L`.
+    pub fn new(factors: &'a Factors, tree: &'a Tree, carriers: &'a Carriers) -> Self {
+        let writer = Writer {
+            factors,
             tree,
-            reduced: Reduced::new(self, &carriers),
+            reduced: Reduced::new(factors, carriers),
             shared: Vec::new(),
             places: BTreeMap::new(),
         };
-        let mut solvers: Vec<Solver> = Vec::new();
+        Self {
+            writer,
+            solvers: Vec::new(),
+            known: None,
+        }
+    }
+
+    /// The columns that are not zero, those first whose solutions begin on the most branches.
+    pub fn widest_first(&self, graph: &ExprGraph, columns: &[Vec<Expr>]) -> Vec<usize> {
+        let found = self.by_halves(graph, columns).into_iter();
+        found.map(|(_, place)| place).collect()
+    }
+
+    /// Gets ready for columns that are not known yet, but zero in the same places as these. The speeds, from the leaves inward, whose
+    /// columns of the inverse take lanes that would stay empty.
+    pub fn foresee(&mut self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<SpeedId> {
+        graph.begin(Purpose::Solution);
+        let filling = self.filling(graph, columns);
+        let mut columns = columns.to_vec();
+        columns.extend(filling.iter().map(|own| self.unit(graph, *own)));
+        let (groups, _) = self.groups(graph, &columns);
+        for group in groups {
+            self.solver(graph, &group, &columns);
+        }
+        filling
+    }
+
+    /// A unit force along a speed: what a column of the inverse solves.
+    pub fn unit(&self, graph: &mut ExprGraph, speed: SpeedId) -> Vec<Expr> {
+        let mut column = vec![graph.zero(); self.writer.factors.order.len()];
+        column[speed.index()] = graph.one();
+        column
+    }
+
+    /// The accelerations `x` with `A x = b` for each of several `b`, as [`Factors::solutions`] has them.
+    pub fn solve(&mut self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+        graph.begin(Purpose::Solution);
+        let (groups, few) = self.groups(graph, columns);
+        let Writer { factors, tree, .. } = self.writer;
+        let zero = graph.zero();
+        let mut solved = vec![vec![zero; factors.order.len()]; columns.len()];
+        let rest: Vec<Vec<Expr>> = few.iter().map(|&own| columns[own].clone()).collect();
+        for (place, column) in few.into_iter().zip(factors.solutions(graph, tree, &rest)) {
+            solved[place] = column;
+        }
         let mut calls = Vec::with_capacity(groups.len());
         for group in groups {
-            let is_given = |speed: &usize| {
-                let mut own = group.columns.iter();
-                own.any(|&own| !graph.is_zero(columns[own][*speed]))
-            };
-            let given: Vec<usize> = (0..self.order.len()).filter(is_given).collect();
-            let mut known = solvers.iter();
-            let known = known.position(|own| own.given == given && own.halves == group.halves);
-            let solver = known.unwrap_or_else(|| {
-                solvers.push(writer.solver(graph, given, group.halves));
-                solvers.len() - 1
-            });
+            let solver = self.solver(graph, &group, columns);
             calls.push((group.columns, solver));
         }
         if calls.is_empty() {
             return solved;
         }
-        let helpers = solvers.iter().map(|own| own.helper.clone()).collect();
-        let lockstep = graph.next_lockstep();
-        graph.add_lockstep(lockstep, writer.shared, helpers);
+        let lockstep = self.lockstep(graph);
+        let order = factors.order.iter();
+        let bodies: BTreeMap<usize, BodyId> = order.map(|own| (own.index(), own.body)).collect();
         for (own, helper) in calls {
-            let Solver { given, found, .. } = &solvers[helper];
+            let Solver { given, found, .. } = &self.solvers[helper];
             let side = |speed: &usize| {
                 let entry = |lane| {
                     own.get(lane)
@@ -80,33 +126,58 @@ impl Factors {
                 (0..LANES).map(entry).collect()
             };
             let sides = given.iter().map(side).collect();
-            let lanes = graph.call(lockstep, Call { helper, sides });
-            for (&column, lane) in own.iter().zip(lanes) {
-                for (&speed, entry) in found.iter().zip(lane) {
-                    solved[column][speed] = entry;
+            let call = graph.add_call(lockstep, Call { helper, sides });
+            for (lane, &column) in own.iter().enumerate() {
+                for (place, &speed) in found.iter().enumerate() {
+                    graph.enter(bodies[&speed]);
+                    solved[column][speed] = graph.solved((lockstep, call), lane, place);
                 }
             }
         }
         solved
     }
 
-    /// The columns that are not zero in groups, and the few that are left.
-    fn groups(
-        &self,
-        graph: &ExprGraph,
-        tree: &Tree,
-        columns: &[Vec<Expr>],
-    ) -> (Vec<Group>, Vec<usize>) {
-        let mut found: Vec<(BTreeSet<usize>, usize)> = columns
-            .iter()
-            .enumerate()
-            .map(|(place, column)| (self.halves(graph, tree, column), place))
-            .filter(|(halves, _)| !halves.is_empty())
-            .collect();
-        // Those with many halves first: what is left of them joins others for the least.
-        found.sort_by(|(one, own), (other, place)| {
-            (other.len(), one, own).cmp(&(one.len(), other, place))
+    /// The lockstep that has all helpers: a new one where some were written, or share more, since the last.
+    fn lockstep(&mut self, graph: &mut ExprGraph) -> u16 {
+        let (helpers, shared) = (self.solvers.len(), self.writer.shared.len());
+        if let Some(known) = self
+            .known
+            .filter(|own| (own.helpers, own.shared) == (helpers, shared))
+        {
+            return known.lockstep;
+        }
+        let lockstep = graph.next_lockstep();
+        let all = self.solvers.iter().map(|own| own.helper.clone()).collect();
+        graph.add_lockstep(lockstep, self.writer.shared.clone(), all);
+        self.known = Some(Known {
+            lockstep,
+            helpers,
+            shared,
         });
+        lockstep
+    }
+
+    /// The solver of a group, which is written where none is like it.
+    fn solver(&mut self, graph: &mut ExprGraph, group: &Group, columns: &[Vec<Expr>]) -> usize {
+        let is_given = |speed: &usize| {
+            let mut own = group.columns.iter();
+            own.any(|&own| !graph.is_zero(columns[own][*speed]))
+        };
+        let given: Vec<usize> = (0..self.writer.factors.order.len())
+            .filter(is_given)
+            .collect();
+        let mut known = self.solvers.iter();
+        let known = known.position(|own| own.given == given && own.halves == group.halves);
+        known.unwrap_or_else(|| {
+            let solver = self.writer.solver(graph, given, group.halves.clone());
+            self.solvers.push(solver);
+            self.solvers.len() - 1
+        })
+    }
+
+    /// The columns that are not zero in groups, and the few that are left.
+    fn groups(&self, graph: &ExprGraph, columns: &[Vec<Expr>]) -> (Vec<Group>, Vec<usize>) {
+        let mut found = self.by_halves(graph, columns);
         let n_whole = found.len() - found.len() % LANES;
         let n_grouped = if found.len() - n_whole > FEW {
             found.len()
@@ -122,11 +193,51 @@ impl Factors {
         (groups.collect(), few)
     }
 
+    /// The columns that are not zero, with their halves. Those with many come first: what is left of them joins others for the least.
+    fn by_halves(&self, graph: &ExprGraph, columns: &[Vec<Expr>]) -> Vec<(BTreeSet<usize>, usize)> {
+        let mut found: Vec<(BTreeSet<usize>, usize)> = columns
+            .iter()
+            .enumerate()
+            .map(|(place, column)| (self.halves(graph, column), place))
+            .filter(|(halves, _)| !halves.is_empty())
+            .collect();
+        found.sort_by(|(one, own), (other, place)| {
+            (other.len(), one, own).cmp(&(one.len(), other, place))
+        });
+        found
+    }
+
+    /// The speeds whose columns of the inverse fill the last call of these columns: as many as it has empty lanes, or none. They are
+    /// not zero on other branches than its columns, and nothing that is not among them is eliminated before them.
+    fn filling(&self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<SpeedId> {
+        let found = self.by_halves(graph, columns);
+        let n_empty = (LANES - found.len() % LANES) % LANES;
+        let last = found.chunks(LANES).last().into_iter().flatten();
+        let last: BTreeSet<usize> = last.flat_map(|(halves, _)| halves).copied().collect();
+        let factors = self.writer.factors;
+        let mut filling: Vec<SpeedId> = Vec::new();
+        for own in &factors.order {
+            let unit = self.unit(graph, own.speed);
+            let rows = factors.order.iter().zip(&factors.couplings);
+            let mut outer =
+                rows.filter(|(_, row)| row.iter().any(|(other, _)| other.speed == own.speed));
+            let is_free = outer.all(|(outer, _)| filling.contains(&outer.speed));
+            if filling.len() < n_empty && is_free && self.halves(graph, &unit).is_subset(&last) {
+                filling.push(own.speed);
+            }
+        }
+        if filling.len() < n_empty {
+            filling.clear();
+        }
+        filling
+    }
+
     /// Where the half of a solution may be other than zero, in the order of elimination: at what is given, at all farther in, and at
     /// what follows on the same branch, so that columns of one branch are alike.
-    fn halves(&self, graph: &ExprGraph, tree: &Tree, column: &[Expr]) -> BTreeSet<usize> {
+    fn halves(&self, graph: &ExprGraph, column: &[Expr]) -> BTreeSet<usize> {
+        let Writer { factors, tree, .. } = self.writer;
         let mut is_half: Vec<bool> = column.iter().map(|own| !graph.is_zero(*own)).collect();
-        for (k, row) in self.order.iter().zip(&self.couplings) {
+        for (k, row) in factors.order.iter().zip(&factors.couplings) {
             if is_half[k.index()] {
                 for (other, _) in row {
                     is_half[other.index()] = true;
@@ -144,21 +255,14 @@ impl Factors {
                 }
             }
         }
-        let order = self.order.iter().enumerate();
+        let order = factors.order.iter().enumerate();
         let halves = order.filter(|(_, k)| is_half[k.index()]);
         halves.map(|(place, _)| place).collect()
     }
 }
 
-/// A helper, the speeds of which it is given entries, the places of their halves, and the speeds of which it computes entries.
-struct Solver {
-    helper: Arc<Helper<ExprGraph>>,
-    given: Vec<usize>,
-    halves: BTreeSet<usize>,
-    found: Vec<usize>,
-}
-
 /// Writes helpers, and gathers what they share.
+#[derive(Debug)]
 struct Writer<'a> {
     factors: &'a Factors,
     tree: &'a Tree,

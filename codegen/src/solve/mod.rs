@@ -20,6 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
+pub use lockstep::LockstepSolver;
 pub use partitioned::{Partitioned, partitioned};
 
 use crate::{
@@ -172,10 +173,18 @@ impl Factors {
                 let term = graph.mul(factor, b[speed.index()]);
                 x = graph.sub(x, term);
             }
-            graph.name(x, format!("{}_ddot", k.coordinate));
             b[k.index()] = x;
         }
+        self.name_accelerations(graph, &b);
         b
+    }
+
+    /// Names a solution `theta1_ddot` and so on.
+    pub fn name_accelerations(&self, graph: &mut ExprGraph, solved: &[Expr]) {
+        for &k in &self.order {
+            graph.enter(k.body);
+            graph.name(solved[k.index()], format!("{}_ddot", k.coordinate));
+        }
     }
 }
 

@@ -14,6 +14,7 @@ pub(super) type Row = Vec<(usize, Expr)>;
 
 /// Rows of `-L`, with what was eliminated from them. Speeds are their places in the order of elimination: what is farther in
 /// has a higher one.
+#[derive(Debug)]
 pub(super) struct Reduced<'a> {
     carriers: &'a Carriers,
     order: Vec<BodySpeed>,

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive, derive_derivatives,
+    derive, derive_accelerations, derive_derivatives,
     function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
@@ -131,7 +131,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
     solves_for: Some(Unknown::Accelerations),
-    derivatives: Some(derive_derivatives::forward_dynamics),
+    derivatives: Some(derive_accelerations::forward_dynamics),
     needed: Some(derive::inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive_derivatives, derive_loaded,
+    derive_accelerations, derive_derivatives, derive_loaded,
     function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
@@ -33,7 +33,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
-    derivatives: Some(derive_derivatives::loaded_forward_dynamics),
+    derivatives: Some(derive_accelerations::loaded_forward_dynamics),
     needed: Some(derive_loaded::loaded_inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
