@@ -2,7 +2,7 @@
 
 use super::{argument::Argument, derive, derive_derivatives::add_mechanics, function::Told};
 use crate::{
-    expr::{Expr, ExprGraph, Input, LANES, Purpose},
+    expr::{Expr, ExprGraph, Input, Purpose},
     given::{self, Accelerations, Loads, mechanics, orientation},
     id::{BodyId, SpeedId},
     recursive::{
@@ -123,8 +123,7 @@ impl Needed<'_> {
         let n = tree.n_speeds;
         let mut solver = LockstepSolver::new(factors, tree, &none);
         let [by_q, by_u] = self.columns(graph, found);
-        let mut beside = solver.widest_first(graph, &by_u);
-        beside.truncate(LANES - 1);
+        let beside = solver.beside(graph, &by_u);
         let mut early = vec![net];
         early.extend(beside.iter().map(|own| by_u[*own].clone()));
         let later: Vec<usize> = (0..n).filter(|own| !beside.contains(own)).collect();

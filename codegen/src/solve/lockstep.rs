@@ -67,10 +67,16 @@ impl<'a> LockstepSolver<'a> {
         }
     }
 
-    /// The columns that are not zero, those first whose solutions begin on the most branches.
-    pub fn widest_first(&self, graph: &ExprGraph, columns: &[Vec<Expr>]) -> Vec<usize> {
-        let found = self.by_halves(graph, columns).into_iter();
-        found.map(|(_, place)| place).collect()
+    /// Which columns go beside one that is zero on no branch, such as that of the accelerations: they fill one call, or several where
+    /// as many are like the widest.
+    pub fn beside(&self, graph: &ExprGraph, columns: &[Vec<Expr>]) -> Vec<usize> {
+        let found = self.by_halves(graph, columns);
+        let widest = found.first().map(|(halves, _)| halves);
+        let n_alike = found.iter().filter(|(halves, _)| Some(halves) == widest);
+        let n_calls = (n_alike.count() + 1) / LANES;
+        let n_beside = n_calls.max(1) * LANES - 1;
+        let beside = found.iter().take(n_beside);
+        beside.map(|(_, place)| *place).collect()
     }
 
     /// Gets ready for columns that are not known yet, but zero in the same places as these. The speeds, from the leaves inward, whose
