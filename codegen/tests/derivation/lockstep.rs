@@ -5,7 +5,7 @@ use kane_codegen::{
     description::{Base, Reading},
     expr::{Input, LANES},
     functions::{Derived, Formulation},
-    program::{self, Instruction, Program, VerifyError},
+    program::{self, Instruction, Program, ValueId, VerifyError},
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -106,6 +106,24 @@ fn calls_count_for_every_lane_and_their_text_once() {
     };
     assert!(3 * text(&lockstep) < 2 * text(&flat));
     assert!(n_calls(&lockstep) > lockstep.helpers.len());
+}
+
+#[test]
+fn no_lane_of_the_calls_of_an_arm_stays_empty() {
+    let tree = read("tests/robots/panda/panda.urdf", &Reading::default());
+    let (program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], true));
+    let calls = program.instructions.iter().filter_map(|own| match own {
+        Instruction::Call { results, .. } => Some(results),
+        _ => None,
+    });
+    let is_used = |results: &[Vec<Option<ValueId>>], lane: usize| {
+        let mut places = results.iter();
+        places.any(|place| place[lane].is_some())
+    };
+    let lanes = calls.flat_map(|results| (0..LANES).map(|lane| is_used(results, lane)));
+    let lanes: Vec<bool> = lanes.collect();
+    // Six columns by coordinates and seven by speeds; the accelerations; and two of the inverse in lanes that are left.
+    assert_eq!(lanes, [true; 16]);
 }
 
 /// The program with calls after a fault is planted in it.
