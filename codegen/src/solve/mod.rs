@@ -173,9 +173,9 @@ impl Factors {
                 let term = graph.mul(factor, b[speed.index()]);
                 x = graph.sub(x, term);
             }
+            name_acceleration(graph, k, x);
             b[k.index()] = x;
         }
-        self.name_accelerations(graph, &b);
         b
     }
 
@@ -183,7 +183,7 @@ impl Factors {
     pub fn name_accelerations(&self, graph: &mut ExprGraph, solved: &[Expr]) {
         for &k in &self.order {
             graph.enter(k.body);
-            graph.name(solved[k.index()], format!("{}_ddot", k.coordinate));
+            name_acceleration(graph, k, solved[k.index()]);
         }
     }
 }
@@ -235,6 +235,10 @@ pub fn inverse_places(tree: &Tree) -> BTreeSet<[usize; 2]> {
     pairs
         .filter(|&[row, column]| group[row] == group[column])
         .collect()
+}
+
+fn name_acceleration(graph: &mut ExprGraph, k: BodySpeed, acceleration: Expr) {
+    graph.name(acceleration, format!("{}_ddot", k.coordinate));
 }
 
 /// One over the pivot of a speed.
