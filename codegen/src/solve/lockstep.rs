@@ -34,20 +34,13 @@ struct Solver {
     found: Vec<usize>,
 }
 
-/// What helpers the graph has: their lockstep, how many there are, and how many numbers they share.
-#[derive(Clone, Copy, Debug)]
-struct Known {
-    lockstep: u16,
-    helpers: usize,
-    shared: usize,
-}
-
 /// Solves for columns as they become known.
 #[derive(Debug)]
 pub struct LockstepSolver<'a> {
     writer: Writer<'a>,
     solvers: Vec<Solver>,
-    known: Option<Known>,
+    /// The last lockstep that was added to the graph.
+    lockstep: Option<u16>,
 }
 
 impl<'a> LockstepSolver<'a> {
@@ -63,7 +56,7 @@ impl<'a> LockstepSolver<'a> {
         Self {
             writer,
             solvers: Vec::new(),
-            known: None,
+            lockstep: None,
         }
     }
 
@@ -145,21 +138,20 @@ impl<'a> LockstepSolver<'a> {
 
     /// The lockstep that has all helpers: a new one where some were written, or share more, since the last.
     fn lockstep(&mut self, graph: &mut ExprGraph) -> u16 {
-        let (helpers, shared) = (self.solvers.len(), self.writer.shared.len());
-        if let Some(known) = self
-            .known
-            .filter(|own| (own.helpers, own.shared) == (helpers, shared))
-        {
-            return known.lockstep;
+        let Self {
+            writer, solvers, ..
+        } = self;
+        let has_all = |own: &u16| {
+            let of = graph.lockstep(*own);
+            of.helpers.len() == solvers.len() && of.shared.len() == writer.shared.len()
+        };
+        if let Some(known) = self.lockstep.filter(has_all) {
+            return known;
         }
         let lockstep = graph.next_lockstep();
-        let all = self.solvers.iter().map(|own| own.helper.clone()).collect();
-        graph.add_lockstep(lockstep, self.writer.shared.clone(), all);
-        self.known = Some(Known {
-            lockstep,
-            helpers,
-            shared,
-        });
+        let helpers = solvers.iter().map(|own| own.helper.clone()).collect();
+        graph.add_lockstep(lockstep, writer.shared.clone(), helpers);
+        self.lockstep = Some(lockstep);
         lockstep
     }
 
@@ -214,7 +206,7 @@ impl<'a> LockstepSolver<'a> {
     }
 
     /// The speeds whose columns of the inverse fill the last call of these columns: as many as it has empty lanes, or none. They are
-    /// not zero on other branches than its columns, and nothing that is not among them is eliminated before them.
+    /// zero on the branches on which its columns are, and whatever is eliminated into one of them is among them too.
     fn filling(&self, graph: &mut ExprGraph, columns: &[Vec<Expr>]) -> Vec<SpeedId> {
         let found = self.by_halves(graph, columns);
         let n_empty = (LANES - found.len() % LANES) % LANES;
@@ -222,14 +214,14 @@ impl<'a> LockstepSolver<'a> {
         let last: BTreeSet<usize> = last.flat_map(|(halves, _)| halves).copied().collect();
         let factors = self.writer.factors;
         let mut filling: Vec<SpeedId> = Vec::new();
-        for own in &factors.order {
+        let mut inner: BTreeSet<SpeedId> = BTreeSet::new();
+        for (own, row) in factors.order.iter().zip(&factors.couplings) {
             let unit = self.unit(graph, own.speed);
-            let rows = factors.order.iter().zip(&factors.couplings);
-            let mut outer =
-                rows.filter(|(_, row)| row.iter().any(|(other, _)| other.speed == own.speed));
-            let is_free = outer.all(|(outer, _)| filling.contains(&outer.speed));
-            if filling.len() < n_empty && is_free && self.halves(graph, &unit).is_subset(&last) {
+            let may = filling.len() < n_empty && !inner.contains(&own.speed);
+            if may && self.halves(graph, &unit).is_subset(&last) {
                 filling.push(own.speed);
+            } else {
+                inner.extend(row.iter().map(|(other, _)| other.speed));
             }
         }
         if filling.len() < n_empty {
