@@ -40,7 +40,12 @@ const MOST_STARTS: usize = 1_500;
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
 pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
     if !function.differentiates() {
-        return cheapest_values(tree, function, without);
+        let plan = cheapest_values(tree, function, without);
+        return if function.inverts() {
+            in_lockstep(tree, function, without, plan)
+        } else {
+            plan
+        };
     }
     let forward = cheapest_values(tree, &function.values(), without)
         .with(Technique::Composite, false)
@@ -61,19 +66,36 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
     };
     let best = plans.into_iter().min_by_key(count);
     let best = best.expect("search: one plan is forward");
-    let may = best.uses(Technique::Composite) && !without.contains(&Technique::Lockstep);
-    let least = count(&best);
-    if !may || least <= MOST_CACHED {
-        return best;
+    if best.uses(Technique::Composite) {
+        in_lockstep(tree, function, without, best)
+    } else {
+        best
     }
-    let lockstep = best.with(Technique::Lockstep, true);
-    let derived = candidate(tree, function, Formulation::Recursive, &lockstep);
+}
+
+/// The plan with columns in lockstep where that makes the text of a long function shorter, or as it is.
+fn in_lockstep(
+    tree: &Tree,
+    function: &Request,
+    without: &BTreeSet<Technique>,
+    plan: Plan,
+) -> Plan {
+    let derived = |plan: &Plan| candidate(tree, function, Formulation::Recursive, plan);
+    if without.contains(&Technique::Lockstep) {
+        return plan;
+    }
+    let least = operations(&derived(&plan)).total();
+    if least <= MOST_CACHED {
+        return plan;
+    }
+    let lockstep = plan.with(Technique::Lockstep, true);
+    let derived = derived(&lockstep);
     // A tenth more operations at most, for a text that is a fifth shorter at least.
     let is_worth = 10 * operations(&derived).total() <= 11 * least;
     if is_worth && 5 * written(&derived) <= 4 * least {
         lockstep
     } else {
-        best
+        plan
     }
 }
 

@@ -8,7 +8,7 @@ use crate::{
     recursive::{
         Plan, Technique, derivatives, derivatives::Derivatives, gravity, inverse_dynamics,
     },
-    solve::{self, Carriers, Factors, LockstepSolver, SpeedMatrix},
+    solve::{self, Carriers, Factors, Inversion, LockstepSolver, SpeedMatrix},
     tree::{Orientation, Tree, Value},
 };
 
@@ -98,7 +98,7 @@ impl Needed<'_> {
 
     fn solved(&self, graph: &mut ExprGraph, factors: &Factors, net: Vec<Expr>) -> Solved {
         let u_dot = factors.solve(graph, net);
-        let inverse = factors.inverse(graph, self.tree, &Carriers::default());
+        let inverse = factors.inverse(graph, self.tree, Inversion::by(&Carriers::default()));
         let columns = self.columns_at(graph, &u_dot).concat();
         let negative = columns.into_iter().map(negated).collect::<Vec<_>>();
         let solved = factors.solutions(graph, self.tree, &negative);
@@ -137,7 +137,12 @@ impl Needed<'_> {
             .next()
             .expect("derivatives: accelerations are solved for");
         factors.name_accelerations(graph, &u_dot);
-        let mut inverse = factors.inverse_but(graph, tree, &none, &filling);
+        let how = Inversion {
+            carriers: &none,
+            left_out: &filling,
+            in_lockstep: true,
+        };
+        let mut inverse = factors.inverse(graph, tree, how);
         let [by_q, _] = self.columns_at(graph, &u_dot);
         let mut late = of_later(by_q);
         late.extend(filling.iter().map(|own| solver.unit(graph, *own)));

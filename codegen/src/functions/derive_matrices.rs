@@ -6,7 +6,7 @@ use crate::{
     given::mechanics,
     kane::dynamics,
     recursive::{Plan, inverse_mass, product},
-    solve::{self, Carriers, SpeedMatrix},
+    solve::{self, Carriers, Inversion, SpeedMatrix},
     tree::Tree,
 };
 
@@ -40,7 +40,7 @@ pub(super) fn solution_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan
 
 pub(super) fn inverse(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     factors(graph, tree)
-        .inverse(graph, tree, &Carriers::default())
+        .inverse(graph, tree, Inversion::by(&Carriers::default()))
         .concat()
 }
 
@@ -49,7 +49,7 @@ pub(super) fn inverse_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan)
 }
 
 pub(super) fn inverse_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    let inverse = factors(graph, tree).inverse(graph, tree, &Carriers::default());
+    let inverse = factors(graph, tree).inverse(graph, tree, Inversion::by(&Carriers::default()));
     at(solve::inverse_places(tree), &inverse)
 }
 

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph},
     given::mechanics,
-    solve::{self, Carriers, Factors, SpeedMatrix},
+    solve::{self, Carriers, Factors, Inversion, SpeedMatrix},
     tree::Tree,
 };
 
@@ -40,7 +40,12 @@ pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
         } else {
             of_composite_bodies(graph, &linkage, &carriers)
         };
-        factors.inverse(graph, tree, &carriers)
+        let how = Inversion {
+            carriers: &carriers,
+            left_out: &[],
+            in_lockstep: plan.uses(Technique::Lockstep),
+        };
+        factors.inverse(graph, tree, how)
     };
     exchange::compliance(graph, &linkage, &mut inverse);
     inverse

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{
     BodySpeed, SpeedMatrix,
-    carriers::{Carriers, RootMotion},
+    carriers::{Carriers, Released, RootMotion},
 };
 use crate::{
     expr::{Expr, ExprGraph},
@@ -37,7 +37,7 @@ impl<'a> Felt<'a> {
     }
 
     /// The acceleration of a carrier in a column whose entries farther in are known.
-    fn acceleration(
+    pub(super) fn acceleration(
         &mut self,
         graph: &mut ExprGraph,
         h: &SpeedMatrix,
@@ -69,42 +69,70 @@ impl<'a> Felt<'a> {
         found
     }
 
-    /// What a row of `-L` makes of a carrier's acceleration in a column; of the row its entries of the root are read.
-    pub(super) fn share(
-        &mut self,
+    /// What a row of `-L` makes of a carrier's acceleration, of which this says whether it is all that the row feels.
+    pub(super) fn feeling(
+        &self,
         graph: &mut ExprGraph,
-        h: &SpeedMatrix,
         (own, row): (BodySpeed, &[(BodySpeed, Expr)]),
         (carrier, is_all): (BodyId, bool),
-        column: usize,
-    ) -> Expr {
-        let mut felt = self.acceleration(graph, h, carrier, column);
-        graph.enter(own.body);
+    ) -> Feeling {
+        let entry = |speed| row.iter().find(|(other, _)| other.speed == speed);
+        let root = self.carriers.root(carrier);
+        let entries = root.map(|speed| entry(speed).map_or(graph.zero(), |(_, factor)| *factor));
+        // Where the root moves as a joint on it gives way, all on it stays, and the joint itself moves back.
+        let on_root = is_all && self.carriers.own(carrier).is_none();
+        let released = on_root.then(|| self.carriers.released(self.tree, own.body));
+        Feeling {
+            entries,
+            released: released.flatten().map(|(own, is_own)| (own.clone(), is_own)),
+        }
+    }
+}
+
+/// How a speed feels a carrier.
+#[derive(Clone, Debug)]
+pub(super) struct Feeling {
+    /// What it makes of each of the motions of the root.
+    entries: RootMotion,
+    /// The joint that gives way, and whether it is the speed's own.
+    released: Option<(Released, bool)>,
+}
+
+impl Feeling {
+    /// The same of other numbers, such as those of a helper.
+    pub(super) fn map(&self, mut of: impl FnMut(Expr) -> Expr) -> Self {
+        let released = self.released.as_ref().map(|(own, is_own)| {
+            let motion = own.motion.map(&mut of);
+            let pivot = own.pivot;
+            (Released { motion, pivot }, *is_own)
+        });
+        Self {
+            entries: self.entries.map(&mut of),
+            released,
+        }
+    }
+
+    /// What is felt of a carrier's acceleration.
+    pub(super) fn of(&self, graph: &mut ExprGraph, acceleration: &RootMotion) -> Expr {
+        let mut felt = *acceleration;
         let mut sum = graph.zero();
-        let mut known = None;
-        if is_all && self.carriers.own(carrier).is_none() {
-            // Where the root moves as a joint on it gives way, all on it stays, and the joint itself moves back.
-            if let Some((released, is_own)) = self.carriers.released(self.tree, own.body) {
-                let pivot = released.pivot;
-                let part = graph.div(felt[pivot], released.motion[pivot]);
-                for (place, felt) in felt.iter_mut().enumerate() {
-                    if place != pivot {
-                        let taken = graph.mul(released.motion[place], part);
-                        *felt = graph.sub(*felt, taken);
-                    }
+        if let Some((Released { motion, pivot }, is_own)) = &self.released {
+            let part = graph.div(felt[*pivot], motion[*pivot]);
+            for (place, felt) in felt.iter_mut().enumerate() {
+                if place == *pivot {
+                    *felt = graph.zero();
+                } else {
+                    let taken = graph.mul(motion[place], part);
+                    *felt = graph.sub(*felt, taken);
                 }
-                if is_own {
-                    sum = -part;
-                }
-                known = Some(pivot);
+            }
+            if *is_own {
+                sum = -part;
             }
         }
-        for (place, speed) in self.carriers.root(carrier).into_iter().enumerate() {
-            let entry = row.iter().find(|(other, _)| other.speed == speed);
-            if let (Some(&(_, factor)), false) = (entry, known == Some(place)) {
-                let term = graph.mul(factor, felt[place]);
-                sum = graph.add(sum, term);
-            }
+        for (&factor, felt) in self.entries.iter().zip(felt) {
+            let term = graph.mul(factor, felt);
+            sum = graph.add(sum, term);
         }
         sum
     }

@@ -5,67 +5,160 @@
 //! mirror image of the other. What lies between a speed and a body farther in is
 //! eliminated from its row of L once, and serves the columns of that body and of all other branches on it.
 
-use super::{BodySpeed, Carriers, Factors, SpeedMatrix, felt::Felt, inverse, reduced::Reduced};
+use std::collections::BTreeSet;
+
+use super::{
+    BodySpeed, Carriers, Factors, SpeedMatrix, blocks,
+    felt::{Feeling, Felt},
+    inverse,
+    reduced::Reduced,
+};
 use crate::{
     expr::{Expr, ExprGraph, Purpose},
-    id::SpeedId,
+    id::{BodyId, SpeedId},
     tree::Tree,
 };
 
-impl Factors {
-    /// `A^-1`; what is structurally zero is the number zero. What branches feel passes through the carriers that
-    /// [`factorise_on_carriers`](super::factorise_on_carriers) was given.
-    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, carriers: &Carriers) -> SpeedMatrix {
-        self.inverse_but(graph, tree, carriers, &[])
-    }
+/// How an inverse is found.
+#[derive(Clone, Copy, Debug)]
+pub struct Inversion<'a> {
+    /// What branches feel passes through those that [`factorise_on_carriers`](super::factorise_on_carriers) was given.
+    pub carriers: &'a Carriers,
+    /// Whose rows and columns stay zero. Nothing else may be eliminated before these.
+    pub left_out: &'a [SpeedId],
+    /// Whether entries that follow from others alike are found four columns at a time, by helpers.
+    pub in_lockstep: bool,
+}
 
-    /// The same without the rows and columns of some speeds, which stay zero. Nothing else may be eliminated before these.
-    pub fn inverse_but(
-        &self,
-        graph: &mut ExprGraph,
-        tree: &Tree,
-        carriers: &Carriers,
-        left_out: &[SpeedId],
-    ) -> SpeedMatrix {
+impl<'a> Inversion<'a> {
+    /// The whole inverse, entry by entry.
+    pub fn by(carriers: &'a Carriers) -> Self {
+        Self {
+            carriers,
+            left_out: &[],
+            in_lockstep: false,
+        }
+    }
+}
+
+/// An inverse while it is written.
+pub(super) struct Writer<'a> {
+    pub(super) tree: &'a Tree,
+    pub(super) order: &'a [BodySpeed],
+    reduced: Reduced<'a>,
+    pub(super) felt: Felt<'a>,
+    carriers: &'a Carriers,
+    pub(super) h: SpeedMatrix,
+    /// Places, `[row, column]`, that are found or left out.
+    done: BTreeSet<[usize; 2]>,
+}
+
+/// What an entry is made of, beside the diagonal: a row of `-L`.
+#[derive(Clone, Debug)]
+pub(super) struct Rule {
+    /// The body up to which all was eliminated.
+    pub(super) foot: Option<BodyId>,
+    /// Speeds whose entries of the column it takes, with factors.
+    pub(super) direct: Vec<(BodySpeed, Expr)>,
+    /// The carrier whose acceleration it feels.
+    pub(super) felt: Option<(BodyId, Feeling)>,
+}
+
+impl Factors {
+    /// `A^-1`; what is structurally zero is the number zero.
+    pub fn inverse(&self, graph: &mut ExprGraph, tree: &Tree, how: Inversion<'_>) -> SpeedMatrix {
         graph.begin(Purpose::Inverse);
         let n = self.order.len();
-        let is_left_out = |place: usize| left_out.contains(&self.order[place].speed);
-        let mut reduced = Reduced::new(self, carriers);
-        let mut felt = Felt::new(tree, carriers);
-        let mut h = vec![vec![graph.zero(); n]; n];
-        for i in (0..n).rev() {
-            for j in (i..n).rev() {
-                if is_left_out(i) || is_left_out(j) {
+        let mut writer = Writer {
+            tree,
+            order: &self.order,
+            reduced: Reduced::new(self, how.carriers),
+            felt: Felt::new(tree, how.carriers),
+            carriers: how.carriers,
+            h: vec![vec![graph.zero(); n]; n],
+            done: BTreeSet::new(),
+        };
+        let stays = |place: &usize| !how.left_out.contains(&self.order[*place].speed);
+        let places: Vec<usize> = (0..n).rev().filter(stays).collect();
+        for (known, &i) in places.iter().enumerate() {
+            if how.in_lockstep {
+                let columns = places[..known].iter().copied();
+                let columns = columns.filter(|j| !writer.done.contains(&[i, *j]));
+                let columns: Vec<usize> = columns.collect();
+                blocks::find(graph, &mut writer, &places[known..], &columns);
+            }
+            for &j in &places[..=known] {
+                if writer.done.contains(&[i, j]) {
                     continue;
                 }
-                let (own, other) = (self.order[i], self.order[j]);
-                graph.enter(own.body);
-                let (row, foot) = reduced.row(graph, tree, i, &reduced.path(j));
-                let row = row.into_iter().map(|(a, factor)| (self.order[a], factor));
-                let row: Vec<(BodySpeed, Expr)> = row.collect();
-                graph.enter(own.body);
+                let rule = writer.rule(graph, i, j);
+                graph.enter(self.order[i].body);
                 let mut sum = graph.zero();
                 if i == j {
+                    let own = self.order[i];
                     sum = inverse(graph, own, self.pivots[own.index()]);
                 }
-                let carrier = felt.carrier(own.body, foot).filter(|_| !row.is_empty());
-                for &(a, factor) in &row {
-                    if carrier.is_none() || !carriers.contains(a.body) {
-                        let term = graph.mul(factor, h[a.index()][other.index()]);
-                        sum = graph.add(sum, term);
-                    }
-                }
-                if let Some(carrier) = carrier {
-                    let share = felt.share(graph, &h, (own, &row), carrier, other.index());
-                    sum = graph.add(sum, share);
-                }
-                let at = &tree.body(other.body).identifier;
-                let place = format!("h_{}_{at}_{}", own.coordinate, other.coordinate);
-                graph.name(sum, place);
-                h[own.index()][other.index()] = sum;
-                h[other.index()][own.index()] = sum;
+                let sum = writer.entry(graph, sum, i, &rule, j);
+                writer.set(graph, [i, j], sum);
             }
         }
-        h
+        writer.h
+    }
+}
+
+impl Writer<'_> {
+    /// What the entry of a row is made of in a column farther in, or in its own.
+    pub(super) fn rule(&mut self, graph: &mut ExprGraph, i: usize, j: usize) -> Rule {
+        let own = self.order[i];
+        graph.enter(own.body);
+        let path = self.reduced.path(j);
+        let (row, foot) = self.reduced.row(graph, self.tree, i, &path);
+        let row = row.into_iter().map(|(a, factor)| (self.order[a], factor));
+        let row: Vec<(BodySpeed, Expr)> = row.collect();
+        let carrier = self.felt.carrier(own.body, foot);
+        let felt = carrier.filter(|_| !row.is_empty()).map(|carrier| {
+            let feeling = self.felt.feeling(graph, (own, &row), carrier);
+            (carrier.0, feeling)
+        });
+        let is_felt = |body| felt.is_some() && self.carriers.contains(body);
+        let direct = row.into_iter().filter(|(a, _)| !is_felt(a.body)).collect();
+        Rule { foot, direct, felt }
+    }
+
+    /// What a rule makes of a column, added to a sum.
+    fn entry(
+        &mut self,
+        graph: &mut ExprGraph,
+        mut sum: Expr,
+        i: usize,
+        rule: &Rule,
+        j: usize,
+    ) -> Expr {
+        let column = self.order[j].index();
+        for &(a, factor) in &rule.direct {
+            let term = graph.mul(factor, self.h[a.index()][column]);
+            sum = graph.add(sum, term);
+        }
+        if let Some((carrier, feeling)) = &rule.felt {
+            let acceleration = self.felt.acceleration(graph, &self.h, *carrier, column);
+            graph.enter(self.order[i].body);
+            let share = feeling.of(graph, &acceleration);
+            sum = graph.add(sum, share);
+        }
+        sum
+    }
+
+    /// Sets an entry and its mirror image.
+    pub(super) fn set(&mut self, graph: &mut ExprGraph, [i, j]: [usize; 2], entry: Expr) {
+        let (own, other) = (self.order[i], self.order[j]);
+        graph.enter(own.body);
+        let at = &self.tree.body(other.body).identifier;
+        graph.name(
+            entry,
+            format!("h_{}_{at}_{}", own.coordinate, other.coordinate),
+        );
+        self.h[own.index()][other.index()] = entry;
+        self.h[other.index()][own.index()] = entry;
+        self.done.insert([i, j]);
     }
 }

@@ -9,9 +9,9 @@ use std::{
     sync::Arc,
 };
 
-use super::{Carriers, Factors, inverse, reduced::Reduced};
+use super::{Carriers, Factors, inverse, reduced::Reduced, shared::Shared};
 use crate::{
-    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, NodeId, Purpose},
+    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, Purpose},
     id::{BodyId, SpeedId},
     tree::Tree,
 };
@@ -50,8 +50,7 @@ impl<'a> LockstepSolver<'a> {
             factors,
             tree,
             reduced: Reduced::new(factors, carriers),
-            shared: Vec::new(),
-            places: BTreeMap::new(),
+            shared: Shared::default(),
         };
         Self {
             writer,
@@ -143,14 +142,14 @@ impl<'a> LockstepSolver<'a> {
         } = self;
         let has_all = |own: &u16| {
             let of = graph.lockstep(*own);
-            of.helpers.len() == solvers.len() && of.shared.len() == writer.shared.len()
+            of.helpers.len() == solvers.len() && of.shared.len() == writer.shared.numbers().len()
         };
         if let Some(known) = self.lockstep.filter(has_all) {
             return known;
         }
         let lockstep = graph.next_lockstep();
         let helpers = solvers.iter().map(|own| own.helper.clone()).collect();
-        graph.add_lockstep(lockstep, writer.shared.clone(), helpers);
+        graph.add_lockstep(lockstep, writer.shared.numbers().to_vec(), helpers);
         self.lockstep = Some(lockstep);
         lockstep
     }
@@ -265,23 +264,10 @@ struct Writer<'a> {
     factors: &'a Factors,
     tree: &'a Tree,
     reduced: Reduced<'a>,
-    shared: Vec<Expr>,
-    places: BTreeMap<NodeId, usize>,
+    shared: Shared,
 }
 
 impl Writer<'_> {
-    /// A number that all columns share, in a helper; what is known is written into it.
-    fn share(&mut self, graph: &ExprGraph, helper: &mut ExprGraph, own: Expr) -> Expr {
-        if let Some(number) = graph.as_number(own) {
-            return helper.number(number);
-        }
-        let place = *self.places.entry(own.node()).or_insert_with(|| {
-            self.shared.push(own.abs_sign());
-            self.shared.len() - 1
-        });
-        helper.input(Input::Shared(place)).signed(own.is_negative())
-    }
-
     /// What columns go through that are given at these speeds, and whose halves are at these places.
     fn solver(
         &mut self,
@@ -324,7 +310,7 @@ impl Writer<'_> {
             }
             for &(speed, factor) in row {
                 helper.enter(speed.body);
-                let factor = self.share(graph, helper, factor);
+                let factor = self.shared.share(graph, helper, factor);
                 let term = helper.mul(factor, b[k.index()]);
                 b[speed.index()] = helper.sub(b[speed.index()], term);
             }
@@ -347,13 +333,13 @@ impl Writer<'_> {
             let mut sum = helper.zero();
             if !helper.is_zero(b[k.index()]) {
                 let inverse = inverse(graph, k, factors.pivots[k.index()]);
-                let inverse = self.share(graph, helper, inverse);
+                let inverse = self.shared.share(graph, helper, inverse);
                 sum = helper.mul(b[k.index()], inverse);
             }
             for &(other, factor) in &row {
                 let x = b[factors.order[other].index()];
                 if !helper.is_zero(x) {
-                    let factor = self.share(graph, helper, factor);
+                    let factor = self.shared.share(graph, helper, factor);
                     let term = helper.mul(factor, x);
                     sum = helper.add(sum, term);
                 }

@@ -6,6 +6,7 @@
 //! inverted once.
 //! Does not: search pivots; a matrix that is not positive definite shows in its pivots.
 
+mod blocks;
 mod carried;
 mod carriers;
 mod felt;
@@ -14,12 +15,14 @@ mod lockstep;
 mod partitioned;
 mod projected;
 mod reduced;
+mod shared;
 mod solutions;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use carried::{factorise, factorise_on_carriers};
 pub use carriers::{Carriers, RootMotion};
+pub use inverse::Inversion;
 pub use lockstep::LockstepSolver;
 pub use partitioned::{Partitioned, partitioned};
 

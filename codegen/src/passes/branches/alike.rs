@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// Of fewer branches compilers make no vectors, and what moves between them costs as much as is saved.
-const FEWEST: usize = 3;
+fn fewest() -> usize { std::env::var("FEWEST").ok().and_then(|x| x.parse().ok()).unwrap_or(3) }
 
 /// More branches are split among several teams: longer vectors are rare.
 const MOST: usize = 8;
@@ -20,7 +20,7 @@ const MOST_BODIES: usize = 32;
 type Team = Vec<Vec<BodyId>>;
 
 /// A branch of a team.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Branch {
     /// Its team.
     pub(super) team: usize,
@@ -70,6 +70,15 @@ impl Branches {
         self.0[team].len()
     }
 
+    /// The branch of each body that is in one, and its place there.
+    pub(super) fn by_body(&self) -> BTreeMap<BodyId, (Branch, usize)> {
+        let places = self.all().flat_map(|(branch, bodies)| {
+            let bodies = bodies.iter().enumerate();
+            bodies.map(move |(place, body)| (*body, (branch, place)))
+        });
+        places.collect()
+    }
+
     /// Each branch with its bodies, which are in the same order for all of a team.
     pub(super) fn all(&self) -> impl Iterator<Item = (Branch, &[BodyId])> {
         self.0.iter().enumerate().flat_map(|(team, branches)| {
@@ -88,7 +97,7 @@ fn teams_of(tree: &Tree, kinds: &[usize], uppers: &[BodyId]) -> Vec<Team> {
     }
     let mut alike: Vec<Vec<BodyId>> = by_kind.into_values().collect();
     let bodies = |first| branch(tree, kinds, first);
-    alike.retain(|own| own.len() >= FEWEST && bodies(own[0]).len() <= MOST_BODIES);
+    alike.retain(|own| own.len() >= fewest() && bodies(own[0]).len() <= MOST_BODIES);
     alike.sort();
     let teams = alike.iter().flat_map(|own| {
         let n_teams = own.len().div_ceil(MOST);

@@ -33,7 +33,7 @@ pub fn run(
         return None;
     }
     let givens = Givens::of(tree, &branches, arguments);
-    let traced = Traced::of(&givens, graph, roots);
+    let traced = Traced::of(&branches, &givens, graph, roots);
     let mut groups = Groups::of(&branches, graph, &traced);
     let calls = Calls::of(graph, roots, &mut groups);
     let is_any = !calls.groups.is_empty() && calls.have_numbers(graph);

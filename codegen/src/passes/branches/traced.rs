@@ -3,10 +3,10 @@
 use rustc_hash::FxHashMap;
 
 use super::{
-    alike::Branch,
+    alike::{Branch, Branches},
     given::{Given, Givens},
 };
-use crate::expr::{Expr, ExprGraph, Input, Node, NodeId};
+use crate::expr::{Expr, ExprGraph, Input, Node, NodeId, Solved};
 
 /// What is known before the loop, whichever number it is.
 const KNOWN: u32 = 0;
@@ -26,6 +26,8 @@ pub(super) struct Traced {
 enum Kind {
     /// An input of a branch: its team, argument, body and place.
     Given([usize; 4]),
+    /// What a call computed for a body of a branch, lane by lane: its team, the body's place, and its own among those of the body.
+    Called([u16; 3], [usize; 3]),
     /// What has no like.
     Itself(NodeId),
     /// An operation on operands of these colours.
@@ -33,8 +35,15 @@ enum Kind {
 }
 
 impl Traced {
-    pub(super) fn of(givens: &Givens, graph: &ExprGraph, roots: &[Expr]) -> Self {
+    pub(super) fn of(
+        branches: &Branches,
+        givens: &Givens,
+        graph: &ExprGraph,
+        roots: &[Expr],
+    ) -> Self {
         let mut known: FxHashMap<Kind, u32> = FxHashMap::default();
+        let bodies = branches.by_body();
+        let mut n_called = FxHashMap::default();
         let mut traced = Self {
             branches: vec![None; graph.len()],
             colors: vec![KNOWN; graph.len()],
@@ -44,6 +53,27 @@ impl Traced {
             let node = graph.node(id);
             let (kind, branch) = match node {
                 Node::Number(_) | Node::Input(Input::Parameter(_) | Input::Prepared(_)) => continue,
+                Node::Input(Input::Solved(solved)) => {
+                    let body = graph.scope(id).and_then(|body| bodies.get(&body));
+                    match body {
+                        Some(&(branch, body)) => {
+                            let Solved {
+                                lockstep,
+                                call,
+                                lane,
+                                ..
+                            } = solved;
+                            let column = [lockstep, call, lane];
+                            let n_own = n_called.entry((column, branch, body)).or_insert(0);
+                            *n_own += 1;
+                            (
+                                Kind::Called(column, [branch.team, body, *n_own]),
+                                Some(branch),
+                            )
+                        }
+                        None => (Kind::Itself(id), None),
+                    }
+                }
                 Node::Input(input) => match givens.get(input) {
                     Some(given) => (Kind::given(given), Some(given.branch)),
                     None => (Kind::Itself(id), None),

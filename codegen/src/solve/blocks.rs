@@ -1,0 +1,189 @@
+//! Entries of an inverse that follow from others alike: those of a branch in columns beyond its foot, four columns at a time.
+//!
+//! Where all up to a body was eliminated from the rows of a branch on it, one rule makes of each column what that branch has in it:
+//! a product of matrices, written once as a helper. No lane stays empty: columns that fill none are written out.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+use super::{
+    inverse::{Rule, Writer},
+    shared::Shared,
+};
+use crate::{
+    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, Purpose},
+    id::BodyId,
+};
+
+/// What a helper is given of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Given {
+    /// The entry of a speed, by its place among the speeds.
+    Entry(usize),
+    /// A part of the acceleration of a carrier.
+    Acceleration(BodyId, usize),
+}
+
+/// A helper while it is written.
+struct Block {
+    helper: ExprGraph,
+    shared: Shared,
+    given: Vec<Given>,
+    roots: Vec<Expr>,
+}
+
+/// Finds what the first of these rows, and those that follow it on its branch, have in these columns, where it takes calls.
+pub(super) fn find(
+    graph: &mut ExprGraph,
+    writer: &mut Writer<'_>,
+    rows: &[usize],
+    columns: &[usize],
+) {
+    let mut by_foot: BTreeMap<BodyId, Vec<usize>> = BTreeMap::new();
+    for &j in columns {
+        if let Some(foot) = writer.rule(graph, rows[0], j).foot {
+            by_foot.entry(foot).or_default().push(j);
+        }
+    }
+    for (foot, mut columns) in by_foot {
+        columns.truncate(columns.len() - columns.len() % LANES);
+        if columns.is_empty() {
+            continue;
+        }
+        let branch = branch(writer, foot, rows[0]);
+        let mut rows = rows.to_vec();
+        rows.retain(|i| branch.contains(&writer.order[*i].body));
+        rows.retain(|&i| {
+            let mut columns = columns.iter();
+            columns.all(|&j| writer.rule(graph, i, j).foot == Some(foot))
+        });
+        let rule = |&i: &usize| (i, writer.rule(graph, i, columns[0]));
+        let rules: Vec<(usize, Rule)> = rows.iter().map(rule).collect();
+        let block = Block::of(graph, writer, &rules);
+        if block.is_worth_it() {
+            block.call(graph, writer, &rows, &columns);
+        }
+    }
+}
+
+/// The bodies of the branch on a body that a speed moves on.
+fn branch(writer: &Writer<'_>, foot: BodyId, i: usize) -> BTreeSet<BodyId> {
+    let tree = writer.tree;
+    let mut first = writer.order[i].body;
+    while let Some(lower) = tree.lower(first).filter(|lower| *lower != foot) {
+        first = lower;
+    }
+    let mut branch = BTreeSet::from([first]);
+    for body in tree.body_ids() {
+        if tree.lower(body).is_some_and(|lower| branch.contains(&lower)) {
+            branch.insert(body);
+        }
+    }
+    branch
+}
+
+impl Block {
+    fn of(graph: &ExprGraph, writer: &Writer<'_>, rules: &[(usize, Rule)]) -> Self {
+        let mut block = Self {
+            helper: ExprGraph::default(),
+            shared: Shared::default(),
+            given: Vec::new(),
+            roots: Vec::new(),
+        };
+        block.helper.begin(Purpose::Inverse);
+        for (i, rule) in rules {
+            let own = writer.order[*i];
+            block.helper.enter(own.body);
+            let root = block.entry(graph, rule);
+            block.helper.name(root, format!("h_{}", own.coordinate));
+            block.roots.push(root);
+        }
+        block
+    }
+
+    fn entry(&mut self, graph: &ExprGraph, rule: &Rule) -> Expr {
+        let mut sum = self.helper.zero();
+        for &(a, factor) in &rule.direct {
+            let factor = self.shared.share(graph, &mut self.helper, factor);
+            let entry = self.given(Given::Entry(a.index()));
+            let term = self.helper.mul(factor, entry);
+            sum = self.helper.add(sum, term);
+        }
+        if let Some((carrier, feeling)) = &rule.felt {
+            let acceleration = [0, 1, 2, 3, 4, 5];
+            let acceleration =
+                acceleration.map(|part| self.given(Given::Acceleration(*carrier, part)));
+            let (shared, helper) = (&mut self.shared, &mut self.helper);
+            let feeling = feeling.map(|own| shared.share(graph, helper, own));
+            let share = feeling.of(&mut self.helper, &acceleration);
+            sum = self.helper.add(sum, share);
+        }
+        sum
+    }
+
+    fn given(&mut self, own: Given) -> Expr {
+        let known = self.given.iter().position(|known| *known == own);
+        let place = known.unwrap_or_else(|| {
+            self.given.push(own);
+            self.given.len() - 1
+        });
+        self.helper.input(Input::Side(place))
+    }
+
+    /// False where calls would move more numbers than they save operations: what they are given is written and read.
+    fn is_worth_it(&self) -> bool {
+        let n_moved = 2 * self.given.len() + self.roots.len();
+        let nodes = self.helper.ids().map(|id| self.helper.node(id));
+        let n_operations = nodes.filter(|node| node.operands().next().is_some());
+        (LANES - 1) * n_operations.count() > LANES * n_moved
+    }
+
+    fn call(
+        self,
+        graph: &mut ExprGraph,
+        writer: &mut Writer<'_>,
+        rows: &[usize],
+        columns: &[usize],
+    ) {
+        let calls = columns.chunks(LANES).map(|columns| {
+            let row = |own: &Given| {
+                let column = |&j: &usize| writer.given(graph, *own, j);
+                columns.iter().map(column).collect()
+            };
+            (columns, self.given.iter().map(row).collect())
+        });
+        let calls: Vec<(&[usize], Vec<Vec<Expr>>)> = calls.collect();
+        let helper = Helper {
+            lanes: LANES,
+            graph: self.helper,
+            roots: self.roots,
+        };
+        let lockstep = graph.next_lockstep();
+        let shared = self.shared.numbers().to_vec();
+        graph.add_lockstep(lockstep, shared, vec![Arc::new(helper)]);
+        for (columns, sides) in calls {
+            let call = graph.add_call(lockstep, Call { helper: 0, sides });
+            for (lane, &j) in columns.iter().enumerate() {
+                for (place, &i) in rows.iter().enumerate() {
+                    graph.enter(writer.order[i].body);
+                    let entry = graph.solved((lockstep, call), lane, place);
+                    writer.set(graph, [i, j], entry);
+                }
+            }
+        }
+    }
+}
+
+impl Writer<'_> {
+    fn given(&mut self, graph: &mut ExprGraph, own: Given, j: usize) -> Expr {
+        let column = self.order[j].index();
+        match own {
+            Given::Entry(speed) => self.h[speed][column],
+            Given::Acceleration(carrier, part) => {
+                self.felt.acceleration(graph, &self.h, carrier, column)[part]
+            }
+        }
+    }
+}
