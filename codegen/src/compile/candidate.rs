@@ -3,7 +3,9 @@
 //! In: a function, a formulation, a plan. Out: its expressions after the passes that see one function alone, and their
 //! operations in the loop. Does not: choose.
 
+use super::branches;
 use crate::{
+    expr::{Expr, ExprGraph},
     functions::{Derived, Formulation, Request},
     passes::{factor, hoist, hoist::Preparation, sines},
     program::{self, Operations, Program},
@@ -59,13 +61,18 @@ pub fn operations(derived: &Derived) -> Operations {
     in_loop(derived).operations()
 }
 
-/// As many of them as are written down: what several columns go through alike once.
-pub(super) fn written(derived: &Derived) -> usize {
-    in_loop(derived).written()
+/// As many of them as are written down: what several columns or branches go through alike once.
+pub(super) fn text(tree: &Tree, function: &Request, derived: &Derived) -> usize {
+    let (graph, roots) = hoisted(derived);
+    branches::flattened(tree, &function.arguments(), &graph, &roots).written()
 }
 
 fn in_loop(derived: &Derived) -> Program {
-    let mut preparation = Preparation::default();
-    let (graph, roots) = hoist::run(&derived.graph, &derived.roots, "", &mut preparation);
+    let (graph, roots) = hoisted(derived);
     program::flatten(&graph, &roots)
+}
+
+fn hoisted(derived: &Derived) -> (ExprGraph, Vec<Expr>) {
+    let mut preparation = Preparation::default();
+    hoist::run(&derived.graph, &derived.roots, "", &mut preparation)
 }

@@ -15,7 +15,7 @@ use crate::{
     tree::Tree,
 };
 
-use super::candidate::{candidate, given_sines, operations, written};
+use super::candidate::{candidate, given_sines, operations, text};
 
 /// How many nodes may be built to try other choices link by link: a tenth of a second's work.
 const MOST_NODES: usize = 400_000;
@@ -74,28 +74,33 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
 }
 
 /// The plan with columns in lockstep where that makes the text of a long function shorter, or as it is.
-fn in_lockstep(
-    tree: &Tree,
-    function: &Request,
-    without: &BTreeSet<Technique>,
-    plan: Plan,
-) -> Plan {
+fn in_lockstep(tree: &Tree, function: &Request, without: &BTreeSet<Technique>, plan: Plan) -> Plan {
     let derived = |plan: &Plan| candidate(tree, function, Formulation::Recursive, plan);
     if without.contains(&Technique::Lockstep) {
         return plan;
     }
-    let least = operations(&derived(&plan)).total();
+    let one_by_one = derived(&plan);
+    let least = operations(&one_by_one).total();
     if least <= MOST_CACHED {
         return plan;
     }
+    // A tenth more operations at most.
+    let may = |derived: &Derived| 10 * operations(derived).total() <= 11 * least;
+    let text = |derived: &Derived| text(tree, function, derived);
     let lockstep = plan.with(Technique::Lockstep, true);
-    let derived = derived(&lockstep);
-    // A tenth more operations at most, for a text that is a fifth shorter at least.
-    let is_worth = 10 * operations(&derived).total() <= 11 * least;
-    if is_worth && 5 * written(&derived) <= 4 * least {
-        lockstep
+    let solved = derived(&lockstep);
+    if !may(&solved) || 5 * text(&solved) > 4 * text(&one_by_one) {
+        return plan;
+    }
+    if !function.differentiates_accelerations() {
+        return lockstep;
+    }
+    let twice = lockstep.with_calls_twice(true);
+    let passing = derived(&twice);
+    if may(&passing) && 10 * text(&passing) <= 9 * text(&solved) {
+        twice
     } else {
-        plan
+        lockstep
     }
 }
 

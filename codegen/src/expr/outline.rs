@@ -18,6 +18,8 @@ impl ExprGraph {
             graph: outline.helper,
             roots: varying.iter().flatten().copied().collect(),
         };
+        let sides = outline.sides.iter().map(|own| sides[*own].clone());
+        let sides = sides.collect();
         let lockstep = self.next_lockstep();
         self.add_lockstep(lockstep, outline.shared, vec![Arc::new(helper)]);
         let lanes = self.call(lockstep, Call { helper: 0, sides }).into_iter();
@@ -40,6 +42,8 @@ struct Outline<'a> {
     varying: Vec<Option<Expr>>,
     shared: Vec<Expr>,
     places: BTreeMap<NodeId, usize>,
+    /// The sides that are needed.
+    sides: Vec<usize>,
 }
 
 impl<'a> Outline<'a> {
@@ -50,6 +54,7 @@ impl<'a> Outline<'a> {
             varying: vec![None; graph.len()],
             shared: Vec::new(),
             places: BTreeMap::new(),
+            sides: Vec::new(),
         };
         let needed = graph.reachable(roots);
         for id in graph.ids().filter(|id| needed[id.index()]) {
@@ -63,8 +68,12 @@ impl<'a> Outline<'a> {
     }
 
     /// Takes a node that depends on sides.
-    fn take(&mut self, id: NodeId, node: Node) {
+    fn take(&mut self, id: NodeId, mut node: Node) {
         self.helper.enter_like(self.graph, id);
+        if let Node::Input(Input::Side(place)) = &mut node {
+            self.sides.push(*place);
+            *place = self.sides.len() - 1;
+        }
         let operands: BTreeMap<NodeId, Expr> = node
             .operands()
             .map(|operand| (operand, self.operand(operand)))

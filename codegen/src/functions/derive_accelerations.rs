@@ -2,11 +2,13 @@
 
 use super::{argument::Argument, derive, derive_derivatives::add_mechanics, function::Told};
 use crate::{
-    expr::{Expr, ExprGraph, Input, Purpose},
+    expr::{Expr, ExprGraph, Input, LANES, Purpose},
     given::{self, Accelerations, Loads, mechanics, orientation},
     id::{BodyId, SpeedId},
     recursive::{
-        Plan, Technique, derivatives, derivatives::Derivatives, gravity, inverse_dynamics,
+        Plan, Technique, derivatives,
+        derivatives::{Derivatives, Wanted},
+        gravity, inverse_dynamics,
     },
     solve::{self, Carriers, Factors, Inversion, LockstepSolver, SpeedMatrix},
     tree::{Orientation, Tree, Value},
@@ -38,12 +40,13 @@ pub(super) fn loaded_forward_dynamics(graph: &mut ExprGraph, tree: &Tree, plan: 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.
 fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Told {
     let zero = Accelerations::Zero;
-    // Columns pass twice and share what they have in common, which calls would not.
     let in_lockstep = plan.uses(Technique::Lockstep);
-    let plan = &plan.with(Technique::Lockstep, false);
+    // Columns pass twice and share what they have in common, which calls do not.
+    let plan = &plan.with(Technique::Lockstep, in_lockstep && plan.calls_twice());
     let needed = Needed { tree, plan, loads };
     // What is said of the mass matrix does not depend on accelerations, so that it is there for them.
-    let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads);
+    let wanted = Wanted::BY_SPEEDS_AND_ACCELERATIONS;
+    let found = derivatives::of_inverse_dynamics(graph, tree, plan, zero, loads, wanted);
     let mut bias = bias_of(graph, tree, plan, loads, &found.by_u);
     mechanics::add_forces(graph, tree, zero, &mut bias);
     let mut net = derive::applied(graph, tree);
@@ -89,17 +92,24 @@ impl Needed<'_> {
     }
 
     /// The same at accelerations.
-    fn columns_at(&self, graph: &mut ExprGraph, u_dot: &[Expr]) -> [Vec<Vec<Expr>>; 2] {
+    fn columns_at(
+        &self,
+        graph: &mut ExprGraph,
+        u_dot: &[Expr],
+        wanted: Wanted,
+    ) -> [Vec<Vec<Expr>>; 2] {
         let given = Accelerations::Values(u_dot);
-        let found =
-            derivatives::of_inverse_dynamics(graph, self.tree, self.plan, given, self.loads);
+        let Self {
+            tree, plan, loads, ..
+        } = *self;
+        let found = derivatives::of_inverse_dynamics(graph, tree, plan, given, loads, wanted);
         self.columns(graph, found)
     }
 
     fn solved(&self, graph: &mut ExprGraph, factors: &Factors, net: Vec<Expr>) -> Solved {
         let u_dot = factors.solve(graph, net);
         let inverse = factors.inverse(graph, self.tree, Inversion::by(&Carriers::default()));
-        let columns = self.columns_at(graph, &u_dot).concat();
+        let columns = self.columns_at(graph, &u_dot, Wanted::ALL).concat();
         let negative = columns.into_iter().map(negated).collect::<Vec<_>>();
         let solved = factors.solutions(graph, self.tree, &negative);
         let (by_q, by_u) = solved.split_at(self.tree.n_speeds);
@@ -140,10 +150,11 @@ impl Needed<'_> {
         let how = Inversion {
             carriers: &none,
             left_out: &filling,
-            in_lockstep: true,
+            // No more lanes stay empty than are taken.
+            in_lockstep: Some(LANES / 2),
         };
         let mut inverse = factors.inverse(graph, tree, how);
-        let [by_q, _] = self.columns_at(graph, &u_dot);
+        let [by_q, _] = self.columns_at(graph, &u_dot, Wanted::BY_COORDINATES);
         let mut late = of_later(by_q);
         late.extend(filling.iter().map(|own| solver.unit(graph, *own)));
         let mut late = solver.solve(graph, &late).into_iter();

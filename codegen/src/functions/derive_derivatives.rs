@@ -5,7 +5,10 @@ use crate::{
     differentiate::{Seeds, forward},
     expr::ExprGraph,
     given::{Accelerations, Loads},
-    recursive::{Plan, derivatives},
+    recursive::{
+        Plan,
+        derivatives::{self, Wanted},
+    },
     solve::SpeedMatrix,
     tree::Tree,
 };
@@ -28,7 +31,8 @@ fn of_forces(
     plan: &Plan,
     (accelerations, loads): (Accelerations<'_>, Loads),
 ) -> Told {
-    let found = derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads);
+    let found =
+        derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads, Wanted::ALL);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
     if accelerations == Accelerations::Given {
         all.push((Argument::UDot, found.by_u_dot));

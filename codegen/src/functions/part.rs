@@ -430,6 +430,10 @@ impl Part {
                 return values;
             }
         }
+        // No sweep goes through calls.
+        let is_swept = self.derivative.is_some();
+        let one_by_one = is_swept.then(|| plan.with(Technique::Lockstep, false));
+        let plan = one_by_one.as_ref().unwrap_or(plan);
         candidate.derive_in(derived, tree, plan, self.subject.as_ref());
         if let Some(derivative) = &self.derivative {
             let own = |dimension| self.own_length(dimension, tree, 0);

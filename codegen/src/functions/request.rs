@@ -260,6 +260,12 @@ impl Request {
         parts.any(Part::has_own_way)
     }
 
+    /// True where some of these are of accelerations that forces make.
+    pub fn differentiates_accelerations(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.any(|part| part.has_own_way() && part.function.needed.is_some())
+    }
+
     /// True where some part is a second derivative.
     pub fn is_second_derivative(&self) -> bool {
         self.parts.iter().any(Part::is_second_derivative)

@@ -6,7 +6,7 @@ use super::{
     plan::{Plan, Technique},
 };
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, LANES},
     given::mechanics,
     solve::{self, Carriers, Factors, Inversion, SpeedMatrix},
     tree::Tree,
@@ -43,7 +43,8 @@ pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
         let how = Inversion {
             carriers: &carriers,
             left_out: &[],
-            in_lockstep: plan.uses(Technique::Lockstep),
+            // No lane stays empty.
+            in_lockstep: plan.uses(Technique::Lockstep).then_some(LANES),
         };
         factors.inverse(graph, tree, how)
     };

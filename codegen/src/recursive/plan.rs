@@ -87,6 +87,7 @@ pub struct Plan {
     used: BTreeSet<Technique>,
     regroup: Vec<Regroup>,
     parallel: Vec<bool>,
+    calls_twice: bool,
 }
 
 /// How much second moment along its axis a link gives its lower link, with all mass and first moment along it: so much that
@@ -119,6 +120,7 @@ impl Plan {
             used: BTreeSet::new(),
             regroup: vec![Regroup::Second; tree.bodies.len()],
             parallel: vec![true; tree.bodies.len()],
+            calls_twice: false,
         }
     }
 
@@ -151,6 +153,21 @@ impl Plan {
     /// True where the technique is used.
     pub fn uses(&self, technique: Technique) -> bool {
         self.used.contains(&technique)
+    }
+
+    /// True where columns of accelerations that are solved for in lockstep pass inward in lockstep too: once for the accelerations, and
+    /// once more at these. What both times have in common is then computed twice.
+    pub fn calls_twice(&self) -> bool {
+        self.calls_twice
+    }
+
+    /// The same with columns that pass in lockstep, or one by one.
+    #[must_use]
+    pub fn with_calls_twice(&self, calls_twice: bool) -> Self {
+        Self {
+            calls_twice,
+            ..self.clone()
+        }
     }
 
     /// What a link gives its lower link.

@@ -1,7 +1,7 @@
 //! Entries of an inverse that follow from others alike: those of a branch in columns beyond its foot, four columns at a time.
 //!
 //! Where all up to a body was eliminated from the rows of a branch on it, one rule makes of each column what that branch has in it:
-//! a product of matrices, written once as a helper. No lane stays empty: columns that fill none are written out.
+//! a product of matrices, written once as a helper.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -34,12 +34,13 @@ struct Block {
     roots: Vec<Expr>,
 }
 
-/// Finds what the first of these rows, and those that follow it on its branch, have in these columns, where it takes calls.
+/// Finds what the first of these rows, and those that follow it on its branch, have in these columns, where it takes calls. Fewer
+/// than so many columns that are left are written out.
 pub(super) fn find(
     graph: &mut ExprGraph,
     writer: &mut Writer<'_>,
-    rows: &[usize],
-    columns: &[usize],
+    (rows, columns): (&[usize], &[usize]),
+    fewest: usize,
 ) {
     let mut by_foot: BTreeMap<BodyId, Vec<usize>> = BTreeMap::new();
     for &j in columns {
@@ -48,7 +49,10 @@ pub(super) fn find(
         }
     }
     for (foot, mut columns) in by_foot {
-        columns.truncate(columns.len() - columns.len() % LANES);
+        let n_left = columns.len() % LANES;
+        if n_left < fewest {
+            columns.truncate(columns.len() - n_left);
+        }
         if columns.is_empty() {
             continue;
         }
@@ -77,7 +81,10 @@ fn branch(writer: &Writer<'_>, foot: BodyId, i: usize) -> BTreeSet<BodyId> {
     }
     let mut branch = BTreeSet::from([first]);
     for body in tree.body_ids() {
-        if tree.lower(body).is_some_and(|lower| branch.contains(&lower)) {
+        if tree
+            .lower(body)
+            .is_some_and(|lower| branch.contains(&lower))
+        {
             branch.insert(body);
         }
     }
@@ -150,7 +157,9 @@ impl Block {
         let calls = columns.chunks(LANES).map(|columns| {
             let row = |own: &Given| {
                 let column = |&j: &usize| writer.given(graph, *own, j);
-                columns.iter().map(column).collect()
+                let mut row: Vec<Expr> = columns.iter().map(column).collect();
+                row.resize(LANES, graph.zero());
+                row
             };
             (columns, self.given.iter().map(row).collect())
         });

@@ -78,14 +78,18 @@ impl<'a> Felt<'a> {
     ) -> Feeling {
         let entry = |speed| row.iter().find(|(other, _)| other.speed == speed);
         let root = self.carriers.root(carrier);
-        let entries = root.map(|speed| entry(speed).map_or(graph.zero(), |(_, factor)| *factor));
+        let mut entries =
+            root.map(|speed| entry(speed).map_or(graph.zero(), |(_, factor)| *factor));
         // Where the root moves as a joint on it gives way, all on it stays, and the joint itself moves back.
         let on_root = is_all && self.carriers.own(carrier).is_none();
         let released = on_root.then(|| self.carriers.released(self.tree, own.body));
-        Feeling {
-            entries,
-            released: released.flatten().map(|(own, is_own)| (own.clone(), is_own)),
+        let released = released
+            .flatten()
+            .map(|(own, is_own)| (own.clone(), is_own));
+        if let Some((released, _)) = &released {
+            entries[released.pivot] = graph.zero();
         }
+        Feeling { entries, released }
     }
 }
 
@@ -119,9 +123,7 @@ impl Feeling {
         if let Some((Released { motion, pivot }, is_own)) = &self.released {
             let part = graph.div(felt[*pivot], motion[*pivot]);
             for (place, felt) in felt.iter_mut().enumerate() {
-                if place == *pivot {
-                    *felt = graph.zero();
-                } else {
+                if place != *pivot {
                     let taken = graph.mul(motion[place], part);
                     *felt = graph.sub(*felt, taken);
                 }

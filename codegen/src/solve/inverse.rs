@@ -26,8 +26,8 @@ pub struct Inversion<'a> {
     pub carriers: &'a Carriers,
     /// Whose rows and columns stay zero. Nothing else may be eliminated before these.
     pub left_out: &'a [SpeedId],
-    /// Whether entries that follow from others alike are found four columns at a time, by helpers.
-    pub in_lockstep: bool,
+    /// Entries that follow from others alike are found four columns at a time, by helpers, where so many columns or more are left.
+    pub in_lockstep: Option<usize>,
 }
 
 impl<'a> Inversion<'a> {
@@ -36,7 +36,7 @@ impl<'a> Inversion<'a> {
         Self {
             carriers,
             left_out: &[],
-            in_lockstep: false,
+            in_lockstep: None,
         }
     }
 }
@@ -81,11 +81,12 @@ impl Factors {
         let stays = |place: &usize| !how.left_out.contains(&self.order[*place].speed);
         let places: Vec<usize> = (0..n).rev().filter(stays).collect();
         for (known, &i) in places.iter().enumerate() {
-            if how.in_lockstep {
+            if let Some(fewest) = how.in_lockstep {
                 let columns = places[..known].iter().copied();
                 let columns = columns.filter(|j| !writer.done.contains(&[i, *j]));
                 let columns: Vec<usize> = columns.collect();
-                blocks::find(graph, &mut writer, &places[known..], &columns);
+                let entries = (&places[known..], &columns[..]);
+                blocks::find(graph, &mut writer, entries, fewest);
             }
             for &j in &places[..=known] {
                 if writer.done.contains(&[i, j]) {

@@ -396,6 +396,8 @@ fn a_quadruped_s_legs_are_written_once() {
     // Legs on both sides, mirror images of one another: all but what they give the trunk and take from it.
     insta::assert_snapshot!(written("inverse_dynamics"), @"406 of 1189");
     insta::assert_snapshot!(written("d(inverse_dynamics)/d(q, u, u_dot)"), @"1541 of 4490");
+    // Behind the calls that solve for accelerations legs go on side by side.
+    insta::assert_snapshot!(written("d(forward_dynamics)/d(q, u, tau)"), @"5104 of 9016");
     insta::assert_snapshot!(written("regressor_packed"), @"878 of 2831");
 }
 

@@ -18,16 +18,29 @@ use crate::{
     frames::{relative, request, system},
 };
 
-/// One set of columns, two of them in one function, and columns without what the tree makes zero.
-const REQUESTS: [&str; 3] = [
+/// One set of columns, two of them in one function, columns without what the tree makes zero, those of the inverse, and what has
+/// calls beside a sweep that goes through none.
+const REQUESTS: [&str; 6] = [
     "d(forward_dynamics)/d(q, u, tau)",
     "forward_dynamics+d(forward_dynamics)/d(u, q)+d(loaded_forward_dynamics)/d(q)",
     "packed(d(forward_dynamics)/d(q, u))",
+    "d(inverse_dynamics)/d(q, u, u_dot)",
+    "mass_matrix_inverse",
+    "mass_matrix_inverse_packed+vjp(mass_matrix_inverse_packed; q)",
 ];
 
-fn derived(tree: &Tree, text: &str, is_in_lockstep: bool) -> Derived {
-    let plan = Plan::full(tree).with(Technique::Lockstep, is_in_lockstep);
-    compile::candidate(tree, &request(tree, text), Formulation::Recursive, &plan)
+fn derived(tree: &Tree, text: &str, plan: &Plan) -> Derived {
+    compile::candidate(tree, &request(tree, text), Formulation::Recursive, plan)
+}
+
+/// All one by one, and the ways in which columns go together: those that are solved for, and those that pass inward too.
+fn plans(tree: &Tree) -> [Plan; 3] {
+    let lockstep = Plan::full(tree);
+    [
+        lockstep.with(Technique::Lockstep, false),
+        lockstep.clone(),
+        lockstep.with_calls_twice(true),
+    ]
 }
 
 /// What is emitted, and the values that were computed before.
@@ -44,31 +57,37 @@ fn n_calls(program: &Program) -> usize {
 
 #[test]
 fn columns_in_lockstep_are_those_one_by_one() {
-    let mut n_with_calls = 0;
+    let mut n_with_calls = [[0; REQUESTS.len()]; 2];
     for seed in trees::tried(561..=584) {
         let (_, tree) = system(seed);
         let state = State::random(&tree, seed);
         let given = |own: Input| input(&tree, &state, own);
-        for text in REQUESTS {
-            let [one_by_one, lockstep] = [false, true].map(|is| derived(&tree, text, is));
+        let [one_by_one, together @ ..] = plans(&tree);
+        for (place, text) in REQUESTS.into_iter().enumerate() {
+            let one_by_one = derived(&tree, text, &one_by_one);
             let expected = one_by_one.graph.evaluate(&one_by_one.roots, given);
-            let found = lockstep.graph.evaluate(&lockstep.roots, given);
-            let what = format!("{seed}, {text}");
-            // The same rows of factors, some of them before and some after what lies between was eliminated.
-            assert_within(&what, relative(&found, &expected), INVERTED);
-            let (program, prepared) = emitted(&tree, &lockstep);
-            n_with_calls += usize::from(n_calls(&program) > 0);
-            for program in [program.clone(), program::fuse(program)] {
-                assert_eq!(program::verify(&program), Ok(()), "{what}");
-                let own = program.evaluate(|own| match own {
-                    Input::Prepared(place) => prepared[place],
-                    own => given(own),
-                });
-                assert_within(&what, relative(&own, &found), INVERTED);
+            for (way, plan) in together.iter().enumerate() {
+                let lockstep = derived(&tree, text, plan);
+                let found = lockstep.graph.evaluate(&lockstep.roots, given);
+                let what = format!("{seed}, {text}, way {way}");
+                // The same rows of factors, some of them before and some after what lies between was eliminated.
+                assert_within(&what, relative(&found, &expected), INVERTED);
+                let (program, prepared) = emitted(&tree, &lockstep);
+                n_with_calls[way][place] += usize::from(n_calls(&program) > 0);
+                for program in [program.clone(), program::fuse(program)] {
+                    assert_eq!(program::verify(&program), Ok(()), "{what}");
+                    let own = program.evaluate(|own| match own {
+                        Input::Prepared(place) => prepared[place],
+                        own => given(own),
+                    });
+                    assert_within(&what, relative(&own, &found), INVERTED);
+                }
             }
         }
     }
-    assert!(n_with_calls > 20, "{n_with_calls} functions have calls");
+    let mut all = n_with_calls.iter().flatten();
+    assert!(all.all(|n| *n > 1), "functions with calls: {n_with_calls:?}");
+}");
 }
 
 /// The humanoid: its legs, its arms and its trunk are columns of different helpers.
@@ -83,8 +102,8 @@ fn humanoid() -> Tree {
 #[test]
 fn calls_count_for_every_lane_and_their_text_once() {
     let tree = humanoid();
-    let [flat, lockstep] = [false, true].map(|is| {
-        let derived = derived(&tree, REQUESTS[0], is);
+    let [flat, lockstep, twice] = plans(&tree).map(|plan| {
+        let derived = derived(&tree, REQUESTS[0], &plan);
         emitted(&tree, &derived).0
     });
     let of_helpers = |own: &Instruction| match own {
@@ -106,12 +125,15 @@ fn calls_count_for_every_lane_and_their_text_once() {
     };
     assert!(3 * text(&lockstep) < 2 * text(&flat));
     assert!(n_calls(&lockstep) > lockstep.helpers.len());
+    // Columns that pass inward together too need a tenth less text.
+    assert!(operations < twice.operations().total());
+    assert!(10 * text(&twice) < 9 * text(&lockstep));
 }
 
 #[test]
 fn no_lane_of_the_calls_of_an_arm_stays_empty() {
     let tree = read("tests/robots/panda/panda.urdf", &Reading::default());
-    let (program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], true));
+    let (program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], &Plan::full(&tree)));
     let calls = program.instructions.iter().filter_map(|own| match own {
         Instruction::Call { results, .. } => Some(results),
         _ => None,
@@ -129,7 +151,7 @@ fn no_lane_of_the_calls_of_an_arm_stays_empty() {
 /// The program with calls after a fault is planted in it.
 fn planted(plant: impl Fn(&mut Vec<Instruction>)) -> Result<(), VerifyError> {
     let (_, tree) = system(562);
-    let (mut program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], true));
+    let (mut program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], &Plan::full(&tree)));
     assert!(n_calls(&program) > 0);
     plant(&mut program.instructions);
     program::verify(&program)

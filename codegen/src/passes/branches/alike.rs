@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// Of fewer branches compilers make no vectors, and what moves between them costs as much as is saved.
-fn fewest() -> usize { std::env::var("FEWEST").ok().and_then(|x| x.parse().ok()).unwrap_or(3) }
+const FEWEST: usize = 3;
 
 /// More branches are split among several teams: longer vectors are rare.
 const MOST: usize = 8;
@@ -97,7 +97,7 @@ fn teams_of(tree: &Tree, kinds: &[usize], uppers: &[BodyId]) -> Vec<Team> {
     }
     let mut alike: Vec<Vec<BodyId>> = by_kind.into_values().collect();
     let bodies = |first| branch(tree, kinds, first);
-    alike.retain(|own| own.len() >= fewest() && bodies(own[0]).len() <= MOST_BODIES);
+    alike.retain(|own| own.len() >= FEWEST && bodies(own[0]).len() <= MOST_BODIES);
     alike.sort();
     let teams = alike.iter().flat_map(|own| {
         let n_teams = own.len().div_ceil(MOST);

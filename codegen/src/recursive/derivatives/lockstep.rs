@@ -10,6 +10,7 @@ use super::{
     },
     carried::{Carried, Derivatives},
     column::Column,
+    wanted::Wanted,
     way::Went,
 };
 use crate::{
@@ -23,6 +24,7 @@ pub(super) struct Inward<'a, 'b> {
     pub(super) ways: &'a BodyMap<Went>,
     pub(super) shortcuts: &'a mut Shortcuts<'b>,
     pub(super) found: &'a mut Derivatives,
+    pub(super) wanted: Wanted,
 }
 
 /// An entry that is read off a column on its way.
@@ -59,21 +61,33 @@ impl Inward<'_, '_> {
                 sides.push(lanes.to_vec());
             }
         }
-        let reads = self.reads(graph, at, &one);
+        let reads = self.reads(graph, at, &one).into_iter();
+        let (reads, others): (Vec<Read>, Vec<Read>) =
+            reads.partition(|read| self.wanted.matrices()[read.matrix]);
+        for read in others {
+            for column in &group {
+                *self.entry(&read, column) = graph.one();
+            }
+        }
         let values: Vec<Expr> = reads.iter().map(|read| read.value).collect();
         graph.enter(at);
         let lanes = graph.call_outlined(&values, sides);
         for (column, lane) in group.iter().zip(lanes) {
-            let own = column.carrying.motion.speed.index();
             for (read, value) in reads.iter().zip(lane) {
-                let matrix = &mut *self.found.matrices_mut()[read.matrix];
-                let entry = if read.is_column {
-                    &mut matrix[read.speed][own]
-                } else {
-                    &mut matrix[own][read.speed]
-                };
+                let entry = self.entry(read, column);
                 *entry = graph.add(*entry, value);
             }
+        }
+    }
+
+    /// Where what is read off a column stands.
+    fn entry(&mut self, read: &Read, column: &Column) -> &mut Expr {
+        let own = column.carrying.motion.speed.index();
+        let matrix = &mut *self.found.matrices_mut()[read.matrix];
+        if read.is_column {
+            &mut matrix[read.speed][own]
+        } else {
+            &mut matrix[own][read.speed]
         }
     }
 
@@ -128,14 +142,15 @@ impl Inward<'_, '_> {
     }
 }
 
-/// Four columns of a kind, the first, taken from those at a link.
+/// Four columns of a kind, the first, taken from those at a link; in the order of their speeds, in which matrices have them.
 fn taken(columns: &mut Vec<Column>) -> Option<[Column; LANES]> {
     let group = columns.iter().enumerate().find_map(|(first, column)| {
         let alike = (first..columns.len()).filter(|&other| column.is_like(&columns[other]));
         let alike: Vec<usize> = alike.take(LANES).collect();
         <[usize; LANES]>::try_from(alike).ok()
     })?;
-    let taken = group.map(|place| columns[place]);
+    let mut taken = group.map(|place| columns[place]);
+    taken.sort_by_key(|column| column.carrying.motion.speed);
     for place in group.into_iter().rev() {
         columns.remove(place);
     }

@@ -14,9 +14,10 @@ mod column;
 mod displaced;
 mod lockstep;
 mod reader;
+mod wanted;
 mod way;
 
-pub use self::carried::Derivatives;
+pub use self::{carried::Derivatives, wanted::Wanted};
 
 use self::{carried::Carried, column::Column, lockstep::Inward, way::ways};
 use super::{
@@ -40,6 +41,7 @@ pub fn of_inverse_dynamics(
     plan: &Plan,
     accelerations: Accelerations<'_>,
     loads: Loads,
+    wanted: Wanted,
 ) -> Derivatives {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let mut wrenches = loaded::needed(graph, &linkage, accelerations, loads);
@@ -93,6 +95,7 @@ pub fn of_inverse_dynamics(
                     ways: &ways,
                     shortcuts: &mut shortcuts,
                     found: &mut found,
+                    wanted,
                 };
                 inward.send(graph, lower, &mut columns[lower]);
             }
