@@ -86,8 +86,10 @@ fn columns_in_lockstep_are_those_one_by_one() {
         }
     }
     let mut all = n_with_calls.iter().flatten();
-    assert!(all.all(|n| *n > 1), "functions with calls: {n_with_calls:?}");
-}");
+    assert!(
+        all.all(|n| *n > 1),
+        "functions with calls: {n_with_calls:?}"
+    );
 }
 
 /// The humanoid: its legs, its arms and its trunk are columns of different helpers.
