@@ -9,29 +9,95 @@ use super::{
 };
 
 impl ExprGraph {
-    /// What `roots` are for each column of `sides`: they were derived on [`Input::Side`]s in the place of these.
-    pub fn call_outlined(&mut self, roots: &[Expr], sides: Vec<Vec<Expr>>) -> Vec<Vec<Expr>> {
-        let outline = Outline::of(self, roots);
-        let varying: Vec<Option<Expr>> = roots.iter().map(|root| outline.varying(*root)).collect();
+    /// What `roots` are for each column of `sides`: they were derived on [`Input::Side`]s in the place of these. What is alike has one
+    /// helper, and what is the same one call.
+    pub fn call_outlined(&mut self, roots: &[Expr], sides: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+        let lanes = sides[0].len();
+        let is_computed = |own: &Expr| self.side(*own).is_none();
+        let computed: Vec<Expr> = roots.iter().copied().filter(is_computed).collect();
+        let outline = Outline::of(self, &computed);
+        let varying = |own: &Expr| outline.varying(*own).filter(|_| is_computed(own));
+        let varying: Vec<Option<Expr>> = roots.iter().map(varying).collect();
+        let own_sides = outline.sides.iter().map(|own| sides[*own].clone());
+        let own_sides: Vec<Vec<Expr>> = own_sides.collect();
         let helper = Helper {
-            lanes: sides[0].len(),
+            lanes,
             graph: outline.helper,
             roots: varying.iter().flatten().copied().collect(),
         };
-        let sides = outline.sides.iter().map(|own| sides[*own].clone());
-        let sides = sides.collect();
-        let lockstep = self.next_lockstep();
-        self.add_lockstep(lockstep, outline.shared, vec![Arc::new(helper)]);
-        let lanes = self.call(lockstep, Call { helper: 0, sides }).into_iter();
-        let lanes = lanes.map(|lane| {
-            let mut lane = lane.into_iter();
+        let is_call = !helper.roots.is_empty();
+        let shared = outline.shared;
+        let call = is_call.then(|| self.once(helper, shared, own_sides));
+        let column = |graph: &mut Self, lane: usize| {
+            let mut place = 0;
             let all = roots.iter().zip(&varying);
-            // What does not depend on sides is the same for all.
-            let own = all.map(|(root, varies)| varies.and_then(|_| lane.next()).unwrap_or(*root));
+            let own = all.map(|(root, varies)| {
+                if let Some(side) = graph.side(*root) {
+                    return sides[side][lane].signed(root.is_negative());
+                }
+                // What does not depend on sides is the same for all.
+                let (Some(call), Some(_)) = (call, varies) else {
+                    return *root;
+                };
+                place += 1;
+                graph.solved(call, lane, place - 1)
+            });
             own.collect()
-        });
-        lanes.collect()
+        };
+        (0..lanes).map(|lane| column(self, lane)).collect()
     }
+
+    /// The side that an expression is, or the negative of.
+    fn side(&self, expr: Expr) -> Option<usize> {
+        match self.node(expr.node()) {
+            Node::Input(Input::Side(place)) => Some(place),
+            _ => None,
+        }
+    }
+
+    /// The call of a helper on columns, which may be there already.
+    fn once(
+        &mut self,
+        helper: Helper<Self>,
+        shared: Vec<Expr>,
+        sides: Vec<Vec<Expr>>,
+    ) -> (u16, u16) {
+        let known = self.locksteps.iter();
+        let mut known =
+            known.filter(|(_, own)| own.helpers.len() == 1 && is_same(&own.helpers[0], &helper));
+        let alike = known.clone().next().map(|(_, own)| own.helpers[0].clone());
+        let there = known.find(|(_, own)| own.shared == shared);
+        let there = there.map(|(number, own)| {
+            let mut calls = own.calls.iter();
+            (
+                *number,
+                calls
+                    .find(|(_, call)| call.sides == sides)
+                    .map(|(call, _)| *call),
+            )
+        });
+        let lockstep = match there {
+            Some((lockstep, Some(call))) => return (lockstep, call),
+            Some((lockstep, None)) => lockstep,
+            None => {
+                let lockstep = self.next_lockstep();
+                let helper = alike.unwrap_or_else(|| Arc::new(helper));
+                self.add_lockstep(lockstep, shared, vec![helper]);
+                lockstep
+            }
+        };
+        (lockstep, self.add_call(lockstep, Call { helper: 0, sides }))
+    }
+}
+
+/// True for helpers that do the same.
+fn is_same(one: &Helper<ExprGraph>, other: &Helper<ExprGraph>) -> bool {
+    let (a, b) = (&one.graph, &other.graph);
+    let are_same = |id: NodeId| a.node(id) == b.node(id);
+    one.lanes == other.lanes
+        && one.roots == other.roots
+        && a.len() == b.len()
+        && a.ids().all(are_same)
 }
 
 /// A helper while it is taken out of a graph.

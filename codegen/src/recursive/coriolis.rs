@@ -154,6 +154,24 @@ pub(super) struct Masses<'a> {
 }
 
 impl Column {
+    /// That of a turn, where it is known: what is needed, momentum and couple.
+    pub(super) fn of_known_turn(
+        graph: &mut ExprGraph,
+        body: BodyId,
+        (motion, axis): (Motion, usize),
+        [needed, momentum]: [Wrench; 2],
+        couple: Vector,
+    ) -> Self {
+        Self {
+            body,
+            motion,
+            place: axis,
+            needed: Levered::new(graph, needed),
+            momentum: Levered::new(graph, momentum),
+            couple,
+        }
+    }
+
     /// That of a turn about an axis of a link that moves so.
     pub(super) fn of_turn(
         graph: &mut ExprGraph,

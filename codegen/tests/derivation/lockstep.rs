@@ -1,5 +1,7 @@
 //! Columns that go through one text four at a time, against columns one by one.
 
+use std::fmt::Write as _;
+
 use kane_codegen::{
     compile,
     description::{Base, Reading},
@@ -9,7 +11,11 @@ use kane_codegen::{
     recursive::{Plan, Technique},
     tree::Tree,
 };
-use kane_test_support::{compare::assert_within, dynamics::State, systems::trees};
+use kane_test_support::{
+    compare::assert_within,
+    dynamics::State,
+    systems::{tree, trees},
+};
 
 use crate::{
     compiled::read,
@@ -90,6 +96,61 @@ fn columns_in_lockstep_are_those_one_by_one() {
         all.all(|n| *n > 1),
         "functions with calls: {n_with_calls:?}"
     );
+}
+
+/// A floating arm of twelve hinges about different axes.
+fn arm() -> Tree {
+    let n_bodies = 13;
+    let lower: Vec<usize> = (0..n_bodies).collect();
+    let mut text =
+        format!("name = \"arm\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = {lower:?}\n");
+    for body in 1..=n_bodies {
+        let [a, b, c, d] = [0.3, 0.35, 0.4, 0.01].map(|own| own + f64::from(body as u8) / 1000.0);
+        let axis = [
+            "1.0, 0.0, 0.0",
+            "0.0, 1.0, 0.0",
+            "0.0, 0.0, 1.0",
+            "0.6, 0.0, 0.8",
+        ][body % 4];
+        let joint = if body == 1 {
+            "joint = \"free\"\nchart = \"quaternion\"".to_owned()
+        } else {
+            format!("joint = \"revolute\"\naxis = [{axis}]")
+        };
+        writeln!(
+            text,
+            "\n[[body]]\nname = \"b{body}\"\nmass = {a}\nmass_center = [{a}, {b}, {c}]\n\
+            inertia = {{ xx = {a}, yy = {b}, zz = {c}, xy = {d}, xz = {d}, yz = {d} }}\n\
+            attachment = [{b}, {c}, {a}]\n{joint}"
+        )
+        .expect("a String takes any text");
+    }
+    tree(&text).expect("a right description")
+}
+
+#[test]
+fn hinges_that_begin_alike_are_those_one_by_one() {
+    let tree = arm();
+    let state = State::random(&tree, 7);
+    let given = |own: Input| input(&tree, &state, own);
+    let [one_by_one, _, twice] = plans(&tree);
+    for text in ["d(inverse_dynamics)/d(q, u, u_dot)", REQUESTS[0]] {
+        let one_by_one = derived(&tree, text, &one_by_one);
+        let together = derived(&tree, text, &twice);
+        let expected = one_by_one.graph.evaluate(&one_by_one.roots, given);
+        let found = together.graph.evaluate(&together.roots, given);
+        assert_within(text, relative(&found, &expected), INVERTED);
+        let (program, _) = emitted(&tree, &together);
+        assert_eq!(program::verify(&program), Ok(()), "{text}");
+        let mut n_calls = vec![0; program.helpers.len()];
+        for own in &program.instructions {
+            if let Instruction::Call { helper, .. } = own {
+                n_calls[*helper] += 1;
+            }
+        }
+        // Eight of twelve are alike, whatever their axes; what passes inward from different links has helpers of its own.
+        assert!(n_calls.contains(&2), "{text}: {n_calls:?}");
+    }
 }
 
 /// The humanoid: its legs, its arms and its trunk are columns of different helpers.

@@ -2,8 +2,6 @@
 
 use super::{
     super::{
-        coriolis::{Column as Carrying, Masses, Velocity},
-        lever::Levered,
         moments::{Changing, Moments, Rates},
         passage::{Drive, Passenger, speeds},
         rotation::Turn,
@@ -11,9 +9,10 @@ use super::{
         speed_matrix,
         wrench::Wrench,
     },
+    begun::Begins,
     column::Column,
-    displaced,
     reader::Reader,
+    start::Start,
     way::{At, doubled},
 };
 use crate::{
@@ -61,8 +60,8 @@ pub(super) struct Carried<'a, 'b> {
     pub(super) way: &'a [At],
     pub(super) columns: Vec<Column>,
     pub(super) found: &'a mut Derivatives,
-    /// True where the columns pass alone: no masses go with them, and no others begin.
-    pub(super) is_alone: bool,
+    /// Where columns begin.
+    pub(super) begins: &'a mut Begins,
 }
 
 impl Carried<'_, '_> {
@@ -75,83 +74,23 @@ impl Carried<'_, '_> {
         *at
     }
 
-    fn masses(&self) -> Masses<'_> {
-        Masses {
+    /// What columns begin with that begin here.
+    fn start(&self, at: At) -> Start {
+        Start {
             body: self.body,
-            moments: &self.moments,
-            rates: &self.rates,
-        }
-    }
-
-    /// The column of a turn; `own` is the angular velocity that enters with it, where that has several components.
-    fn begin_turn(&self, graph: &mut ExprGraph, reader: &Reader, at: &At, own: Vector) -> Column {
-        let (axis, Self { moments, rates, .. }) = (reader.place, self);
-        let velocity: Velocity = [doubled(graph, at.after.w), at.v];
-        let mut carrying = Carrying::of_turn(graph, self.masses(), reader.motion, axis, velocity);
-        let e = graph.unit_vector(axis);
-        let own = graph.cross(own, e);
-        let (spun, swept) = (
-            moments.spinning(graph, own),
-            graph.cross(own, moments.first),
-        );
-        let more = Wrench {
-            force: swept,
-            moment: spun,
-        };
-        let needed = carrying.needed.wrench.minus(graph, &more);
-        carrying.needed = Levered::new(graph, needed);
-
-        let (u, a) = (reader.by_q[2], graph.cross(at.after.a, e));
-        let [moment, force] = if graph.is_zero_vector(own) {
-            displaced::by_angle(graph, moments, axis, &at.after)
-        } else {
-            displaced::by_turn(graph, moments, reader.by_q[0], [at.after.w, u])
-        };
-        let moment = [
-            graph.cross(e, self.wrench.moment),
-            graph.cross(moments.first, a),
-            moment,
-            rates.times(graph, u),
-        ];
-        let force = [
-            graph.cross(e, self.wrench.force),
-            graph.scale(moments.mass, a),
-            force,
-            graph.cross(u, rates.first),
-        ];
-        let displaced = Wrench {
-            force: sum(graph, &force),
-            moment: sum(graph, &moment),
-        };
-        Column {
-            carrying,
-            displaced: Levered::new(graph, displaced),
-        }
-    }
-
-    /// The column of a translation.
-    fn begin_shift(&self, graph: &mut ExprGraph, reader: &Reader, at: &At) -> Column {
-        let (axis, moments) = (reader.place - 3, &self.moments);
-        let velocity: Velocity = [doubled(graph, at.lower.w), at.v];
-        let carrying = Carrying::of_shift(graph, self.masses(), reader.motion, axis, velocity);
-        let (e, d) = (graph.unit_vector(axis), reader.by_q[1]);
-        let moment = [
-            graph.cross(e, self.wrench.force),
-            graph.cross(moments.first, d),
-        ];
-        let displaced = Wrench {
-            force: graph.scale(moments.mass, d),
-            moment: sum(graph, &moment),
-        };
-        Column {
-            carrying,
-            displaced: Levered::new(graph, displaced),
+            moments: self.moments,
+            rates: self.rates,
+            wrench: self.wrench,
+            at,
         }
     }
 
     /// Rows and mirrored entries of motions that enter together, of which the columns began last.
     fn read(&mut self, graph: &mut ExprGraph, readers: &[Reader]) {
-        let n_begun = if self.is_alone { 0 } else { readers.len() };
+        let n_begun = match self.begins {
+            Begins::Here(_) => readers.len(),
+            Begins::Nowhere | Begins::Later(_) => 0,
+        };
         let first = self.columns.len() - n_begun;
         let Self { columns, found, .. } = self;
         for reader in readers {
@@ -184,13 +123,6 @@ impl Carried<'_, '_> {
     }
 }
 
-fn sum(graph: &mut ExprGraph, terms: &[Vector]) -> Vector {
-    let zero = graph.zero_vector();
-    terms
-        .iter()
-        .fold(zero, |sum, &term| graph.add_vectors(sum, term))
-}
-
 impl Passenger for Carried<'_, '_> {
     fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
         let next = self.shortcuts.next(graph, lower);
@@ -214,9 +146,11 @@ impl Passenger for Carried<'_, '_> {
         let readers: Vec<Reader> = motions
             .map(|(axis, motion)| Reader::of_turn(graph, motion, axis, &at, own))
             .collect();
-        for reader in readers.iter().filter(|_| !self.is_alone) {
-            let column = self.begin_turn(graph, reader, &at, own);
-            self.columns.push(column);
+        let start = self.start(at);
+        for reader in &readers {
+            let is_hinge = matches!(drive, Drive::Angle(..));
+            let column = self.begins.turn(graph, &start, (reader, own), is_hinge);
+            self.columns.extend(column);
         }
         self.read(graph, &readers);
         if let Drive::Angle(axis, _) = drive {
@@ -245,9 +179,10 @@ impl Passenger for Carried<'_, '_> {
         let readers: Vec<Reader> = moving
             .map(|(axis, motion)| Reader::of_shift(graph, motion, axis, &at))
             .collect();
-        for reader in readers.iter().filter(|_| !self.is_alone) {
-            let column = self.begin_shift(graph, reader, &at);
-            self.columns.push(column);
+        let start = self.start(at);
+        for reader in &readers {
+            let column = self.begins.shift(graph, &start, reader);
+            self.columns.extend(column);
         }
         self.read(graph, &readers);
         graph.enter(self.body);

@@ -8,13 +8,15 @@ use super::{
         shortcut::Shortcuts,
         wrench::Wrench,
     },
+    begun::Begins,
     carried::{Carried, Derivatives},
     column::Column,
+    sides::on_sides,
     wanted::Wanted,
     way::Went,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Input, LANES},
+    expr::{Expr, ExprGraph, LANES},
     id::{BodyId, BodyMap},
 };
 
@@ -46,21 +48,8 @@ impl Inward<'_, '_> {
         }
     }
 
-    fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, mut group: [Column; LANES]) {
-        let parts = group.each_mut().map(|column| {
-            let parts = column.parts_mut();
-            parts.map(|part| *part).collect::<Vec<Expr>>()
-        });
-        let mut one = group[0];
-        let mut sides = Vec::new();
-        for (place, part) in one.parts_mut().enumerate() {
-            let lanes = parts.each_ref().map(|own| own[place]);
-            let is_known = graph.as_number(lanes[0]).is_some();
-            if !is_known || lanes.iter().any(|own| *own != lanes[0]) {
-                *part = graph.input(Input::Side(sides.len()));
-                sides.push(lanes.to_vec());
-            }
-        }
+    fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: [Column; LANES]) {
+        let (one, sides) = on_sides(graph, group, |column| column.parts_mut().collect());
         let reads = self.reads(graph, at, &one).into_iter();
         let (reads, others): (Vec<Read>, Vec<Read>) =
             reads.partition(|read| self.wanted.matrices()[read.matrix]);
@@ -71,7 +60,7 @@ impl Inward<'_, '_> {
         }
         let values: Vec<Expr> = reads.iter().map(|read| read.value).collect();
         graph.enter(at);
-        let lanes = graph.call_outlined(&values, sides);
+        let lanes = graph.call_outlined(&values, &sides);
         for (column, lane) in group.iter().zip(lanes) {
             for (read, value) in reads.iter().zip(lane) {
                 let entry = self.entry(read, column);
@@ -115,7 +104,7 @@ impl Inward<'_, '_> {
                 way: &self.ways[body].at_motions,
                 columns,
                 found: &mut found,
-                is_alone: true,
+                begins: &mut Begins::Nowhere,
             };
             self.linkage.passages[body].inward(graph, &mut carried);
             columns = carried.columns;

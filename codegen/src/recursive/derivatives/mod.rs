@@ -9,23 +9,35 @@
 //! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
 //! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
 
+mod begun;
 mod carried;
 mod column;
 mod displaced;
 mod lockstep;
 mod reader;
+mod sides;
+mod start;
 mod wanted;
 mod way;
 
 pub use self::{carried::Derivatives, wanted::Wanted};
 
-use self::{carried::Carried, column::Column, lockstep::Inward, way::ways};
+use std::collections::BTreeMap;
+
+use self::{
+    begun::Begins,
+    carried::Carried,
+    column::Column,
+    lockstep::Inward,
+    way::{Went, ways},
+};
 use super::{
     linkage::Linkage,
     loaded,
     moments::{Moments, Rates},
     plan::{Plan, Technique},
     shortcut::Shortcuts,
+    wrench::Wrench,
 };
 use crate::{
     expr::{ExprGraph, Purpose},
@@ -44,62 +56,96 @@ pub fn of_inverse_dynamics(
     wanted: Wanted,
 ) -> Derivatives {
     let linkage = Linkage::of_speeds(graph, tree, plan);
-    let mut wrenches = loaded::needed(graph, &linkage, accelerations, loads);
+    let wrenches = loaded::needed(graph, &linkage, accelerations, loads);
     graph.begin(Purpose::Derivative);
     let ways = ways(graph, &linkage, accelerations);
-    let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
-        Moments::of(&linkage.links[body])
-    });
-    let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
-    let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
-    let mut shortcuts = Shortcuts::new(graph, &linkage);
-    let mut found = Derivatives::zero(graph, tree);
-    for body in tree.body_ids().rev() {
-        graph.enter(body);
-        let mut carried = Carried {
-            body,
-            shortcuts: &mut shortcuts,
-            moments: moments[body],
-            rates: rates[body],
-            wrench: wrenches[body],
-            way: &ways[body].at_motions,
-            columns: std::mem::take(&mut columns[body]),
-            found: &mut found,
-            is_alone: false,
-        };
-        linkage.passages[body].inward(graph, &mut carried);
-        let Carried {
-            moments: arrived,
-            rates: changing,
-            wrench,
-            columns: others,
-            ..
-        } = carried;
-        if let Some(lower) = tree.lower(body) {
-            arrived.hint(graph, "composite_on_lower");
-            changing.hint(graph, "composite_on_lower");
-            for column in &others {
-                column.hint(graph, tree, lower);
-            }
-            graph.enter(lower);
-            moments[lower] = moments[lower].plus(graph, &arrived);
-            rates[lower] = rates[lower].plus(graph, &changing);
-            moments[lower].hint(graph, "composite");
-            rates[lower].hint(graph, "composite");
-            wrenches[lower] = wrenches[lower].plus(graph, &wrench);
-            columns[lower].extend(others);
-            // What is read where joints follow others would have to be told apart by motions.
-            if plan.uses(Technique::Lockstep) && !tree.has_followers() {
-                let mut inward = Inward {
-                    linkage: &linkage,
-                    ways: &ways,
-                    shortcuts: &mut shortcuts,
-                    found: &mut found,
-                    wanted,
-                };
-                inward.send(graph, lower, &mut columns[lower]);
+    // What is read where joints follow others would have to be told apart by motions.
+    let in_lockstep = plan.uses(Technique::Lockstep) && !tree.has_followers();
+    let sweep = Sweep {
+        linkage,
+        wrenches,
+        ways,
+        in_lockstep,
+        wanted,
+    };
+    let mut begun = BTreeMap::new();
+    if in_lockstep {
+        let mut later = Begins::Later(Vec::new());
+        sweep.run(graph, &mut later);
+        begun = later.together(graph, wanted);
+    }
+    sweep.run(graph, &mut Begins::Here(begun))
+}
+
+/// What composite bodies are made of as they pass inward.
+struct Sweep<'a> {
+    linkage: Linkage<'a>,
+    /// The wrenches that links need.
+    wrenches: BodyMap<Wrench>,
+    ways: BodyMap<Went>,
+    in_lockstep: bool,
+    wanted: Wanted,
+}
+
+impl Sweep<'_> {
+    /// Inward, body by body, with columns that begin where this says.
+    fn run(&self, graph: &mut ExprGraph, begins: &mut Begins) -> Derivatives {
+        let Self { linkage, ways, .. } = self;
+        let tree = linkage.tree;
+        let mut wrenches = self.wrenches.clone();
+        let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
+            Moments::of(&linkage.links[body])
+        });
+        let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
+        let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
+        let mut shortcuts = Shortcuts::new(graph, linkage);
+        let mut found = Derivatives::zero(graph, tree);
+        for body in tree.body_ids().rev() {
+            graph.enter(body);
+            let mut carried = Carried {
+                body,
+                shortcuts: &mut shortcuts,
+                moments: moments[body],
+                rates: rates[body],
+                wrench: wrenches[body],
+                way: &ways[body].at_motions,
+                columns: std::mem::take(&mut columns[body]),
+                found: &mut found,
+                begins,
+            };
+            linkage.passages[body].inward(graph, &mut carried);
+            let Carried {
+                moments: arrived,
+                rates: changing,
+                wrench,
+                columns: others,
+                ..
+            } = carried;
+            if let Some(lower) = tree.lower(body) {
+                arrived.hint(graph, "composite_on_lower");
+                changing.hint(graph, "composite_on_lower");
+                for column in &others {
+                    column.hint(graph, tree, lower);
+                }
+                graph.enter(lower);
+                moments[lower] = moments[lower].plus(graph, &arrived);
+                rates[lower] = rates[lower].plus(graph, &changing);
+                moments[lower].hint(graph, "composite");
+                rates[lower].hint(graph, "composite");
+                wrenches[lower] = wrenches[lower].plus(graph, &wrench);
+                columns[lower].extend(others);
+                if self.in_lockstep {
+                    let mut inward = Inward {
+                        linkage,
+                        ways,
+                        shortcuts: &mut shortcuts,
+                        found: &mut found,
+                        wanted: self.wanted,
+                    };
+                    inward.send(graph, lower, &mut columns[lower]);
+                }
             }
         }
+        found
     }
-    found
 }

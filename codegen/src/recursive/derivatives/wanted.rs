@@ -29,6 +29,11 @@ impl Wanted {
         by_u_dot: false,
     };
 
+    /// True for all.
+    pub(super) fn are_all(self) -> bool {
+        self.by_q && self.by_u && self.by_u_dot
+    }
+
     /// By the matrices, as [`Derivatives`](super::Derivatives) has them.
     pub(super) fn matrices(self) -> [bool; 3] {
         [self.by_q, self.by_u, self.by_u_dot]
