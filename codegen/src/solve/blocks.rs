@@ -9,7 +9,7 @@ use std::{
 };
 
 use super::{
-    inverse::{Rule, Writer},
+    entries::{Entries, Rule},
     shared::Shared,
 };
 use crate::{
@@ -38,13 +38,13 @@ struct Block {
 /// than so many columns that are left are written out.
 pub(super) fn find(
     graph: &mut ExprGraph,
-    writer: &mut Writer<'_>,
+    entries: &mut Entries<'_>,
     (rows, columns): (&[usize], &[usize]),
     fewest: usize,
 ) {
     let mut by_foot: BTreeMap<BodyId, Vec<usize>> = BTreeMap::new();
     for &j in columns {
-        if let Some(foot) = writer.rule(graph, rows[0], j).foot {
+        if let Some(foot) = entries.rule(graph, rows[0], j).foot {
             by_foot.entry(foot).or_default().push(j);
         }
     }
@@ -56,26 +56,26 @@ pub(super) fn find(
         if columns.is_empty() {
             continue;
         }
-        let branch = branch(writer, foot, rows[0]);
+        let branch = branch(entries, foot, rows[0]);
         let mut rows = rows.to_vec();
-        rows.retain(|i| branch.contains(&writer.order[*i].body));
+        rows.retain(|i| branch.contains(&entries.order[*i].body));
         rows.retain(|&i| {
             let mut columns = columns.iter();
-            columns.all(|&j| writer.rule(graph, i, j).foot == Some(foot))
+            columns.all(|&j| entries.rule(graph, i, j).foot == Some(foot))
         });
-        let rule = |&i: &usize| (i, writer.rule(graph, i, columns[0]));
+        let rule = |&i: &usize| (i, entries.rule(graph, i, columns[0]));
         let rules: Vec<(usize, Rule)> = rows.iter().map(rule).collect();
-        let block = Block::of(graph, writer, &rules);
+        let block = Block::of(graph, entries, &rules);
         if block.is_worth_it() {
-            block.call(graph, writer, &rows, &columns);
+            block.call(graph, entries, &rows, &columns);
         }
     }
 }
 
 /// The bodies of the branch on a body that a speed moves on.
-fn branch(writer: &Writer<'_>, foot: BodyId, i: usize) -> BTreeSet<BodyId> {
-    let tree = writer.tree;
-    let mut first = writer.order[i].body;
+fn branch(entries: &Entries<'_>, foot: BodyId, i: usize) -> BTreeSet<BodyId> {
+    let tree = entries.tree;
+    let mut first = entries.order[i].body;
     while let Some(lower) = tree.lower(first).filter(|lower| *lower != foot) {
         first = lower;
     }
@@ -92,7 +92,7 @@ fn branch(writer: &Writer<'_>, foot: BodyId, i: usize) -> BTreeSet<BodyId> {
 }
 
 impl Block {
-    fn of(graph: &ExprGraph, writer: &Writer<'_>, rules: &[(usize, Rule)]) -> Self {
+    fn of(graph: &ExprGraph, entries: &Entries<'_>, rules: &[(usize, Rule)]) -> Self {
         let mut block = Self {
             helper: ExprGraph::default(),
             shared: Shared::default(),
@@ -101,7 +101,7 @@ impl Block {
         };
         block.helper.begin(Purpose::Inverse);
         for (i, rule) in rules {
-            let own = writer.order[*i];
+            let own = entries.order[*i];
             block.helper.enter(own.body);
             let root = block.entry(graph, rule);
             block.helper.name(root, format!("h_{}", own.coordinate));
@@ -150,13 +150,13 @@ impl Block {
     fn call(
         self,
         graph: &mut ExprGraph,
-        writer: &mut Writer<'_>,
+        entries: &mut Entries<'_>,
         rows: &[usize],
         columns: &[usize],
     ) {
         let calls = columns.chunks(LANES).map(|columns| {
             let row = |own: &Given| {
-                let column = |&j: &usize| writer.given(graph, *own, j);
+                let column = |&j: &usize| entries.given(graph, *own, j);
                 let mut row: Vec<Expr> = columns.iter().map(column).collect();
                 row.resize(LANES, graph.zero());
                 row
@@ -176,23 +176,21 @@ impl Block {
             let call = graph.add_call(lockstep, Call { helper: 0, sides });
             for (lane, &j) in columns.iter().enumerate() {
                 for (place, &i) in rows.iter().enumerate() {
-                    graph.enter(writer.order[i].body);
+                    graph.enter(entries.order[i].body);
                     let entry = graph.solved((lockstep, call), lane, place);
-                    writer.set(graph, [i, j], entry);
+                    entries.set(graph, [i, j], entry);
                 }
             }
         }
     }
 }
 
-impl Writer<'_> {
+impl Entries<'_> {
     fn given(&mut self, graph: &mut ExprGraph, own: Given, j: usize) -> Expr {
         let column = self.order[j].index();
         match own {
             Given::Entry(speed) => self.h[speed][column],
-            Given::Acceleration(carrier, part) => {
-                self.felt.acceleration(graph, &self.h, carrier, column)[part]
-            }
+            Given::Acceleration(carrier, part) => self.acceleration(graph, carrier, j)[part],
         }
     }
 }

@@ -9,6 +9,7 @@
 mod blocks;
 mod carried;
 mod carriers;
+mod entries;
 mod felt;
 mod inverse;
 mod lockstep;

@@ -100,18 +100,18 @@ fn columns_in_lockstep_are_those_one_by_one() {
 
 /// A floating arm of twelve hinges about different axes.
 fn arm() -> Tree {
-    let n_bodies = 13;
-    let lower: Vec<usize> = (0..n_bodies).collect();
+    let n_bodies = 13_u8;
+    let lower: Vec<u8> = (0..n_bodies).collect();
     let mut text =
         format!("name = \"arm\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = {lower:?}\n");
     for body in 1..=n_bodies {
-        let [a, b, c, d] = [0.3, 0.35, 0.4, 0.01].map(|own| own + f64::from(body as u8) / 1000.0);
+        let [a, b, c, d] = [0.3, 0.35, 0.4, 0.01].map(|own| own + f64::from(body) / 1000.0);
         let axis = [
             "1.0, 0.0, 0.0",
             "0.0, 1.0, 0.0",
             "0.0, 0.0, 1.0",
             "0.6, 0.0, 0.8",
-        ][body % 4];
+        ][usize::from(body % 4)];
         let joint = if body == 1 {
             "joint = \"free\"\nchart = \"quaternion\"".to_owned()
         } else {

@@ -108,7 +108,7 @@ fn begin(
     wanted: Wanted,
 ) -> [(SpeedId, Column); LANES] {
     let starts = hinges.map(|hinge| hinge.start.turned(hinge.axis + 1));
-    let (mut start, sides) = on_sides(graph, starts, |start| start.parts_mut().collect());
+    let (mut start, sides) = on_sides(graph, &starts, |start| start.parts_mut().collect());
     // About the axis of a hinge both motions are the same to what is asked of them.
     start.at.lower = start.at.after;
     graph.enter(hinges[0].start.body);

@@ -75,13 +75,13 @@ impl Carried<'_, '_> {
     }
 
     /// What columns begin with that begin here.
-    fn start(&self, at: At) -> Start {
+    fn start(&self, at: &At) -> Start {
         Start {
             body: self.body,
             moments: self.moments,
             rates: self.rates,
             wrench: self.wrench,
-            at,
+            at: *at,
         }
     }
 
@@ -146,7 +146,7 @@ impl Passenger for Carried<'_, '_> {
         let readers: Vec<Reader> = motions
             .map(|(axis, motion)| Reader::of_turn(graph, motion, axis, &at, own))
             .collect();
-        let start = self.start(at);
+        let start = self.start(&at);
         for reader in &readers {
             let is_hinge = matches!(drive, Drive::Angle(..));
             let column = self.begins.turn(graph, &start, (reader, own), is_hinge);
@@ -179,7 +179,7 @@ impl Passenger for Carried<'_, '_> {
         let readers: Vec<Reader> = moving
             .map(|(axis, motion)| Reader::of_shift(graph, motion, axis, &at))
             .collect();
-        let start = self.start(at);
+        let start = self.start(&at);
         for reader in &readers {
             let column = self.begins.shift(graph, &start, reader);
             self.columns.extend(column);

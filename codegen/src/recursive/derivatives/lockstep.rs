@@ -44,17 +44,17 @@ impl Inward<'_, '_> {
     /// Sends columns at a link to the inertial frame, as long as there are enough of a kind.
     pub(super) fn send(&mut self, graph: &mut ExprGraph, at: BodyId, columns: &mut Vec<Column>) {
         while let Some(group) = taken(columns) {
-            self.send_group(graph, at, group);
+            self.send_group(graph, at, &group);
         }
     }
 
-    fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: [Column; LANES]) {
+    fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: &[Column; LANES]) {
         let (one, sides) = on_sides(graph, group, |column| column.parts_mut().collect());
         let reads = self.reads(graph, at, &one).into_iter();
         let (reads, others): (Vec<Read>, Vec<Read>) =
             reads.partition(|read| self.wanted.matrices()[read.matrix]);
         for read in others {
-            for column in &group {
+            for column in group {
                 *self.entry(&read, column) = graph.one();
             }
         }

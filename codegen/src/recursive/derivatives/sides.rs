@@ -6,11 +6,11 @@ use crate::expr::{Expr, ExprGraph, Input, LANES};
 /// numbers of the four.
 pub(super) fn on_sides<T: Copy>(
     graph: &mut ExprGraph,
-    mut all: [T; LANES],
+    all: &[T; LANES],
     parts_mut: impl Fn(&mut T) -> Vec<&mut Expr>,
 ) -> (T, Vec<Vec<Expr>>) {
-    let parts = all.each_mut().map(|own| {
-        let parts = parts_mut(own).into_iter();
+    let parts = all.map(|mut own| {
+        let parts = parts_mut(&mut own).into_iter();
         parts.map(|part| *part).collect::<Vec<Expr>>()
     });
     let mut one = all[0];

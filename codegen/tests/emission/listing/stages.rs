@@ -242,8 +242,8 @@ fn stages_store_what_their_function_does() {
             .expect("it is asked for"),
     );
     let model = include_str!("../../../../models/eight_body.toml");
-    let module = module_of(model, &["d(inverse_dynamics)/d(q, u, u_dot)"]);
-    let name = "d_inverse_dynamics_d_q_u_u_dot";
+    let module = module_of(model, &["d(forward_dynamics)/d(q, u)"]);
+    let name = "d_forward_dynamics_d_q_u";
     assert_same(&module, module.function(name).expect("it is asked for"));
 }
 
