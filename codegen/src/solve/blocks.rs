@@ -81,10 +81,8 @@ fn branch(entries: &Entries<'_>, foot: BodyId, i: usize) -> BTreeSet<BodyId> {
     }
     let mut branch = BTreeSet::from([first]);
     for body in tree.body_ids() {
-        if tree
-            .lower(body)
-            .is_some_and(|lower| branch.contains(&lower))
-        {
+        let lower = tree.lower(body);
+        if lower.is_some_and(|lower| branch.contains(&lower)) {
             branch.insert(body);
         }
     }

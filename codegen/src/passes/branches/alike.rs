@@ -20,7 +20,7 @@ const MOST_BODIES: usize = 32;
 type Team = Vec<Vec<BodyId>>;
 
 /// A branch of a team.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Branch {
     /// Its team.
     pub(super) team: usize,

@@ -1,12 +1,17 @@
 //! Which branch each value belongs to, and which values of different branches are alike.
 
+use std::collections::BTreeMap;
+
 use rustc_hash::FxHashMap;
 
 use super::{
     alike::{Branch, Branches},
     given::{Given, Givens},
 };
-use crate::expr::{Expr, ExprGraph, Input, Node, NodeId, Solved};
+use crate::{
+    expr::{Expr, ExprGraph, Input, Node, NodeId, Solved},
+    id::BodyId,
+};
 
 /// What is known before the loop, whichever number it is.
 const KNOWN: u32 = 0;
@@ -21,17 +26,46 @@ pub(super) struct Traced {
     pub(super) needed: Vec<bool>,
 }
 
+/// A lockstep, a call and a lane.
+type Column = [u16; 3];
+
 /// What makes a colour.
 #[derive(PartialEq, Eq, Hash)]
 enum Kind {
     /// An input of a branch: its team, argument, body and place.
     Given([usize; 4]),
-    /// What a call computed for a body of a branch, lane by lane: its team, the body's place, and its own among those of the body.
-    Called([u16; 3], [usize; 3]),
+    /// What a column of a call computed for a body of a branch: its team, the body's place, and its own among those of the body.
+    Called(Column, [usize; 3]),
     /// What has no like.
     Itself(NodeId),
     /// An operation on operands of these colours.
     Operation(&'static str, [u32; 2]),
+}
+
+/// What columns of calls compute, body by body.
+struct Called {
+    /// The branch of each body that is in one, and its place there.
+    bodies: BTreeMap<BodyId, (Branch, usize)>,
+    /// How many numbers of a column of a body were met.
+    n_own: FxHashMap<(Column, BodyId), usize>,
+}
+
+impl Called {
+    /// What the next number of a body is, where the body is in a branch.
+    fn get(&mut self, body: Option<BodyId>, solved: Solved) -> Option<(Kind, Branch)> {
+        let body = body?;
+        let &(branch, place) = self.bodies.get(&body)?;
+        let Solved {
+            lockstep,
+            call,
+            lane,
+            ..
+        } = solved;
+        let column = [lockstep, call, lane];
+        let n_own = self.n_own.entry((column, body)).or_insert(0);
+        *n_own += 1;
+        Some((Kind::Called(column, [branch.team, place, *n_own]), branch))
+    }
 }
 
 impl Traced {
@@ -42,8 +76,10 @@ impl Traced {
         roots: &[Expr],
     ) -> Self {
         let mut known: FxHashMap<Kind, u32> = FxHashMap::default();
-        let bodies = branches.by_body();
-        let mut n_called = FxHashMap::default();
+        let mut called = Called {
+            bodies: branches.by_body(),
+            n_own: FxHashMap::default(),
+        };
         let mut traced = Self {
             branches: vec![None; graph.len()],
             colors: vec![KNOWN; graph.len()],
@@ -53,27 +89,10 @@ impl Traced {
             let node = graph.node(id);
             let (kind, branch) = match node {
                 Node::Number(_) | Node::Input(Input::Parameter(_) | Input::Prepared(_)) => continue,
-                Node::Input(Input::Solved(solved)) => {
-                    let body = graph.scope(id).and_then(|body| bodies.get(&body));
-                    match body {
-                        Some(&(branch, body)) => {
-                            let Solved {
-                                lockstep,
-                                call,
-                                lane,
-                                ..
-                            } = solved;
-                            let column = [lockstep, call, lane];
-                            let n_own = n_called.entry((column, branch, body)).or_insert(0);
-                            *n_own += 1;
-                            (
-                                Kind::Called(column, [branch.team, body, *n_own]),
-                                Some(branch),
-                            )
-                        }
-                        None => (Kind::Itself(id), None),
-                    }
-                }
+                Node::Input(Input::Solved(solved)) => match called.get(graph.scope(id), solved) {
+                    Some((kind, branch)) => (kind, Some(branch)),
+                    None => (Kind::Itself(id), None),
+                },
                 Node::Input(input) => match givens.get(input) {
                     Some(given) => (Kind::given(given), Some(given.branch)),
                     None => (Kind::Itself(id), None),

@@ -94,19 +94,19 @@ impl Begins {
         }
         for hinges in kinds.into_values() {
             for four in hinges.as_chunks::<LANES>().0 {
-                begun.extend(begin(graph, four, wanted));
+                begun.extend(begin(graph, four, wanted).into_iter().flatten());
             }
         }
         begun
     }
 }
 
-/// The columns of four, by their speeds.
+/// The columns of four, by their speeds; none where to store what they are given takes more than is saved.
 fn begin(
     graph: &mut ExprGraph,
     hinges: &[Hinge; LANES],
     wanted: Wanted,
-) -> [(SpeedId, Column); LANES] {
+) -> Option<[(SpeedId, Column); LANES]> {
     let starts = hinges.map(|hinge| hinge.start.turned(hinge.axis + 1));
     let (mut start, sides) = on_sides(graph, &starts, |start| start.parts_mut().collect());
     // About the axis of a hinge both motions are the same to what is asked of them.
@@ -116,6 +116,9 @@ fn begin(
     let reader = Reader::of_turn(graph, hinges[0].motion, AXIS, &start.at, nothing);
     let column = start.turn(graph, &reader, nothing);
     let vectors = vectors(&column);
+    if (LANES - 1) * n_operations(graph, vectors.as_flattened()) <= LANES * sides.len() {
+        return None;
+    }
     // Without the last two nothing depends on accelerations: then it is the same call before they are known and after.
     let calls = if wanted.are_all() {
         vec![&vectors[..]]
@@ -130,10 +133,18 @@ fn begin(
         }
     }
     let mut hinges = hinges.iter();
-    lanes.map(|lane| {
+    Some(lanes.map(|lane| {
         let hinge = hinges.next().expect("derivatives: a hinge a lane");
         (hinge.motion.speed, hinge.column(graph, &lane))
-    })
+    }))
+}
+
+/// How many operations these need.
+fn n_operations(graph: &ExprGraph, roots: &[Expr]) -> usize {
+    let needed = graph.reachable(roots);
+    let needed = graph.ids().filter(|id| needed[id.index()]);
+    let operations = needed.filter(|id| graph.node(*id).operands().next().is_some());
+    operations.count()
 }
 
 /// The vectors of a column: those of what its speed needs, its momentum and couple; and of what its coordinate needs.
