@@ -16,6 +16,7 @@ mod lookup;
 mod node;
 mod outline;
 mod purpose;
+mod shared;
 mod vector;
 
 pub(crate) use evaluate::signed;
@@ -23,4 +24,5 @@ pub use graph::ExprGraph;
 pub use lockstep::{Call, Helper, LANES, Lockstep};
 pub use node::{Binding, Expr, Input, Label, Node, NodeId, Solved};
 pub use purpose::Purpose;
+pub use shared::Shared;
 pub use vector::{Axis, Matrix, Symmetric, Vector, negated, transpose};

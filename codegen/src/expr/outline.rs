@@ -6,6 +6,7 @@ use super::{
     graph::ExprGraph,
     lockstep::{Call, Helper},
     node::{Expr, Input, Node, NodeId},
+    shared::Shared,
 };
 
 impl ExprGraph {
@@ -26,7 +27,7 @@ impl ExprGraph {
             roots: varying.iter().flatten().copied().collect(),
         };
         let is_call = !helper.roots.is_empty();
-        let shared = outline.shared;
+        let shared = outline.shared.numbers();
         let call = is_call.then(|| self.once(helper, shared, own_sides));
         let column = |graph: &mut Self, lane: usize| {
             let mut place = 0;
@@ -62,30 +63,24 @@ impl ExprGraph {
         shared: Vec<Expr>,
         sides: Vec<Vec<Expr>>,
     ) -> (u16, u16) {
-        let known = self.locksteps.iter();
-        let mut known =
-            known.filter(|(_, own)| own.helpers.len() == 1 && is_same(&own.helpers[0], &helper));
-        let alike = known.clone().next().map(|(_, own)| own.helpers[0].clone());
-        let there = known.find(|(_, own)| own.shared == shared);
-        let there = there.map(|(number, own)| {
+        let all = self.locksteps.iter();
+        let alike =
+            all.filter(|(_, own)| own.helpers.len() == 1 && is_same(&own.helpers[0], &helper));
+        let alike: Vec<_> = alike.collect();
+        if let Some(&(&lockstep, own)) = alike.iter().find(|(_, own)| own.shared == shared) {
             let mut calls = own.calls.iter();
-            (
-                *number,
-                calls
-                    .find(|(_, call)| call.sides == sides)
-                    .map(|(call, _)| *call),
-            )
-        });
-        let lockstep = match there {
-            Some((lockstep, Some(call))) => return (lockstep, call),
-            Some((lockstep, None)) => lockstep,
-            None => {
-                let lockstep = self.next_lockstep();
-                let helper = alike.unwrap_or_else(|| Arc::new(helper));
-                self.add_lockstep(lockstep, shared, vec![helper]);
-                lockstep
-            }
-        };
+            let known = calls.find(|(_, call)| call.sides == sides);
+            let known = known.map(|(call, _)| *call);
+            let call = known.unwrap_or_else(|| self.add_call(lockstep, Call { helper: 0, sides }));
+            return (lockstep, call);
+        }
+        let known = alike.first().map(|(_, own)| own.helpers[0].clone());
+        let lockstep = self.next_lockstep();
+        self.add_lockstep(
+            lockstep,
+            shared,
+            vec![known.unwrap_or_else(|| Arc::new(helper))],
+        );
         (lockstep, self.add_call(lockstep, Call { helper: 0, sides }))
     }
 }
@@ -106,8 +101,7 @@ struct Outline<'a> {
     helper: ExprGraph,
     /// What nodes that depend on sides are in the helper.
     varying: Vec<Option<Expr>>,
-    shared: Vec<Expr>,
-    places: BTreeMap<NodeId, usize>,
+    shared: Shared,
     /// The sides that are needed.
     sides: Vec<usize>,
 }
@@ -118,8 +112,7 @@ impl<'a> Outline<'a> {
             graph,
             helper: ExprGraph::default(),
             varying: vec![None; graph.len()],
-            shared: Vec::new(),
-            places: BTreeMap::new(),
+            shared: Shared::default(),
             sides: Vec::new(),
         };
         let needed = graph.reachable(roots);
@@ -153,14 +146,8 @@ impl<'a> Outline<'a> {
         if let Some(varying) = self.varying[id.index()] {
             return varying;
         }
-        if let Node::Number(bits) = self.graph.node(id) {
-            return self.helper.number(f64::from_bits(bits));
-        }
-        let place = *self.places.entry(id).or_insert_with(|| {
-            self.shared.push(Expr::of(id));
-            self.shared.len() - 1
-        });
-        self.helper.input(Input::Shared(place))
+        self.shared
+            .share(self.graph, &mut self.helper, Expr::of(id))
     }
 
     /// What an expression is in the helper, if it depends on sides.

@@ -10,6 +10,7 @@
 
 use super::{
     ahead::{About, Ahead},
+    gathered::Gathered,
     lever::Levered,
     linkage::Linkage,
     moments::{Changing, Moments, Rates},
@@ -32,10 +33,7 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let velocities = velocities(graph, &linkage);
     graph.begin(Purpose::Composite);
-    let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
-        Moments::of(&linkage.links[body])
-    });
-    let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
+    let mut gathered = Gathered::<Rates>::new(graph, &linkage);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut shortcuts = Shortcuts::new(graph, &linkage);
     let angular = BodyMap::outward(tree.bodies.len(), |body, _| velocities[body].velocity[0]);
@@ -45,8 +43,8 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
         graph.enter(body);
         let mut carried = Carried {
             body,
-            moments: moments[body],
-            rates: rates[body],
+            moments: gathered.moments[body],
+            rates: gathered.rates[body],
             velocities: &velocities[body].at_motions,
             columns: std::mem::take(&mut columns[body]),
             shortcuts: &mut shortcuts,
@@ -61,16 +59,12 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
-            arrived.hint(graph, "composite_on_lower");
-            changing.hint(graph, "composite_on_lower");
+            let come = (&arrived, &changing);
+            Gathered::hint(graph, come);
             for column in &others {
                 column.hint(graph, tree, lower);
             }
-            graph.enter(lower);
-            moments[lower] = moments[lower].plus(graph, &arrived);
-            rates[lower] = rates[lower].plus(graph, &changing);
-            moments[lower].hint(graph, "composite");
-            rates[lower].hint(graph, "composite");
+            gathered.add(graph, lower, come);
             columns[lower].extend(others);
         }
     }

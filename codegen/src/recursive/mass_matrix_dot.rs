@@ -5,6 +5,7 @@
 //! velocity of a link is needed: a joint adds what its own rate does.
 
 use super::{
+    gathered::Gathered,
     linkage::Linkage,
     moments::{Changing, Moments},
     passage::{Drive, Passenger, speeds},
@@ -24,18 +25,15 @@ use crate::{
 pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     graph.begin(Purpose::Composite);
-    let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
-        Moments::of(&linkage.links[body])
-    });
-    let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Spreading::zero(graph));
+    let mut gathered = Gathered::<Spreading>::new(graph, &linkage);
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
     let mut a_dot = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut carried = Carried {
             body,
-            moments: moments[body],
-            rates: rates[body],
+            moments: gathered.moments[body],
+            rates: gathered.rates[body],
             columns: std::mem::take(&mut columns[body]),
             a_dot: &mut a_dot,
         };
@@ -47,16 +45,12 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             ..
         } = carried;
         if let Some(lower) = tree.lower(body) {
-            arrived.hint(graph, "composite_on_lower");
-            changing.hint(graph, "composite_on_lower");
+            let come = (&arrived, &changing);
+            Gathered::hint(graph, come);
             for column in &others {
                 column.hint(graph, tree, lower);
             }
-            graph.enter(lower);
-            moments[lower] = moments[lower].plus(graph, &arrived);
-            rates[lower] = rates[lower].plus(graph, &changing);
-            moments[lower].hint(graph, "composite");
-            rates[lower].hint(graph, "composite");
+            gathered.add(graph, lower, come);
             columns[lower].extend(others);
         }
     }

@@ -19,6 +19,7 @@ mod exchange;
 pub mod forward_dynamics;
 pub mod frame;
 mod gains;
+mod gathered;
 pub mod gravity;
 pub mod hybrid_dynamics;
 mod inertia;

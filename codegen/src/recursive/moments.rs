@@ -143,7 +143,16 @@ impl Moments {
 }
 
 /// How fast moments change, as seen from a link: all of it, or what is symmetric.
-pub(super) trait Changing: Sized {
+pub(super) trait Changing: Copy {
+    /// Of what does not change.
+    fn zero(graph: &mut ExprGraph) -> Self;
+
+    /// Both together, about the same point.
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self;
+
+    /// Names its numbers by hints that begin with a text.
+    fn hint(&self, graph: &mut ExprGraph, text: &str);
+
     /// Seen from axes about which those that have been reached turn by `w`.
     fn driven(&self, graph: &mut ExprGraph, moments: &Moments, w: Vector) -> Self;
 
@@ -172,17 +181,30 @@ pub(super) trait Changing: Sized {
     }
 }
 
-impl Rates {
+impl Changing for Rates {
+    fn zero(graph: &mut ExprGraph) -> Self {
+        Self {
+            first: graph.zero_vector(),
+            second: [graph.zero_vector(); 3],
+        }
+    }
+
+    /// Both together, about the same point, seen from the same link.
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            first: graph.add_vectors(self.first, other.first),
+            second: [0, 1, 2].map(|i| graph.add_vectors(self.second[i], other.second[i])),
+        }
+    }
+
     /// Names the linear momentum `text_p`, the rate of the second moment `text_n`, by hints.
-    pub(super) fn hint(&self, graph: &mut ExprGraph, text: &str) {
+    fn hint(&self, graph: &mut ExprGraph, text: &str) {
         graph.hint(|graph| {
             graph.name_vector(self.first, &format!("{text}_p"));
             graph.name_matrix(&self.second, &format!("{text}_n"));
         });
     }
-}
 
-impl Changing for Rates {
     /// Seen from axes about which those that have been reached turn by `w`: `f + w × h`, `N + tilde(w) S`.
     fn driven(&self, graph: &mut ExprGraph, moments: &Moments, w: Vector) -> Self {
         let swept = graph.cross(w, moments.first);
@@ -203,13 +225,6 @@ impl Changing for Rates {
 }
 
 impl Rates {
-    pub(super) fn zero(graph: &mut ExprGraph) -> Self {
-        Self {
-            first: graph.zero_vector(),
-            second: [graph.zero_vector(); 3],
-        }
-    }
-
     /// Seen from where the origin moves by `v`: `f + m v`, `N + v h^T`.
     pub(super) fn carried(&self, graph: &mut ExprGraph, moments: &Moments, v: Vector) -> Self {
         let moved = graph.scale(moments.mass, v);
@@ -226,14 +241,6 @@ impl Rates {
         Self {
             first: self.first,
             second: self.plus_columns(graph, &columns),
-        }
-    }
-
-    /// Both together, about the same point, seen from the same link.
-    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
-        Self {
-            first: graph.add_vectors(self.first, other.first),
-            second: [0, 1, 2].map(|i| graph.add_vectors(self.second[i], other.second[i])),
         }
     }
 

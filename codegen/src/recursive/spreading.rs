@@ -17,17 +17,30 @@ pub(super) struct Spreading {
     pub(super) second: Symmetric,
 }
 
-impl Spreading {
+impl Changing for Spreading {
+    fn zero(graph: &mut ExprGraph) -> Self {
+        Self {
+            first: graph.zero_vector(),
+            second: graph.zero_symmetric(),
+        }
+    }
+
+    /// Both together, about the same point, seen from the same link.
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            first: graph.add_vectors(self.first, other.first),
+            second: graph.add_symmetric(&self.second, &other.second),
+        }
+    }
+
     /// Names `h_dot` and `S_dot` `text_h_dot` and `text_s_dot`, by hints.
-    pub(super) fn hint(&self, graph: &mut ExprGraph, text: &str) {
+    fn hint(&self, graph: &mut ExprGraph, text: &str) {
         graph.hint(|graph| {
             graph.name_vector(self.first, &format!("{text}_h_dot"));
             inertia::name(graph, &self.second, &format!("{text}_s_dot"));
         });
     }
-}
 
-impl Changing for Spreading {
     /// Seen from axes about which those that have been reached turn by `w`: `h_dot + w × h`,
     /// `S_dot + tilde(w) S - S tilde(w)`.
     fn driven(&self, graph: &mut ExprGraph, moments: &Moments, w: Vector) -> Self {
@@ -56,13 +69,6 @@ impl Changing for Spreading {
 }
 
 impl Spreading {
-    pub(super) fn zero(graph: &mut ExprGraph) -> Self {
-        Self {
-            first: graph.zero_vector(),
-            second: graph.zero_symmetric(),
-        }
-    }
-
     /// Seen from where the origin moves by `v`: `h_dot + m v`, `S_dot + v h^T + h v^T`.
     pub(super) fn carried(&self, graph: &mut ExprGraph, moments: &Moments, v: Vector) -> Self {
         let moved = graph.scale(moments.mass, v);
@@ -77,14 +83,6 @@ impl Spreading {
         Self {
             first: self.first,
             second: self.plus_dyads(graph, self.first, d),
-        }
-    }
-
-    /// Both together, about the same point, seen from the same link.
-    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
-        Self {
-            first: graph.add_vectors(self.first, other.first),
-            second: graph.add_symmetric(&self.second, &other.second),
         }
     }
 

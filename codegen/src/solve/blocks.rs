@@ -8,12 +8,9 @@ use std::{
     sync::Arc,
 };
 
-use super::{
-    entries::{Entries, Rule},
-    shared::Shared,
-};
+use super::entries::{Entries, Rule};
 use crate::{
-    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, Purpose},
+    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, Purpose, Shared},
     id::BodyId,
 };
 
@@ -140,9 +137,7 @@ impl Block {
     /// False where calls would move more numbers than they save operations: what they are given is written and read.
     fn is_worth_it(&self) -> bool {
         let n_moved = 2 * self.given.len() + self.roots.len();
-        let nodes = self.helper.ids().map(|id| self.helper.node(id));
-        let n_operations = nodes.filter(|node| node.operands().next().is_some());
-        (LANES - 1) * n_operations.count() > LANES * n_moved
+        (LANES - 1) * self.helper.n_operations(&self.roots) > LANES * n_moved
     }
 
     fn call(
@@ -168,7 +163,7 @@ impl Block {
             roots: self.roots,
         };
         let lockstep = graph.next_lockstep();
-        let shared = self.shared.numbers().to_vec();
+        let shared = self.shared.numbers();
         graph.add_lockstep(lockstep, shared, vec![Arc::new(helper)]);
         for (columns, sides) in calls {
             let call = graph.add_call(lockstep, Call { helper: 0, sides });

@@ -9,9 +9,9 @@ use std::{
     sync::Arc,
 };
 
-use super::{Carriers, Factors, inverse, reduced::Reduced, shared::Shared};
+use super::{Carriers, Factors, inverse, reduced::Reduced};
 use crate::{
-    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, Purpose},
+    expr::{Call, Expr, ExprGraph, Helper, Input, LANES, Purpose, Shared},
     id::{BodyId, SpeedId},
     tree::Tree,
 };
@@ -142,14 +142,14 @@ impl<'a> LockstepSolver<'a> {
         } = self;
         let has_all = |own: &u16| {
             let of = graph.lockstep(*own);
-            of.helpers.len() == solvers.len() && of.shared.len() == writer.shared.numbers().len()
+            of.helpers.len() == solvers.len() && of.shared.len() == writer.shared.n_numbers()
         };
         if let Some(known) = self.lockstep.filter(has_all) {
             return known;
         }
         let lockstep = graph.next_lockstep();
         let helpers = solvers.iter().map(|own| own.helper.clone()).collect();
-        graph.add_lockstep(lockstep, writer.shared.numbers().to_vec(), helpers);
+        graph.add_lockstep(lockstep, writer.shared.numbers(), helpers);
         self.lockstep = Some(lockstep);
         lockstep
     }

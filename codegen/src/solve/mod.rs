@@ -16,7 +16,6 @@ mod lockstep;
 mod partitioned;
 mod projected;
 mod reduced;
-mod shared;
 mod solutions;
 
 use std::collections::{BTreeMap, BTreeSet};

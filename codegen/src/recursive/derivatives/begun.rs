@@ -116,7 +116,7 @@ fn begin(
     let reader = Reader::of_turn(graph, hinges[0].motion, AXIS, &start.at, nothing);
     let column = start.turn(graph, &reader, nothing);
     let vectors = vectors(&column);
-    if (LANES - 1) * n_operations(graph, vectors.as_flattened()) <= LANES * sides.len() {
+    if (LANES - 1) * graph.n_operations(vectors.as_flattened()) <= LANES * sides.len() {
         return None;
     }
     // Without the last two nothing depends on accelerations: then it is the same call before they are known and after.
@@ -132,19 +132,10 @@ fn begin(
             lane.extend(found);
         }
     }
-    let mut hinges = hinges.iter();
-    Some(lanes.map(|lane| {
-        let hinge = hinges.next().expect("derivatives: a hinge a lane");
-        (hinge.motion.speed, hinge.column(graph, &lane))
+    Some(std::array::from_fn(|lane| {
+        let hinge = &hinges[lane];
+        (hinge.motion.speed, hinge.column(graph, &lanes[lane]))
     }))
-}
-
-/// How many operations these need.
-fn n_operations(graph: &ExprGraph, roots: &[Expr]) -> usize {
-    let needed = graph.reachable(roots);
-    let needed = graph.ids().filter(|id| needed[id.index()]);
-    let operations = needed.filter(|id| graph.node(*id).operands().next().is_some());
-    operations.count()
 }
 
 /// The vectors of a column: those of what its speed needs, its momentum and couple; and of what its coordinate needs.

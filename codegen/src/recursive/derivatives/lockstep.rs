@@ -4,7 +4,7 @@
 use super::{
     super::{
         linkage::Linkage,
-        moments::{Moments, Rates},
+        moments::{Changing, Moments, Rates},
         shortcut::Shortcuts,
         wrench::Wrench,
     },

@@ -32,9 +32,10 @@ use self::{
     way::{Went, ways},
 };
 use super::{
+    gathered::Gathered,
     linkage::Linkage,
     loaded,
-    moments::{Moments, Rates},
+    moments::Rates,
     plan::{Plan, Technique},
     shortcut::Shortcuts,
     wrench::Wrench,
@@ -93,10 +94,7 @@ impl Sweep<'_> {
         let Self { linkage, ways, .. } = self;
         let tree = linkage.tree;
         let mut wrenches = self.wrenches.clone();
-        let mut moments = BodyMap::outward(tree.bodies.len(), |body, _| {
-            Moments::of(&linkage.links[body])
-        });
-        let mut rates = BodyMap::outward(tree.bodies.len(), |_, _| Rates::zero(graph));
+        let mut gathered = Gathered::<Rates>::new(graph, linkage);
         let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
         let mut shortcuts = Shortcuts::new(graph, linkage);
         let mut found = Derivatives::zero(graph, tree);
@@ -105,8 +103,8 @@ impl Sweep<'_> {
             let mut carried = Carried {
                 body,
                 shortcuts: &mut shortcuts,
-                moments: moments[body],
-                rates: rates[body],
+                moments: gathered.moments[body],
+                rates: gathered.rates[body],
                 wrench: wrenches[body],
                 way: &ways[body].at_motions,
                 columns: std::mem::take(&mut columns[body]),
@@ -122,16 +120,12 @@ impl Sweep<'_> {
                 ..
             } = carried;
             if let Some(lower) = tree.lower(body) {
-                arrived.hint(graph, "composite_on_lower");
-                changing.hint(graph, "composite_on_lower");
+                let come = (&arrived, &changing);
+                Gathered::hint(graph, come);
                 for column in &others {
                     column.hint(graph, tree, lower);
                 }
-                graph.enter(lower);
-                moments[lower] = moments[lower].plus(graph, &arrived);
-                rates[lower] = rates[lower].plus(graph, &changing);
-                moments[lower].hint(graph, "composite");
-                rates[lower].hint(graph, "composite");
+                gathered.add(graph, lower, come);
                 wrenches[lower] = wrenches[lower].plus(graph, &wrench);
                 columns[lower].extend(others);
                 if self.in_lockstep {

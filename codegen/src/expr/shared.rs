@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Expr, ExprGraph, Input, NodeId};
+use super::{Expr, ExprGraph, Input, NodeId};
 
 /// Numbers of a graph that helpers are given, each once.
 #[derive(Debug, Default)]
-pub(super) struct Shared {
+pub struct Shared {
     numbers: Vec<Expr>,
     places: BTreeMap<NodeId, usize>,
 }
 
 impl Shared {
     /// A number that all columns share, in a helper; what is known is written into it.
-    pub(super) fn share(&mut self, graph: &ExprGraph, helper: &mut ExprGraph, own: Expr) -> Expr {
+    pub fn share(&mut self, graph: &ExprGraph, helper: &mut ExprGraph, own: Expr) -> Expr {
         if let Some(number) = graph.as_number(own) {
             return helper.number(number);
         }
@@ -24,8 +24,13 @@ impl Shared {
         helper.input(Input::Shared(place)).signed(own.is_negative())
     }
 
+    /// How many there are.
+    pub fn n_numbers(&self) -> usize {
+        self.numbers.len()
+    }
+
     /// All of them, by place.
-    pub(super) fn numbers(&self) -> &[Expr] {
-        &self.numbers
+    pub fn numbers(&self) -> Vec<Expr> {
+        self.numbers.clone()
     }
 }
