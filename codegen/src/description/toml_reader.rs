@@ -92,8 +92,12 @@ impl Reader {
             last_line = last_line.max(Some(line));
             if !follows {
                 let message = format!("not valid TOML: {}", error.message());
-                self.faults
-                    .push(Diagnostic::error(message).at(span, "here"));
+                let fault = Diagnostic::error(message).at(span, "here");
+                self.faults.push(if has_unit(source.text(), span) {
+                    fault.help("a number stands without its unit: m, kg, kg m^2, rad, s, N, N m")
+                } else {
+                    fault
+                });
             }
         }
         if recovered {
@@ -336,6 +340,16 @@ impl Reader {
         self.faults
             .push(fault.at(span(item), format!("expected {expected}")));
     }
+}
+
+/// True where letters follow a number, as a unit would.
+fn has_unit(text: &str, span: Span) -> bool {
+    let of_number = |c: char| c.is_ascii_digit() || c == '.';
+    let before = text.get(..span.start).unwrap_or_default();
+    let found = text.get(span.start..).unwrap_or_default();
+    let after = found.trim_start_matches(of_number);
+    (before.ends_with(of_number) || after.len() < found.len())
+        && after.trim_start_matches(' ').starts_with(char::is_alphabetic)
 }
 
 /// Where the lines start that are neither empty nor a comment.

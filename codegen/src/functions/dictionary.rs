@@ -1,6 +1,6 @@
 //! What other tools call our functions, for those who look for a name that we do not have.
 
-use super::function::Function;
+use super::function::{Function, Of};
 use crate::diagnostic::nearest;
 
 /// Our requests, and the names that Pinocchio, MuJoCo, RBDL, Drake and textbooks have for the same, in small letters and digits.
@@ -129,10 +129,22 @@ fn plain(name: &str) -> String {
 pub fn advice(name: &str, known: &[&str]) -> String {
     if let Some(request) = elsewhere(name) {
         format!("here it is called `{request}`")
+    } else if let Some((frame, function)) = of_frame(name) {
+        format!("did you mean `{function}({frame})`?")
     } else if let Some(near) = nearest(name, known) {
         format!("did you mean `{near}`?")
     } else {
         let known: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
         format!("the functions are {}", known.join(", "))
     }
+}
+
+/// The frame and its function, of a name in which both stand as in generated code: `tool0_jacobian`.
+fn of_frame(name: &str) -> Option<(&str, &'static str)> {
+    let of_frames = Function::all().filter(|function| function.of != Of::System);
+    let found = of_frames.filter_map(|function| {
+        let frame = name.strip_suffix(function.name)?.strip_suffix('_')?;
+        (!frame.is_empty()).then_some((frame, function.name))
+    });
+    found.max_by_key(|(_, function)| function.len())
 }

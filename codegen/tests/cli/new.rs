@@ -110,6 +110,25 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
 }
 
 #[test]
+fn folder_of_the_crate_stays_relative_where_it_was_given_so() {
+    let project = Project::empty();
+    project.write("crates/kane/Cargo.toml", "");
+    let dependency = |name: &str, kane: &str| {
+        let ran = project.kane(&["new", name, "--kane", kane]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let manifest = project.read(&format!("{name}/Cargo.toml"));
+        let line = manifest.lines().find(|line| line.starts_with("kane = "));
+        line.unwrap_or_default().to_owned()
+    };
+    let relative = "kane = { path = \"../../crates/kane\", default-features = false }";
+    assert_eq!(dependency("robots/arm", "crates/kane"), relative);
+    let absolute = project.path("crates/kane");
+    let absolute = absolute.canonicalize().unwrap();
+    let line = dependency("leg", absolute.to_str().unwrap());
+    assert!(line.contains(absolute.to_str().unwrap()), "{line}");
+}
+
+#[test]
 fn shells_are_told_every_command() {
     let help = Project::empty().kane(&["--help"]).out;
     let (_, commands) = help.split_once("Commands:\n").unwrap();

@@ -34,6 +34,10 @@ fn unknown_names_are_met_with_advice() {
         "here it is called `inverse_dynamics`"
     );
     assert_eq!(advice("biass", &known), "did you mean `bias`?");
+    assert_eq!(
+        advice("tool0_point_jacobian", &known),
+        "did you mean `point_jacobian(tool0)`?"
+    );
     let listed = advice("jerk", &known);
     assert!(
         listed.starts_with("the functions are `relative_rotation`, "),

@@ -348,6 +348,7 @@ files! { FILES, description_is_refused:
     no_keys
     no_root
     not_toml
+    numbers_with_units
     point_mass_all_angles_at_its_center
     point_mass_on_its_axis
     quaternion_of_one_angle

@@ -41,7 +41,7 @@ fn columns_count_characters_not_bytes() {
     10 | joint = ["θ1", "thetå1"]
        |                ^^^^^^^^ unknown coordinate
        |
-       = help: did you mean `theta1`?
+       = help: did you mean `theta1`? The coordinates are `theta1`, `theta2`, `theta3`, `s1`, `s2`, `s3`
     "#);
 }
 

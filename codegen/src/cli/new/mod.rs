@@ -19,7 +19,7 @@ use kane_codegen::{
 };
 
 use self::{model::Model, package::Dependency};
-use super::{Failures, Outcome, Voice, changes::ReadingArguments};
+use super::{Failures, Outcome, Voice, changes::ReadingArguments, paths};
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
 const TAKEN: [&str; 12] = [
@@ -78,7 +78,7 @@ pub(crate) fn run(
             folder.display()
         )));
     }
-    let dependency = dependency(arguments.kane.as_deref())?;
+    let dependency = dependency(folder, arguments.kane.as_deref())?;
     let reading = arguments.reading.above(Reading::default());
     let model = match &arguments.model {
         Some(path) => Model::read(path, reading, &name)?,
@@ -139,7 +139,7 @@ fn name(folder: &Path) -> Result<String, Failures> {
 }
 
 /// Where the crate `kane` comes from.
-fn dependency(folder: Option<&Path>) -> Result<Dependency, Failures> {
+fn dependency(package: &Path, folder: Option<&Path>) -> Result<Dependency, Failures> {
     let Some(folder) = folder else {
         return Ok(Dependency::Registry);
     };
@@ -151,7 +151,10 @@ fn dependency(folder: Option<&Path>) -> Result<Dependency, Failures> {
             folder.display()
         ))
     })?;
-    Ok(Dependency::Folder(toml::quoted(
-        &absolute.to_string_lossy(),
-    )))
+    // As it was given: relative, so that both folders can be moved together, or absolute.
+    let from = paths::here()?.join(package);
+    let relative = paths::relative(&from, &absolute).filter(|_| folder.is_relative());
+    let shown = relative.as_deref().and_then(paths::with_slashes);
+    let shown = shown.unwrap_or_else(|| absolute.to_string_lossy().into_owned());
+    Ok(Dependency::Folder(toml::quoted(&shown)))
 }

@@ -175,15 +175,13 @@ pub(super) fn coordinate(
             "{what} names `{}`, which is no coordinate",
             name.escape_debug()
         ));
+        let names = backquoted(&CoordinateName::NAMES);
         let help = match nearest(name, &CoordinateName::NAMES) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None if beside.is_empty() => {
-                format!("the coordinates are {}", backquoted(&CoordinateName::NAMES))
-            }
+            Some(near) => format!("did you mean `{near}`? The coordinates are {names}"),
+            None if beside.is_empty() => format!("the coordinates are {names}"),
             None => format!(
-                "the keys are {} for all coordinates, or the coordinates {}",
-                backquoted(beside),
-                backquoted(&CoordinateName::NAMES)
+                "the keys are {} for all coordinates, or the coordinates {names}",
+                backquoted(beside)
             ),
         };
         reader

@@ -2,6 +2,7 @@
 
 use roxmltree::Error;
 
+use crate::description::xml::markup;
 use crate::description::xml::mend::Mended;
 use crate::description::xml::prolog::prolog_end;
 use crate::diagnostic::{Diagnostic, Span};
@@ -28,7 +29,10 @@ pub(super) fn malformed(mended: &Mended<'_>, base: usize, error: &Error) -> Diag
         Error::NodesLimitReached => {
             format!("it has more than {XML_NODES} elements, comments and texts")
         }
-        Error::UnclosedRootNode => "the file ends before its root element is closed".to_owned(),
+        Error::UnclosedRootNode => match markup::open(text) {
+            Some(open) => format!("the file ends before `</{open}>`"),
+            None => "the file ends before its root element is closed".to_owned(),
+        },
         Error::UnexpectedEndOfStream => "the file ends too early".to_owned(),
         Error::DtdDetected => {
             length = "<!DOCTYPE".len();

@@ -14,40 +14,73 @@ pub(crate) fn check(text: &str) -> Result<(), Diagnostic> {
         let message = format!("more than {XML_NAMESPACES} namespaces are declared; expected fewer");
         return Err(at_place(message, at, found));
     }
-    let mut rest = text;
-    while let Some(at) = rest.find('<') {
-        rest = &rest[at..];
-        let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
-        let skipped = skipped.iter().find(|(open, _)| rest.starts_with(open));
-        rest = if let Some((_, close)) = skipped {
-            rest.split_once(close).map_or("", |(_, after)| after)
-        } else {
-            let (n_values, after) = tag(rest);
-            if n_values > XML_ATTRIBUTES {
-                let message = format!(
-                    "the element has {n_values} attributes; expected at most {XML_ATTRIBUTES}"
-                );
-                return Err(at_place(message, text.len() - rest.len(), "<"));
-            }
-            after
-        };
+    for (at, tag) in tags(text) {
+        let n_values = values(tag);
+        if n_values > XML_ATTRIBUTES {
+            let message = format!(
+                "the element has {n_values} attributes; expected at most {XML_ATTRIBUTES}"
+            );
+            return Err(at_place(message, at, "<"));
+        }
     }
     Ok(())
 }
 
-/// The values of the tag with which a text begins, and what follows it.
-fn tag(text: &str) -> (usize, &str) {
-    let mut n_values = 0;
+/// The name of the innermost element that is not closed where the text ends.
+pub(super) fn open(text: &str) -> Option<&str> {
+    let mut open: Vec<&str> = Vec::new();
+    for (_, tag) in tags(text) {
+        if tag.starts_with("</") {
+            open.pop();
+        } else if !tag.ends_with("/>") && !tag.starts_with("<!") {
+            let name = tag[1..].split(|c: char| c.is_whitespace() || c == '>');
+            open.extend(name.take(1));
+        }
+    }
+    open.pop()
+}
+
+/// The tags of a text, with their places: what is neither a comment nor text as it stands nor an instruction.
+fn tags(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        loop {
+            rest = &rest[rest.find('<')?..];
+            let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
+            let skipped = skipped.iter().find(|(open, _)| rest.starts_with(open));
+            let Some((_, close)) = skipped else { break };
+            rest = rest.split_once(close).map_or("", |(_, after)| after);
+        }
+        let at = text.len() - rest.len();
+        let (tag, after) = rest.split_at(length(rest));
+        rest = after;
+        Some((at, tag))
+    })
+}
+
+/// The length of the tag with which a text begins, in whose values `>` may stand.
+fn length(text: &str) -> usize {
     let mut rest = text;
     while let Some(at) = rest.find(['>', '"', '\'']) {
         let (found, after) = rest[at..].split_at(1);
         if found == ">" {
-            return (n_values, after);
+            return text.len() - after.len();
         }
+        rest = after.split_once(found).map_or("", |(_, after)| after);
+    }
+    text.len()
+}
+
+/// How many values a tag has.
+fn values(tag: &str) -> usize {
+    let mut n_values = 0;
+    let mut rest = tag;
+    while let Some(at) = rest.find(['"', '\'']) {
+        let (found, after) = rest[at..].split_at(1);
         n_values += 1;
         rest = after.split_once(found).map_or("", |(_, after)| after);
     }
-    (n_values, "")
+    n_values
 }
 
 fn at_place(message: String, at: usize, found: &str) -> Diagnostic {
