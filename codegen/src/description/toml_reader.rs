@@ -349,7 +349,9 @@ fn has_unit(text: &str, span: Span) -> bool {
     let found = text.get(span.start..).unwrap_or_default();
     let after = found.trim_start_matches(of_number);
     (before.ends_with(of_number) || after.len() < found.len())
-        && after.trim_start_matches(' ').starts_with(char::is_alphabetic)
+        && after
+            .trim_start_matches(' ')
+            .starts_with(char::is_alphabetic)
 }
 
 /// Where the lines start that are neither empty nor a comment.

@@ -91,3 +91,19 @@ fn the_readme_has_the_operations_of_the_tables() {
         assert!(readme.contains(&expected), "README.md lacks {expected}");
     }
 }
+
+#[test]
+fn the_readme_says_how_long_derivatives_become() {
+    let readme = fs::read_to_string(repository("README.md")).unwrap();
+    let table = fs::read_to_string(repository("docs/performance.md")).unwrap();
+    let (_, derivatives) = table
+        .split_once("| system | inverse dynamics | CasADi | forward dynamics | CasADi |")
+        .unwrap();
+    let row = derivatives
+        .lines()
+        .find(|line| line.starts_with("| talos |"));
+    let cells: Vec<&str> = row.unwrap().split('|').map(str::trim).collect();
+    let thousands = (cells[4].parse::<f64>().unwrap() / 1000.0).round();
+    let expected = format!("Talos's forward dynamics are {thousands},000 operations");
+    assert!(readme.contains(&expected), "README.md lacks {expected}");
+}

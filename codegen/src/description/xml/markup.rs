@@ -17,9 +17,8 @@ pub(crate) fn check(text: &str) -> Result<(), Diagnostic> {
     for (at, tag) in tags(text) {
         let n_values = values(tag);
         if n_values > XML_ATTRIBUTES {
-            let message = format!(
-                "the element has {n_values} attributes; expected at most {XML_ATTRIBUTES}"
-            );
+            let message =
+                format!("the element has {n_values} attributes; expected at most {XML_ATTRIBUTES}");
             return Err(at_place(message, at, "<"));
         }
     }
