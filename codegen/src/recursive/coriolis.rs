@@ -242,6 +242,22 @@ impl Column {
         }
     }
 
+    /// Of another column's motion with the numbers of this one.
+    pub(super) fn of_motion(&self, other: &Self) -> Self {
+        let Self {
+            needed,
+            momentum,
+            couple,
+            ..
+        } = *self;
+        Self {
+            needed,
+            momentum,
+            couple,
+            ..*other
+        }
+    }
+
     /// The name of its motion.
     pub(super) fn name(&self, tree: &Tree) -> &'static str {
         tree.body(self.body).joint.motion_names()[self.place]

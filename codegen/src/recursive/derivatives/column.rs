@@ -35,6 +35,14 @@ impl Column {
         levered.flat_map(Levered::parts_mut).chain(couple)
     }
 
+    /// Of another column's motion with the numbers of this one.
+    pub(super) fn of_motion(&self, other: &Self) -> Self {
+        Self {
+            carrying: self.carrying.of_motion(&other.carrying),
+            displaced: self.displaced,
+        }
+    }
+
     /// True for columns of which the same has left.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         let has_left = |own: &Self| {

@@ -50,7 +50,8 @@ impl Inward<'_, '_> {
 
     fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: &[Column; LANES]) {
         let (one, sides) = on_sides(graph, group, |column| column.parts_mut().collect());
-        let reads = self.reads(graph, at, &one).into_iter();
+        let reads = self.reads(graph, at, group.map(|own| one.of_motion(&own)));
+        let reads = reads.into_iter();
         let (reads, others): (Vec<Read>, Vec<Read>) =
             reads.partition(|read| self.wanted.matrices()[read.matrix]);
         for read in others {
@@ -80,11 +81,18 @@ impl Inward<'_, '_> {
         }
     }
 
-    /// What is read off a column on its way from a link to the inertial frame.
-    fn reads(&mut self, graph: &mut ExprGraph, at: BodyId, column: &Column) -> Vec<Read> {
+    /// What is read off the first of columns on their way from a link to the inertial frame.
+    fn reads(
+        &mut self,
+        graph: &mut ExprGraph,
+        at: BodyId,
+        alike: [Column; LANES],
+    ) -> Vec<Read> {
         let tree = self.linkage.tree;
         let mut found = Derivatives::zero(graph, tree);
-        let mut columns = vec![*column];
+        let own = alike[0].carrying.motion.speed.index();
+        // All of them, for what pays depends on how many there are.
+        let mut columns = alike.to_vec();
         let mut next = Some(at);
         while let Some(body) = next {
             let nothing = graph.zero_vector();
@@ -109,11 +117,10 @@ impl Inward<'_, '_> {
             self.linkage.passages[body].inward(graph, &mut carried);
             columns = carried.columns;
             next = tree.lower(body);
-            for (column, lower) in columns.iter().zip(next) {
+            for (column, lower) in columns.iter().take(1).zip(next) {
                 column.hint(graph, tree, lower);
             }
         }
-        let own = column.carrying.motion.speed.index();
         let mut reads = Vec::new();
         for (matrix, of) in found.matrices_mut().into_iter().enumerate() {
             for speed in (0..tree.n_speeds).filter(|speed| *speed != own) {
