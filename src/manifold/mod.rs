@@ -141,24 +141,20 @@ pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> 
     moved
 }
 
-/// The direction, rad and m along the axes of `u`, in which [`q_plus`] leads from `q` to `q_other`.
+/// The direction, rad and m along the axes of `u`, in which [`q_plus`] leads `from` one `q` `to` another: `to` less `from`.
 ///
 /// Orientations are joined by the shorter turn, of at most half a revolution, also where quaternions differ in their sign. Lengths of
 /// quaternions do not matter, unless their product is below 1e-30.
 #[must_use]
-pub fn q_minus<R: Real, S: System<R>>(system: &S, q: &S::Q, q_other: &S::Q) -> S::U {
+pub fn q_minus<R: Real, S: System<R>>(system: &S, from: &S::Q, to: &S::Q) -> S::U {
     let _ = system;
     let mut direction: S::U = zero();
     for (place, speed) in rates::<R, S>() {
-        put(
-            &mut direction,
-            speed,
-            entry(q_other, place) - entry(q, place),
-        );
+        put(&mut direction, speed, entry(to, place) - entry(from, place));
     }
     for joint in turnings::<R, S>() {
-        let back = turn::inverse(joint.quaternion(q));
-        let turn = turn::log(turn::product(back, joint.quaternion(q_other)));
+        let back = turn::inverse(joint.quaternion(from));
+        let turn = turn::log(turn::product(back, joint.quaternion(to)));
         joint.set(&mut direction, turn);
     }
     direction

@@ -46,6 +46,8 @@ const NAMES: [(&str, &[&str]); 17] = [
             "gravity",
             "gravityterm",
             "generalizedgravity",
+            "gravitycompensation",
+            "gravityvector",
             "calcgravitygeneralizedforces",
         ],
     ),

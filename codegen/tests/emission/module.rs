@@ -332,13 +332,13 @@ fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
     ));
     let source = Source::new("pendulum.toml", text.unwrap());
     let error = generate(&source, "pendulum.toml", &options).unwrap_err();
-    insta::assert_snapshot!(error, @"
-    error: the base can be chosen for a URDF alone: this model says itself by which joints its bodies hang from the inertial frame
+    insta::assert_snapshot!(error, @r#"
+    error: the base can be chosen for a URDF alone: this model says itself by which joints its bodies hang from the inertial frame; one that floats has `joint = "free"` and `chart = "quaternion"`
     --> pendulum.toml
 
     error: the chart can be chosen for a URDF or MJCF alone: each joint of this model says it itself, with the key `chart`
     --> pendulum.toml
-    ");
+    "#);
 }
 
 #[test]

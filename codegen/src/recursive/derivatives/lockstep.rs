@@ -82,12 +82,7 @@ impl Inward<'_, '_> {
     }
 
     /// What is read off the first of columns on their way from a link to the inertial frame.
-    fn reads(
-        &mut self,
-        graph: &mut ExprGraph,
-        at: BodyId,
-        alike: [Column; LANES],
-    ) -> Vec<Read> {
+    fn reads(&mut self, graph: &mut ExprGraph, at: BodyId, alike: [Column; LANES]) -> Vec<Read> {
         let tree = self.linkage.tree;
         let mut found = Derivatives::zero(graph, tree);
         let own = alike[0].carrying.motion.speed.index();
