@@ -50,7 +50,7 @@ impl Inward<'_, '_> {
 
     fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: &[Column; LANES]) {
         let (one, sides) = on_sides(graph, group, |column| column.parts_mut().collect());
-        let reads = self.reads(graph, at, group.map(|own| one.of_motion(&own)));
+        let reads = self.reads(graph, at, &group.map(|own| one.of_motion(&own)));
         let reads = reads.into_iter();
         let (reads, others): (Vec<Read>, Vec<Read>) =
             reads.partition(|read| self.wanted.matrices()[read.matrix]);
@@ -82,7 +82,7 @@ impl Inward<'_, '_> {
     }
 
     /// What is read off the first of columns on their way from a link to the inertial frame.
-    fn reads(&mut self, graph: &mut ExprGraph, at: BodyId, alike: [Column; LANES]) -> Vec<Read> {
+    fn reads(&mut self, graph: &mut ExprGraph, at: BodyId, alike: &[Column; LANES]) -> Vec<Read> {
         let tree = self.linkage.tree;
         let mut found = Derivatives::zero(graph, tree);
         let own = alike[0].carrying.motion.speed.index();
