@@ -26,6 +26,14 @@ pub(crate) fn here() -> Result<PathBuf, Error> {
     target(Path::new("."))
 }
 
+/// Where a folder will stand that is not there yet, absolute, without links.
+pub(crate) fn of_new(folder: &Path) -> Result<PathBuf, Error> {
+    let above = folder.ancestors().find(|above| above.is_dir());
+    let above = above.unwrap_or(Path::new(""));
+    let rest = folder.strip_prefix(above).unwrap_or(folder);
+    Ok(target(&here()?.join(above))?.join(rest))
+}
+
 /// The folder of the file, as written; the current folder is `.`.
 pub(crate) fn parent(file: &Path) -> &Path {
     match file.parent() {

@@ -25,7 +25,8 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
             (description, Some(base), None, None)
         }
         _ => {
-            let base = "this model says itself by which joints its bodies hang from the inertial frame; one that floats has `joint = \"free\"` and `chart = \"quaternion\"`";
+            let base = "this model says itself by which joints its bodies hang from the inertial frame; one \
+                        that floats has `joint = \"free\"` and `chart = \"quaternion\"`";
             let chart = "each joint of this model says it itself, with the key `chart`";
             let description = toml::parse(source);
             (description, Some(base), Some(chart), no_equalities)

@@ -94,7 +94,9 @@ impl Reader {
                 let message = format!("not valid TOML: {}", error.message());
                 let fault = Diagnostic::error(message).at(span, "here");
                 self.faults.push(if has_unit(source.text(), span) {
-                    fault.help("a number stands without its unit: m, kg, kg m^2, rad, s, N, N m")
+                    fault.help(
+                        "write numbers without units; they are in m, kg, kg m^2, rad, s, N and N m",
+                    )
                 } else {
                     fault
                 });

@@ -122,6 +122,14 @@ fn folder_of_the_crate_stays_relative_where_it_was_given_so() {
     };
     let relative = "kane = { path = \"../../crates/kane\", default-features = false }";
     assert_eq!(dependency("robots/arm", "crates/kane"), relative);
+    // Cargo follows links before it goes up.
+    #[cfg(unix)]
+    {
+        project.write("deep/below/file", "");
+        std::os::unix::fs::symlink(project.path("deep/below"), project.path("link")).unwrap();
+        let relative = relative.replace("../../crates", "../../../crates");
+        assert_eq!(dependency("link/hand", "crates/kane"), relative);
+    }
     let absolute = project.path("crates/kane");
     let absolute = absolute.canonicalize().unwrap();
     let line = dependency("leg", absolute.to_str().unwrap());

@@ -134,6 +134,29 @@ fn arms_of_dense_bodies_stay_below_their_limits() {
     }
 }
 
+#[test]
+fn the_comparison_has_the_counts_of_arms() {
+    let page = format!("{}/../benches/peers/README.md", env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(page).unwrap();
+    for (name, rows) in [
+        ("RX-90", RX_90),
+        ("PUMA 560", PUMA_560),
+        ("generic 6R", generic_6r()),
+    ] {
+        let tree = arm(&rows);
+        let counted = FUNCTIONS.map(|function| count(&tree, function, &[]));
+        let [inverse, mass, forward] = counted.map(|own| format!("{}m {}a", own.mul, own.add));
+        let row = format!(
+            "| {name} | {inverse} | {mass} | {forward}, {} divisions |",
+            counted[2].div
+        );
+        assert!(
+            page.contains(&row),
+            "benches/peers/README.md has not: {row}"
+        );
+    }
+}
+
 /// What grows faster than linearly with a chain shows here first.
 #[test]
 fn a_chain_of_64_revolute_bodies() {

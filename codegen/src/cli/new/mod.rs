@@ -138,7 +138,7 @@ fn name(folder: &Path) -> Result<String, Failures> {
     Ok(name)
 }
 
-/// Where the crate `kane` comes from.
+/// Where the crate `kane` comes from, for a package that is not there yet.
 fn dependency(package: &Path, folder: Option<&Path>) -> Result<Dependency, Failures> {
     let Some(folder) = folder else {
         return Ok(Dependency::Registry);
@@ -152,8 +152,8 @@ fn dependency(package: &Path, folder: Option<&Path>) -> Result<Dependency, Failu
         ))
     })?;
     // As it was given: relative, so that both folders can be moved together, or absolute.
-    let from = paths::here()?.join(package);
-    let relative = paths::relative(&from, &absolute).filter(|_| folder.is_relative());
+    let relative =
+        paths::relative(&paths::of_new(package)?, &absolute).filter(|_| folder.is_relative());
     let shown = relative.as_deref().and_then(paths::with_slashes);
     let shown = shown.unwrap_or_else(|| absolute.to_string_lossy().into_owned());
     Ok(Dependency::Folder(toml::quoted(&shown)))

@@ -1,5 +1,5 @@
-//! How much markup an XML file holds, told before it is parsed: where a tag has very many attributes, or a file very many
-//! namespaces, parsing takes their square.
+//! The tags of an XML file, told before or without parsing it. Where a tag has very many attributes, or a file very many
+//! namespaces, parsing takes their square; where a file ends early, the parser does not say what is open.
 //!
 //! In: text that may be no XML. Out: a fault where a limit is passed, else nothing: what is wrong in another way is the
 //! parser's to tell.
@@ -14,8 +14,7 @@ pub(crate) fn check(text: &str) -> Result<(), Diagnostic> {
         let message = format!("more than {XML_NAMESPACES} namespaces are declared; expected fewer");
         return Err(at_place(message, at, found));
     }
-    for (at, tag) in tags(text) {
-        let n_values = values(tag);
+    for Tag { at, n_values, .. } in tags(text) {
         if n_values > XML_ATTRIBUTES {
             let message =
                 format!("the element has {n_values} attributes; expected at most {XML_ATTRIBUTES}");
@@ -28,19 +27,28 @@ pub(crate) fn check(text: &str) -> Result<(), Diagnostic> {
 /// The name of the innermost element that is not closed where the text ends.
 pub(super) fn open(text: &str) -> Option<&str> {
     let mut open: Vec<&str> = Vec::new();
-    for (_, tag) in tags(text) {
-        if tag.starts_with("</") {
+    for Tag { text, .. } in tags(text) {
+        if text.starts_with("</") {
             open.pop();
-        } else if !tag.ends_with("/>") && !tag.starts_with("<!") {
-            let name = tag[1..].split(|c: char| c.is_whitespace() || c == '>');
-            open.extend(name.take(1));
+        } else if !text.ends_with("/>") && !text.starts_with("<!") {
+            let mut words = text[1..].split(|c: char| c.is_whitespace() || c == '>');
+            open.extend(words.next());
         }
     }
     open.pop()
 }
 
-/// The tags of a text, with their places: what is neither a comment nor text as it stands nor an instruction.
-fn tags(text: &str) -> impl Iterator<Item = (usize, &str)> {
+/// A tag.
+struct Tag<'a> {
+    /// Its place.
+    at: usize,
+    /// From `<` to `>`.
+    text: &'a str,
+    n_values: usize,
+}
+
+/// The tags of a text; comments, CDATA and instructions are none.
+fn tags(text: &str) -> impl Iterator<Item = Tag<'_>> {
     let mut rest = text;
     std::iter::from_fn(move || {
         loop {
@@ -50,36 +58,30 @@ fn tags(text: &str) -> impl Iterator<Item = (usize, &str)> {
             let Some((_, close)) = skipped else { break };
             rest = rest.split_once(close).map_or("", |(_, after)| after);
         }
-        let at = text.len() - rest.len();
-        let (tag, after) = rest.split_at(length(rest));
+        let (n_values, after) = tag(rest);
+        let found = Tag {
+            at: text.len() - rest.len(),
+            text: &rest[..rest.len() - after.len()],
+            n_values,
+        };
         rest = after;
-        Some((at, tag))
+        Some(found)
     })
 }
 
-/// The length of the tag with which a text begins, in whose values `>` may stand.
-fn length(text: &str) -> usize {
+/// The values of the tag with which a text begins, and what follows it.
+fn tag(text: &str) -> (usize, &str) {
+    let mut n_values = 0;
     let mut rest = text;
     while let Some(at) = rest.find(['>', '"', '\'']) {
         let (found, after) = rest[at..].split_at(1);
         if found == ">" {
-            return text.len() - after.len();
+            return (n_values, after);
         }
-        rest = after.split_once(found).map_or("", |(_, after)| after);
-    }
-    text.len()
-}
-
-/// How many values a tag has.
-fn values(tag: &str) -> usize {
-    let mut n_values = 0;
-    let mut rest = tag;
-    while let Some(at) = rest.find(['"', '\'']) {
-        let (found, after) = rest[at..].split_at(1);
         n_values += 1;
         rest = after.split_once(found).map_or("", |(_, after)| after);
     }
-    n_values
+    (n_values, "")
 }
 
 fn at_place(message: String, at: usize, found: &str) -> Diagnostic {

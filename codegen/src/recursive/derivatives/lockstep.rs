@@ -50,8 +50,8 @@ impl Inward<'_, '_> {
 
     fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: &[Column; LANES]) {
         let (one, sides) = on_sides(graph, group, |column| column.parts_mut().collect());
-        let reads = self.reads(graph, at, &group.map(|own| one.of_motion(&own)));
-        let reads = reads.into_iter();
+        let alike = group.map(|own| one.of_motion(&own));
+        let reads = self.reads(graph, at, &alike).into_iter();
         let (reads, others): (Vec<Read>, Vec<Read>) =
             reads.partition(|read| self.wanted.matrices()[read.matrix]);
         for read in others {
@@ -86,7 +86,7 @@ impl Inward<'_, '_> {
         let tree = self.linkage.tree;
         let mut found = Derivatives::zero(graph, tree);
         let own = alike[0].carrying.motion.speed.index();
-        // All of them, for what pays depends on how many there are.
+        // All four: whether a shortcut pays depends on how many take it.
         let mut columns = alike.to_vec();
         let mut next = Some(at);
         while let Some(body) = next {
