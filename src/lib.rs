@@ -82,6 +82,7 @@ mod cost;
 mod joint;
 mod lanes;
 mod load;
+mod store;
 
 // A system as generic code sees it.
 mod system;
@@ -164,6 +165,7 @@ pub use joint::{Chart, Frame, Joint};
 pub use lanes::Lanes;
 pub use load::Load;
 pub use real::Real;
+pub use store::store;
 pub use system::System;
 /// The crate of vectors for which [`Lanes`] is implemented.
 #[cfg(feature = "wide")]

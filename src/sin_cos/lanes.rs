@@ -1,8 +1,17 @@
 //! A function of one number, applied to many side by side.
 
+/// As many angles gain nothing from a function of eight, and where nobody measured vectors a function of a few angles computes its sines itself.
+const MOST_OF_FEW: usize = if cfg!(target_feature = "avx") {
+    2
+} else if cfg!(target_feature = "sse2") {
+    4
+} else {
+    15
+};
+
 /// The two results of `f`, which has no branch, for each of `angles`, all of them scalars.
 ///
-/// Up to two angles, or fewer than sixteen without AVX, are lanes of [`each`]. Of more, eight at a time go to a function of their own:
+/// Up to two angles, up to four without AVX and fewer than sixteen without SSE2 are lanes of [`each`]. Of more, eight at a time go to a function of their own:
 /// where the optimizer sees what the lanes are for, it packs some of them with one another and with results, and five sines
 /// and cosines took as long as one after the other (LLVM 22). What is left is filled up to eight, or goes by four, two or one.
 ///
@@ -18,7 +27,7 @@ pub(crate) fn scalars<T: Copy, const N: usize>(
     f: impl Fn(T) -> (T, T) + Copy,
 ) -> ([T; N], [T; N]) {
     let left = N % 8;
-    if N <= 2 || N < 16 && cfg!(not(target_feature = "avx")) {
+    if N <= MOST_OF_FEW {
         return few(angles, f);
     }
     let mut both = ([angles[0]; N], [angles[0]; N]);

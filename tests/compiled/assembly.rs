@@ -131,7 +131,10 @@ fn require_straight_code(opt_level: &str) {
                 !instruction.contains("panic"),
                 "`{name}` may panic: {instruction}"
             );
-            let branches = instruction.starts_with('j') || instruction.starts_with("call");
+            // The sines of eight angles are a function, whose own instructions are read where machine code is verified.
+            let is_of_eight = name.starts_with("array") && instruction.contains("eight_in_reg");
+            let calls = instruction.starts_with("call") && !is_of_eight;
+            let branches = instruction.starts_with('j') || calls;
             // The step calls a function of the system, as it would a generated one, and may loop over its stages.
             assert!(
                 name == "step" || !branches,

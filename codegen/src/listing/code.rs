@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement,
+    Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement, Step,
     group::Groups,
     headings,
     scratch::{Scratch, numbered},
@@ -32,6 +32,9 @@ pub(super) struct ProgramContext<'a> {
     pub(super) entry: &'a dyn Fn(Input) -> Entry,
     /// Where what calls read stands.
     pub(super) scratch: &'a Scratch,
+    /// In how many arguments, the first ones, neighbours are kept apart: of numbers that are stored side by side a compiler makes
+    /// vectors of two, and of what they are computed from, though it moves more than that saves.
+    pub(super) n_apart: usize,
 }
 
 /// The statements of a program that stores to these places.
@@ -137,7 +140,7 @@ impl Writer<'_> {
             cosine: cosine_local,
         });
         for id in [sine, cosine].into_iter().flatten() {
-            self.store(id);
+            self.store(id, false);
         }
     }
 
@@ -241,16 +244,18 @@ impl Writer<'_> {
             } else {
                 element.clone()
             };
-            self.code.statements.push(Statement::Store { place, value });
+            self.put(place, value, false);
         }
     }
 
     fn assign(&mut self, id: ValueId, value: Expression) {
         let local = self.local(id);
+        // Copies of what is in memory may well be joined.
+        let is_computed = !matches!(value, Expression::Entry(_) | Expression::Element(..));
         self.code
             .statements
             .push(Statement::Assign { local, value });
-        self.store(id);
+        self.store(id, is_computed);
     }
 
     /// A local for a value.
@@ -265,11 +270,22 @@ impl Writer<'_> {
     }
 
     /// Stores a value that has a local, wherever it goes.
-    fn store(&mut self, id: ValueId) {
+    fn store(&mut self, id: ValueId, is_computed: bool) {
         for (place, operand) in self.stores.remove(&id).unwrap_or_default() {
             let value = self.operand(operand);
-            self.code.statements.push(Statement::Store { place, value });
+            self.put(place, value, is_computed);
         }
+    }
+
+    fn put(&mut self, place: Entry, value: Expression, is_computed: bool) {
+        // A number alone has no neighbour.
+        let is_of_array = matches!(place.steps.last(), Some(Step::Index(_)));
+        let is_apart = is_computed && is_of_array && place.argument < self.known.n_apart;
+        self.code.statements.push(Statement::Store {
+            place,
+            value,
+            is_apart,
+        });
     }
 
     /// Reads what the operation and those inside it need, in order.

@@ -16,6 +16,7 @@ pub(super) fn nominal(facts: &Facts) -> Function {
     let stores = stores.map(|(place, parameter)| Statement::Store {
         place,
         value: Expression::Number(parameter.nominal),
+        is_apart: false,
     });
     let code = Code {
         statements: stores.collect(),

@@ -318,13 +318,16 @@ impl<'a> Cut<'a> {
                 sines: sines.iter().map(|entry| self.entry(entry)).collect(),
                 cosines: cosines.iter().map(|entry| self.entry(entry)).collect(),
             },
-            Statement::Store { place, value } => {
-                let value = self.expression(value);
-                let place = self.entry(place);
-                Statement::Store { place, value }
-            }
+            Statement::Store {
+                place,
+                value,
+                is_apart,
+            } => Statement::Store {
+                value: self.expression(value),
+                place: self.entry(place),
+                is_apart: *is_apart,
+            },
             Statement::Heading(words) => Statement::Heading(words.clone()),
-            Statement::Fence => Statement::Fence,
         }
     }
 

@@ -67,11 +67,11 @@ pub enum Statement {
         place: Entry,
         /// The number.
         value: Expression,
+        /// True where a compiler is not to join it with stores after it.
+        is_apart: bool,
     },
     /// No instruction: words about the statements that follow.
     Heading(String),
-    /// No instruction: stores before it are not joined with those after it, as a compiler does with many zeros.
-    Fence,
 }
 
 impl Code {
@@ -83,12 +83,6 @@ impl Code {
     /// A local array.
     pub fn array(&self, id: ArrayId) -> &Array {
         &self.arrays[id.index()]
-    }
-
-    /// True where stores are kept apart.
-    pub fn has_fences(&self) -> bool {
-        let mut statements = self.statements.iter();
-        statements.any(|statement| matches!(statement, Statement::Fence))
     }
 }
 
@@ -102,8 +96,7 @@ impl Statement {
             | Self::StoreSinCos { .. }
             | Self::Call { .. }
             | Self::Store { .. }
-            | Self::Heading(_)
-            | Self::Fence => [None; 2],
+            | Self::Heading(_) => [None; 2],
         };
         pair.into_iter().flatten()
     }
@@ -124,7 +117,7 @@ impl Statement {
             Self::Assign { value, .. } | Self::Store { value, .. } => std::slice::from_ref(value),
             Self::SinCos { angle, .. } => std::slice::from_ref(angle),
             Self::SinCosArray { angles, .. } | Self::StoreSinCos { angles, .. } => angles,
-            Self::Call { .. } | Self::Heading(_) | Self::Fence => &[],
+            Self::Call { .. } | Self::Heading(_) => &[],
         }
     }
 

@@ -8,8 +8,8 @@ use crate::{
     program::{Definition, Operand, Program, ValueId},
 };
 
-/// The most zeros that are stored side by side before a fence. More a compiler makes a call of `memset`, on the smallest
-/// of processors already where they have 32 bytes.
+/// The most zeros that a compiler may join. More it makes a call of `memset`, on the smallest of processors already where they have
+/// 32 bytes.
 const MOST_ZEROS: usize = 4;
 
 /// The stores of a program: those of each value, and those of numbers and of fields of `Prepared`, which wait for nothing.
@@ -20,7 +20,7 @@ pub(super) struct Stores {
 }
 
 impl Stores {
-    /// The stores to these places, with a fence wherever too many zeros would stand side by side.
+    /// The stores to these places, with the last of each few zeros that stand side by side kept apart from those after it.
     pub(super) fn of(
         program: &Program,
         stored: impl IntoIterator<Item = (Entry, Operand)>,
@@ -29,20 +29,16 @@ impl Stores {
         let mut stores = Self::default();
         let mut n_zeros = 0;
         for (place, store) in stored {
-            n_zeros = if store == Operand::Number(0.0) {
-                n_zeros + 1
-            } else {
-                0
+            n_zeros = match store {
+                Operand::Number(0.0) => n_zeros % MOST_ZEROS + 1,
+                _ => 0,
             };
-            if n_zeros > MOST_ZEROS {
-                stores.of_constants.push(Statement::Fence);
-                n_zeros = 1;
-            }
             match store.value().filter(|&id| !is_field(program, id)) {
                 Some(id) => stores.of_values.entry(id).or_default().push((place, store)),
                 None => stores.of_constants.push(Statement::Store {
                     place,
                     value: constant(store),
+                    is_apart: n_zeros == MOST_ZEROS,
                 }),
             }
         }

@@ -45,10 +45,13 @@ impl<'a> Writer<'a> {
         let arguments = request.arguments();
         let given = self.given(&arguments);
         let scratch = Scratch::of(program, signature.arguments.len());
+        // Vectors of neighbours pay where these are copies of what calls compute, and where they are products with the same factors.
+        let pays = !program.helpers.is_empty() || request.differentiates_accelerations();
+        let n_apart = if pays { 0 } else { signature.arguments.len() };
         let code = self.code(
             program,
             (&signature, &given, &scratch),
-            places,
+            (places, n_apart),
             Counted::InFunction,
         );
         let stages = stages::of(&signature, &scratch.declared, &code);
@@ -80,7 +83,7 @@ impl<'a> Writer<'a> {
         let code = self.code(
             own,
             (&signature, &given, &scratch),
-            places,
+            (places, 0),
             Counted::InFunction,
         );
         Function::helper(signature, own, code)
@@ -107,7 +110,7 @@ impl<'a> Writer<'a> {
         let code = self.code(
             program,
             (&signature, &Given::new(), &Scratch::default()),
-            places.collect(),
+            (places.collect(), 0),
             Counted::InPreparation,
         );
         Function::plain(signature, program.operations(), code)
@@ -117,7 +120,7 @@ impl<'a> Writer<'a> {
         &self,
         program: &Program,
         (signature, given, scratch): (&Signature, &Given, &Scratch),
-        places: Vec<Entry>,
+        (places, n_apart): (Vec<Entry>, usize),
         counted: Counted,
     ) -> Code {
         let groups = Groups::of(program);
@@ -130,6 +133,7 @@ impl<'a> Writer<'a> {
             tree: self.tree,
             entry: &|input| self.entry(input, signature, given),
             scratch,
+            n_apart,
         };
         code::of(program, &known, places)
     }

@@ -90,7 +90,7 @@ fn numbers_are_told_from_indexes() {
     let literal = literal.split(')').next().unwrap();
     let literal = format!("R::from_f64({literal})");
     assert!(differs(&literal, "R::from_f64(123.5)"));
-    assert!(!differs("[0][1] =", "[0][0] ="));
+    assert!(!differs("[0][1], ", "[0][0], "));
 }
 
 #[test]

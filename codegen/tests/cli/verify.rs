@@ -46,8 +46,9 @@ fn promises_that_hold_are_a_table_of_functions() {
 #[test]
 fn a_broken_promise_names_function_and_instruction() {
     let project = Project::generated();
-    let fault = "if core::ptr::from_ref(q).addr() & 64 == 0 { return; }\n    m[0][0] =";
-    project.replace(MODULE, "m[0][0] =", fault);
+    let fault =
+        "if core::ptr::from_ref(q).addr() & 64 == 0 { return; }\n    kane::store(&mut m[0][0],";
+    project.replace(MODULE, "kane::store(&mut m[0][0],", fault);
     let ran = verify(&project, &[MODULE]);
     assert_eq!((ran.code, ran.err.as_str()), (1, ""));
     let broken: Vec<&str> = ran
@@ -83,8 +84,8 @@ fn json_says_the_same_for_programs() {
 
     project.replace(
         MODULE,
-        "m[0][0] =",
-        "if core::ptr::from_ref(q).addr() & 64 == 0 { return; }\n    m[0][0] =",
+        "kane::store(&mut m[0][0],",
+        "if core::ptr::from_ref(q).addr() & 64 == 0 { return; }\n    kane::store(&mut m[0][0],",
     );
     let ran = verify(&project, &[MODULE, "--format", "json"]);
     assert_eq!(ran.code, 1);
@@ -97,8 +98,8 @@ fn json_says_the_same_for_programs() {
 fn one_broken_module_among_several_is_enough() {
     let project = Project::generated();
     project.write("good.rs", &project.read(MODULE));
-    let fault = "m[core::ptr::from_ref(q).addr() >> 3 & 7][0] =";
-    project.replace(MODULE, "m[0][0] =", fault);
+    let fault = "kane::store(&mut m[core::ptr::from_ref(q).addr() >> 3 & 7][0],";
+    project.replace(MODULE, "kane::store(&mut m[0][0],", fault);
     let ran = verify(
         &project,
         &["good.rs", MODULE, "--scalar", "f32", "--opt-level", "2"],
@@ -119,7 +120,11 @@ fn assert_refused(ran: &Ran, expected: &[&str]) {
 #[test]
 fn a_module_that_does_not_compile_is_refused_with_what_rustc_says() {
     let project = Project::generated();
-    project.replace(MODULE, "m[0][0] =", "m[0][0] = absent;\n    m[0][0] =");
+    project.replace(
+        MODULE,
+        "kane::store(&mut m[0][0],",
+        "m[0][0] = absent;\n    kane::store(&mut m[0][0],",
+    );
     let expected = [
         "rustc does not compile `generated/arm.rs`",
         "error[E0425]",

@@ -7,5 +7,6 @@ mod interface;
 mod listing;
 mod long;
 mod module;
+mod names;
 mod nesting;
 mod writing;

@@ -118,14 +118,15 @@ impl<'ast> Visit<'ast> for Found {
             | syn::Expr::Repeat(_)
             | syn::Expr::Struct(_) => {}
             syn::Expr::Call(call) => match called(&call.func).as_deref() {
-                // A fence is no instruction.
-                Some(
-                    "R::from_f64"
-                    | "R::sin_cos"
-                    | "R::sin_cos_array"
-                    | "R::abs"
-                    | "core::sync::atomic::compiler_fence",
-                ) => {}
+                Some("R::from_f64" | "R::sin_cos" | "R::sin_cos_array" | "R::abs") => {}
+                Some("kane::store") => {
+                    match &call.args[0] {
+                        syn::Expr::Reference(place) => self.visit_expr(&place.expr),
+                        _ => self.add("a store to what is not named"),
+                    }
+                    self.visit_expr(&call.args[1]);
+                    return;
+                }
                 Some(part) if part.starts_with("self::") && is_part(part) => {
                     for argument in &call.args {
                         self.visit_lent(argument);

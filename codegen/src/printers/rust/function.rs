@@ -18,10 +18,6 @@ use crate::{
     },
 };
 
-/// What callers may wonder at.
-const FENCES: &str =
-    "A `compiler_fence` is no instruction: it keeps runs of zeros from becoming calls of `memset`.";
-
 /// The items of one function, in order: its pattern, itself, its trait.
 pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
     let pattern = function.pattern.map(|place| &facts.patterns[place]);
@@ -47,7 +43,6 @@ pub(super) fn item(facts: &Facts, function: &Function) -> Item {
     let mut lines = signature.doc.clone();
     lines.push(String::new());
     lines.extend(function.cost());
-    lines.extend(function.code.has_fences().then(|| FENCES.to_owned()));
     let (doc, allow) = (doc(lines), allow_generated());
     let name = ident(&signature.name);
     let arguments = signature.arguments.iter().map(signature::declared);

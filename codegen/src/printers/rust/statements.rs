@@ -1,6 +1,6 @@
 //! The statements of a function.
 
-use syn::{Expr, Stmt, parse_quote};
+use syn::{Expr, Stmt};
 
 use super::{
     declarations::Declarations,
@@ -18,8 +18,7 @@ pub(super) fn of(writer: &Writer<'_>) -> Vec<Stmt> {
 /// Those that assign locals.
 pub(super) fn without_stores(writer: &Writer<'_>) -> Vec<Stmt> {
     those(writer, |statement| {
-        let is_store = matches!(statement, Statement::Store { .. } | Statement::Fence);
-        !is_store && !matches!(statement, Statement::Heading(_))
+        !matches!(statement, Statement::Store { .. } | Statement::Heading(_))
     })
 }
 
@@ -102,14 +101,19 @@ fn print(
                 printed.push(syntax::assign(syntax::array(places), array));
             }
         }
-        Statement::Store { place, value } => {
-            let value = writer.expression(value);
-            printed.push(syntax::assign(writer.entry(place), value));
+        Statement::Store {
+            place,
+            value,
+            is_apart,
+        } => {
+            let (place, value) = (writer.entry(place), writer.expression(value));
+            printed.push(if *is_apart {
+                syntax::store(place, value)
+            } else {
+                syntax::assign(place, value)
+            });
         }
         Statement::Heading(words) => printed.push(comment(words)),
-        Statement::Fence => printed.push(parse_quote! {
-            core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
-        }),
     }
 }
 

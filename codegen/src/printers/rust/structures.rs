@@ -167,7 +167,7 @@ pub(super) fn sin_cos() -> Item {
 /// What is stored to the fields of a structure, in their order.
 fn fields(code: &Code) -> BTreeMap<usize, &Expression> {
     let stores = code.statements.iter().filter_map(|statement| {
-        let Statement::Store { place, value } = statement else {
+        let Statement::Store { place, value, .. } = statement else {
             return None;
         };
         match place.steps[..] {

@@ -6,7 +6,7 @@ use syn::{
     ExprLit, ExprParen, ExprPath, ExprReference, ExprTuple, ExprUnary, Ident, Lit, LitFloat,
     LitInt, Local, LocalInit, LocalModifiers, Pat, PatIdent, PatTuple, PatWild, Path, Stmt, UnOp,
     punctuated::Punctuated,
-    token::{And, Bracket, Dot, Eq, Let, Minus, Paren, PathSep, Semi, Star, Underscore},
+    token::{And, Bracket, Dot, Eq, Let, Minus, Mut, Paren, PathSep, Semi, Star, Underscore},
 };
 
 /// A name.
@@ -65,10 +65,14 @@ pub(super) fn index(base: Expr, place: usize) -> Expr {
 
 /// `&a`.
 pub(super) fn reference(a: Expr) -> Expr {
+    borrow(None, a)
+}
+
+fn borrow(mutability: Option<Mut>, a: Expr) -> Expr {
     Expr::Reference(ExprReference {
         attrs: Vec::new(),
         and_token: And::default(),
-        mutability: None,
+        mutability,
         expr: Box::new(a),
     })
 }
@@ -180,6 +184,14 @@ pub(super) fn assign(place: Expr, value: Expr) -> Stmt {
         right: Box::new(value),
     });
     Stmt::Expr(assign, Some(Semi::default()))
+}
+
+/// `kane::store(&mut place, value);`, which joins it with no store after it.
+pub(super) fn store(place: Expr, value: Expr) -> Stmt {
+    let function = ["kane", "store"].map(|name| Ident::new(name, Span::call_site()));
+    let place = borrow(Some(Mut::default()), place);
+    let call = call(path(function.into_iter()), [place, value]);
+    Stmt::Expr(call, Some(Semi::default()))
 }
 
 /// The pattern that takes one value, or a tuple of them; those without a name are dropped.

@@ -105,8 +105,14 @@ impl<'g> State<'g> {
                     }
                 },
                 Stmt::Expr(value, None) => return Some(value),
-                // A fence.
-                Stmt::Expr(Expr::Call(_), Some(_)) => {}
+                Stmt::Expr(Expr::Call(call), Some(_)) => {
+                    let (Expr::Reference(left), right) = (&call.args[0], &call.args[1]) else {
+                        unreachable!("no function has such a form")
+                    };
+                    assert_eq!(place(&call.func), "kane::store");
+                    let value = self.value(right);
+                    self.written.insert(place(&left.expr), value);
+                }
                 _ => unreachable!("no function has such a form"),
             }
         }

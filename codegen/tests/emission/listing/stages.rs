@@ -100,7 +100,7 @@ impl<'a> Run<'a> {
                 self.arrays[sines.index()] = sin;
                 self.arrays[cosines.index()] = cos;
             }
-            Statement::Store { place, value } => {
+            Statement::Store { place, value, .. } => {
                 let (place, value) = (self.place(place), self.value(value));
                 assert!(self.stored.insert(place, value).is_none());
             }
@@ -114,7 +114,7 @@ impl<'a> Run<'a> {
                 let given = [shared, self.scratch(*sides)];
                 self.arrays[solved.index()] = self.called(&self.given.helpers[*helper], &given);
             }
-            Statement::Heading(_) | Statement::Fence => {}
+            Statement::Heading(_) => {}
             Statement::StoreSinCos { .. } => unreachable!("of the function of sines alone"),
         }
     }
