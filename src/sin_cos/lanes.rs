@@ -1,6 +1,7 @@
 //! A function of one number, applied to many side by side.
 
-/// As many angles gain nothing from a function of eight, and where nobody measured vectors a function of a few angles computes its sines itself.
+/// The most angles that are computed in place. More gain from a function of eight, with AVX and with SSE2; on other processors that is
+/// not measured.
 const MOST_OF_FEW: usize = if cfg!(target_feature = "avx") {
     2
 } else if cfg!(target_feature = "sse2") {
@@ -11,7 +12,7 @@ const MOST_OF_FEW: usize = if cfg!(target_feature = "avx") {
 
 /// The two results of `f`, which has no branch, for each of `angles`, all of them scalars.
 ///
-/// Up to two angles, up to four without AVX and fewer than sixteen without SSE2 are lanes of [`each`]. Of more, eight at a time go to a function of their own:
+/// A few angles are lanes of [`each`]. Of more, eight at a time go to a function of their own:
 /// where the optimizer sees what the lanes are for, it packs some of them with one another and with results, and five sines
 /// and cosines took as long as one after the other (LLVM 22). What is left is filled up to eight, or goes by four, two or one.
 ///
