@@ -32,9 +32,9 @@ pub(super) struct ProgramContext<'a> {
     pub(super) entry: &'a dyn Fn(Input) -> Entry,
     /// Where what calls read stands.
     pub(super) scratch: &'a Scratch,
-    /// In how many arguments, the first ones, neighbours are kept apart: of numbers that are stored side by side a compiler makes
-    /// vectors of two, and of what they are computed from, though it moves more than that saves.
-    pub(super) n_apart: usize,
+    /// True where computed numbers stay apart: of those that are stored side by side a compiler makes vectors of two, and of all that
+    /// they are computed from, though it moves more than that saves.
+    pub(super) keeps_apart: bool,
 }
 
 /// The statements of a program that stores to these places.
@@ -140,6 +140,7 @@ impl Writer<'_> {
             cosine: cosine_local,
         });
         for id in [sine, cosine].into_iter().flatten() {
+            // The runtime computed them: this is a copy.
             self.store(id, false);
         }
     }
@@ -280,7 +281,7 @@ impl Writer<'_> {
     fn put(&mut self, place: Entry, value: Expression, is_computed: bool) {
         // A number alone has no neighbour.
         let is_of_array = matches!(place.steps.last(), Some(Step::Index(_)));
-        let is_apart = is_computed && is_of_array && place.argument < self.known.n_apart;
+        let is_apart = self.known.keeps_apart && is_computed && is_of_array;
         self.code.statements.push(Statement::Store {
             place,
             value,

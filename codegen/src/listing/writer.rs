@@ -46,12 +46,11 @@ impl<'a> Writer<'a> {
         let given = self.given(&arguments);
         let scratch = Scratch::of(program, signature.arguments.len());
         // Vectors of neighbours pay where these are copies of what calls compute, and where they are products with the same factors.
-        let pays = !program.helpers.is_empty() || request.differentiates_accelerations();
-        let n_apart = if pays { 0 } else { signature.arguments.len() };
+        let keeps_apart = program.helpers.is_empty() && !request.differentiates_accelerations();
         let code = self.code(
             program,
             (&signature, &given, &scratch),
-            (places, n_apart),
+            (places, keeps_apart),
             Counted::InFunction,
         );
         let stages = stages::of(&signature, &scratch.declared, &code);
@@ -83,7 +82,7 @@ impl<'a> Writer<'a> {
         let code = self.code(
             own,
             (&signature, &given, &scratch),
-            (places, 0),
+            (places, false),
             Counted::InFunction,
         );
         Function::helper(signature, own, code)
@@ -110,7 +109,7 @@ impl<'a> Writer<'a> {
         let code = self.code(
             program,
             (&signature, &Given::new(), &Scratch::default()),
-            (places.collect(), 0),
+            (places.collect(), false),
             Counted::InPreparation,
         );
         Function::plain(signature, program.operations(), code)
@@ -120,7 +119,7 @@ impl<'a> Writer<'a> {
         &self,
         program: &Program,
         (signature, given, scratch): (&Signature, &Given, &Scratch),
-        (places, n_apart): (Vec<Entry>, usize),
+        (places, keeps_apart): (Vec<Entry>, bool),
         counted: Counted,
     ) -> Code {
         let groups = Groups::of(program);
@@ -133,7 +132,7 @@ impl<'a> Writer<'a> {
             tree: self.tree,
             entry: &|input| self.entry(input, signature, given),
             scratch,
-            n_apart,
+            keeps_apart,
         };
         code::of(program, &known, places)
     }

@@ -421,6 +421,19 @@ fn unknown_function_is_told_beside_all_that_there_are() {
 }
 
 #[test]
+fn computed_neighbours_stay_apart_unless_they_are_products_with_the_same_factors() {
+    let options = Options {
+        functions: named(&["forward_dynamics", "d(forward_dynamics)/d(tau)"]),
+        ..Options::default()
+    };
+    let source = Source::new("chain.toml", hinges(2));
+    let text = generate(&source, "chain.toml", &options).unwrap().source;
+    assert!(text.contains("kane::store(&mut u_dot[1], "));
+    assert!(text.contains("    du_dot_dtau[1][1] = "), "{text}");
+    assert!(!text.contains("kane::store(&mut du_dot_dtau"));
+}
+
+#[test]
 fn few_zeros_side_by_side_are_joined() {
     let options = Options {
         functions: named(&["gravity_forces", "mass_matrix"]),
