@@ -118,6 +118,9 @@ use crate::{Array, Block, Real, System};
 macro_rules! function_traits {
     ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+);)+) => {$(
         $(#[$meaning])*
+        #[diagnostic::on_unimplemented(
+            message = "`{Self}` was generated without the function of this trait; `functions` of its system names what it has"
+        )]
         pub trait $name<R: Real>: System<R> {
             #[doc = concat!("Overwrites the last argument; meaning, frame and unit are those of [`", stringify!($name), "`].")]
             fn $method(&self, $($argument: $type),+);
@@ -129,6 +132,9 @@ macro_rules! function_traits {
 macro_rules! partial_traits {
     ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+), $columns:ident, $blocks:ident;)+) => {$(
         $(#[$meaning])*
+        #[diagnostic::on_unimplemented(
+            message = "`{Self}` was generated without the function of this trait; `functions` of its system names what it has"
+        )]
         pub trait $name<R: Real>: System<R> {
             /// `[[R; 3]; n]`: the columns of the blocks that are not structurally zero, block after block.
             type $columns: Array<[R; 3]>;
@@ -229,6 +235,9 @@ function_traits! {
 /// the joint-space inertia matrix or, by its algorithm, CRBA.
 ///
 /// Units kg m², kg m and kg, by the units of the two speeds.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix`; `functions` of its system names what it has"
+)]
 pub trait MassMatrix<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -240,6 +249,9 @@ pub trait MassMatrix<R: Real>: System<R> {
 ///
 /// Entries of two speeds that move no body in common are left out. For a humanoid a quarter of the matrix remains, in the form that
 /// solvers along the tree use. [`unpack`] makes the whole matrix.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix_packed`; `functions` of its system names what it has"
+)]
 pub trait MassMatrixPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
@@ -343,6 +355,9 @@ function_traits! {
 /// `force`, N, and `moment`, N m, are body components, about the point of the body where its joint sits: its origin, or its
 /// `body_attachment` where it has one. They include weight and the loads on all bodies outward of the joint, and motors,
 /// springs and dampers, which act through the joint. Often called joint reactions.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `joint_wrenches`; `functions` of its system names what it has"
+)]
 pub trait JointWrenches<R: Real>: System<R> {
     /// Overwrites `force` and `moment`; meaning, frame and unit are those of [`JointWrenches`].
     fn joint_wrenches(
@@ -362,6 +377,9 @@ pub trait JointWrenches<R: Real>: System<R> {
 /// The generator's option `prescribed` says which speeds have given accelerations. Given entries are copied; entries of `u_dot` and
 /// `tau` that are found are not read. If all are prescribed it is [`InverseDynamics`], if none is it is [`ForwardDynamics`]. Nothing is
 /// checked, as in [`ForwardDynamics`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `hybrid_dynamics`; `functions` of its system names what it has"
+)]
 pub trait HybridDynamics<R: Real>: System<R> {
     /// The `NU` speeds: true where the acceleration is given.
     const PRESCRIBED: &'static [bool];
@@ -398,6 +416,9 @@ function_traits! {
 
 /// Momentum of all bodies about their mass centre for a unit of each speed, inertial components, `[component][speed]`: linear,
 /// kg m/s, and angular, kg m²/s, are these matrices times `u`. Often called the CMM, `A_G`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `centroidal_momentum_matrix`; `functions` of its system names what it has"
+)]
 pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
     /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrix`].
     fn centroidal_momentum_matrix(
@@ -410,6 +431,9 @@ pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
 
 /// Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`, inertial
 /// components: the part of the rates that [`CentroidalMomentumMatrix`] times `u_dot` does not give. Often called `A_G_dot u`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `centroidal_momentum_matrix_dot_u`; `functions` of its system names what it has"
+)]
 pub trait CentroidalMomentumMatrixDotU<R: Real>: System<R> {
     /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrixDotU`].
     fn centroidal_momentum_matrix_dot_u(

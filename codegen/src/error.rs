@@ -18,14 +18,6 @@ pub enum Error {
     /// An input file breaks a rule; every breach is listed with its place.
     #[error("{0}")]
     Invalid(Diagnostics),
-    /// A function that the catalogue does not hold.
-    #[error("`{name}` is no function; there are {}", known.join(", "))]
-    UnknownFunction {
-        /// The name asked for.
-        name: String,
-        /// The names there are.
-        known: Vec<&'static str>,
-    },
     /// What is asked for and cannot be had: all that is wrong.
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
     Requests(Vec<RequestError>),

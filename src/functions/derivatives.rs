@@ -13,6 +13,9 @@ use crate::{Array, Real, System};
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics), `u_dot` by `q`, `u` and `tau`: `"d(forward_dynamics)/d(q, u, tau)"`.
 ///
 /// The last is the inverse of the mass matrix. Eq. (41), differentiated.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -31,6 +34,9 @@ pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
 
 /// [`ForwardDynamics`](super::ForwardDynamics) and its [derivatives](ForwardDynamicsDerivatives), which share their work:
 /// `"forward_dynamics + d(forward_dynamics)/d(q, u, tau)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -49,6 +55,9 @@ pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
 }
 
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics) by all values set at run time: `"d(forward_dynamics)/d(parameters)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `d(forward_dynamics)/d(parameters)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
@@ -69,6 +78,9 @@ pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
 /// How [`ForwardDynamics`](super::ForwardDynamics) changes along a direction: `"jvp(forward_dynamics; q, u, tau)"`.
 ///
 /// The [derivatives](ForwardDynamicsDerivatives) times the direction, without forming them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsJvp<R: Real>: System<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsJvp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
@@ -85,6 +97,9 @@ pub trait ForwardDynamicsJvp<R: Real>: System<R> {
 }
 
 /// As [`ForwardDynamicsJvp`], along parameters too: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
@@ -108,6 +123,9 @@ pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
 /// The gradient of `multiplier · u_dot` of [`ForwardDynamics`](super::ForwardDynamics): `"vjp(forward_dynamics; q, u, tau)"`.
 ///
 /// The multiplier times the [derivatives](ForwardDynamicsDerivatives), without forming them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsVjp<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsVjp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
@@ -124,6 +142,9 @@ pub trait ForwardDynamicsVjp<R: Real>: System<R> {
 }
 
 /// As [`ForwardDynamicsVjp`], by parameters too: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; `functions` of its system names what it has"
+)]
 pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
@@ -147,6 +168,9 @@ pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics), `tau` by `q`, `u` and `u_dot`: `"d(inverse_dynamics)/d(q, u, u_dot)"`.
 ///
 /// The last is the mass matrix. `M u_dot + bias = tau`, differentiated.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -165,6 +189,9 @@ pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
 
 /// [`InverseDynamics`](super::InverseDynamics) and its [derivatives](InverseDynamicsDerivatives), which share their work:
 /// `"inverse_dynamics + d(inverse_dynamics)/d(q, u, u_dot)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -183,6 +210,9 @@ pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
 }
 
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics) by all values set at run time: `"d(inverse_dynamics)/d(parameters)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `d(inverse_dynamics)/d(parameters)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsByParameters<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
@@ -203,6 +233,9 @@ pub trait InverseDynamicsByParameters<R: Real>: System<R> {
 /// How [`InverseDynamics`](super::InverseDynamics) changes along a direction: `"jvp(inverse_dynamics; q, u, u_dot)"`.
 ///
 /// The [derivatives](InverseDynamicsDerivatives) times the direction, without forming them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsJvp<R: Real>: System<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsJvp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
@@ -219,6 +252,9 @@ pub trait InverseDynamicsJvp<R: Real>: System<R> {
 }
 
 /// As [`InverseDynamicsJvp`], along parameters too: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;
@@ -242,6 +278,9 @@ pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
 /// The gradient of `multiplier · tau` of [`InverseDynamics`](super::InverseDynamics): `"vjp(inverse_dynamics; q, u, u_dot)"`.
 ///
 /// The multiplier times the [derivatives](InverseDynamicsDerivatives), without forming them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsVjp<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsVjp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
@@ -258,6 +297,9 @@ pub trait InverseDynamicsVjp<R: Real>: System<R> {
 }
 
 /// As [`InverseDynamicsVjp`], by parameters too: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; `functions` of its system names what it has"
+)]
 pub trait InverseDynamicsParametersVjp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
     type Values: Array<R>;

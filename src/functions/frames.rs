@@ -20,6 +20,9 @@ pub struct Seen<F, From>(PhantomData<(F, From)>);
 /// `rotation` maps inertial components to components along the frame's axes, by rows; `position` is that of the frame's
 /// origin from the inertial origin, inertial components, m. For [`Seen`] the other frame takes the place of the inertial frame.
 /// Often called the frame placement, or forward kinematics.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `pose(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait Pose<R: Real, F>: System<R> {
     /// Writes the pose at `q`.
     fn pose(&self, q: &Self::Q, rotation: &mut [[R; 3]; 3], position: &mut [R; 3]);
@@ -29,6 +32,9 @@ pub trait Pose<R: Real, F>: System<R> {
 ///
 /// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s: inertial components, or for
 /// [`Local`] components along the frame's own axes. Often called the twist.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `velocity(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait Velocity<R: Real, F>: System<R> {
     /// Writes the velocity at `q`, `u`.
     fn velocity(&self, q: &Self::Q, u: &Self::U, linear: &mut [R; 3], angular: &mut [R; 3]);
@@ -38,6 +44,9 @@ pub trait Velocity<R: Real, F>: System<R> {
 ///
 /// `linear` is the rate of the velocity of the frame's origin, m/s², without gravity, `angular` its angular acceleration,
 /// rad/s²: inertial components, or for [`Local`] components along the frame's own axes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `acceleration(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait Acceleration<R: Real, F>: System<R> {
     /// Writes the acceleration at `q`, `u`, `u_dot`.
     fn acceleration(
@@ -54,6 +63,9 @@ pub trait Acceleration<R: Real, F>: System<R> {
 ///
 /// A row for each component, a column for each speed. For [`Local`] the components are along the frame's own axes, for
 /// [`Seen`] the velocity is that relative to the other frame, along that one's axes. Often called the geometric Jacobian.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jacobian(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait Jacobian<R: Real, F>: System<R> {
     /// The speeds that move the frame as it is seen, in order: all other columns are zero.
     const SPEEDS: &'static [usize];
@@ -62,6 +74,9 @@ pub trait Jacobian<R: Real, F>: System<R> {
 }
 
 /// The columns of the [`Jacobian`] of the frame `F` that belong to the speeds that move it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jacobian_packed(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait JacobianPacked<R: Real, F>: System<R> {
     /// `[R; n]`, an entry for each of [`Self::SPEEDS`].
     type Columns: Array<R>;
@@ -79,6 +94,9 @@ pub trait JacobianPacked<R: Real, F>: System<R> {
 /// Jacobian of a point that is fixed in the frame `F`, for contacts that move.
 ///
 /// As [`Jacobian`], with the point in place of the frame's origin.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `point_jacobian(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait PointJacobian<R: Real, F>: System<R> {
     /// The speeds that move the frame as it is seen, in order: all other columns are zero.
     const SPEEDS: &'static [usize];
@@ -95,6 +113,9 @@ pub trait PointJacobian<R: Real, F>: System<R> {
 /// The rate of the [`Jacobian`] of the frame `F` times `u`: its [`Acceleration`] for `u_dot = 0`.
 ///
 /// Often called the drift, or `J_dot q_dot`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `jacobian_dot_u(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait JacobianDotU<R: Real, F>: System<R> {
     /// Writes the acceleration at `q`, `u`.
     fn jacobian_dot_u(&self, q: &Self::Q, u: &Self::U, linear: &mut [R; 3], angular: &mut [R; 3]);
@@ -104,6 +125,9 @@ pub trait JacobianDotU<R: Real, F>: System<R> {
 ///
 /// The force, N, acts at the frame's origin; both are given by inertial components, or for [`Local`] by components along the
 /// frame's own axes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `generalized_force(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait GeneralizedForce<R: Real, F>: System<R> {
     /// Writes `tau` at `q`.
     fn generalized_force(&self, q: &Self::Q, force: &[R; 3], moment: &[R; 3], tau: &mut Self::U);
@@ -113,6 +137,9 @@ pub trait GeneralizedForce<R: Real, F>: System<R> {
 ///
 /// Symmetric, with six rows for each frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). For several contacts it is often called the
 /// Delassus matrix, for one frame the inverse of the operational-space inertia.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `operational_inverse_inertia(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait OperationalInverseInertia<R: Real, F>: System<R> {
     /// `[R; 6]`, or `[R; 6 n]` for `n` frames.
     type Row: Array<R>;
@@ -126,6 +153,9 @@ pub trait OperationalInverseInertia<R: Real, F>: System<R> {
 ///
 /// `specific_force` is the acceleration of the frame's origin less gravity, m/s², `angular_velocity` that of the frame, rad/s;
 /// both along the frame's own axes. At rest the specific force points up.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `imu(FRAME)` for `{F}`; `functions` of its system names what it has"
+)]
 pub trait Imu<R: Real, F>: System<R> {
     /// Writes the readings at `q`, `u`, `u_dot`.
     fn imu(

@@ -20,6 +20,9 @@ function_traits! {
 /// called Minv, or the inverse of the joint-space inertia matrix.
 ///
 /// Units are those of accelerations over those of forces. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix_inverse`; `functions` of its system names what it has"
+)]
 pub trait MassMatrixInverse<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -30,6 +33,9 @@ pub trait MassMatrixInverse<R: Real>: System<R> {
 /// The entries of the [`MassMatrixInverse`] on and below the diagonal that the tree does not make zero, row after row.
 ///
 /// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`](super::unpack) makes the whole matrix.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix_inverse_packed`; `functions` of its system names what it has"
+)]
 pub trait MassMatrixInversePacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
@@ -43,6 +49,9 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
 /// on several branches: D on the diagonal, beside it L, whose diagonal is one. Eq. (42); a sparse Cholesky factorisation.
 ///
 /// Rows are eliminated from the leaves inward, in an order of their own. [`solve_factored`] solves with them.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix_factors`; `functions` of its system names what it has"
+)]
 pub trait MassMatrixFactors<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
@@ -60,6 +69,9 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
 ///
 /// It is the sum of `m Vᵀ V_dot` over all particles, with `V` their partial velocities. If all speeds are rates of coordinates, it is the matrix
 /// that the Christoffel symbols of the first kind give.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `coriolis_matrix`; `functions` of its system names what it has"
+)]
 pub trait CoriolisMatrix<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;
@@ -69,6 +81,9 @@ pub trait CoriolisMatrix<R: Real>: System<R> {
 
 /// Rate of the [`MassMatrix`](super::MassMatrix) for the motion `u`, `M_dot = C + Cᵀ`: symmetric, written whole,
 /// `m_dot[row][column]`; the unit is that of the mass matrix, per second.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `mass_matrix_dot`; `functions` of its system names what it has"
+)]
 pub trait MassMatrixDot<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
     type Matrix: Array<Self::U>;

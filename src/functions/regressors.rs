@@ -8,6 +8,9 @@ use crate::{Array, Real, System};
 /// Ten parameters a body, with all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`,
 /// `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's own values
 /// are not read. Often called the joint torque regressor, or identification matrix.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `regressor`; `functions` of its system names what it has"
+)]
 pub trait Regressor<R: Real>: System<R> {
     /// `[[R; 10]; NB]`: of one speed.
     type Row: Array<[R; 10]>;
@@ -32,6 +35,9 @@ pub trait Regressor<R: Real>: System<R> {
 ///     }
 /// }
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `regressor_packed`; `functions` of its system names what it has"
+)]
 pub trait RegressorPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
@@ -45,6 +51,9 @@ pub trait RegressorPacked<R: Real>: System<R> {
 ///
 /// Base parameters are the fewest combinations of inertial parameters on which forces depend, and all that can be identified
 /// from them. Also known as minimal or reduced regressor, minimal inertial parameters.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `base_regressor`; `functions` of its system names what it has"
+)]
 pub trait BaseRegressor<R: Real>: System<R> {
     /// `[R; BASE_PARAMETERS_LEN]`: of one speed.
     type Row: Array<R>;
@@ -65,6 +74,9 @@ pub trait BaseRegressor<R: Real>: System<R> {
 /// A coefficient is the sum over all joints that the speed moves. For a joint that follows another, damper and rotor count times the
 /// square of its multiplier, and friction times its magnitude. The sign is branch-free, `u / (|u| + 1e-30)`: a half at a speed of `1e-30`,
 /// zero at zero, without a dead band.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `joint_regressor`; `functions` of its system names what it has"
+)]
 pub trait JointRegressor<R: Real>: System<R> {
     /// `[[R; 3]; NU]`.
     type Terms: Array<[R; 3]>;

@@ -11,6 +11,7 @@ use kane_codegen::{
     base_parameters, compile,
     diagnostic::Source,
     error::Error,
+    expr::Input,
     functions::{CompactBlock, Dimension, Packed, Request},
     input,
     options::{Formulation, Options},
@@ -21,7 +22,10 @@ use kane_codegen::{
 use serde_json::{Map, Value, json};
 
 use super::{
-    Failures, Outcome, Voice, changes::ChangesArguments, job, json, options, parse, state,
+    Failures, Outcome, Voice,
+    changes::ChangesArguments,
+    job, json, options, parse,
+    state::{self, State},
 };
 
 /// Evaluate one function at a state, and print the numbers as JSON
@@ -104,6 +108,9 @@ pub(crate) fn run(
     let tree = &checked.tree;
     let function = function.on(tree).map_err(Error::Requests)?;
     let inputs = state::read(&state, tree, &function)?;
+    if function.text() != "normalize" {
+        warn_of_quaternions(tree, &inputs, voice);
+    }
     let options = Options {
         formulation: arguments.formulation,
         without: arguments.without.iter().copied().collect(),
@@ -128,6 +135,26 @@ pub(crate) fn run(
     }
     json::write(out, &value(tree, &function, &numbers, &derived.blocks))?;
     Ok(Outcome::Done)
+}
+
+/// How far a quaternion's length may be from one: seven digits of its numbers.
+const UNIT_TOLERANCE: f64 = 1e-6;
+
+/// Tells which quaternions are none of a rotation: nothing brings them to length one, here as in generated code.
+fn warn_of_quaternions(tree: &Tree, inputs: &State, voice: Voice) {
+    for (body, parameters) in tree.quaternions() {
+        let squares =
+            parameters.map(|place| inputs.get(&Input::Q(place)).map(|number| number * number));
+        let Some(length) = squares.into_iter().sum::<Option<f64>>().map(libm::sqrt) else {
+            continue;
+        };
+        if (length - 1.0).abs() > UNIT_TOLERANCE {
+            let name = body.name.escape_debug();
+            voice.say(format_args!(
+                "warning: the quaternion of `{name}` has length {length}; expected 1 (`normalize` brings it there)"
+            ));
+        }
+    }
 }
 
 /// The output in its shape; an object of several.

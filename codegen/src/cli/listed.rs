@@ -13,7 +13,6 @@ use kane_codegen::{
     config::{self, Config, System},
     diagnostic::Source,
     error::Error,
-    functions::Function,
     input,
 };
 
@@ -46,7 +45,7 @@ impl Listed {
     /// Reads a text that stands, or would stand, at this path.
     pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
         let source = Source::new(path.to_string_lossy(), text);
-        let config = config::parse(&source, &Function::names())?;
+        let config = config::parse(&source)?;
         let root = paths::target(paths::parent(path))?;
         let shown_root = paths::shown(&root)?;
         Ok(Self {

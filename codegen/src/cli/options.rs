@@ -2,11 +2,12 @@
 //!
 //! In: arguments. Out: what they ask for, read, to stand above what `kane.toml` says.
 
-use std::mem;
+use std::{mem, path::Path};
 
 use clap::Args;
 use kane_codegen::{
-    functions::{Function, Parsed, RequestError, advice, split},
+    error::Error,
+    functions::{Parsed, split},
     options::{ALL, Formulation, Functions, Options, is_in_all, is_set},
     recursive::Technique,
 };
@@ -14,6 +15,7 @@ use kane_codegen::{
 use super::{
     Failures,
     changes::ChangesArguments,
+    job,
     parse::{name_of, one_of},
 };
 
@@ -74,6 +76,26 @@ impl OptionsArguments {
             arguments: self,
             functions,
         })
+    }
+
+    /// What the model lacks of that, beside names that are none. What is wrong with the model itself waits until they are right.
+    pub(crate) fn lacking(&self, model: &Path) -> Failures {
+        let changes = &self.changes;
+        let checked = job::check(
+            model,
+            &changes.reading(),
+            &changes.changes(),
+            changes.prescribed(),
+        );
+        let mut failures = Failures::default();
+        if let Ok(checked) = checked {
+            let names = names(self.functions.as_deref().unwrap_or_default());
+            let requests = names.into_iter().filter_map(|name| Parsed::read(name).ok());
+            for request in requests {
+                failures.keep(request.on(&checked.tree).map_err(Error::Requests));
+            }
+        }
+        failures
     }
 
     /// The same arguments, as words of a command.
@@ -145,16 +167,7 @@ impl Asked<'_> {
 
 /// Reads a name of `--functions` or `--function`.
 pub(crate) fn request(text: &str) -> Result<Parsed, Failures> {
-    Parsed::read(text).map_err(|fault| match fault {
-        RequestError::Unknown { name } => unknown_function(&name),
-        fault => Failures::message(fault.to_string()),
-    })
-}
-
-/// Why a function cannot be had, and what to do.
-fn unknown_function(name: &str) -> Failures {
-    let help = advice(name, &Function::names());
-    Failures::message(format!("`{}` is no function; {help}", name.escape_debug()))
+    Parsed::read(text).map_err(|faults| Error::Requests(faults).into())
 }
 
 /// The names in what `--functions` was given, each time it stood there: commas inside brackets separate none.

@@ -109,7 +109,14 @@ impl Selection {
 
     /// The systems that are selected.
     pub(crate) fn plan(&self) -> Result<Plan, Failures> {
-        let asked = self.options.read()?;
+        let asked = self.options.read().map_err(|mut failures| {
+            let lacking = self
+                .model
+                .as_deref()
+                .map(|model| self.options.lacking(model));
+            failures.add(lacking.unwrap_or_default());
+            failures
+        })?;
         match &self.model {
             None => self.whole(),
             Some(model) => {

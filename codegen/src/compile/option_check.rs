@@ -2,7 +2,7 @@
 
 use crate::{
     error::Error,
-    functions::{Function, Parsed, RequestError},
+    functions::{Parsed, RequestError},
     options::{Options, SNAP_TOLERANCES, companion},
 };
 
@@ -31,15 +31,12 @@ pub(crate) fn check(options: &Options) -> Result<(), Error> {
             name: options.module.clone(),
         });
     }
-    let mut names = options.functions.named().iter();
-    let fault = names.find_map(|name| Parsed::read(name).err());
-    fault.map_or(Ok(()), |fault| {
-        Err(match fault {
-            RequestError::Unknown { name } => Error::UnknownFunction {
-                name,
-                known: Function::names(),
-            },
-            fault => Error::Requests(vec![fault]),
-        })
-    })
+    let names = options.functions.named().iter();
+    let faults = names.filter_map(|name| Parsed::read(name).err()).flatten();
+    let faults: Vec<RequestError> = faults.collect();
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(Error::Requests(faults))
+    }
 }

@@ -8,14 +8,13 @@ use crate::{
     options::Functions,
 };
 
-use super::functions::request_fault;
+use super::functions::request_faults;
 
 /// Reads `budget` of a system: for each function a number, of all operations, or a table by kind.
 pub(super) fn read(
     reader: &mut Reader,
     system: &Table<'_, '_>,
     functions: Option<&Functions>,
-    known: &[&str],
 ) -> Vec<Budget> {
     let what = system.what("budget");
     let table = system.get("budget");
@@ -23,9 +22,9 @@ pub(super) fn read(
     let mut budgets = Vec::new();
     for (name, item) in table.iter().flat_map(Table::entries) {
         let name = Spanned::new(name.value.to_owned(), name.span);
-        match generated(&name, &what, functions, known) {
+        match generated(&name, &what, functions) {
             Ok(function) => budgets.extend(limits(reader, &name, item, &what, &function)),
-            Err(fault) => reader.faults.push(fault),
+            Err(faults) => reader.faults.extend(faults),
         }
     }
     budgets
@@ -36,10 +35,10 @@ fn generated(
     name: &Spanned<String>,
     what: &str,
     functions: Option<&Functions>,
-    known: &[&str],
-) -> Result<String, Diagnostic> {
-    if let Some(fault) = request_fault(name, what, known) {
-        return Err(fault);
+) -> Result<String, Vec<Diagnostic>> {
+    let faults = request_faults(name, what);
+    if !faults.is_empty() {
+        return Err(faults);
     }
     let request = Parsed::read(&name.value).expect("config: a request without fault");
     // Every module has it.
@@ -59,9 +58,9 @@ fn generated(
         "{what} limits `{}`, which is not among the functions",
         name.value.escape_debug()
     );
-    Err(Diagnostic::error(fault)
-        .at(name.span, "not generated")
-        .help("add it to `functions`, or take its limit away"))
+    let fault = Diagnostic::error(fault).at(name.span, "not generated");
+    let fault = fault.help("add it to `functions`, or take its limit away");
+    Err(vec![fault])
 }
 
 fn limits(

@@ -16,11 +16,7 @@ pub struct Named {
 }
 
 /// Reads `functions` of a system.
-pub(super) fn read(
-    reader: &mut Reader,
-    system: &Table<'_, '_>,
-    known: &[&str],
-) -> Option<(Functions, Named)> {
+pub(super) fn read(reader: &mut Reader, system: &Table<'_, '_>) -> Option<(Functions, Named)> {
     let Some(item) = system.get("functions") else {
         return Some((Functions::default(), Named::default()));
     };
@@ -40,9 +36,10 @@ pub(super) fn read(
             continue;
         };
         let is_function = !is_set(&name.value);
-        let fault = is_function.then(|| request_fault(&name, &what, known));
-        if let Some(fault) = fault.flatten() {
-            reader.faults.push(fault);
+        let faults = is_function.then(|| request_faults(&name, &what));
+        let faults = faults.unwrap_or_default();
+        if !faults.is_empty() {
+            reader.faults.extend(faults);
         } else if let Some(first) = names.iter().find(|first| first.value == name.value) {
             let fault = Diagnostic::error(format!("{what} names `{}` twice", name.value));
             reader.faults.push(
@@ -107,25 +104,18 @@ impl Named {
     }
 }
 
-/// What is wrong with the name of a function in a list or table.
-pub(super) fn request_fault(
-    name: &Spanned<String>,
-    what: &str,
-    known: &[&str],
-) -> Option<Diagnostic> {
-    let among = |part: &str| known.contains(&part);
-    let fault = match Parsed::read(&name.value) {
-        Ok(request) => {
-            let mut parts = request.functions().map(|part| part.name);
-            let name = parts.find(|part| !among(part))?.to_owned();
-            RequestError::Unknown { name }
-        }
-        Err(fault) => fault,
-    };
+/// All that is wrong with the name of a function in a list or table.
+pub(super) fn request_faults(name: &Spanned<String>, what: &str) -> Vec<Diagnostic> {
+    let faults = Parsed::read(&name.value).err().unwrap_or_default();
+    let shown = faults.iter().map(|fault| request_fault(name, what, fault));
+    shown.collect()
+}
+
+fn request_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Diagnostic {
     let RequestError::Unknown { name: part } = fault else {
-        return Some(part_fault(name, what, &fault, "here"));
+        return part_fault(name, what, fault, "here");
     };
-    let whole = if part == name.value {
+    let whole = if *part == name.value {
         String::new()
     } else {
         format!(" in `{}`", name.value.escape_debug())
@@ -135,7 +125,7 @@ pub(super) fn request_fault(
         part.escape_debug()
     ));
     let fault = fault.at(name.span, "unknown function");
-    Some(fault.help(advice(&part, known)))
+    fault.help(advice(part))
 }
 
 /// What is wrong with a request of known functions, with its place in the text where that stands there as it is.

@@ -30,20 +30,20 @@ pub struct Config {
     pub systems: Vec<System>,
 }
 
-/// Reads a `kane.toml`; `known` are the names of the functions that can be generated.
+/// Reads a `kane.toml`.
 ///
 /// ```
 /// use kane_codegen::config::{self, Functions};
 /// use kane_codegen::diagnostic::Source;
 ///
 /// let text = "[[system]]\nmodel = \"models/arm.toml\"\noutput = \"generated/arm.rs\"\nfunctions = [\"bias\"]\n";
-/// let config = config::parse(&Source::new("kane.toml", text), &["mass_matrix", "bias"]).unwrap();
+/// let config = config::parse(&Source::new("kane.toml", text)).unwrap();
 /// assert_eq!(config.systems[0].options.functions, Functions::Named(vec!["bias".to_owned()]));
 /// ```
 ///
 /// # Errors
 /// Everything that is wrong with the file.
-pub fn parse(source: &Source, known: &[&str]) -> Result<Config, Diagnostics> {
+pub fn parse(source: &Source) -> Result<Config, Diagnostics> {
     let mut reader = Reader::default();
     let document = reader.document(source);
     let (mut systems, mut outputs) = (Vec::new(), Vec::new());
@@ -52,7 +52,7 @@ pub fn parse(source: &Source, known: &[&str]) -> Result<Config, Diagnostics> {
         let item = reader.required(&root, "system", "[[system]]");
         let items = item.and_then(|item| reader.list(item, "`system`", "tables, `[[system]]`"));
         for (index, item) in items.unwrap_or_default().into_iter().enumerate() {
-            let (system, output) = system::read(&mut reader, item, index + 1, known);
+            let (system, output) = system::read(&mut reader, item, index + 1);
             systems.extend(system);
             outputs.extend(output);
         }

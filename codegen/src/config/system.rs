@@ -64,7 +64,6 @@ pub(super) fn read(
     reader: &mut Reader,
     item: &Item<'_>,
     number: usize,
-    known: &[&str],
 ) -> (Option<System>, Option<Output>) {
     let Some(table) = reader.table(item, &format!("system {number}"), &KEYS) else {
         return (None, None);
@@ -74,9 +73,9 @@ pub(super) fn read(
     let output = outputs::module(reader, &table);
     let companions = companions(reader, &table);
     let output = output.map(|module| Output::new(reader, &table, module, &companions));
-    let functions = functions::read(reader, &table, known);
+    let functions = functions::read(reader, &table);
     let (functions, named) = functions.unzip();
-    let budget = budget::read(reader, &table, functions.as_ref(), known);
+    let budget = budget::read(reader, &table, functions.as_ref());
     let prescribed = prescribed::read(reader, &table);
     let options = options(
         reader,

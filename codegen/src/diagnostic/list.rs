@@ -30,6 +30,13 @@ impl Faults {
         }
     }
 
+    /// Adds several.
+    pub fn extend(&mut self, faults: impl IntoIterator<Item = Diagnostic>) {
+        for fault in faults {
+            self.push(fault);
+        }
+    }
+
     /// How many there are, with those that are not told.
     pub fn count(&self) -> usize {
         self.n_errors + self.n_others

@@ -1,6 +1,9 @@
 //! What other tools call our functions, for those who look for a name that we do not have.
 
-use super::function::{Function, Of};
+use super::{
+    argument::Argument,
+    function::{Function, Of},
+};
 use crate::diagnostic::nearest;
 
 /// Our requests, and the names that Pinocchio, MuJoCo, RBDL, Drake and textbooks have for the same, in small letters and digits.
@@ -127,16 +130,18 @@ fn plain(name: &str) -> String {
     letters.map(|letter| letter.to_ascii_lowercase()).collect()
 }
 
-/// What to do about a name that is no function, where these are.
-pub fn advice(name: &str, known: &[&str]) -> String {
+/// What to do about a name that is no function.
+pub fn advice(name: &str) -> String {
+    let known = Function::names();
     if let Some(request) = elsewhere(name) {
         format!("here it is called `{request}`")
     } else if let Some((frame, function)) = of_frame(name) {
         format!("did you mean `{function}({frame})`?")
-    } else if let Some(near) = nearest(name, known) {
+    } else if let Some(request) = of_derivatives(name) {
+        format!("did you mean `{request}`?")
+    } else if let Some(near) = nearest(name, &known) {
         format!("did you mean `{near}`?")
     } else {
-        let known: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
         format!("the functions are {}", known.join(", "))
     }
 }
@@ -149,4 +154,23 @@ fn of_frame(name: &str) -> Option<(&str, &'static str)> {
         (!frame.is_empty()).then_some((frame, function.name))
     });
     found.max_by_key(|(_, function)| function.len())
+}
+
+/// The request for derivatives, of a name in which a function's own stands: `d_forward_dynamics`.
+fn of_derivatives(name: &str) -> Option<String> {
+    let functions = Function::all().filter(|function| {
+        let before = name.strip_prefix("d_");
+        let behind = before.and_then(|rest| rest.strip_prefix(function.name));
+        let after = name.strip_prefix(function.name);
+        behind.is_some_and(|rest| rest.is_empty() || rest.starts_with("_d"))
+            || after.is_some_and(|rest| ["_derivatives", "_derivative"].contains(&rest))
+    });
+    let function = functions.max_by_key(|function| function.name.len())?;
+    let by: Vec<&str> = function.variables().map(Argument::name).collect();
+    let of = match function.of {
+        Of::System => function.name.to_owned(),
+        Of::Frame(_) | Of::Frames(_) => format!("{}(FRAME)", function.name),
+    };
+    let is_differentiable = !by.is_empty() && !function.is_compact();
+    is_differentiable.then(|| format!("d({of})/d({})", by.join(", ")))
 }

@@ -27,6 +27,7 @@ mod function;
 mod multiplier;
 mod packed;
 mod parsed;
+mod parsed_subject;
 mod part;
 mod request;
 mod request_error;

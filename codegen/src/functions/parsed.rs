@@ -8,14 +8,15 @@ use super::{
     catalogue::{CATALOGUE, OF_FRAMES},
     derivative::{Derivative, DerivativeKind},
     function::{Function, Of},
-    part::{LOCAL, Part, text_of},
+    parsed_subject::ParsedSubject,
+    part::{Part, text_of},
     request::Request,
-    request_error::RequestError,
-    subject::{Subject, SubjectFrame, View},
-    syntax::{self, AT_SIN_COS, Kind, Word, written},
+    request_error::{RequestError, all_or_faults},
+    subject::View,
+    syntax::{self, AT_SIN_COS, Kind, Unexpected, Word, written},
     variable::{self, Variable},
 };
-use crate::{diagnostic, tree::Tree};
+use crate::tree::Tree;
 
 /// A request without fault, of any model.
 #[derive(Clone, Debug)]
@@ -34,13 +35,6 @@ struct ParsedPart {
     derivative: Option<(DerivativeKind, Vec<Word>)>,
 }
 
-/// Frames that are named, before it is known whether the model has them.
-#[derive(Clone, Debug)]
-struct ParsedSubject {
-    frames: Vec<Word>,
-    view: View,
-}
-
 /// Where a request stands in a module: whether it is the catalogue's, its parts, whether it is given sines and cosines.
 pub type Place = (bool, Vec<PartPlace>, bool);
 
@@ -55,37 +49,15 @@ impl Parsed {
     /// Reads a request; the grammar stands in the module `syntax`.
     ///
     /// # Errors
-    /// The first thing that is wrong with it.
-    pub fn read(text: &str) -> Result<Self, RequestError> {
+    /// All that is wrong with it, part by part; of how parts go together the first.
+    pub fn read(text: &str) -> Result<Self, Vec<RequestError>> {
         let sum = syntax::read(text);
-        let sum = sum.map_err(|unexpected| RequestError::syntax(text, unexpected))?;
-        let mut parts: Vec<ParsedPart> = Vec::new();
-        for part in &sum.parts {
-            let part = ParsedPart::of(text, part)?;
-            if parts.iter().any(|known| known.text() == part.text()) {
-                return Err(RequestError::Repeated {
-                    request: text.to_owned(),
-                    name: part.text(),
-                });
-            }
-            parts.push(part);
-        }
-        let mut functions = parts.iter().map(|part| part.function);
-        let compact = functions.find(|function| function.is_compact());
-        if let Some(function) = compact.filter(|_| parts.len() > 1) {
-            return Err(RequestError::Compact {
-                request: text.to_owned(),
-                name: function.name.to_owned(),
-            });
-        }
-        // What is given to one function is the same for its values and its derivatives.
-        let mut own = parts.iter().filter(|part| part.has_own_arguments());
-        let first = own.next().map(ParsedPart::text_of_values);
-        if let Some(other) = own.find(|part| Some(part.text_of_values()) != first) {
-            return Err(RequestError::OwnArguments {
-                request: text.to_owned(),
-                name: other.text(),
-            });
+        let sum = sum.map_err(|unexpected| vec![RequestError::syntax(text, unexpected)])?;
+        let parts = sum.parts.iter();
+        let parts = parts.map(|part| ParsedPart::of(text, part).map_err(|fault| vec![fault]));
+        let parts = all_or_faults(parts)?;
+        if let Some(fault) = joined_fault(text, &parts) {
+            return Err(vec![fault]);
         }
         Ok(Self {
             text: text.to_owned(),
@@ -147,14 +119,15 @@ impl ParsedPart {
     fn of(text: &str, part: &syntax::Part) -> Result<Self, RequestError> {
         match &part.kind {
             Kind::Named { name, of } => Self::named((name, of), part.place.clone()),
-            Kind::Derivative { of, by, is_packed } => {
-                let kind = if *is_packed {
-                    DerivativeKind::Packed
-                } else {
-                    DerivativeKind::Whole
-                };
-                Self::derivative(text, part, of, (kind, by))
+            Kind::Derivative { of, by } => {
+                Self::derivative(text, part, of, (DerivativeKind::Whole, by))
             }
+            Kind::Packed { of: inner } => match &inner.kind {
+                Kind::Derivative { of, by } => {
+                    Self::derivative(text, part, of, (DerivativeKind::Packed, by))
+                }
+                _ => Err(not_packed(text, inner)),
+            },
             Kind::Product { name, of, along } => {
                 let kind = match name.text.as_str() {
                     "jvp" => DerivativeKind::Forward,
@@ -334,71 +307,51 @@ impl ParsedPart {
     }
 }
 
-impl ParsedSubject {
-    /// A frame, and what is said behind it of how it is seen.
-    fn new(
-        function: &Function,
-        frame: &Word,
-        rest: &[Word],
-        views: &[View],
-    ) -> Result<Self, RequestError> {
-        let fault = |word: &Word, expected| {
-            Err(RequestError::View {
-                name: function.name.to_owned(),
-                found: word.text.clone(),
-                expected,
-                place: word.place.clone(),
-            })
-        };
-        let (has_local, has_other) = (views.contains(&View::Local), views.contains(&View::Other));
-        let (frames, view) = match rest {
-            [] => (vec![frame], View::Inertial),
-            [word] if has_local && word.is(LOCAL) => (vec![frame], View::Local),
-            [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
-            [other] if has_other => (vec![frame, other], View::Other),
-            [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
-            [word] => return fault(word, "expected `local`, for the frame's own axes"),
-            [_, word, ..] if has_other => return fault(word, "expected no more than one word"),
-            [_, word, ..] => return fault(word, "expected no more than `local`"),
-        };
-        let frames = frames.into_iter().cloned().collect();
-        Ok(Self { frames, view })
+/// What is wrong with parts that are joined.
+fn joined_fault(text: &str, parts: &[ParsedPart]) -> Option<RequestError> {
+    let request = || text.to_owned();
+    let texts: Vec<String> = parts.iter().map(ParsedPart::text).collect();
+    let twice = (1..parts.len()).find(|&at| texts[..at].contains(&texts[at]));
+    if let Some(at) = twice {
+        return Some(RequestError::Repeated {
+            request: request(),
+            name: texts[at].clone(),
+        });
     }
+    let mut functions = parts.iter().map(|part| part.function);
+    let compact = functions.find(|function| function.is_compact());
+    if let Some(function) = compact.filter(|_| parts.len() > 1) {
+        return Some(RequestError::Compact {
+            request: request(),
+            name: function.name.to_owned(),
+        });
+    }
+    // What is given to one function is the same for its values and its derivatives.
+    let mut own = parts.iter().filter(|part| part.has_own_arguments());
+    let first = own.next().map(ParsedPart::text_of_values);
+    let other = own.find(|part| Some(part.text_of_values()) != first)?;
+    Some(RequestError::OwnArguments {
+        request: request(),
+        name: other.text(),
+    })
+}
 
-    /// Frames, and at the end perhaps that their own axes are meant.
-    fn of_several(words: &[Word], views: &[View]) -> Self {
-        let has_local = views.contains(&View::Local);
-        let (frames, view) = match words {
-            [frames @ .., last] if has_local && last.is(LOCAL) && !frames.is_empty() => {
-                (frames, View::Local)
-            }
-            frames => (frames, View::Inertial),
-        };
-        Self {
-            frames: frames.to_vec(),
-            view,
+/// What `packed` does not take, and what has that name instead.
+fn not_packed(text: &str, part: &syntax::Part) -> RequestError {
+    let place = part.place.clone();
+    let asked = &text[place.clone()];
+    if let Kind::Named { name, .. } = &part.kind {
+        let own = format!("{}_packed", name.text);
+        if Function::find(&own).is_some() {
+            return RequestError::PackedName {
+                part: asked.to_owned(),
+                own: own + &asked[name.place.end - place.start..],
+                place,
+            };
         }
     }
-
-    fn names(&self) -> impl Iterator<Item = &str> {
-        self.frames.iter().map(|frame| frame.text.as_str())
-    }
-
-    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Subject, Vec<RequestError>> {
-        let found = |word: &Word| {
-            let frame = tree.and_then(|tree| SubjectFrame::find(tree, &word.text));
-            frame.ok_or_else(|| {
-                vec![RequestError::UnknownFrame {
-                    request: text.to_owned(),
-                    name: word.text.clone(),
-                    known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
-                    place: word.place.clone(),
-                }]
-            })
-        };
-        let frames = all_or_faults(self.frames.iter().map(found))?;
-        Ok(Subject::new(tree, frames, self.view))
-    }
+    let expected = "expected `d(PART)/d(VARIABLES)`";
+    RequestError::syntax(text, Unexpected { expected, place })
 }
 
 /// What cannot be differentiated.
@@ -413,8 +366,7 @@ fn no_derivative(text: &str, part: &syntax::Part, why: &'static str) -> RequestE
 
 /// By what a function can be differentiated.
 fn variables(function: &Function, tree: Option<&Tree>, is_forward: bool) -> Vec<String> {
-    let arguments = variable::ARGUMENTS.into_iter();
-    let arguments = arguments.filter(|argument| function.arguments.contains(argument));
+    let arguments = function.variables();
     let arguments = arguments.map(|argument| argument.name().to_owned());
     let parameters = tree.map_or(&[][..], |tree| &tree.parameters).iter();
     let all = parameters
@@ -425,35 +377,6 @@ fn variables(function: &Function, tree: Option<&Tree>, is_forward: bool) -> Vec<
     let parameters = parameters.filter(|_| !is_forward);
     let parameters = parameters.map(|parameter| parameter.name.clone());
     arguments.chain(all).chain(parameters).collect()
-}
-
-/// All of what is found, or all that is wrong.
-fn all_or_faults<T>(
-    results: impl Iterator<Item = Result<T, Vec<RequestError>>>,
-) -> Result<Vec<T>, Vec<RequestError>> {
-    let (mut found, mut faults) = (Vec::new(), Vec::new());
-    for result in results {
-        match result {
-            Ok(one) => found.push(one),
-            Err(more) => faults.extend(more),
-        }
-    }
-    if faults.is_empty() {
-        Ok(found)
-    } else {
-        Err(faults)
-    }
-}
-
-/// The frames of the model, the nearest name first.
-fn nearest_first(tree: &Tree, name: &str) -> Vec<String> {
-    let frames = tree.named_frames();
-    let mut known: Vec<&str> = frames.map(|frame| tree.frame_name(frame)).collect();
-    if let Some(nearest) = diagnostic::nearest(name, &known) {
-        // False sorts before true, and what is equal keeps its order.
-        known.sort_by_key(|known| *known != nearest);
-    }
-    known.into_iter().map(str::to_owned).collect()
 }
 
 impl Request {
@@ -472,6 +395,7 @@ impl Request {
     /// # Errors
     /// The first thing that is wrong with it.
     pub fn parse(text: &str) -> Result<Self, RequestError> {
-        Parsed::read(text)?.of_any_model()
+        let parsed = Parsed::read(text).map_err(|mut faults| faults.swap_remove(0));
+        parsed?.of_any_model()
     }
 }

@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-use super::syntax::Unexpected;
+use super::{dictionary::advice, syntax::Unexpected};
 
 /// Why a function cannot be had.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RequestError {
     /// A name that the catalogue does not hold.
-    #[error("`{}` is no function", name.escape_debug())]
+    #[error("`{}` is no function; {}", name.escape_debug(), advice(name))]
     Unknown {
         /// The name.
         name: String,
@@ -47,6 +47,16 @@ pub enum RequestError {
         request: String,
         /// What should stand there.
         expected: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A packed form that is a function of its own.
+    #[error("`packed({part})` is the function `{own}`")]
+    PackedName {
+        /// What was to be packed.
+        part: String,
+        /// How that is asked for.
+        own: String,
         /// Where in the request.
         place: Range<usize>,
     },
@@ -116,7 +126,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}", name.escape_debug(), names(known))]
+    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; a number of the model has to be `{{ runtime = .. }}`", name.escape_debug(), names(known))]
     UnknownVariable {
         /// What was asked for.
         request: String,
@@ -155,6 +165,7 @@ impl RequestError {
     pub fn place(&self) -> Option<Range<usize>> {
         match self {
             Self::Syntax { place, .. }
+            | Self::PackedName { place, .. }
             | Self::FrameMissing { place, .. }
             | Self::FrameNotTaken { place, .. }
             | Self::View { place, .. }
@@ -192,5 +203,23 @@ fn names(known: &[String]) -> String {
         "nothing".to_owned()
     } else {
         names.join(", ")
+    }
+}
+
+/// All of what is found, or all that is wrong.
+pub(super) fn all_or_faults<T>(
+    results: impl Iterator<Item = Result<T, Vec<RequestError>>>,
+) -> Result<Vec<T>, Vec<RequestError>> {
+    let (mut found, mut faults) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(one) => found.push(one),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if faults.is_empty() {
+        Ok(found)
+    } else {
+        Err(faults)
     }
 }

@@ -14,7 +14,7 @@ use crate::{
     differentiate::{Seeds, tangents},
     drawn::Field,
     expr::{Expr, ExprGraph, Input, Node},
-    tree::{ChartCoordinates, Orientation, Tree},
+    tree::Tree,
 };
 
 /// The entries of a derivative that are not structurally zero.
@@ -109,21 +109,15 @@ fn point(graph: &ExprGraph, tree: &Tree) -> BTreeMap<Input, Field> {
         let n_known = u64::try_from(point.len()).unwrap_or(u64::MAX);
         point.entry(input).or_insert_with(|| Field::drawn(n_known));
     }
-    for body in &tree.bodies {
-        if let Orientation::AngularVelocity {
-            chart: ChartCoordinates::EulerParameters([scalar, vector @ ..]),
-            ..
-        } = body.joint.orientation
-        {
-            // A point of the sphere, from the plane through its middle.
-            let drawn = vector.map(|own| point.get(&Input::Q(own)).copied().unwrap_or(Field::ONE));
-            let square = drawn.map(|own| own * own).into_iter();
-            let square = square.fold(Field::ZERO, |sum, own| sum + own);
-            let length = Field::ONE / (Field::ONE + square);
-            point.insert(Input::Q(scalar), (Field::ONE + -square) * length);
-            let units = vector.into_iter().zip(drawn);
-            point.extend(units.map(|(at, own)| (Input::Q(at), (own + own) * length)));
-        }
+    for (_, [scalar, vector @ ..]) in tree.quaternions() {
+        // A point of the sphere, from the plane through its middle.
+        let drawn = vector.map(|own| point.get(&Input::Q(own)).copied().unwrap_or(Field::ONE));
+        let square = drawn.map(|own| own * own).into_iter();
+        let square = square.fold(Field::ZERO, |sum, own| sum + own);
+        let length = Field::ONE / (Field::ONE + square);
+        point.insert(Input::Q(scalar), (Field::ONE + -square) * length);
+        let units = vector.into_iter().zip(drawn);
+        point.extend(units.map(|(at, own)| (Input::Q(at), (own + own) * length)));
     }
     point
 }

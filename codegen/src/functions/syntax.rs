@@ -3,7 +3,7 @@
 //! ```text
 //! request = part ("+" part)* ["(sin_cos)"]
 //! part    = "d" "(" part ")" "/" "d" "(" words ")"
-//!         | "packed" "(" "d" "(" part ")" "/" "d" "(" words ")" ")"
+//!         | "packed" "(" part ")"
 //!         | ("jvp" | "vjp" | "hessian") "(" part ";" words ")"
 //!         | word ["(" words ")"]
 //! words   = word ("," word)*
@@ -41,12 +41,10 @@ pub struct Part {
 pub enum Kind {
     /// `rotation`, or `pose(tool0)`.
     Named { name: Word, of: Vec<Word> },
-    /// `d(bias)/d(q, u)`, or `packed(d(bias)/d(q, u))`.
-    Derivative {
-        of: Box<Part>,
-        by: Vec<Word>,
-        is_packed: bool,
-    },
+    /// `d(bias)/d(q, u)`.
+    Derivative { of: Box<Part>, by: Vec<Word> },
+    /// `packed(d(bias)/d(q, u))`.
+    Packed { of: Box<Part> },
     /// `jvp(bias; q, u)`.
     Product {
         name: Word,
@@ -235,34 +233,13 @@ impl<'a> Reader<'a> {
         self.expect('d', expected)?;
         self.expect('(', expected)?;
         let by = self.words()?;
-        Ok(Kind::Derivative {
-            of,
-            by,
-            is_packed: false,
-        })
+        Ok(Kind::Derivative { of, by })
     }
 
-    /// A derivative in brackets, after the word before them.
     fn packed(&mut self) -> Result<Kind, Unexpected> {
-        let expected = "expected `d(PART)/d(VARIABLES)`";
-        self.expect('(', expected)?;
-        self.skip();
-        let start = self.at;
-        let name = self.word()?;
-        if !name.is("d") || !self.rest().starts_with('(') {
-            self.at = start;
-            return Err(self.unexpected(expected));
-        }
-        let inner = self.derivative()?;
+        let of = self.inner()?;
         self.expect(')', "expected `)`")?;
-        let Kind::Derivative { of, by, .. } = inner else {
-            return Ok(inner);
-        };
-        Ok(Kind::Derivative {
-            of,
-            by,
-            is_packed: true,
-        })
+        Ok(Kind::Packed { of })
     }
 
     fn product(&mut self, name: Word) -> Result<Kind, Unexpected> {

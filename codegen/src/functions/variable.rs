@@ -32,7 +32,7 @@ pub enum Variable {
 }
 
 /// The arguments that are variables.
-pub(super) const ARGUMENTS: [Argument; 5] = [
+const ARGUMENTS: [Argument; 5] = [
     Argument::Q,
     Argument::U,
     Argument::UDot,
@@ -45,6 +45,14 @@ pub(super) const PARAMETERS: &str = "parameters";
 
 /// The constant that holds their names.
 pub const PARAMETER_NAMES: &str = "PARAMETER_NAMES";
+
+impl super::function::Function {
+    /// The arguments by which it can be differentiated.
+    pub(super) fn variables(&self) -> impl Iterator<Item = Argument> {
+        let variables = ARGUMENTS.into_iter();
+        variables.filter(|argument| self.arguments.contains(argument))
+    }
+}
 
 impl Variable {
     /// The variable with this name, if there is one.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use crate::description::Order;
-use crate::id::{BodyId, SpeedId};
+use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::tree::base_parameter::BaseParameters;
 use crate::tree::body::{Body, RigidPart};
 use crate::tree::frames::Frame;
@@ -174,18 +174,22 @@ impl Tree {
         joints.any(|joint| (0..6).any(|motion| follows(joint, motion)))
     }
 
+    /// The bodies whose orientation is described by a quaternion, each with its four coordinates.
+    pub fn quaternions(&self) -> impl Iterator<Item = (&Body, [CoordinateId; 4])> {
+        self.bodies
+            .iter()
+            .filter_map(|body| match body.joint.orientation {
+                Orientation::AngularVelocity {
+                    chart: ChartCoordinates::EulerParameters(parameters),
+                    ..
+                } => Some((body, parameters)),
+                _ => None,
+            })
+    }
+
     /// True where some orientation is described by a quaternion.
     pub fn has_quaternions(&self) -> bool {
-        let is_quaternion = |body: &Body| {
-            matches!(
-                body.joint.orientation,
-                Orientation::AngularVelocity {
-                    chart: ChartCoordinates::EulerParameters(_),
-                    ..
-                }
-            )
-        };
-        self.bodies.iter().any(is_quaternion)
+        self.quaternions().next().is_some()
     }
 
     /// The nominal value of a number of the description.

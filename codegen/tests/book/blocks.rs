@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use kane_codegen::{config, description::toml, diagnostic::Source, functions::Function, tree};
+use kane_codegen::{config, description::toml, diagnostic::Source, tree};
 
 use crate::page::{self, Block, Page, REPLAYED, Use, repository};
 
@@ -32,8 +32,7 @@ fn doc_tested(path: &str) -> bool {
 /// Reads a `kane.toml`, a model, or a part of one.
 fn read(text: &str) -> Result<(), String> {
     if text.contains("[[system]]") {
-        let names = Function::names();
-        return match config::parse(&Source::new("kane.toml", text), &names) {
+        return match config::parse(&Source::new("kane.toml", text)) {
             Ok(_) => Ok(()),
             Err(faults) => Err(faults.to_string()),
         };

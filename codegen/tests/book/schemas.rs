@@ -279,7 +279,7 @@ fn the_schema_of_models_has_the_keys_of_the_reader() {
 fn the_schema_of_kane_toml_has_the_keys_and_words_of_the_reader() {
     let schema = Schema::of("kane").0;
     let system = &schema["properties"]["system"]["items"];
-    let read = |text: &str| config::parse(&Source::new("kane.toml", text), &[]).unwrap_err();
+    let read = |text: &str| config::parse(&Source::new("kane.toml", text)).unwrap_err();
     let known = known_keys(&read("[[system]]\nxxxxxxxxxxxxxxxx = 1\n"));
     assert_eq!(known, keys(system));
     let techniques = Technique::ALL.map(|(name, _)| name.to_owned());

@@ -168,7 +168,7 @@ fn numbers_are_nested_as_the_output_is() {
     assert_eq!(shape("rotation"), [2, 3, 3]);
 }
 
-fn arm(function: &str, state: &str) -> Ran {
+pub(crate) fn arm(function: &str, state: &str) -> Ran {
     let project = Project::empty();
     project.write("arm.toml", &model("arm", "{ runtime = 2.0 }"));
     project.write("state.json", state);
@@ -255,72 +255,6 @@ fn rates_of_angles_are_taken_from_relative_angular_velocities() {
     assert_eq!(ran.code, 0, "{ran:?}");
     let rates: Value = serde_json::from_str(&ran.out).unwrap();
     assert_eq!(flat(&rates[0]), [1.0, 2.0, 3.0]);
-}
-
-#[test]
-fn all_faults_of_the_state_are_reported() {
-    let state = r#"{
-        "q": [0.0, "a", null],
-        "uu": [1, 2, 3],
-        "tau": 3,
-        "loads": [{"force": [1, 2], "momentum": [0, 0, 0]}, 7],
-        "w_rel": [[0, 0, 0]],
-        "parameters": {"uper_mass": 1.0, "upper_mass": [2.0]}
-    }"#;
-    let ran = arm("forcing", state);
-    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    insta::assert_snapshot!(ran.err);
-}
-
-#[test]
-fn what_the_function_does_not_need_may_be_absent() {
-    assert_eq!(arm("rotation", r#"{"q": [0, 0, 0]}"#).code, 0);
-    let ran = arm("inverse_dynamics", r#"{"q": [0, 0, 0]}"#);
-    assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"
-    error: `inverse_dynamics` needs `u`, which is missing; expected a list of 3 numbers, one a speed
-    --> state.json
-
-    error: `inverse_dynamics` needs `u_dot`, which is missing; expected a list of 3 numbers, one a speed
-    --> state.json
-    ");
-}
-
-#[test]
-fn state_that_is_not_json_is_shown_with_its_line() {
-    let ran = arm("rotation", "{\"q\": [0,\n 0 0]}");
-    assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @r"
-    error: not valid JSON: expected `,` or `]`
-     --> state.json:2:4
-      |
-    2 |  0 0]}
-      |    ^ here
-    ");
-}
-
-#[test]
-fn state_that_ends_early_is_shown_at_its_end() {
-    let ran = arm("rotation", "");
-    assert_eq!(ran.code, 2);
-    assert!(
-        ran.err
-            .starts_with("error: not valid JSON: EOF while parsing a value"),
-        "{}",
-        ran.err
-    );
-}
-
-#[test]
-fn state_that_is_no_object_is_said() {
-    let ran = arm("rotation", "[0, 0, 0]");
-    assert_eq!(ran.code, 2);
-    assert!(
-        ran.err
-            .starts_with("error: the file holds a list; expected an object"),
-        "{}",
-        ran.err
-    );
 }
 
 #[test]
@@ -456,11 +390,11 @@ fn what_cannot_be_differentiated_is_told_why() {
         ),
         (
             "d(bias)/d(pole_maas)",
-            "`pole_maas` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`, `pole_mass`",
+            "`pole_maas` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`, `pole_mass`; a number of the model has to be `{ runtime = .. }`",
         ),
         (
             "jvp(bias; pole_mass)",
-            "`pole_mass` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`",
+            "`pole_mass` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`; a number of the model has to be `{ runtime = .. }`",
         ),
         (
             "hessian(mass_matrix; u)",

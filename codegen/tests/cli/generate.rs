@@ -375,50 +375,6 @@ fn path_that_would_break_out_of_the_banner_is_refused() {
 }
 
 #[test]
-fn all_unknown_functions_are_reported_with_what_was_meant() {
-    let arguments = [
-        "generate",
-        "models/arm.toml",
-        "--functions",
-        "mass_matrx,bias,bias,nonsense_entirely",
-    ];
-    let ran = Project::arm().kane(&arguments);
-    assert_eq!(ran.code, 2);
-    let lines: Vec<&str> = ran.err.lines().collect();
-    assert_eq!(
-        lines[0],
-        "error: `mass_matrx` is no function; did you mean `mass_matrix`?"
-    );
-    assert_eq!(lines[1], "error: --functions names `bias` twice");
-    assert!(lines[2].starts_with(
-        "error: `nonsense_entirely` is no function; the functions are `relative_rotation`, "
-    ));
-}
-
-#[test]
-fn functions_of_frames_are_among_those_that_may_be_meant() {
-    let project = Project::arm();
-    let arguments = ["generate", "models/arm.toml", "--functions"];
-    let ran = |functions: &str| project.kane(&[&arguments[..], &[functions]].concat());
-    let misspelt = ran("jacobain(fore)");
-    assert_eq!(misspelt.code, 2);
-    assert_eq!(
-        misspelt.err,
-        "error: `jacobain` is no function; did you mean `jacobian`?\n"
-    );
-    let none = ran("nonsense_entirely").err;
-    assert!(none.contains(", `operational_inverse_inertia`"), "{none}");
-    let config = system("models/arm.toml", "generated/arm.rs");
-    project.write(
-        "kane.toml",
-        &config.replace("mass_matrix", "jacobain(fore)"),
-    );
-    let ran = project.kane(&["generate"]);
-    assert_eq!(ran.code, 2);
-    assert!(ran.err.contains("did you mean `jacobian`?"), "{}", ran.err);
-}
-
-#[test]
 fn fused_multiplication_is_asked_for_in_kane_toml_or_above_it() {
     let project = Project::arm();
     let config = project.read("kane.toml");

@@ -11,6 +11,7 @@ mod companions;
 mod convert;
 mod diff;
 mod eval;
+mod eval_state;
 mod generate;
 #[cfg(unix)]
 mod hostile;

@@ -50,6 +50,36 @@ fn new_packages_run_pass_their_tests_and_are_up_to_date() {
     }
 }
 
+/// Unix alone is sure to have a C compiler called `cc` and `make`.
+#[cfg(unix)]
+#[test]
+fn new_package_in_c_runs_and_is_up_to_date() {
+    let project = Project::empty();
+    project.write("bird.urdf", ROBOT);
+    let kane = repository("");
+    let kane = kane.to_str().unwrap();
+    let new = ["new", "bird", "bird.urdf", "--base", "free"];
+    let ran = project.kane(&[&new[..], &["--abi", "c", "--kane", kane]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let next = "wrote bird/; next: cd bird && make run";
+    assert_eq!(ran.err.lines().last(), Some(next));
+    let check = project.kane_in("bird", &["check"]);
+    assert_eq!((check.code, check.out.as_str()), (0, ""), "{}", check.err);
+    let mut make = Command::new("make");
+    let make = make.current_dir(project.path("bird")).args([
+        "--silent",
+        "run",
+        "CFLAGS=-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror",
+    ]);
+    let output = make.env("CARGO_NET_OFFLINE", "true").output().unwrap();
+    let printed = String::from_utf8_lossy(&output.stdout);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{printed}{told}");
+    assert!(!told.contains("warning"), "{told}");
+    let last = "u = 0.000 0.000 0.000 0.000 0.000 0.000 0.000\n";
+    assert!(printed.ends_with(last), "{printed}");
+}
+
 #[test]
 fn model_that_includes_others_is_written_whole_as_it_was_read() {
     let project = Project::empty();

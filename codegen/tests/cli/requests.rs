@@ -172,3 +172,66 @@ fn what_outputs_are_read_by_stands_in_the_manifest_and_what_eval_prints() {
     let both = evaluated("jacobian_packed(stand) + jacobian_packed(fore)");
     assert_eq!(both["fore_jacobian_packed_speeds"], json!([0, 1, 2]));
 }
+
+#[test]
+fn all_unknown_functions_are_reported_with_what_was_meant() {
+    let arguments = [
+        "generate",
+        "models/arm.toml",
+        "--functions",
+        "mass_matrx,bias,bias,nonsense_entirely",
+    ];
+    let ran = Project::arm().kane(&arguments);
+    assert_eq!(ran.code, 2);
+    let lines: Vec<&str> = ran.err.lines().collect();
+    assert_eq!(
+        lines[0],
+        "error: `mass_matrx` is no function; did you mean `mass_matrix`?"
+    );
+    assert_eq!(lines[1], "error: --functions names `bias` twice");
+    assert!(lines[2].starts_with(
+        "error: `nonsense_entirely` is no function; the functions are relative_rotation, "
+    ));
+}
+
+#[test]
+fn frames_that_the_model_lacks_are_told_beside_unknown_functions() {
+    let arguments = [
+        "generate",
+        "models/arm.toml",
+        "--functions",
+        "jacobian(flange),foo+pose",
+    ];
+    let ran = Project::arm().kane(&arguments);
+    assert_eq!(ran.code, 2);
+    for part in [
+        "`foo` is no function; ",
+        "`pose` is of a frame; ",
+        "`flange` is no frame of the model; ",
+    ] {
+        assert!(ran.err.contains(part), "{}", ran.err);
+    }
+}
+
+#[test]
+fn functions_of_frames_are_among_those_that_may_be_meant() {
+    let project = Project::arm();
+    let arguments = ["generate", "models/arm.toml", "--functions"];
+    let ran = |functions: &str| project.kane(&[&arguments[..], &[functions]].concat());
+    let misspelt = ran("jacobain(fore)");
+    assert_eq!(misspelt.code, 2);
+    assert_eq!(
+        misspelt.err,
+        "error: `jacobain` is no function; did you mean `jacobian`?\n"
+    );
+    let none = ran("nonsense_entirely").err;
+    assert!(none.contains(", operational_inverse_inertia"), "{none}");
+    let config = system("models/arm.toml", "generated/arm.rs");
+    project.write(
+        "kane.toml",
+        &config.replace("mass_matrix", "jacobain(fore)"),
+    );
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("did you mean `jacobian`?"), "{}", ran.err);
+}

@@ -254,7 +254,7 @@ fn second_derivatives_of_robots() {
         let (count, _) = count.split_once(' ').unwrap();
         format!("{},{}", &count[..1], &count[1..])
     });
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/model.md");
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
     let sentence =
         format!("takes {together} operations, of which the second derivatives alone take {alone}.");
     assert!(

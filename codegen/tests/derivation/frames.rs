@@ -71,8 +71,7 @@ pub(crate) fn system(seed: u64) -> (RandomSystem, Tree) {
 }
 
 pub(crate) fn request(tree: &Tree, text: &str) -> Request {
-    let parsed = Parsed::read(text).map_err(|fault| vec![fault]);
-    let request = parsed.and_then(|parsed| parsed.on(tree));
+    let request = Parsed::read(text).and_then(|parsed| parsed.on(tree));
     request.unwrap_or_else(|faults| unreachable!("{text}: {faults:?}"))
 }
 

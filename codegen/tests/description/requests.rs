@@ -81,10 +81,47 @@ fn what_is_not_in_the_grammar_is_pointed_at() {
         expected("hessian(bias)"),
         ("expected `; VARIABLES`", 12..13)
     );
-    let derivative = "expected `d(PART)/d(VARIABLES)`";
-    assert_eq!(expected("packed(bias)"), (derivative, 7..8));
-    assert_eq!(expected("packed(d)"), (derivative, 7..8));
     assert_eq!(expected("packed(d(bias)/d(q)"), ("expected `)`", 19..19));
+}
+
+fn faults(text: &str) -> Vec<String> {
+    let faults = Parsed::read(text).expect_err("it has a fault");
+    faults.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn packed_is_of_derivatives_and_what_is_a_function_of_its_own_is_named() {
+    let faults = |text| faults(text).join("\n");
+    let derivative = "expected `d(PART)/d(VARIABLES)`";
+    for text in ["packed(bias)", "packed(d)", "packed(jvp(bias; q))"] {
+        assert!(faults(text).ends_with(derivative), "{text}");
+    }
+    assert_eq!(
+        faults("packed(jacobian(tool0, local))"),
+        "`packed(jacobian(tool0, local))` is the function `jacobian_packed(tool0, local)`"
+    );
+}
+
+#[test]
+fn every_part_with_a_fault_is_told() {
+    assert_eq!(
+        faults("masss_matrix + bias + jacobian"),
+        [
+            "`masss_matrix` is no function; did you mean `mass_matrix`?",
+            "`jacobian` is of a frame; expected `jacobian(FRAME)`"
+        ]
+    );
+}
+
+#[test]
+fn traits_of_derivatives_say_what_was_not_asked_for() {
+    let text = include_str!("../../../src/functions/derivatives.rs");
+    for (request, name) in TRAITS {
+        let before = text.split(&format!("pub trait {name}<")).next();
+        let attribute = before.and_then(|before| before.rsplit("on_unimplemented").next());
+        let is_named = |text: &str| text.contains(&format!("without `{request}`;"));
+        assert!(attribute.is_some_and(is_named), "{name}");
+    }
 }
 
 #[test]

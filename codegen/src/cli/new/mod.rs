@@ -11,7 +11,7 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    companions::CompanionKind,
+    companions::{Abi, CompanionKind},
     description::{self, Reading, toml},
     generate,
     options::{Options, companion},
@@ -19,7 +19,7 @@ use kane_codegen::{
 };
 
 use self::{model::Model, package::Dependency};
-use super::{Failures, Outcome, Voice, changes::ReadingArguments, paths};
+use super::{Failures, Outcome, Voice, changes::ReadingArguments, parse::one_of, paths};
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
 const TAKEN: [&str; 12] = [
@@ -40,13 +40,15 @@ const TAKEN: [&str; 12] = [
 /// Make a package with a model, its generated module, a control loop and a test
 ///
 /// The folder NAME gets `Cargo.toml`, `kane.toml`, the model in `models/`, the generated module with its tests and a control loop in
-/// `src/`, and without --kane a workflow for GitHub. `cargo run` and `cargo test` work at once. A model that needs other files, such as
-/// meshes, is written in our own format.
+/// `src/`, and without --kane a workflow for GitHub. `cargo run` and `cargo test` work at once. With --abi c the control loop is a
+/// program in C with a Makefile, and the functions are a static library; `make run` works at once. A model that needs other files, such
+/// as meshes, is written in our own format.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane new pendulum\n  \
     kane new my_arm panda.urdf\n  \
-    kane new my_dog spot.urdf --base free")]
+    kane new my_dog spot.urdf --base free\n  \
+    kane new my_arm panda.urdf --abi c")]
 pub(crate) struct Arguments {
     /// The package and its folder: ASCII letters, digits and `_`, a letter first
     #[arg(value_name = "NAME")]
@@ -58,6 +60,10 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     reading: ReadingArguments,
+
+    /// The language of the control loop, where it is not Rust
+    #[arg(long, value_name = "WHICH", value_parser = one_of(Abi::ALL))]
+    abi: Option<Abi>,
 
     /// The folder of the crate `kane`; without it, the package depends on the version on crates.io
     #[arg(long, value_name = "FOLDER")]
@@ -86,7 +92,9 @@ pub(crate) fn run(
     };
     let options = Options {
         reading: model.reading.clone(),
-        companions: [CompanionKind::Tests].into(),
+        companions: std::iter::once(CompanionKind::Tests)
+            .chain(arguments.abi.map(CompanionKind::Abi))
+            .collect(),
         module: name.clone(),
         ..Options::default()
     };
@@ -96,26 +104,26 @@ pub(crate) fn run(
     voice.warn(&model.warnings);
 
     let module = folder.join(format!("src/{name}.rs"));
-    let manifest = package::manifest(&name, &dependency);
-    let config = package::config(&name, &shown, &model.reading);
-    let program = package::program(&name, &model.tree);
+    let abi = arguments.abi;
+    let manifest = package::manifest(&name, &dependency, abi);
+    let config = package::config(&name, &shown, &model.reading, abi);
+    let (program, next) = package::program(&name, &model.tree, abi);
     let workflow = package::workflow(&dependency);
     let mut files: Vec<(PathBuf, &str)> = generated.files(&module);
     files.extend([
         (folder.join("Cargo.toml"), manifest.as_str()),
         (folder.join("kane.toml"), config.as_str()),
         (folder.join(&shown), model.source.text()),
-        (folder.join("src/main.rs"), program.as_str()),
         (folder.join(".gitattributes"), "* text=auto eol=lf\n"),
         (folder.join(".gitignore"), "/target\n"),
     ]);
+    let program = program.iter();
+    files.extend(program.map(|(path, text)| (folder.join(path), text.as_str())));
     let place = folder.join(".github/workflows/kane.yml");
     files.extend(workflow.as_deref().map(|text| (place, text)));
     output::write(&files, Overwrite::Nothing)?;
     let folder = folder.display();
-    voice.say(format_args!(
-        "wrote {folder}/; next: cd {folder} && cargo run"
-    ));
+    voice.say(format_args!("wrote {folder}/; next: cd {folder} && {next}"));
     Ok(Outcome::Done)
 }
 

@@ -1,6 +1,7 @@
 //! The texts of a new package, beside the model and its module.
 
 use kane_codegen::{
+    companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
     tree::Tree,
 };
@@ -8,7 +9,16 @@ use kane_codegen::{
 use crate::cli::parse::name_of;
 
 /// The program, with `{{..}}` for what differs.
-const PROGRAM: &str = include_str!("main.txt");
+const PROGRAM: &str = include_str!("main.rs.txt");
+/// The program in C, the library that it links, and how both are built, likewise.
+const C_PROGRAM: &str = include_str!("main.c.txt");
+const C_NORMALIZE: &str = "    double normalized[NQ]; /* quaternions of length one */
+    {{module}}_normalize_f64(system, q, normalized);
+    for (int i = 0; i < NQ; ++i)
+        q[i] = normalized[i];
+";
+const C_LIBRARY: &str = include_str!("lib.rs.txt");
+const C_MAKEFILE: &str = include_str!("makefile.txt");
 /// The workflow, likewise.
 const WORKFLOW: &str = include_str!("github.yml");
 /// The version of the command, and of the crate `kane`.
@@ -21,19 +31,23 @@ pub(super) enum Dependency {
     Folder(String),
 }
 
-pub(super) fn manifest(name: &str, dependency: &Dependency) -> String {
+pub(super) fn manifest(name: &str, dependency: &Dependency, abi: Option<Abi>) -> String {
     let from = match dependency {
         Dependency::Registry => format!("version = \"{VERSION}\""),
         Dependency::Folder(path) => format!("path = {path}"),
     };
+    let library = match abi {
+        None => "",
+        Some(Abi::C) => "[lib]\ncrate-type = [\"staticlib\"]\n\n",
+    };
     format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n\
+        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\npublish = false\n\n{library}\
          [dependencies]\n# Without its features it needs neither the standard library nor another crate.\n\
          kane = {{ {from}, default-features = false }}\n"
     )
 }
 
-pub(super) fn config(name: &str, model: &str, reading: &Reading) -> String {
+pub(super) fn config(name: &str, model: &str, reading: &Reading, abi: Option<Abi>) -> String {
     let Reading {
         base,
         chart,
@@ -43,17 +57,47 @@ pub(super) fn config(name: &str, model: &str, reading: &Reading) -> String {
     let chart = chart.map(|chart| format!("chart = \"{}\"\n", name_of(&chart, &Chart::NAMED)));
     let names: Vec<String> = leave_out.iter().map(|name| quoted(name)).collect();
     let leave_out = (!names.is_empty()).then(|| format!("leave_out = [{}]\n", names.join(", ")));
-    let reading = [base, chart, leave_out].into_iter().flatten();
+    let abi = abi.map(|abi| format!("abi = \"{}\"\n", name_of(&abi, &Abi::ALL)));
+    let more = [base, chart, leave_out, abi].into_iter().flatten();
     format!(
         "[[system]]\nmodel = {}\noutput = \"src/{name}.rs\"\n{}tests = true\n\
          # functions = [\"default\", \"regressor\"]   # more; `kane info {model} --functions all` lists them\n",
         quoted(model),
-        reading.collect::<String>()
+        more.collect::<String>()
     )
 }
 
-/// The program; angles and translations start at zero, quaternions at no rotation.
-pub(super) fn program(name: &str, tree: &Tree) -> String {
+/// The program: the path of each of its files, and its text; and the command that runs it.
+pub(super) fn program(
+    name: &str,
+    tree: &Tree,
+    abi: Option<Abi>,
+) -> (Vec<(&'static str, String)>, &'static str) {
+    match abi {
+        None => {
+            let program = filled(PROGRAM, name, &start(tree, "    "));
+            (vec![("src/main.rs", program)], "cargo run")
+        }
+        Some(Abi::C) => (c_program(name, tree), "make run"),
+    }
+}
+
+fn c_program(name: &str, tree: &Tree) -> Vec<(&'static str, String)> {
+    let normalize = if tree.has_quaternions() {
+        C_NORMALIZE
+    } else {
+        ""
+    };
+    let program = C_PROGRAM.replace("{{normalize}}", normalize);
+    vec![
+        ("main.c", filled(&program, name, &start(tree, "        "))),
+        ("src/lib.rs", filled(C_LIBRARY, name, "")),
+        ("Makefile", filled(C_MAKEFILE, name, "")),
+    ]
+}
+
+/// Where the system starts, a line a coordinate: angles and translations at zero, quaternions at no rotation.
+fn start(tree: &Tree, indent: &str) -> String {
     let names = tree.coordinate_names();
     let mut start = vec!["0.0"; names.len()];
     let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
@@ -61,13 +105,16 @@ pub(super) fn program(name: &str, tree: &Tree) -> String {
         start[coordinate.index()] = "1.0";
     }
     let lines = start.iter().zip(&names);
-    let lines: String = lines
-        .flat_map(|(value, name)| ["    ", value, ", // ", name, "\n"])
-        .collect();
+    lines
+        .flat_map(|(value, name)| [indent, value, ", // ", name, "\n"])
+        .collect()
+}
+
+fn filled(text: &str, name: &str, coordinates: &str) -> String {
     // No name holds a brace.
-    PROGRAM
-        .replace("{{module}}", name)
-        .replace("{{coordinates}}", &lines)
+    text.replace("{{module}}", name)
+        .replace("{{MODULE}}", &name.to_uppercase())
+        .replace("{{coordinates}}", coordinates)
 }
 
 /// The workflow, where the command and the crate are those of the registry.

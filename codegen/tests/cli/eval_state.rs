@@ -1,0 +1,96 @@
+//! The state that `kane eval` is given.
+
+use serde_json::json;
+
+use super::{
+    eval::arm,
+    project::{Project, model},
+};
+
+#[test]
+fn all_faults_of_the_state_are_reported() {
+    let state = r#"{
+        "q": [0.0, "a", null],
+        "uu": [1, 2, 3],
+        "tau": 3,
+        "loads": [{"force": [1, 2], "momentum": [0, 0, 0]}, 7],
+        "w_rel": [[0, 0, 0]],
+        "parameters": {"uper_mass": 1.0, "upper_mass": [2.0]}
+    }"#;
+    let ran = arm("forcing", state);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err);
+}
+
+#[test]
+fn what_the_function_does_not_need_may_be_absent() {
+    assert_eq!(arm("rotation", r#"{"q": [0, 0, 0]}"#).code, 0);
+    let ran = arm("inverse_dynamics", r#"{"q": [0, 0, 0]}"#);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @"
+    error: `inverse_dynamics` needs `u`, which is missing; expected a list of 3 numbers, one a speed
+    --> state.json
+
+    error: `inverse_dynamics` needs `u_dot`, which is missing; expected a list of 3 numbers, one a speed
+    --> state.json
+    ");
+}
+
+#[test]
+fn state_that_is_not_json_is_shown_with_its_line() {
+    let ran = arm("rotation", "{\"q\": [0,\n 0 0]}");
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @r"
+    error: not valid JSON: expected `,` or `]`
+     --> state.json:2:4
+      |
+    2 |  0 0]}
+      |    ^ here
+    ");
+}
+
+#[test]
+fn state_that_ends_early_is_shown_at_its_end() {
+    let ran = arm("rotation", "");
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .starts_with("error: not valid JSON: EOF while parsing a value"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn state_that_is_no_object_is_said() {
+    let ran = arm("rotation", "[0, 0, 0]");
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .starts_with("error: the file holds a list; expected an object"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn quaternion_of_another_length_is_told_where_it_counts() {
+    let project = Project::empty();
+    let free = "\"free\"\nchart = \"quaternion\"";
+    project.write(
+        "arm.toml",
+        &model("arm", "2.0").replace(r#"["theta1", "s2"]"#, free),
+    );
+    let ran = |function: &str, scalar: f64| {
+        let arguments = ["eval", "arm.toml", "--function", function, "--state", "-"];
+        let q: Vec<f64> = [scalar].into_iter().chain([0.0; 7]).collect();
+        project.kane_given(&arguments, &json!({ "q": q }).to_string())
+    };
+    assert!(
+        ran("rotation", 2.0)
+            .err
+            .contains("has length 2; expected 1")
+    );
+    assert_eq!(ran("rotation", 1.0).err, "");
+    assert_eq!(ran("normalize", 2.0).err, "");
+}
