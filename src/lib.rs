@@ -44,6 +44,7 @@
 //! | how to check a state before you solve | [`checked`] |
 //! | many states at once | [`batch`], [`Lanes`] |
 //! | coordinates for given poses | [`inverse_kinematics`] |
+//! | the orientation error of a controller | [`rotation::error`] |
 //! | discrete steps with their derivatives, for regulators and planners | [`discrete`], [`manifold`] |
 //! | tests that `kane generate --with-tests` writes | [`self_test`] |
 //!
@@ -92,6 +93,9 @@ pub mod functions;
 
 // Sums of arrays.
 mod vector;
+
+// How far one orientation is from another.
+pub mod rotation;
 
 // Coordinates as points of a manifold, which steps move.
 pub mod manifold;

@@ -3,10 +3,9 @@
 use core::marker::PhantomData;
 
 use crate::functions::{Jacobian, Pose};
-use crate::{Array, Real, System};
+use crate::{Array, Real, System, rotation};
 
 use super::equations::Equations;
-use super::rotation::rotation_to;
 
 /// Where the frame `F` is to be, and how much that matters.
 ///
@@ -79,7 +78,7 @@ where
         system.jacobian(q, &mut linear, &mut angular);
 
         let way = <[R; 3]>::from_fn(|i| self.position[i] - position[i]);
-        let turn = rotation_to(&rotation, &self.rotation);
+        let turn = rotation::error(&rotation, &self.rotation);
         let speeds = <S as Jacobian<R, F>>::SPEEDS;
         for i in 0..3 {
             equations.add(&linear[i], way[i], self.position_weight, speeds);

@@ -28,8 +28,6 @@
 //! ```
 //! With a generated module, `(Goal::<f64, frames::LeftFoot>::position(..), Goal::<f64, frames::Hand>::pose(..))` sets goals for two frames together.
 
-mod rotation;
-
 mod equations;
 
 mod goal;

@@ -1,4 +1,4 @@
-//! The runtime: the scalar and its lanes, batches, integration, motions on manifolds, inverse kinematics, checks, charts, and the traits of systems.
+//! The runtime: the scalar and its lanes, batches, integration, motions on manifolds, inverse kinematics, checks, charts, rotations, and the traits of systems.
 
 #[cfg(feature = "eight_body")]
 mod batch;
@@ -14,6 +14,7 @@ mod manifold;
 #[cfg(feature = "eight_body")]
 mod operators;
 mod real;
+mod rotation;
 mod self_test;
 #[cfg(feature = "simulate")]
 mod simulate;

@@ -9,14 +9,13 @@
 
 use std::{array::from_fn, fmt};
 
-use kane::integrate::rk4_step_with;
+use kane::{integrate::rk4_step_with, rotation};
 use nalgebra::{SMatrix, SVector};
 
 use crate::{
     CallTimes, Desired, PERIOD,
     panda::{self, EFFORT_LIMITS, NQ, NU, Prepared},
     periods, raise,
-    turn::turn,
 };
 
 /// What the controller computes in.
@@ -94,7 +93,7 @@ impl Controller {
         panda::payload_pose(&self.robot, q, &mut rotation, &mut position);
         let (mut linear, mut angular) = ([0.0; 3], [0.0; 3]);
         panda::payload_velocity(&self.robot, q, u, &mut linear, &mut angular);
-        let turn = turn(&rotation, &self.rotation);
+        let turn = rotation::error(&rotation, &self.rotation);
         let ([k, k_angular], [d, d_angular]) = (STIFFNESS, DAMPING);
         (
             from_fn(|i| k * (desired.q[i] - position[i]) + d * (desired.u[i] - linear[i])),

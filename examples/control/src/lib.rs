@@ -19,7 +19,6 @@ pub mod swing_up;
 mod calls;
 mod desired;
 mod noise;
-mod turn;
 
 pub use calls::CallTimes;
 pub use desired::Desired;

@@ -2,19 +2,17 @@
 
 use std::array::from_fn;
 
+use kane::rotation;
 use nalgebra::{SMatrix, SVector};
 
 use super::{
     program::{Affine, Program},
     sizes::{FEET, FORCES, MOTORS, ROOT, Scalar},
 };
-use crate::{
-    solo12::{
-        self, NQ, NU, Prepared,
-        center_of_mass_and_centroidal_momentum_matrix_and_centroidal_momentum_matrix_dot_u_and_base_link_pose_and_base_link_velocity_and_base_link_jacobian_and_base_link_jacobian_dot_u as balance,
-        fl_foot_jacobian_and_fr_foot_jacobian_and_hl_foot_jacobian_and_hr_foot_jacobian_and_fl_foot_jacobian_dot_u_and_fr_foot_jacobian_dot_u_and_hl_foot_jacobian_dot_u_and_hr_foot_jacobian_dot_u as feet,
-    },
-    turn::turn,
+use crate::solo12::{
+    self, NQ, NU, Prepared,
+    center_of_mass_and_centroidal_momentum_matrix_and_centroidal_momentum_matrix_dot_u_and_base_link_pose_and_base_link_velocity_and_base_link_jacobian_and_base_link_jacobian_dot_u as balance,
+    fl_foot_jacobian_and_fr_foot_jacobian_and_hl_foot_jacobian_and_hr_foot_jacobian_and_fl_foot_jacobian_dot_u_and_fr_foot_jacobian_dot_u_and_hl_foot_jacobian_dot_u_and_hr_foot_jacobian_dot_u as feet,
 };
 
 /// `ω`, rad/s.
@@ -100,7 +98,7 @@ impl Controller {
     /// What momentum's rate, N, and the base's angular acceleration, rad/s², have too much.
     fn missing(&self, balance: &Balance, u_dot: &Affine<NU>) -> Affine<6> {
         let (omega, m) = (BANDWIDTH, self.mass);
-        let turn = turn(&balance.rotation, &self.rotation);
+        let turn = rotation::error(&balance.rotation, &self.rotation);
         let wanted = Vector::<6>::from_fn(|i, _| {
             let j = i % 3;
             if i < 3 {

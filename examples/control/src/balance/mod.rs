@@ -13,12 +13,11 @@ mod sizes;
 
 use std::{array::from_fn, fmt};
 
-use kane::integrate::rk4_step_with;
+use kane::{integrate::rk4_step_with, rotation};
 
 use crate::{
     CallTimes, PERIOD, periods, raise,
     solo12::{self, NQ, NU, Prepared},
-    turn::turn,
 };
 
 pub use controller::Controller;
@@ -152,7 +151,7 @@ impl Report {
         (position, rotation): &([f64; 3], [[f64; 3]; 3]),
     ) {
         let [x, y, z] = from_fn(|i| position[i] - start[i]);
-        let [a, b, c] = turn(upright, rotation);
+        let [a, b, c] = rotation::error(upright, rotation);
         self.displacement_at_rest = x.hypot(y).hypot(z);
         self.turn_at_rest = a.hypot(b).hypot(c);
         raise(&mut self.displacement, [self.displacement_at_rest]);

@@ -1,14 +1,22 @@
-//! The rotation that is missing between two orientations, as a vector.
+//! How far one orientation is from another, for controllers in task space and solvers.
 
 use crate::{Array, Real};
 
-/// The vector along the axis about which a frame with the rotation matrix `from` has to turn to get that of `to`; its length is
-/// `2 sin(angle / 2)`, the angle itself to third order.
+/// The orientation error: the vector along the axis about which a frame with the rotation matrix `from` has to turn to get that of `to`.
+/// Its length is `2 sin(angle / 2)`, the angle in rad to third order.
 ///
-/// Rotation matrices are as [`Pose`](crate::functions::Pose) writes them; the vector's components are those that they lead from,
-/// along the inertial axes or those of another frame. The vector is of the shorter way, and never vanishes
-/// but where the two agree.
-pub(super) fn rotation_to<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
+/// Rotation matrices are as [`Pose`](crate::functions::Pose) writes them. The vector's components are those from which they lead:
+/// along the inertial axes, or along those of another frame. It is of the shorter way, and vanishes only where the two agree.
+///
+/// ```
+/// let from = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// // Turned by 0.2 rad about z: its rows are its axes.
+/// let (s, c) = f64::sin_cos(0.2);
+/// let to = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
+/// let [x, y, z] = kane::rotation::error(&from, &to);
+/// assert!(x == 0.0 && y == 0.0 && (z - 0.2).abs() < 1e-3);
+/// ```
+pub fn error<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
     // The turn of vectors that are fixed in the frame.
     let turn: [[R; 3]; 3] = Array::from_fn(|i| {
         Array::from_fn(|j| to[0][i] * from[0][j] + to[1][i] * from[1][j] + to[2][i] * from[2][j])
