@@ -14,7 +14,6 @@ use super::{
 use crate::{
     differentiate::{Row, Seeds, forward, reverse},
     expr::{Expr, ExprGraph},
-    solve::SpeedMatrix,
     tree::{Orientation, Tree},
 };
 
@@ -204,37 +203,6 @@ impl Derivative {
                 Sparsity::of_first(&rows, n_columns)
             }
         }))
-    }
-
-    /// Derives them by these matrices, a matrix for each argument, where all its variables are among those.
-    pub(super) fn by_jacobians(
-        &self,
-        derived: &mut Derived,
-        tree: &Tree,
-        by: &[(Argument, SpeedMatrix)],
-        sparsity: Option<&Sparsity>,
-    ) -> bool {
-        let find = |variable: &Variable| {
-            let mut by = by.iter();
-            let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
-            Some(&found.1)
-        };
-        let found: Option<Vec<_>> = self.by.iter().map(find).collect();
-        let Some(found) = found else {
-            return false;
-        };
-        match sparsity {
-            None => derived
-                .roots
-                .extend(found.iter().flat_map(|own| own.concat())),
-            Some(Sparsity { places, .. }) => {
-                // Each of them has a column for every speed.
-                let n = tree.n_speeds;
-                let entry = |&[row, column]: &[usize; 2]| found[column / n][row][column % n];
-                derived.roots.extend(places.iter().map(entry));
-            }
-        }
-        true
     }
 
     /// Puts the derivatives in the place of the values that were derived last, the entries of outputs with `sizes`; `own` is the

@@ -7,7 +7,7 @@ use super::{
     candidate::{Candidate, Formulation},
     derivative::{Derivative, DerivativeKind},
     derived::Derived,
-    function::{Function, Output, Told},
+    function::{Function, Output},
     packed::Packed,
     shape::{Dimension, Length, Shape},
     sparsity::Sparsity,
@@ -422,13 +422,9 @@ impl Part {
             candidate.formulation == Formulation::Recursive && plan.uses(Technique::Composite);
         if in_own_way
             && self.is_whole_derivative()
-            && let Some(derivative) = &self.derivative
-            && let Some(jacobians) = self.function.derivatives
+            && let Some(told) = self.derive_matrices(derived, tree, formulation, plan)
         {
-            let Told { by, values } = jacobians(&mut derived.graph, tree, plan);
-            if derivative.by_jacobians(derived, tree, &by, self.sparsity(tree)) {
-                return values;
-            }
+            return told.values;
         }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();
@@ -442,11 +438,12 @@ impl Part {
             let sizes: Vec<usize> = sizes.collect();
             let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
             if in_own_way
-                && self.is_product()
+                && !self.is_second_derivative()
                 && let Some(needed) = self.function.needed
             {
                 let (of, needed) = ((tree, plan), (first, needed));
-                derivative.apply_to_solution(derived, of, needed, &multipliers);
+                let own = (&multipliers[..], self.sparsity(tree));
+                derivative.apply_to_solution(derived, of, needed, own);
                 return None;
             }
             let is_reverse = plan.uses(Technique::Reverse);

@@ -1,7 +1,7 @@
-//! Products with derivatives of accelerations, without a sweep through the solver.
+//! Derivatives of accelerations and products with them, without a sweep through the solver.
 //!
 //! Let `f(x, u_dot) = 0` be the forces that are lacking, with `df/du_dot = -M`. Then `d(u_dot) = M^-1 df`: along a direction that is
-//! one more solution, and the gradient for a multiplier is that of `(M^-1 multiplier) · f` with the first factor kept.
+//! one more solution, and the gradient for a multiplier is that of `(M^-1 multiplier) · f` with the first factor kept. Whole derivatives are one solution for each column of `df`.
 
 use std::collections::BTreeMap;
 
@@ -11,35 +11,36 @@ use super::{
     derive,
     derived::Derived,
     function::Needed,
+    sparsity::Sparsity,
 };
 use crate::{
     differentiate::forward,
-    expr::{Expr, Input},
+    expr::{Expr, ExprGraph, Input},
     recursive::{Plan, inverse_mass},
-    solve,
+    solve::{self, SpeedMatrix},
     tree::Tree,
 };
 
 impl Derivative {
-    /// Puts the product in the place of the accelerations that were derived last; `needed` gives the forces that accelerations need,
-    /// and `multipliers` are the product's own.
+    /// Puts the derivatives, or the product, in the place of the accelerations that were derived last; `needed` gives the forces that
+    /// accelerations need, and `multipliers` are the product's own.
     pub(super) fn apply_to_solution(
         &self,
         derived: &mut Derived,
         (tree, plan): (&Tree, &Plan),
         (first, needed): (usize, Needed),
-        multipliers: &[Argument],
+        (multipliers, sparsity): (&[Argument], Option<&Sparsity>),
     ) {
         let u_dot = derived.roots.split_off(first);
         let graph = &mut derived.graph;
-        graph.enter(None);
-        // Accelerations are inputs until the sweep is over.
-        let mut lacking = derive::applied(graph, tree);
-        let needed = needed(graph, tree, plan);
-        solve::subtract(graph, tree, &mut lacking, &needed);
-        let accelerations = Argument::UDot.inputs(tree);
-        let mut values: BTreeMap<Input, Expr> = accelerations.zip(u_dot).collect();
-        graph.enter(None);
+        if matches!(self.kind, DerivativeKind::Whole | DerivativeKind::Packed) {
+            let columns = self.columns(graph, tree, plan, (needed, &u_dot));
+            let is_worth_it = columns.len() >= tree.n_speeds;
+            let inverse = is_worth_it.then(|| inverse_mass::inverse(graph, tree, plan));
+            let solved = solved(graph, tree, plan, (inverse.as_ref(), columns));
+            return self.put(derived, &self.of_columns(tree, &solved), sparsity);
+        }
+        let (lacking, mut values) = lacking(graph, tree, plan, (needed, &u_dot));
         let (seeds, columns) = self.seeds(graph, tree);
         if self.kind == DerivativeKind::Forward {
             let seeds = self.along(graph, tree, seeds);
@@ -64,4 +65,67 @@ impl Derivative {
         let gradient = graph.substituted(&gradient, &values);
         derived.roots.extend(gradient);
     }
+
+    /// How the forces that are lacking change with each entry of the variables, at these accelerations: `df`, column by column.
+    pub(super) fn columns(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        needed: (Needed, &[Expr]),
+    ) -> Vec<Vec<Expr>> {
+        let (lacking, values) = lacking(graph, tree, plan, needed);
+        let (seeds, columns) = self.seeds(graph, tree);
+        let rows = forward(graph, &lacking, &seeds);
+        let n_columns = columns.last().map_or(0, |last| last.end);
+        let columns = (0..n_columns).map(|column| {
+            let changes: Vec<Expr> = rows.iter().map(|row| entry(graph, row, column)).collect();
+            graph.substituted(&changes, &values)
+        });
+        columns.collect()
+    }
+}
+
+/// The forces that are lacking, of accelerations that are inputs until a sweep is over; and what these are.
+fn lacking(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    (needed, u_dot): (Needed, &[Expr]),
+) -> (Vec<Expr>, BTreeMap<Input, Expr>) {
+    graph.enter(None);
+    let mut lacking = derive::applied(graph, tree);
+    let needed = needed(graph, tree, plan);
+    solve::subtract(graph, tree, &mut lacking, &needed);
+    let accelerations = Argument::UDot.inputs(tree);
+    let values = accelerations.zip(u_dot.iter().copied()).collect();
+    graph.enter(None);
+    (lacking, values)
+}
+
+/// `M^-1` times each of these columns: by the inverse where it is given, else a solution for each.
+pub(super) fn solved(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    (inverse, columns): (Option<&SpeedMatrix>, Vec<Vec<Expr>>),
+) -> Vec<Vec<Expr>> {
+    let columns = columns.into_iter().map(|own| match inverse {
+        Some(inverse) => product(graph, inverse, &own),
+        None => inverse_mass::solution(graph, tree, plan, own),
+    });
+    columns.collect()
+}
+
+/// A matrix times a column.
+fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> Vec<Expr> {
+    let rows = matrix.iter().map(|row| {
+        let mut sum = graph.zero();
+        for (&entry, &factor) in row.iter().zip(column) {
+            let term = graph.mul(entry, factor);
+            sum = graph.add(sum, term);
+        }
+        sum
+    });
+    rows.collect()
 }

@@ -1,0 +1,132 @@
+//! Whole derivatives of dynamics, a matrix for each variable: by coordinates, speeds, accelerations and forces in the way of their own,
+//! by loads and parameters, which that way does not know, beside it.
+
+use super::{
+    argument::Argument,
+    candidate::Formulation,
+    derivative::{Derivative, DerivativeKind},
+    derived::Derived,
+    function::Told,
+    part::Part,
+    solved::solved,
+    sparsity::Sparsity,
+    variable::Variable,
+};
+use crate::{expr::Expr, recursive::Plan, solve::SpeedMatrix, tree::Tree};
+
+/// A row for each entry of the output, a column for each of a variable.
+pub(super) type Matrix = Vec<Vec<Expr>>;
+
+impl Part {
+    /// Derives all matrices, where the function has a way for one of them; else nothing. The values, where they were needed.
+    pub(super) fn derive_matrices(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) -> Option<Told> {
+        let (derivative, jacobians) = (self.derivative.as_ref()?, self.function.derivatives?);
+        // The way of dynamics knows all that they are given but loads.
+        let is_known = |variable: &&Variable| matches!(variable, Variable::Given(own) if *own != Argument::Loads);
+        let (known, others): (Vec<&Variable>, Vec<&Variable>) =
+            derivative.by.iter().partition(is_known);
+        if known.is_empty() {
+            return None;
+        }
+        let told = jacobians(&mut derived.graph, tree, plan);
+        let others = others.into_iter().cloned().collect();
+        let others = Derivative::new(DerivativeKind::Whole, others);
+        let mut others = self
+            .matrices_of_others(derived, tree, (formulation, plan), others, &told)
+            .into_iter();
+        let found = derivative.by.iter().map(|variable| {
+            let own = told.by(variable).cloned();
+            own.or_else(|| others.next())
+                .expect("functions: each variable has a matrix")
+        });
+        let found: Vec<Matrix> = found.collect();
+        derivative.put(derived, &found, self.sparsity(tree));
+        Some(told)
+    }
+
+    /// Those by other variables, beside what is told.
+    fn matrices_of_others(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        (formulation, plan): (Formulation, &Plan),
+        others: Derivative,
+        told: &Told,
+    ) -> Vec<Matrix> {
+        if others.by.is_empty() {
+            return Vec::new();
+        }
+        if let (Some(needed), Some(u_dot)) = (self.function.needed, &told.values) {
+            let graph = &mut derived.graph;
+            let columns = others.columns(graph, tree, plan, (needed, u_dot));
+            // The inverse costs nothing where it is asked for, and is worth it for as many columns.
+            let tau = Variable::Given(Argument::Tau);
+            let is_asked_for = self.derivative.iter().any(|own| own.by.contains(&tau));
+            let is_worth_it = is_asked_for || columns.len() >= tree.n_speeds;
+            let inverse = told.by(&tau).filter(|_| is_worth_it);
+            let solved = solved(graph, tree, plan, (inverse, columns));
+            return others.of_columns(tree, &solved);
+        }
+        let sizes: Vec<usize> = others.by.iter().map(|own| own.n_entries(tree)).collect();
+        let first = derived.roots.len();
+        let part = Self {
+            derivative: Some(others),
+            ..self.clone()
+        };
+        part.derive_in(derived, tree, formulation, plan);
+        let roots = derived.roots.split_off(first);
+        let mut rest = &roots[..];
+        let matrix = |n_columns: usize| {
+            let (own, others) = rest.split_at(tree.n_speeds * n_columns);
+            rest = others;
+            let row = |row: usize| own[row * n_columns..][..n_columns].to_vec();
+            (0..tree.n_speeds).map(row).collect()
+        };
+        sizes.into_iter().map(matrix).collect()
+    }
+}
+
+impl Told {
+    fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
+        let mut by = self.by.iter();
+        let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
+        Some(&found.1)
+    }
+}
+
+impl Derivative {
+    /// Adds the entries of these matrices, one for each variable, to what is written.
+    pub(super) fn put(&self, derived: &mut Derived, found: &[Matrix], sparsity: Option<&Sparsity>) {
+        let Some(Sparsity { places, .. }) = sparsity else {
+            let entries = found.iter().flat_map(|own| own.concat());
+            return derived.roots.extend(entries);
+        };
+        let of_matrix = |own: &Matrix| 0..own.first().map_or(0, Vec::len);
+        let columns = found.iter().enumerate();
+        let columns = columns.flat_map(|(place, own)| of_matrix(own).map(move |own| (place, own)));
+        let columns: Vec<(usize, usize)> = columns.collect();
+        derived.roots.extend(places.iter().map(|&[row, column]| {
+            let (matrix, column) = columns[column];
+            found[matrix][row][column]
+        }));
+    }
+
+    /// The matrices, of all their columns one after the other.
+    pub(super) fn of_columns(&self, tree: &Tree, columns: &[Vec<Expr>]) -> Vec<Matrix> {
+        let mut rest = columns;
+        let mut matrices = Vec::with_capacity(self.by.len());
+        for variable in &self.by {
+            let (own, others) = rest.split_at(variable.n_entries(tree));
+            rest = others;
+            let row = |row: usize| own.iter().map(|column| column[row]).collect();
+            matrices.push((0..tree.n_speeds).map(row).collect());
+        }
+        matrices
+    }
+}
