@@ -420,7 +420,7 @@ pub fn q_dot<R: kane::Real>(
     q_dot[1] = pole_theta2_dot;
 }
 
-/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.
+/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.
 /// Also known as nonlinear effects, nle, `C q_dot + g`.
 ///
 /// Operations: 6 = 4 mul + 0 add + 0 div + 2 trig; formulation: recursive.
@@ -627,7 +627,7 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
     }
 }
 
-/// Potential energy of weight, J: zero for a mass at the inertial origin.
+/// Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.
 ///
 /// Operations: 15 = 9 mul + 4 add + 0 div + 2 trig.
 #[allow(

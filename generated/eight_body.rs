@@ -27606,7 +27606,7 @@ pub fn normalize<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], normalized: &mut [
     normalized[47] = camera_s3;
 }
 
-/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.
+/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.
 /// Also known as nonlinear effects, nle, `C q_dot + g`.
 ///
 /// Operations: 1799 = 963 mul + 788 add + 0 div + 48 trig; formulation: recursive.
@@ -44143,7 +44143,7 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
     }
 }
 
-/// Potential energy of weight, J: zero for a mass at the inertial origin.
+/// Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.
 ///
 /// Operations: 0 = 0 mul + 0 add + 0 div + 0 trig.
 #[allow(

@@ -119,7 +119,7 @@ macro_rules! function_traits {
     ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+);)+) => {$(
         $(#[$meaning])*
         #[diagnostic::on_unimplemented(
-            message = "`{Self}` was generated without the function of this trait; `functions` of its system names what it has"
+            message = "`{Self}` was generated without the function of this trait; name it in `functions`, in lower snake case, and generate again"
         )]
         pub trait $name<R: Real>: System<R> {
             #[doc = concat!("Overwrites the last argument; meaning, frame and unit are those of [`", stringify!($name), "`].")]
@@ -133,7 +133,7 @@ macro_rules! partial_traits {
     ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+), $columns:ident, $blocks:ident;)+) => {$(
         $(#[$meaning])*
         #[diagnostic::on_unimplemented(
-            message = "`{Self}` was generated without the function of this trait; `functions` of its system names what it has"
+            message = "`{Self}` was generated without the function of this trait; name it in `functions` and generate again"
         )]
         pub trait $name<R: Real>: System<R> {
             /// `[[R; 3]; n]`: the columns of the blocks that are not structurally zero, block after block.
@@ -236,7 +236,7 @@ function_traits! {
 ///
 /// Units kg m², kg m and kg, by the units of the two speeds.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `mass_matrix`; name it in `functions` and generate again"
 )]
 pub trait MassMatrix<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -250,7 +250,7 @@ pub trait MassMatrix<R: Real>: System<R> {
 /// Entries of two speeds that move no body in common are left out. For a humanoid a quarter of the matrix remains, in the form that
 /// solvers along the tree use. [`unpack`] makes the whole matrix.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_packed`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `mass_matrix_packed`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -289,8 +289,8 @@ function_traits! {
     /// Right-hand side `f` of `M u_dot = f`: `generalized_forces - bias`, N m and N. Eq. (43).
     Forcing: forcing(q: &Self::Q, u: &Self::U, loads: &Self::Loads, f: &mut Self::U);
 
-    /// The terms of `M u_dot + bias = tau` without `u_dot` and `tau`: Coriolis, centrifugal, gyroscopic terms
-    /// and weight, N m and N. Also called the nonlinear effects.
+    /// The terms of `M u_dot + bias = tau` without `u_dot` and `tau`: Coriolis, centrifugal and gyroscopic terms,
+    /// weight, springs and dampers, N m and N. Also called the nonlinear effects.
     Bias: bias(q: &Self::Q, u: &Self::U, bias: &mut Self::U);
 
     /// The generalized forces `tau` that hold the system at rest against gravity alone, N m and N: the part of
@@ -321,7 +321,7 @@ function_traits! {
     /// Kinetic energy in the inertial frame, J.
     KineticEnergy: kinetic_energy(q: &Self::Q, u: &Self::U, energy: &mut R);
 
-    /// Potential energy, J: that of weight, zero at the inertial origin.
+    /// Potential energy, J: that of weight, zero at the inertial origin, and that of springs, zero at rest.
     PotentialEnergy: potential_energy(q: &Self::Q, energy: &mut R);
 
     /// Linear momentum of the whole system, inertial components, kg m/s.
@@ -356,7 +356,7 @@ function_traits! {
 /// `body_attachment` where it has one. They include weight and the loads on all bodies outward of the joint, and motors,
 /// springs and dampers, which act through the joint. Often called joint reactions.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `joint_wrenches`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `joint_wrenches`; name it in `functions` and generate again"
 )]
 pub trait JointWrenches<R: Real>: System<R> {
     /// Overwrites `force` and `moment`; meaning, frame and unit are those of [`JointWrenches`].
@@ -378,7 +378,7 @@ pub trait JointWrenches<R: Real>: System<R> {
 /// `tau` that are found are not read. If all are prescribed it is [`InverseDynamics`], if none is it is [`ForwardDynamics`]. Nothing is
 /// checked, as in [`ForwardDynamics`].
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `hybrid_dynamics`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `hybrid_dynamics`; name it in `functions` and generate again"
 )]
 pub trait HybridDynamics<R: Real>: System<R> {
     /// The `NU` speeds: true where the acceleration is given.
@@ -417,7 +417,7 @@ function_traits! {
 /// Momentum of all bodies about their mass centre for a unit of each speed, inertial components, `[component][speed]`: linear,
 /// kg m/s, and angular, kg m²/s, are these matrices times `u`. Often called the CMM, `A_G`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `centroidal_momentum_matrix`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `centroidal_momentum_matrix`; name it in `functions` and generate again"
 )]
 pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
     /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrix`].
@@ -432,7 +432,7 @@ pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
 /// Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`, inertial
 /// components: the part of the rates that [`CentroidalMomentumMatrix`] times `u_dot` does not give. Often called `A_G_dot u`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `centroidal_momentum_matrix_dot_u`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `centroidal_momentum_matrix_dot_u`; name it in `functions` and generate again"
 )]
 pub trait CentroidalMomentumMatrixDotU<R: Real>: System<R> {
     /// Overwrites `linear` and `angular`; meaning, frame and unit are those of [`CentroidalMomentumMatrixDotU`].

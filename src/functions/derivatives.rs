@@ -14,7 +14,7 @@ use crate::{Array, Real, System};
 ///
 /// The last is the inverse of the mass matrix. Eq. (41), differentiated.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -35,7 +35,7 @@ pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
 /// [`ForwardDynamics`](super::ForwardDynamics) and its [derivatives](ForwardDynamicsDerivatives), which share their work:
 /// `"forward_dynamics + d(forward_dynamics)/d(q, u, tau)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -56,7 +56,7 @@ pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
 
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics) by all values set at run time: `"d(forward_dynamics)/d(parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(forward_dynamics)/d(parameters)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `d(forward_dynamics)/d(parameters)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
@@ -79,7 +79,7 @@ pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
 ///
 /// The [derivatives](ForwardDynamicsDerivatives) times the direction, without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsJvp<R: Real>: System<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsJvp`].
@@ -98,7 +98,7 @@ pub trait ForwardDynamicsJvp<R: Real>: System<R> {
 
 /// As [`ForwardDynamicsJvp`], along parameters too: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
@@ -124,7 +124,7 @@ pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
 ///
 /// The multiplier times the [derivatives](ForwardDynamicsDerivatives), without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsVjp<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsVjp`].
@@ -143,7 +143,7 @@ pub trait ForwardDynamicsVjp<R: Real>: System<R> {
 
 /// As [`ForwardDynamicsVjp`], by parameters too: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
@@ -169,7 +169,7 @@ pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
 ///
 /// The last is the mass matrix. `M u_dot + bias = tau`, differentiated.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -190,7 +190,7 @@ pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
 /// [`InverseDynamics`](super::InverseDynamics) and its [derivatives](InverseDynamicsDerivatives), which share their work:
 /// `"inverse_dynamics + d(inverse_dynamics)/d(q, u, u_dot)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -211,7 +211,7 @@ pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
 
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics) by all values set at run time: `"d(inverse_dynamics)/d(parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `d(inverse_dynamics)/d(parameters)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `d(inverse_dynamics)/d(parameters)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsByParameters<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
@@ -234,7 +234,7 @@ pub trait InverseDynamicsByParameters<R: Real>: System<R> {
 ///
 /// The [derivatives](InverseDynamicsDerivatives) times the direction, without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsJvp<R: Real>: System<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsJvp`].
@@ -253,7 +253,7 @@ pub trait InverseDynamicsJvp<R: Real>: System<R> {
 
 /// As [`InverseDynamicsJvp`], along parameters too: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.
@@ -279,7 +279,7 @@ pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
 ///
 /// The multiplier times the [derivatives](InverseDynamicsDerivatives), without forming them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsVjp<R: Real>: System<R> {
     /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsVjp`].
@@ -298,7 +298,7 @@ pub trait InverseDynamicsVjp<R: Real>: System<R> {
 
 /// As [`InverseDynamicsVjp`], by parameters too: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsParametersVjp<R: Real>: System<R> {
     /// `[R; n]`: one number for each value set at run time.

@@ -21,7 +21,7 @@ function_traits! {
 ///
 /// Units are those of accelerations over those of forces. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_inverse`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `mass_matrix_inverse`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixInverse<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -34,7 +34,7 @@ pub trait MassMatrixInverse<R: Real>: System<R> {
 ///
 /// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`](super::unpack) makes the whole matrix.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_inverse_packed`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `mass_matrix_inverse_packed`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixInversePacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -50,7 +50,7 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
 ///
 /// Rows are eliminated from the leaves inward, in an order of their own. [`solve_factored`] solves with them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_factors`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `mass_matrix_factors`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixFactors<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -70,7 +70,7 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
 /// It is the sum of `m Vᵀ V_dot` over all particles, with `V` their partial velocities. If all speeds are rates of coordinates, it is the matrix
 /// that the Christoffel symbols of the first kind give.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `coriolis_matrix`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `coriolis_matrix`; name it in `functions` and generate again"
 )]
 pub trait CoriolisMatrix<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.
@@ -82,7 +82,7 @@ pub trait CoriolisMatrix<R: Real>: System<R> {
 /// Rate of the [`MassMatrix`](super::MassMatrix) for the motion `u`, `M_dot = C + Cᵀ`: symmetric, written whole,
 /// `m_dot[row][column]`; the unit is that of the mass matrix, per second.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `mass_matrix_dot`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `mass_matrix_dot`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixDot<R: Real>: System<R> {
     /// `[[R; NU]; NU]`, row by row.

@@ -9,7 +9,7 @@ use crate::{Array, Real, System};
 /// `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's own values
 /// are not read. Often called the joint torque regressor, or identification matrix.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `regressor`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `regressor`; name it in `functions` and generate again"
 )]
 pub trait Regressor<R: Real>: System<R> {
     /// `[[R; 10]; NB]`: of one speed.
@@ -36,7 +36,7 @@ pub trait Regressor<R: Real>: System<R> {
 /// }
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `regressor_packed`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `regressor_packed`; name it in `functions` and generate again"
 )]
 pub trait RegressorPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
@@ -52,7 +52,7 @@ pub trait RegressorPacked<R: Real>: System<R> {
 /// Base parameters are the fewest combinations of inertial parameters on which forces depend, and all that can be identified
 /// from them. Also known as minimal or reduced regressor, minimal inertial parameters.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `base_regressor`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `base_regressor`; name it in `functions` and generate again"
 )]
 pub trait BaseRegressor<R: Real>: System<R> {
     /// `[R; BASE_PARAMETERS_LEN]`: of one speed.
@@ -75,7 +75,7 @@ pub trait BaseRegressor<R: Real>: System<R> {
 /// square of its multiplier, and friction times its magnitude. The sign is branch-free, `u / (|u| + 1e-30)`: a half at a speed of `1e-30`,
 /// zero at zero, without a dead band.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without `joint_regressor`; `functions` of its system names what it has"
+    message = "`{Self}` was generated without `joint_regressor`; name it in `functions` and generate again"
 )]
 pub trait JointRegressor<R: Real>: System<R> {
     /// `[[R; 3]; NU]`.

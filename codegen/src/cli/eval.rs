@@ -64,7 +64,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
-    /// The function; `kane info MODEL` lists them
+    /// The function, as `--functions` of `kane generate` names it
     #[arg(long, short, value_name = "NAME")]
     function: String,
 
@@ -151,7 +151,7 @@ fn warn_of_quaternions(tree: &Tree, inputs: &State, voice: Voice) {
         if (length - 1.0).abs() > UNIT_TOLERANCE {
             let name = body.name.escape_debug();
             voice.say(format_args!(
-                "warning: the quaternion of `{name}` has length {length}; expected 1 (`normalize` brings it there)"
+                "warning: the quaternion of `{name}` has length {length}; expected 1"
             ));
         }
     }

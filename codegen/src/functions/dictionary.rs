@@ -3,6 +3,8 @@
 use super::{
     argument::Argument,
     function::{Function, Of},
+    syntax::AT_SIN_COS,
+    variable::PARAMETERS,
 };
 use crate::diagnostic::nearest;
 
@@ -135,10 +137,10 @@ pub fn advice(name: &str) -> String {
     let known = Function::names();
     if let Some(request) = elsewhere(name) {
         format!("here it is called `{request}`")
-    } else if let Some((frame, function)) = of_frame(name) {
-        format!("did you mean `{function}({frame})`?")
-    } else if let Some(request) = of_derivatives(name) {
+    } else if let Some(request) = of_generated(name) {
         format!("did you mean `{request}`?")
+    } else if ["all", "default"].contains(&name) {
+        "it stands alone".to_owned()
     } else if let Some(near) = nearest(name, &known) {
         format!("did you mean `{near}`?")
     } else {
@@ -156,21 +158,96 @@ fn of_frame(name: &str) -> Option<(&str, &'static str)> {
     found.max_by_key(|(_, function)| function.len())
 }
 
-/// The request for derivatives, of a name in which a function's own stands: `d_forward_dynamics`.
-fn of_derivatives(name: &str) -> Option<String> {
-    let functions = Function::all().filter(|function| {
-        let before = name.strip_prefix("d_");
-        let behind = before.and_then(|rest| rest.strip_prefix(function.name));
-        let after = name.strip_prefix(function.name);
-        behind.is_some_and(|rest| rest.is_empty() || rest.starts_with("_d"))
-            || after.is_some_and(|rest| ["_derivatives", "_derivative"].contains(&rest))
-    });
-    let function = functions.max_by_key(|function| function.name.len())?;
-    let by: Vec<&str> = function.variables().map(Argument::name).collect();
+/// What other tools call our variables.
+const VARIABLES: [(&str, &[&str]); 5] = [
+    ("q", &["qpos", "x"]),
+    ("u", &["v", "qd", "dq", "qdot", "qvel"]),
+    ("u_dot", &["a", "qdd", "ddq", "qddot", "qacc", "vdot"]),
+    ("tau", &["torque", "torques", "forces", "ctrl"]),
+    ("loads", &["load", "fext", "wrench", "wrenches"]),
+];
+
+/// What to do about a name that is no variable.
+pub(super) fn advice_on_variable(name: &str) -> String {
+    let word = plain(name);
+    let mut variables = VARIABLES.iter();
+    match variables.find(|(_, names)| names.contains(&&*word)) {
+        Some((own, _)) => format!("here it is called `{own}`"),
+        None => "a number of the model has to be `{ runtime = .. }`".to_owned(),
+    }
+}
+
+/// The request of which a name is that of the generated function, or nearly so: `d_forward_dynamics`, `mass_matrix_and_bias`.
+fn of_generated(name: &str) -> Option<String> {
+    if let Some(name) = name.strip_suffix("_at_sin_cos") {
+        return of_generated(name).map(|request| request + AT_SIN_COS);
+    }
+    let parts: Option<Vec<String>> = name.split("_and_").map(of_part).collect();
+    parts.map(|parts| parts.join("+"))
+}
+
+fn of_part(name: &str) -> Option<String> {
+    if Function::find(name).is_some() {
+        return Some(name.to_owned());
+    }
+    if let Some((frame, function)) = of_frame(name) {
+        return Some(format!("{function}({frame})"));
+    }
+    for suffix in ["_derivatives", "_derivative"] {
+        if let Some((function, "")) = name.strip_suffix(suffix).and_then(split_function) {
+            return derivative("d", function, "");
+        }
+    }
+    let (kind, rest) = name.split_once('_')?;
+    let (function, by) = split_function(rest)?;
+    match kind {
+        "d" => match by.strip_suffix("_packed") {
+            Some(by) => derivative("d", function, by).map(|whole| format!("packed({whole})")),
+            None => derivative("d", function, by),
+        },
+        "jvp" | "vjp" | "hessian" => derivative(kind, function, by),
+        _ => None,
+    }
+}
+
+/// The function with which a text begins, and what follows.
+fn split_function(text: &str) -> Option<(&'static Function, &str)> {
+    let functions = Function::all();
+    let found = functions.filter_map(|own| Some((own, text.strip_prefix(own.name)?)));
+    found.max_by_key(|(own, _)| own.name.len())
+}
+
+/// A request for derivatives by the variables of a generated name, or by all where it has none.
+fn derivative(kind: &str, function: &Function, by: &str) -> Option<String> {
+    let mut rest = by.strip_prefix("_d").unwrap_or(by);
+    let mut variables: Vec<&str> = Vec::new();
+    let known = function.variables().map(Argument::name);
+    let known: Vec<&str> = known.chain([PARAMETERS]).collect();
+    while let Some(text) = rest.strip_prefix('_') {
+        let begins = |own: &&&str| {
+            let rest = text.strip_prefix(**own);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+        };
+        let found = known.iter().filter(begins);
+        let Some(found) = found.max_by_key(|own| own.len()) else {
+            break;
+        };
+        variables.push(found);
+        rest = &text[found.len()..];
+    }
+    if variables.is_empty() {
+        variables.extend(&known[..known.len() - 1]);
+    }
+    if variables.is_empty() || function.is_compact() {
+        return None;
+    }
     let of = match function.of {
         Of::System => function.name.to_owned(),
         Of::Frame(_) | Of::Frames(_) => format!("{}(FRAME)", function.name),
     };
-    let is_differentiable = !by.is_empty() && !function.is_compact();
-    is_differentiable.then(|| format!("d({of})/d({})", by.join(", ")))
+    let by = variables.join(", ");
+    Some(match kind {
+        "d" => format!("d({of})/d({by})"),
+        kind => format!("{kind}({of}; {by})"),
+    })
 }

@@ -4,6 +4,8 @@
 //! part is of the catalogue and of what it can be of, none is there twice, and what is joined has no compact output. Does
 //! not: know which frames there are.
 
+use std::ops::Range;
+
 use super::{
     catalogue::{CATALOGUE, OF_FRAMES},
     derivative::{Derivative, DerivativeKind},
@@ -118,7 +120,7 @@ impl Parsed {
 impl ParsedPart {
     fn of(text: &str, part: &syntax::Part) -> Result<Self, RequestError> {
         match &part.kind {
-            Kind::Named { name, of } => Self::named((name, of), part.place.clone()),
+            Kind::Named { name, of } => Self::named(text, (name, of), part.place.clone()),
             Kind::Derivative { of, by } => {
                 Self::derivative(text, part, of, (DerivativeKind::Whole, by))
             }
@@ -148,7 +150,7 @@ impl ParsedPart {
         let Kind::Named { name, of: frames } = &of.kind else {
             return Err(no_derivative(text, of, "is a derivative itself"));
         };
-        let values = Self::named((name, frames), part.place.clone())?;
+        let values = Self::named(text, (name, frames), part.place.clone())?;
         if values.function.is_compact() {
             return Err(no_derivative(text, of, "has a compact output"));
         }
@@ -187,17 +189,32 @@ impl ParsedPart {
     }
 
     fn named(
+        text: &str,
         (name, of): (&Word, &[Word]),
-        place: std::ops::Range<usize>,
+        place: Range<usize>,
     ) -> Result<Self, RequestError> {
+        let syntax = |expected, place: &Range<usize>| {
+            let place = place.clone();
+            Err(RequestError::syntax(text, Unexpected { expected, place }))
+        };
+        if name.text.is_empty() {
+            return syntax("expected the name of a function", &name.place);
+        }
         let Some(function) = Function::find(&name.text) else {
             return Err(RequestError::Unknown {
                 name: name.text.clone(),
             });
         };
+        if let Some(empty) = of.iter().find(|word| word.text.is_empty()) {
+            return syntax("expected the name of a frame", &empty.place);
+        }
         let name = || name.text.clone();
         let subject = match (function.of, of) {
             (Of::System, []) => None,
+            (Of::System, [word]) if word.is("sin_cos") => {
+                let expected = "`(sin_cos)` stands last, behind the whole request";
+                return syntax(expected, &word.place);
+            }
             (Of::System, _) => {
                 return Err(RequestError::FrameNotTaken {
                     name: name(),

@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use super::{dictionary::advice, syntax::Unexpected};
+use super::{
+    dictionary::{advice, advice_on_variable},
+    syntax::Unexpected,
+};
 
 /// Why a function cannot be had.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -126,7 +129,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; a number of the model has to be `{{ runtime = .. }}`", name.escape_debug(), names(known))]
+    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(name))]
     UnknownVariable {
         /// What was asked for.
         request: String,

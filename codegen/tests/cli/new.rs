@@ -120,6 +120,8 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
         (&["new", "my-arm"][..], "`my-arm` cannot be the name"),
         (&["new", "test"], "`test` cannot be the name"),
         (&["new", "tests"], "`tests` cannot be the name"),
+        (&["new", "lib"], "`lib` cannot be the name"),
+        (&["new", "Self"], "`Self` cannot be the name"),
         (&["new", "build"], "Rust or cargo use it for something else"),
         (&["new", "there"], "`there` is there already"),
         (&["new", "arm", "broken.urdf"], "broken.urdf:1:"),

@@ -34,20 +34,26 @@ fn unknown_names_are_met_with_advice() {
         advice("tool0_point_jacobian"),
         "did you mean `point_jacobian(tool0)`?"
     );
-    for name in ["d_forward_dynamics", "d_forward_dynamics_d_q_u_tau"] {
-        assert_eq!(
-            advice(name),
-            "did you mean `d(forward_dynamics)/d(q, u, tau)`?"
-        );
+    for (name, request) in [
+        ("d_forward_dynamics", "d(forward_dynamics)/d(q, u, tau)"),
+        (
+            "d_forward_dynamics_d_q_tau",
+            "d(forward_dynamics)/d(q, tau)",
+        ),
+        ("bias_derivatives", "d(bias)/d(q, u)"),
+        ("d_bias_d_q_packed", "packed(d(bias)/d(q))"),
+        ("d_jacobian_dq", "d(jacobian(FRAME))/d(q)"),
+        (
+            "jvp_inverse_dynamics_u_u_dot",
+            "jvp(inverse_dynamics; u, u_dot)",
+        ),
+        ("hessian_bias", "hessian(bias; q, u)"),
+        ("mass_matrix_and_tool0_pose", "mass_matrix+pose(tool0)"),
+        ("bias_at_sin_cos", "bias(sin_cos)"),
+    ] {
+        assert_eq!(advice(name), format!("did you mean `{request}`?"));
     }
-    assert_eq!(
-        advice("bias_derivatives"),
-        "did you mean `d(bias)/d(q, u)`?"
-    );
-    assert_eq!(
-        advice("d_jacobian_dq"),
-        "did you mean `d(jacobian(FRAME))/d(q)`?"
-    );
+    assert_eq!(advice("all"), "it stands alone");
     let listed = advice("jerk");
     assert!(
         listed.starts_with("the functions are relative_rotation, "),

@@ -185,7 +185,10 @@ fn arguments_are_those_of_all_parts_in_the_order_of_every_function() {
 fn what_cannot_be_joined_is_refused() {
     let error = |text: &str| Request::parse(text).unwrap_err();
     assert!(matches!(error("mass+bias"), RequestError::Unknown { name } if name == "mass"));
-    assert!(matches!(error("bias+"), RequestError::Unknown { name } if name.is_empty()));
+    let expected = "expected the name of a function";
+    assert!(
+        matches!(error("bias+"), RequestError::Syntax { expected: own, .. } if own == expected)
+    );
     assert!(matches!(error("bias+bias"), RequestError::Repeated { name, .. } if name == "bias"));
     let compact = error("bias+partial_velocity");
     assert!(matches!(compact, RequestError::Compact { name, .. } if name == "partial_velocity"));

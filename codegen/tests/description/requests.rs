@@ -103,6 +103,20 @@ fn packed_is_of_derivatives_and_what_is_a_function_of_its_own_is_named() {
 }
 
 #[test]
+fn what_is_missing_or_misplaced_is_said() {
+    for (text, expected) in [
+        ("bias+", "expected the name of a function"),
+        ("jacobian()", "expected the name of a frame"),
+        (
+            "bias(sin_cos)+mass_matrix",
+            "`(sin_cos)` stands last, behind the whole request",
+        ),
+    ] {
+        assert!(faults(text).concat().ends_with(expected), "{text}");
+    }
+}
+
+#[test]
 fn every_part_with_a_fault_is_told() {
     assert_eq!(
         faults("masss_matrix + bias + jacobian"),

@@ -484,7 +484,7 @@ impl<R: kane::Real> kane::functions::ForwardDynamics<R> for Prepared<R> {
     }
 }
 
-/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.
+/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.
 /// Also known as nonlinear effects, nle, `C q_dot + g`.
 ///
 /// `sin_cos` holds what the function `sin_cos` computes from this `q`, once for all that are called there.

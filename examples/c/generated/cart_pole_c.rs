@@ -258,7 +258,7 @@ pub unsafe extern "C" fn cart_pole_forward_dynamics_f32(
     }
 }
 
-/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.
+/// Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.
 /// Also known as nonlinear effects, nle, `C q_dot + g`.
 ///
 /// `sin_cos` holds what the function `sin_cos` computes from this `q`, once for all that are called there.

@@ -22,7 +22,7 @@ use self::{model::Model, package::Dependency};
 use super::{Failures, Outcome, Voice, changes::ReadingArguments, parse::one_of, paths};
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
-const TAKEN: [&str; 12] = [
+const TAKEN: [&str; 13] = [
     "Prepared",
     "alloc",
     "build",
@@ -31,6 +31,7 @@ const TAKEN: [&str; 12] = [
     "examples",
     "incremental",
     "kane",
+    "lib",
     "main",
     "std",
     "test",
@@ -106,7 +107,7 @@ pub(crate) fn run(
     let module = folder.join(format!("src/{name}.rs"));
     let abi = arguments.abi;
     let manifest = package::manifest(&name, &dependency, abi);
-    let config = package::config(&name, &shown, &model.reading, abi);
+    let config = package::config(&name, (&shown, &model.tree), &model.reading, abi);
     let (program, next) = package::program(&name, &model.tree, abi);
     let workflow = package::workflow(&dependency);
     let mut files: Vec<(PathBuf, &str)> = generated.files(&module);

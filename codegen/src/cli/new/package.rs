@@ -3,6 +3,7 @@
 use kane_codegen::{
     companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
+    functions::syntax::written,
     tree::Tree,
 };
 
@@ -47,7 +48,12 @@ pub(super) fn manifest(name: &str, dependency: &Dependency, abi: Option<Abi>) ->
     )
 }
 
-pub(super) fn config(name: &str, model: &str, reading: &Reading, abi: Option<Abi>) -> String {
+pub(super) fn config(
+    name: &str,
+    (model, tree): (&str, &Tree),
+    reading: &Reading,
+    abi: Option<Abi>,
+) -> String {
     let Reading {
         base,
         chart,
@@ -58,10 +64,13 @@ pub(super) fn config(name: &str, model: &str, reading: &Reading, abi: Option<Abi
     let names: Vec<String> = leave_out.iter().map(|name| quoted(name)).collect();
     let leave_out = (!names.is_empty()).then(|| format!("leave_out = [{}]\n", names.join(", ")));
     let abi = abi.map(|abi| format!("abi = \"{}\"\n", name_of(&abi, &Abi::ALL)));
+    // A model that is generated moves something.
+    let last = tree.bodies.last().map_or("", |body| body.name.as_str());
+    let jacobian = quoted(&format!("jacobian({})", written(last)));
     let more = [base, chart, leave_out, abi].into_iter().flatten();
     format!(
         "[[system]]\nmodel = {}\noutput = \"src/{name}.rs\"\n{}tests = true\n\
-         # functions = [\"default\", \"regressor\"]   # more; `kane info {model} --functions all` lists them\n",
+         # functions = [\"default\", {jacobian}]   # more\n",
         quoted(model),
         more.collect::<String>()
     )

@@ -80,7 +80,7 @@ pub(super) const BIAS: Function = Function {
     is_default: true,
     derivatives: Some(derive_derivatives::bias),
     doc: &[
-        "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms and weight; the `-f` of Eq. (43) without loads.",
+        "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
     ],
     candidates: &[

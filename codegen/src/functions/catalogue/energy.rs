@@ -25,7 +25,9 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     arguments: &[Argument::Q],
     outputs: &[Output::new("energy", Shape::SCALAR)],
     is_default: true,
-    doc: &["Potential energy of weight, J: zero for a mass at the inertial origin."],
+    doc: &[
+        "Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
+    ],
     candidates: &[Candidate::plain(derive::potential_energy)],
     ..PLAIN
 };

@@ -20,8 +20,14 @@ pub fn text(module: &Module, name: &str) -> String {
     let empty = facts.sizes.0.iter().filter(|size| {
         let patterns = facts.patterns.iter().map(|pattern| &pattern.columns);
         let own = patterns.chain(facts.frame_speeds.iter().map(|frame| &frame.length));
-        let mut own = own.chain(facts.entries.iter().map(|entries| &entries.length));
-        size.value == 0 && own.any(|length| *length == size.name)
+        let own = own.chain(facts.entries.iter().map(|entries| &entries.length));
+        let arguments = module.all().flat_map(|one| &one.signature.arguments);
+        let lengths = arguments.flat_map(|argument| &argument.lengths);
+        let constants = lengths.filter_map(|length| match length {
+            Length::Constant(name) => Some(name),
+            Length::Number(_) => None,
+        });
+        size.value == 0 && own.chain(constants).any(|length| *length == size.name)
     });
     let header = Header {
         facts,
@@ -118,11 +124,10 @@ impl Header<'_> {
             let names = names.iter().enumerate();
             let names: Vec<String> = names
                 .map(|(place, name)| {
-                    format!(
-                        "    {}{kind}_{} = {place}",
-                        self.prefix,
-                        name.to_uppercase()
-                    )
+                    let (prefix, name) = (&self.prefix, name.to_uppercase());
+                    // The names themselves are a table that is called so.
+                    let mark = if name == "NAMES" { "_" } else { "" };
+                    format!("    {prefix}{kind}_{name}{mark} = {place}")
                 })
                 .collect();
             format!("/// {doc}\nenum {{\n{}\n}};\n", names.join(",\n"))
