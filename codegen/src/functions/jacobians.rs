@@ -46,7 +46,7 @@ impl Part {
                 .expect("functions: each variable has a matrix")
         });
         let found: Vec<Matrix> = found.collect();
-        derivative.put(derived, &found, self.sparsity(tree));
+        derived.put(&found, self.sparsity(tree));
         Some(told)
     }
 
@@ -101,22 +101,6 @@ impl Told {
 }
 
 impl Derivative {
-    /// Adds the entries of these matrices, one for each variable, to what is written.
-    pub(super) fn put(&self, derived: &mut Derived, found: &[Matrix], sparsity: Option<&Sparsity>) {
-        let Some(Sparsity { places, .. }) = sparsity else {
-            let entries = found.iter().flat_map(|own| own.concat());
-            return derived.roots.extend(entries);
-        };
-        let of_matrix = |own: &Matrix| 0..own.first().map_or(0, Vec::len);
-        let columns = found.iter().enumerate();
-        let columns = columns.flat_map(|(place, own)| of_matrix(own).map(move |own| (place, own)));
-        let columns: Vec<(usize, usize)> = columns.collect();
-        derived.roots.extend(places.iter().map(|&[row, column]| {
-            let (matrix, column) = columns[column];
-            found[matrix][row][column]
-        }));
-    }
-
     /// The matrices, of all their columns one after the other.
     pub(super) fn of_columns(&self, tree: &Tree, columns: &[Vec<Expr>]) -> Vec<Matrix> {
         let mut rest = columns;
@@ -128,5 +112,23 @@ impl Derivative {
             matrices.push((0..tree.n_speeds).map(row).collect());
         }
         matrices
+    }
+}
+
+impl Derived {
+    /// Adds the entries of these matrices, one for each variable, to what is written.
+    pub(super) fn put(&mut self, found: &[Matrix], sparsity: Option<&Sparsity>) {
+        let Some(Sparsity { places, .. }) = sparsity else {
+            let entries = found.iter().flat_map(|own| own.concat());
+            return self.roots.extend(entries);
+        };
+        let of_matrix = |own: &Matrix| 0..own.first().map_or(0, Vec::len);
+        let columns = found.iter().enumerate();
+        let columns = columns.flat_map(|(place, own)| of_matrix(own).map(move |own| (place, own)));
+        let columns: Vec<(usize, usize)> = columns.collect();
+        self.roots.extend(places.iter().map(|&[row, column]| {
+            let (matrix, column) = columns[column];
+            found[matrix][row][column]
+        }));
     }
 }

@@ -38,7 +38,7 @@ impl Derivative {
             let is_worth_it = columns.len() >= tree.n_speeds;
             let inverse = is_worth_it.then(|| inverse_mass::inverse(graph, tree, plan));
             let solved = solved(graph, tree, plan, (inverse.as_ref(), columns));
-            return self.put(derived, &self.of_columns(tree, &solved), sparsity);
+            return derived.put(&self.of_columns(tree, &solved), sparsity);
         }
         let (lacking, mut values) = lacking(graph, tree, plan, (needed, &u_dot));
         let (seeds, columns) = self.seeds(graph, tree);

@@ -231,6 +231,32 @@ fn products_with_derivatives_of_robots() {
 }
 
 #[test]
+fn derivatives_by_loads_and_parameters_beside_others() {
+    let mut text = String::new();
+    for (path, inner, by) in [
+        ("tests/robots/ur5/ur5.urdf", "loaded_", "loads"),
+        ("tests/robots/panda/panda.urdf", "loaded_", "loads"),
+        ("models/cart_pole.toml", "", "parameters"),
+    ] {
+        let tree = model(path);
+        let requests = [
+            format!("d({inner}inverse_dynamics)/d(q, u, u_dot, {by})"),
+            format!("d({inner}forward_dynamics)/d({by})"),
+            format!("d({inner}forward_dynamics)/d(q, {by})"),
+            format!("d({inner}forward_dynamics)/d(q, u, tau, {by})"),
+        ];
+        let mut counts = counts(
+            &tree,
+            Functions::Named(requests.into()),
+            Formulation::Cheapest,
+        );
+        counts.retain(|(name, _)| name != "q_dot");
+        write!(text, "{path}\n{}", table(&counts)).unwrap();
+    }
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn second_derivatives_of_robots() {
     let mut text = String::new();
     for robot in ["ur5", "panda"] {

@@ -154,6 +154,7 @@ fn packed_derivatives_are_those_of_all_that_are_not_left_out() {
             ("loaded_inverse_dynamics", &["u", "q", "loads"][..]),
             ("inverse_dynamics", &["q", "u", "u_dot"]),
             ("forward_dynamics", &["tau", "q", "u"]),
+            ("loaded_forward_dynamics", &["loads", "q", "tau"]),
             ("centroidal_momentum_matrix", &["q"]),
         ] {
             let text = format!("d({name})/d({})", by.join(", "));
