@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use kane_codegen::{
     diagnostic::{Diagnostic, Diagnostics, Faults, Severity, Source, nearest},
     expr::Input,
-    functions::{Argument, Dimension, Element, Function, Request},
+    functions::{Argument, Dimension, Element, Function, Request, variable_elsewhere},
     id::ParameterId,
     passes::sines,
     tree::Tree,
@@ -281,8 +281,10 @@ impl Reader<'_> {
                 return;
             }
             let fault = format!("{what} has the unknown key `{}`", key.escape_debug());
-            self.faults
-                .push(Diagnostic::error(fault).help(known_names(key, known, "keys")));
+            let own = variable_elsewhere(key).filter(|own| known.contains(own));
+            let help = own.map(|own| format!("here it is called `{own}`"));
+            let help = help.unwrap_or_else(|| known_names(key, known, "keys"));
+            self.faults.push(Diagnostic::error(fault).help(help));
         }
     }
 }

@@ -167,12 +167,18 @@ const VARIABLES: [(&str, &[&str]); 5] = [
     ("loads", &["load", "fext", "wrench", "wrenches"]),
 ];
 
-/// What to do about a name that is no variable.
-pub(super) fn advice_on_variable(name: &str) -> String {
+/// Our variable for what other tools call so; letters' case and what is no letter or digit do not count.
+pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
     let word = plain(name);
     let mut variables = VARIABLES.iter();
-    match variables.find(|(_, names)| names.contains(&&*word)) {
-        Some((own, _)) => format!("here it is called `{own}`"),
+    let found = variables.find(|(_, names)| names.contains(&&*word));
+    found.map(|(own, _)| *own)
+}
+
+/// What to do about a name that is no variable.
+pub(super) fn advice_on_variable(name: &str) -> String {
+    match variable_elsewhere(name) {
+        Some(own) => format!("here it is called `{own}`"),
         None => "a number of the model has to be `{ runtime = .. }`".to_owned(),
     }
 }

@@ -12,7 +12,12 @@ use super::{
     sparsity::Sparsity,
     variable::Variable,
 };
-use crate::{expr::Expr, recursive::Plan, solve::SpeedMatrix, tree::Tree};
+use crate::{
+    expr::Expr,
+    recursive::{Plan, Technique},
+    solve::SpeedMatrix,
+    tree::Tree,
+};
 
 /// A row for each entry of the output, a column for each of a variable.
 pub(super) type Matrix = Vec<Vec<Expr>>;
@@ -64,6 +69,8 @@ impl Part {
         }
         if let (Some(needed), Some(u_dot)) = (self.function.needed, &told.values) {
             let graph = &mut derived.graph;
+            // No sweep goes through calls.
+            let plan = &plan.with(Technique::Lockstep, false);
             let columns = others.columns(graph, tree, plan, (needed, u_dot));
             // The inverse costs nothing where it is asked for, and is worth it for as many columns.
             let tau = Variable::Given(Argument::Tau);

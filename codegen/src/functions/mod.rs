@@ -49,7 +49,7 @@ pub use coloring::colors;
 pub use derivative::{Derivative, DerivativeKind};
 pub use derivative_trait::TRAITS;
 pub use derived::{CompactBlock, Derived, pattern};
-pub use dictionary::{advice, elsewhere};
+pub use dictionary::{advice, elsewhere, variable_elsewhere};
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::Multiplier;
 pub use packed::{ELIMINATION, Packed};

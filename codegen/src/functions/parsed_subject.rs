@@ -87,9 +87,8 @@ impl ParsedSubject {
 fn nearest_first(tree: &Tree, name: &str) -> Vec<String> {
     let frames = tree.named_frames();
     let mut known: Vec<&str> = frames.map(|frame| tree.frame_name(frame)).collect();
-    if let Some(nearest) = diagnostic::nearest(name, &known) {
-        // False sorts before true, and what is equal keeps its order.
-        known.sort_by_key(|known| *known != nearest);
-    }
+    let nearest = diagnostic::nearest(name, &known);
+    // False sorts before true, and what is equal keeps its order.
+    known.sort_by_key(|known| (Some(*known) != nearest, !known.contains(name)));
     known.into_iter().map(str::to_owned).collect()
 }

@@ -29,6 +29,13 @@ fn names_are_literals_whatever_they_hold() {
 }
 
 #[test]
+fn body_called_as_a_table_has_another_name() {
+    let header = header(|facts| "names".clone_into(&mut facts.bodies[0].identifier));
+    assert!(header.contains("TWO_BODY_NAMES_ = 0"), "{header}");
+    assert!(header.contains("TWO_BODY_NAMES[TWO_NB]"), "{header}");
+}
+
+#[test]
 fn numbers_without_bound_are_huge() {
     let header = header(|facts| facts.limits.lower = vec![f64::NEG_INFINITY, 0.1]);
     let start = header.find("LOWER_LIMITS[").expect("the table of limits");

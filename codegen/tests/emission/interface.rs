@@ -13,13 +13,18 @@ use kane_codegen::{
     error::Error,
     generate::{Generated, generate},
 };
+use kane_test_support::models::system;
 
 /// The pendulum's mass matrix under this name.
 fn generated(name: &str) -> Result<Generated, Error> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/pendulum.toml");
-    let source = Source::new("pendulum.toml", fs::read_to_string(path).unwrap());
+    generated_of(fs::read_to_string(path).unwrap(), name, "mass_matrix")
+}
+
+fn generated_of(model: String, name: &str, function: &str) -> Result<Generated, Error> {
+    let source = Source::new("pendulum.toml", model);
     let options = Options {
-        functions: Functions::Named(vec!["mass_matrix".to_owned()]),
+        functions: Functions::Named(vec![function.to_owned()]),
         companions: [CompanionKind::Abi(Abi::C)].into(),
         module: name.to_owned(),
         ..Options::default()
@@ -28,7 +33,11 @@ fn generated(name: &str) -> Result<Generated, Error> {
 }
 
 fn text(ending: &str) -> String {
-    let companions = generated("pendulum").unwrap().companions.into_iter();
+    text_of(generated("pendulum").unwrap(), ending)
+}
+
+fn text_of(generated: Generated, ending: &str) -> String {
+    let companions = generated.companions.into_iter();
     let mut texts = companions.filter(|companion| companion.ending == ending);
     texts.next().unwrap().text
 }
@@ -55,10 +64,21 @@ fn names_begin_with_the_module_s_so_that_two_of_one_model_can_be_linked() {
 }
 
 #[test]
+fn array_without_entries_is_a_pointer() {
+    let model = system("[0]", &[("one", "[\"theta1\"]")]);
+    let generated = generated_of(model, "pendulum", "d(bias)/d(parameters)").unwrap();
+    let header = text_of(generated, ".h");
+    assert!(
+        header.contains("    double *dbias_dparameters);"),
+        "{header}"
+    );
+}
+
+#[test]
 fn name_that_cannot_begin_names_of_c_is_refused() {
     let kinds = [CompanionKind::Abi(Abi::C)].into();
     for name in [
-        "", "2dof", "_arm", "my-arm", "träger", "fn", "gen", "arm v2",
+        "", "2dof", "_arm", "my-arm", "träger", "fn", "gen", "Self", "arm v2",
     ] {
         assert!(!can_be_beside(&kinds, name), "{name}");
         assert!(matches!(generated(name), Err(Error::ModuleName { .. })));
