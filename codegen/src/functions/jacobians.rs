@@ -8,7 +8,7 @@ use super::{
     derived::Derived,
     function::Told,
     part::Part,
-    solved::solved,
+    solved::{is_worth_an_inverse, solved},
     sparsity::Sparsity,
     variable::Variable,
 };
@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// A row for each entry of the output, a column for each of a variable.
-pub(super) type Matrix = Vec<Vec<Expr>>;
+type Matrix = Vec<Vec<Expr>>;
 
 impl Part {
     /// Derives all matrices, where the function has a way for one of them; else nothing. The values, where they were needed.
@@ -72,10 +72,10 @@ impl Part {
             // No sweep goes through calls.
             let plan = &plan.with(Technique::Lockstep, false);
             let columns = others.columns(graph, tree, plan, (needed, u_dot));
-            // The inverse costs nothing where it is asked for, and is worth it for as many columns.
+            // Where the inverse is asked for it costs nothing more.
             let tau = Variable::Given(Argument::Tau);
             let is_asked_for = self.derivative.iter().any(|own| own.by.contains(&tau));
-            let is_worth_it = is_asked_for || columns.len() >= tree.n_speeds;
+            let is_worth_it = is_asked_for || is_worth_an_inverse(tree, &columns);
             let inverse = told.by(&tau).filter(|_| is_worth_it);
             let solved = solved(graph, tree, plan, (inverse, columns));
             return others.of_columns(tree, &solved);

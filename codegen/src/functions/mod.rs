@@ -24,6 +24,7 @@ mod derive_regressor;
 mod derived;
 mod dictionary;
 mod function;
+mod generated_name;
 mod jacobians;
 mod multiplier;
 mod packed;

@@ -35,8 +35,8 @@ impl Derivative {
         let graph = &mut derived.graph;
         if matches!(self.kind, DerivativeKind::Whole | DerivativeKind::Packed) {
             let columns = self.columns(graph, tree, plan, (needed, &u_dot));
-            let is_worth_it = columns.len() >= tree.n_speeds;
-            let inverse = is_worth_it.then(|| inverse_mass::inverse(graph, tree, plan));
+            let inverse = is_worth_an_inverse(tree, &columns);
+            let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
             let solved = solved(graph, tree, plan, (inverse.as_ref(), columns));
             return derived.put(&self.of_columns(tree, &solved), sparsity);
         }
@@ -101,6 +101,11 @@ fn lacking(
     let values = accelerations.zip(u_dot.iter().copied()).collect();
     graph.enter(None);
     (lacking, values)
+}
+
+/// True for as many columns as the inverse has, or more: it takes no more operations than their solutions.
+pub(super) fn is_worth_an_inverse(tree: &Tree, columns: &[Vec<Expr>]) -> bool {
+    columns.len() >= tree.n_speeds
 }
 
 /// `M^-1` times each of these columns: by the inverse where it is given, else a solution for each.

@@ -70,7 +70,7 @@ pub(super) fn config(
     let more = [base, chart, leave_out, abi].into_iter().flatten();
     format!(
         "[[system]]\nmodel = {}\noutput = \"src/{name}.rs\"\n{}tests = true\n\
-         # functions = [\"default\", {jacobian}]   # more\n",
+         # functions = [\"default\", {jacobian}]   # the default set and more\n",
         quoted(model),
         more.collect::<String>()
     )
