@@ -118,6 +118,22 @@ impl Job {
         failures
     }
 
+    /// Reads the model and checks it as far as no function has a say.
+    pub(crate) fn check_model(&self) -> Result<(), Failures> {
+        let source = read(&self.model).map_err(|error| self.unreadable(error))?;
+        let Options {
+            reading,
+            changes,
+            prescribed,
+            ..
+        } = &self.options;
+        let description = description::read(&source, reading, &include(&self.model));
+        let Checked { tree, .. } = tree::build_with(&description, changes)?;
+        let tree = tree::prescribe(&description, tree, prescribed);
+        tree.map_err(|faults| self.not_prescribed(faults))?;
+        Ok(())
+    }
+
     /// What would ask for a file beside the module, if it can be one.
     pub(crate) fn asks_for(&self, file: &Path) -> Option<&'static str> {
         let Target::File(module) = &self.target else {

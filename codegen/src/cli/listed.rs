@@ -35,17 +35,35 @@ pub(super) struct Listed {
 
 impl Listed {
     pub(super) fn read(path: &Path) -> Result<Self, Failures> {
-        let text = input::text(path).map_err(|source| Error::Io {
-            path: path.to_owned(),
-            source,
-        })?;
-        Self::parse(path, &text)
+        Self::parse(path, &text(path)?)
+    }
+
+    /// Reads it, to generate everything in it: beside its faults those of its models are told.
+    pub(super) fn read_whole(path: &Path) -> Result<Self, Failures> {
+        let source = Source::new(path.to_string_lossy(), &text(path)?);
+        let (config, faults) = config::read(&source);
+        let listed = Self::new(path, source, config);
+        let Err(faults) = faults else {
+            return listed;
+        };
+        let mut failures = Failures::from(faults);
+        if let Some(listed) = failures.keep(listed) {
+            for system in &listed.config.systems {
+                let checked = listed.job(system).and_then(|job| job.check_model());
+                failures.keep(checked);
+            }
+        }
+        Err(failures)
     }
 
     /// Reads a text that stands, or would stand, at this path.
     pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
         let source = Source::new(path.to_string_lossy(), text);
         let config = config::parse(&source)?;
+        Self::new(path, source, config)
+    }
+
+    fn new(path: &Path, source: Source, config: Config) -> Result<Self, Failures> {
         let root = paths::target(paths::parent(path))?;
         let shown_root = paths::shown(&root)?;
         Ok(Self {
@@ -90,6 +108,13 @@ impl Listed {
         let systems = self.config.systems.iter().filter(is_listed);
         systems.map(|system| self.job(system)).collect()
     }
+}
+
+fn text(path: &Path) -> Result<String, Error> {
+    input::text(path).map_err(|source| Error::Io {
+        path: path.to_owned(),
+        source,
+    })
 }
 
 /// The model's path as the banner shows it: relative to `kane.toml`, else the file's name.

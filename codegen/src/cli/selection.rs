@@ -172,7 +172,7 @@ impl Selection {
                 ));
             }
         };
-        let listed = Listed::read(&path)?;
+        let listed = Listed::read_whole(&path)?;
         let mut failures = Failures::default();
         let jobs = listed.config.systems.iter();
         let jobs: Vec<Job> = jobs

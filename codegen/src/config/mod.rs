@@ -44,6 +44,12 @@ pub struct Config {
 /// # Errors
 /// Everything that is wrong with the file.
 pub fn parse(source: &Source) -> Result<Config, Diagnostics> {
+    let (config, faults) = read(source);
+    faults.map(|()| config)
+}
+
+/// Reads a `kane.toml`: the systems that could be read, and everything that is wrong with the file.
+pub fn read(source: &Source) -> (Config, Result<(), Diagnostics>) {
     let mut reader = Reader::default();
     let document = reader.document(source);
     let (mut systems, mut outputs) = (Vec::new(), Vec::new());
@@ -58,8 +64,10 @@ pub fn parse(source: &Source) -> Result<Config, Diagnostics> {
         }
         outputs::check(&mut reader, &outputs);
     }
-    if reader.has_faults() {
-        return Err(Diagnostics::new(source.clone(), reader.faults.into_told()));
-    }
-    Ok(Config { systems })
+    let faults = if reader.has_faults() {
+        Err(Diagnostics::new(source.clone(), reader.faults.into_told()))
+    } else {
+        Ok(())
+    };
+    (Config { systems }, faults)
 }

@@ -138,6 +138,8 @@ pub fn advice(name: &str) -> String {
         "it stands alone".to_owned()
     } else if let Some(near) = nearest(name, &known) {
         format!("did you mean `{near}`?")
+    } else if name.contains(['(', '+']) {
+        "quotes stand around one name, not around a request".to_owned()
     } else {
         format!("the functions are {}", known.join(", "))
     }
@@ -158,6 +160,15 @@ pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
     let mut variables = VARIABLES.iter();
     let found = variables.find(|(_, names)| names.contains(&&*word));
     found.map(|(own, _)| *own)
+}
+
+/// What to do about a name that is no frame, if it is another tool's word for the axes along which vectors are written.
+pub(super) fn advice_on_frame(name: &str) -> Option<&'static str> {
+    match &*plain(name) {
+        "local" => Some("for the frame's own axes write `local`"),
+        "localworldaligned" => Some("vectors are so without any word behind the frame"),
+        _ => None,
+    }
 }
 
 /// What to do about a name that is no variable.

@@ -230,7 +230,7 @@ impl ParsedPart {
             (Of::Frame(views), [frame, rest @ ..]) => {
                 Some(ParsedSubject::new(function, frame, rest, views)?)
             }
-            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(frames, views)),
+            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(text, frames, views)?),
         };
         Ok(Self {
             function,

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{
-    dictionary::{advice, advice_on_variable},
+    dictionary::{advice, advice_on_frame, advice_on_variable},
     syntax::Unexpected,
 };
 
@@ -92,7 +92,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A frame that the model lacks.
-    #[error("`{}` is no frame of the model; {}", name.escape_debug(), listed(known))]
+    #[error("`{}` is no frame of the model; {}", name.escape_debug(), frames(name, known))]
     UnknownFrame {
         /// What was asked for.
         request: String,
@@ -188,7 +188,11 @@ impl RequestError {
 /// The most frames that are listed.
 const MOST_LISTED: usize = 20;
 
-fn listed(known: &[String]) -> String {
+/// What there is instead of a frame.
+fn frames(name: &str, known: &[String]) -> String {
+    if let Some(advice) = advice_on_frame(name) {
+        return advice.to_owned();
+    }
     match known.len() {
         0 => "there are none".to_owned(),
         count if count > MOST_LISTED => format!("there are {count}, such as {}", names(known)),

@@ -95,7 +95,11 @@ pub fn read(text: &str) -> Result<Sum, Unexpected> {
     }
     let at_sin_cos = reader.is_at_suffix();
     if !at_sin_cos && !reader.rest().is_empty() {
-        return Err(reader.unexpected("expected `+` or the end"));
+        return Err(reader.unexpected(if reader.rest().starts_with('/') {
+            "expected `+` or the end; second derivatives are `hessian(PART; VARIABLES)`"
+        } else {
+            "expected `+` or the end"
+        }));
     }
     Ok(Sum { parts, at_sin_cos })
 }
@@ -227,13 +231,22 @@ impl<'a> Reader<'a> {
 
     fn derivative(&mut self) -> Result<Kind, Unexpected> {
         let of = self.inner()?;
-        self.expect(')', "expected `)`")?;
+        self.expect(')', self.unless_sum("expected `)`"))?;
         let expected = "expected `/d(VARIABLES)`";
         self.expect('/', expected)?;
         self.expect('d', expected)?;
         self.expect('(', expected)?;
         let by = self.words()?;
         Ok(Kind::Derivative { of, by })
+    }
+
+    /// What is expected after the part that an operator is of.
+    fn unless_sum(&self, expected: &'static str) -> &'static str {
+        if self.rest().starts_with('+') {
+            "differentiate each part by itself, and join what comes of them with `+`"
+        } else {
+            expected
+        }
     }
 
     fn packed(&mut self) -> Result<Kind, Unexpected> {
@@ -244,7 +257,7 @@ impl<'a> Reader<'a> {
 
     fn product(&mut self, name: Word) -> Result<Kind, Unexpected> {
         let of = self.inner()?;
-        self.expect(';', "expected `; VARIABLES`")?;
+        self.expect(';', self.unless_sum("expected `; VARIABLES`"))?;
         let along = self.words()?;
         Ok(Kind::Product { name, of, along })
     }

@@ -214,6 +214,25 @@ fn faults_of_kane_toml_are_shown_with_their_lines() {
 }
 
 #[test]
+fn faults_of_models_are_told_beside_those_of_kane_toml() {
+    let project = Project::arm();
+    project.replace("kane.toml", "\"bias\"", "\"biass\"");
+    project.write("models/arm.toml", &model("arm", "-3.0"));
+    let leg = system("models/leg.toml", "generated/leg.rs") + "fna = true\n";
+    project.write("kane.toml", &(project.read("kane.toml") + &leg));
+    let ran = project.kane(&["check"]);
+    assert_eq!(ran.code, 2);
+    for part in [
+        "did you mean `bias`?",
+        "unknown key `fna`",
+        "models/arm.toml:7:8",
+        "`models/leg.toml`",
+    ] {
+        assert!(ran.err.contains(part), "no {part} in\n{}", ran.err);
+    }
+}
+
+#[test]
 fn file_without_banner_is_refused_and_kept() {
     let project = Project::arm();
     project.write("models/leg.toml", &model("leg", "3.0"));

@@ -82,6 +82,11 @@ fn what_is_not_in_the_grammar_is_pointed_at() {
         ("expected `; VARIABLES`", 12..13)
     );
     assert_eq!(expected("packed(d(bias)/d(q)"), ("expected `)`", 19..19));
+    let parts = "differentiate each part by itself, and join what comes of them with `+`";
+    assert_eq!(expected("d(bias+forcing)/d(q)"), (parts, 6..7));
+    assert_eq!(expected("vjp(bias + forcing; q)"), (parts, 9..10));
+    let second = "expected `+` or the end; second derivatives are `hessian(PART; VARIABLES)`";
+    assert_eq!(expected("d(bias)/d(q)/d(u)"), (second, 12..13));
 }
 
 fn faults(text: &str) -> Vec<String> {
@@ -110,6 +115,15 @@ fn what_is_missing_or_misplaced_is_said() {
         (
             "bias(sin_cos)+mass_matrix",
             "`(sin_cos)` stands last, behind the whole request",
+        ),
+        ("jacobian(tool0, tool0)", "expected another frame"),
+        (
+            "operational_inverse_inertia(left, right, left)",
+            " names `left` twice",
+        ),
+        (
+            "\"d(bias)/d(q)\"",
+            "quotes stand around one name, not around a request",
         ),
     ] {
         assert!(faults(text).concat().ends_with(expected), "{text}");
