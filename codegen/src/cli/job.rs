@@ -118,7 +118,7 @@ impl Job {
         failures
     }
 
-    /// Reads the model and checks it as far as no function has a say.
+    /// Reads the model, and checks it and what is asked of it, without generating anything.
     pub(crate) fn check_model(&self) -> Result<(), Failures> {
         let source = read(&self.model).map_err(|error| self.unreadable(error))?;
         let Options {
@@ -130,7 +130,9 @@ impl Job {
         let description = description::read(&source, reading, &include(&self.model));
         let Checked { tree, .. } = tree::build_with(&description, changes)?;
         let tree = tree::prescribe(&description, tree, prescribed);
-        tree.map_err(|faults| self.not_prescribed(faults))?;
+        let tree = tree.map_err(|faults| self.not_prescribed(faults))?;
+        let requests = self.options.requests(&tree);
+        requests.map_err(|faults| self.not_had(faults))?;
         Ok(())
     }
 

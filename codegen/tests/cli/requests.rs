@@ -40,10 +40,18 @@ fn all_unknown_frames_are_told_at_once() {
     let project = with_functions(r#"["pose(foer) + velocity(hand)", "imu(tool)"]"#);
     let ran = project.kane(&["generate"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
-    for name in ["foer", "hand", "tool"] {
-        let told = format!("`{name}` is no frame of the model");
-        assert_eq!(ran.err.matches(&told).count(), 1, "{}", ran.err);
-    }
+    let told_once = |told: &str| {
+        for name in ["foer", "hand", "tool"] {
+            let fault = format!("`{name}` is no frame of the model");
+            assert_eq!(told.matches(&fault).count(), 1, "{told}");
+        }
+    };
+    told_once(&ran.err);
+    // Beside a fault of the file too.
+    project.write("kane.toml", &(project.read("kane.toml") + "fna = true\n"));
+    let ran = project.kane(&["generate"]);
+    assert!(ran.err.contains("unknown key `fna`"), "{}", ran.err);
+    told_once(&ran.err);
     let arguments = [
         "info",
         "models/arm.toml",
