@@ -115,7 +115,12 @@ pub struct StepByParameters<M> {
     pub u: M,
 }
 
-impl<M> StepByParameters<M> {
+impl<M: Copy> StepByParameters<M> {
+    /// Both blocks as this one, to be overwritten.
+    pub fn filled(block: M) -> Self {
+        Self { q: block, u: block }
+    }
+
     /// Overwrites all columns, where `after(place)` is the change after the step as that value grows by one.
     pub(super) fn set_columns<R: Real, U: Array<R>, V: Array<R>>(
         &mut self,

@@ -1,125 +1,38 @@
-//! What other tools call our functions and variables, for those who look for a name that we do not have.
+//! What to say to those who look for a name that we do not have, perhaps another tool's.
 
-use super::{function::Function, generated_name};
+use super::{
+    function::{Function, Of},
+    generated_name,
+    names_elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
+};
 use crate::diagnostic::nearest;
 
-/// Our requests, and the names that Pinocchio, MuJoCo, RBDL, Drake and textbooks have for the same, in small letters and digits.
-const NAMES: [(&str, &[&str]); 17] = [
-    (
-        "inverse_dynamics",
-        &[
-            "rnea",
-            "id",
-            "newtoneuler",
-            "mjinverse",
-            "calcinversedynamics",
-        ],
-    ),
-    (
-        "mass_matrix",
-        &[
-            "crba",
-            "compositerigidbodyalgorithm",
-            "inertiamatrix",
-            "jointspaceinertia",
-            "mjfullm",
-            "calcmassmatrix",
-        ],
-    ),
-    (
-        "forward_dynamics",
-        &[
-            "aba",
-            "fd",
-            "articulatedbodyalgorithm",
-            "mjforward",
-            "calcforwarddynamics",
-        ],
-    ),
-    (
-        "bias",
-        &["nle", "nonlineareffects", "qfrcbias", "calcbiasterm"],
-    ),
-    (
-        "gravity_forces",
-        &[
-            "gravity",
-            "gravityterm",
-            "generalizedgravity",
-            "gravitycompensation",
-            "gravityvector",
-            "calcgravitygeneralizedforces",
-        ],
-    ),
-    ("coriolis_matrix", &["coriolis", "christoffel"]),
-    (
-        "mass_matrix_inverse",
-        &["minv", "minverse", "inversemassmatrix"],
-    ),
-    (
-        "pose(FRAME)",
-        &[
-            "fk",
-            "forwardkinematics",
-            "framesforwardkinematics",
-            "placement",
-            "transform",
-        ],
-    ),
-    ("velocity(FRAME)", &["framevelocity", "twist"]),
-    (
-        "jacobian(FRAME)",
-        &[
-            "jac",
-            "framejacobian",
-            "jointjacobian",
-            "geometricjacobian",
-            "mjjac",
-            "calcpointjacobian",
-        ],
-    ),
-    (
-        "jacobian_dot_u(FRAME)",
-        &[
-            "jdotv",
-            "jdotqdot",
-            "jacobiandot",
-            "framejacobiantimevariation",
-        ],
-    ),
-    (
-        "center_of_mass",
-        &["com", "centerofmassposition", "calccenterofmass"],
-    ),
-    (
-        "center_of_mass_jacobian",
-        &["jcom", "jacobiancenterofmass", "comjacobian"],
-    ),
-    ("centroidal_momentum_matrix", &["cmm", "ccrba"]),
-    ("regressor", &["jointtorqueregressor", "torqueregressor"]),
-    (
-        "d(inverse_dynamics)/d(q, u, u_dot)",
-        &["rneaderivatives", "inversedynamicsderivatives"],
-    ),
-    (
-        "d(forward_dynamics)/d(q, u, tau)",
-        &["abaderivatives", "forwarddynamicsderivatives"],
-    ),
-];
-
 /// Words with which other tools' names begin.
-const BEFORE: [&str; 3] = ["compute", "get", "pinocchio"];
+const BEFORE: [&str; 5] = ["compute", "calc", "get", "eval", "pinocchio"];
 
 /// Our request for what other tools call so; letters' case and what is no letter or digit do not count.
 pub fn elsewhere(name: &str) -> Option<&'static str> {
+    let words = words(name);
+    let mut own = Function::names().into_iter();
+    let own = own.find(|own| words.contains(&plain(own)));
+    own.or_else(|| found(&REQUESTS, &words))
+}
+
+/// A name, and what follows the words with which names of other tools begin.
+fn words(name: &str) -> Vec<String> {
     let word = plain(name);
-    let mut words = vec![&*word];
-    words.extend(BEFORE.iter().filter_map(|before| word.strip_prefix(before)));
-    let own = Function::names().into_iter();
-    let mut own = own.filter(|own| words.contains(&&*plain(own)));
-    let mut others = NAMES.iter();
-    let others = others.find(|(_, names)| names.iter().any(|name| words.contains(name)));
-    own.next().or(others.map(|(request, _)| *request))
+    let rest = BEFORE.iter().filter_map(|before| word.strip_prefix(before));
+    let mut words: Vec<String> = rest.map(str::to_owned).collect();
+    words.push(word);
+    words
+}
+
+/// What one of these words stands beside in a table.
+fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static str> {
+    let is_known = |names: &[&str]| words.iter().any(|word| names.contains(&word.as_str()));
+    let mut rows = table.iter();
+    let row = rows.find(|(_, names)| is_known(names));
+    row.map(|(own, _)| *own)
 }
 
 fn plain(name: &str) -> String {
@@ -129,52 +42,61 @@ fn plain(name: &str) -> String {
 
 /// What to do about a name that is no function.
 pub fn advice(name: &str) -> String {
-    let known = Function::names();
+    let words = words(name);
     if let Some(request) = elsewhere(name) {
         format!("here it is called `{request}`")
+    } else if let Some(operator) = found(&OPERATORS, &words) {
+        format!("expected `{operator}`, of a function `F` by variables `X`")
+    } else if let Some(module) = found(&RUNTIME, &words) {
+        format!("`{module}` does that, for every system")
     } else if let Some(request) = generated_name::request(name) {
         format!("did you mean `{request}`?")
     } else if ["all", "default"].contains(&name) {
         "it stands alone".to_owned()
-    } else if let Some(near) = nearest(name, &known) {
+    } else if let Some(near) = nearest(name, &Function::names()) {
         format!("did you mean `{near}`?")
     } else if name.contains(['(', '+']) {
         "quotes stand around one name, not around a request".to_owned()
     } else {
-        format!("the functions are {}", known.join(", "))
+        format!(
+            "`kane info MODEL --functions all` lists those of a system; those of a frame are {}",
+            of_frames().join(", ")
+        )
     }
 }
 
-/// What other tools call our variables.
-const VARIABLES: [(&str, &[&str]); 5] = [
-    ("q", &["qpos", "x"]),
-    ("u", &["v", "qd", "dq", "qdot", "qvel"]),
-    ("u_dot", &["a", "qdd", "ddq", "qddot", "qacc", "vdot"]),
-    ("tau", &["torque", "torques", "forces", "ctrl"]),
-    ("loads", &["load", "fext", "wrench", "wrenches"]),
-];
-
-/// Our variable for what other tools call so; letters' case and what is no letter or digit do not count.
-pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
-    let word = plain(name);
-    let mut variables = VARIABLES.iter();
-    let found = variables.find(|(_, names)| names.contains(&&*word));
-    found.map(|(own, _)| *own)
+/// The functions of frames.
+fn of_frames() -> Vec<&'static str> {
+    let functions = Function::all();
+    let functions = functions.filter(|own| !matches!(own.of, Of::System));
+    functions.map(|own| own.name).collect()
 }
 
-/// What to do about a name that is no frame, if it is another tool's word for the axes along which vectors are written.
-pub(super) fn advice_on_frame(name: &str) -> Option<&'static str> {
+/// What to do about a name that is no frame, if it is known to be something else.
+pub(super) fn advice_on_frame(name: &str) -> Option<String> {
+    let is_variable = VARIABLES.iter().any(|(own, _)| *own == name);
     match &*plain(name) {
-        "local" => Some("for the frame's own axes write `local`"),
-        "localworldaligned" => Some("vectors are so without any word behind the frame"),
+        "local" => Some("for the frame's own axes write `local`".to_owned()),
+        "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
+        _ if is_variable || Function::find(name).is_some() => {
+            Some("derivatives are written `d(F)/d(X)`".to_owned())
+        }
         _ => None,
     }
 }
 
+/// Our variable for what other tools call so; letters' case and what is no letter or digit do not count.
+pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
+    found(&VARIABLES, &[plain(name)])
+}
+
 /// What to do about a name that is no variable.
 pub(super) fn advice_on_variable(name: &str) -> String {
-    match variable_elsewhere(name) {
-        Some(own) => format!("here it is called `{own}`"),
-        None => "a number of the model has to be `{ runtime = .. }`".to_owned(),
+    if let Some(own) = variable_elsewhere(name) {
+        format!("here it is called `{own}`")
+    } else if name == "x" {
+        "a state is `q, u`".to_owned()
+    } else {
+        "a number of the model has to be `{ runtime = .. }`".to_owned()
     }
 }

@@ -27,6 +27,7 @@ mod function;
 mod generated_name;
 mod jacobians;
 mod multiplier;
+mod names_elsewhere;
 mod packed;
 mod parsed;
 mod parsed_subject;

@@ -72,7 +72,9 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A function of the whole system, of something.
-    #[error("`{name}` is of the whole system; expected nothing in brackets after it")]
+    #[error(
+        "`{name}` is of the whole system; expected nothing in brackets after it, or `(sin_cos)`"
+    )]
     FrameNotTaken {
         /// The function.
         name: String,
@@ -191,7 +193,7 @@ const MOST_LISTED: usize = 20;
 /// What there is instead of a frame.
 fn frames(name: &str, known: &[String]) -> String {
     if let Some(advice) = advice_on_frame(name) {
-        return advice.to_owned();
+        return advice;
     }
     match known.len() {
         0 => "there are none".to_owned(),

@@ -268,7 +268,14 @@ impl<'a> Reader<'a> {
         while self.take(',') {
             words.push(self.word()?);
         }
-        self.expect(')', "expected `,` or `)`")?;
+        self.expect(
+            ')',
+            if self.rest().starts_with(';') {
+                "expected `,` or `)`; `;` stands in `jvp`, `vjp` and `hessian`"
+            } else {
+                "expected `,` or `)`"
+            },
+        )?;
         Ok(words)
     }
 

@@ -63,7 +63,12 @@ fn all_unknown_frames_are_told_at_once() {
     error: `foer` is no frame of the model; there are `fore`, `upper`
     error: `hand` is no frame of the model; there are `upper`, `fore`
     ");
-    let arguments = ["info", "models/arm.toml", "--functions", "jacobian(fore, LOCAL)"];
+    let arguments = [
+        "info",
+        "models/arm.toml",
+        "--functions",
+        "jacobian(fore, LOCAL)",
+    ];
     insta::assert_snapshot!(
         project.kane(&arguments).err,
         @"error: `LOCAL` is no frame of the model; for the frame's own axes write `local`"

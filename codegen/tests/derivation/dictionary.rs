@@ -14,6 +14,7 @@ fn names_of_other_tools_lead_to_ours() {
         ("computeFrameJacobian", "jacobian(FRAME)"),
         ("computeCoriolisMatrix", "coriolis_matrix"),
         ("MassMatrix", "mass_matrix"),
+        ("CalcMassMatrix", "mass_matrix"),
         (
             "computeRNEADerivatives",
             "d(inverse_dynamics)/d(q, u, u_dot)",
@@ -54,9 +55,18 @@ fn unknown_names_are_met_with_advice() {
         assert_eq!(advice(name), format!("did you mean `{request}`?"));
     }
     assert_eq!(advice("all"), "it stands alone");
-    let listed = advice("jerk");
-    assert!(
-        listed.starts_with("the functions are relative_rotation, "),
-        "{listed}"
+    for (name, operator) in [
+        ("jvp", "jvp(F; X)"),
+        ("jtimes", "jvp(F; X)"),
+        ("gradient", "vjp(F; X)"),
+        ("hessian", "hessian(F; X)"),
+        ("jacfwd", "d(F)/d(X)"),
+    ] {
+        assert!(advice(name).starts_with(&format!("expected `{operator}`")));
+    }
+    assert_eq!(
+        advice("inverse_kinematics"),
+        "`kane::inverse_kinematics` does that, for every system"
     );
+    insta::assert_snapshot!(advice("jerk"), @"");
 }

@@ -72,6 +72,8 @@ fn any_name_can_be_asked_for() {
 #[test]
 fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("pose(tool0"), ("expected `,` or `)`", 10..10));
+    let words = "expected `,` or `)`; `;` stands in `jvp`, `vjp` and `hessian`";
+    assert_eq!(expected("gradient(bias; q)"), (words, 13..14));
     assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
     assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));
     assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));

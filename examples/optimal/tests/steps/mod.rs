@@ -248,7 +248,7 @@ fn a_step_changes_with_values_set_at_run_time_as_differences_do() {
         );
         let at = drawn(&tumbler::Prepared::new(&parameters), 8, 0.5, 0.1);
         let none = [[f64::NAN; 2]; 10];
-        let mut found = StepByParameters { q: none, u: none };
+        let mut found = StepByParameters::filled(none);
         let system = tumbler::Prepared::new(&parameters);
         scheme.by_parameters(&system, &at, &mut found);
         let after = scheme.step(&system, &at);
