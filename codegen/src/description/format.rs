@@ -6,7 +6,7 @@ use crate::description::{Description, mjcf, toml, urdf};
 use crate::diagnostic::{Diagnostic, Source};
 
 /// Reads a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or
-/// `.mjcf`, our own format otherwise.
+/// `.mjcf`, our own format otherwise. What `xacro` was to make a URDF of is read as one, and refused there.
 pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Description {
     if let Some(fault) = too_large(source) {
         let empty = Source::new(source.name(), "");
@@ -15,7 +15,7 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
     let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
     let no_equalities = Some("it has no equalities, tendons or fluids");
     let (mut description, base, chart, left_out) = match extension.to_ascii_lowercase().as_str() {
-        "urdf" => (urdf::parse(source, reading), None, None, no_equalities),
+        "urdf" | "xacro" => (urdf::parse(source, reading), None, None, no_equalities),
         "xml" | "mjcf" if urdf::is_urdf(source) => {
             (urdf::parse(source, reading), None, None, no_equalities)
         }
@@ -23,6 +23,11 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
             let base = "an MJCF says itself which of its bodies are free";
             let description = mjcf::parse(source, reading, include);
             (description, Some(base), None, None)
+        }
+        _ if source.text().trim_start().starts_with('<') => {
+            let fault = "a model in XML is a URDF, in a file that ends in `.urdf`, or an MJCF, in one that ends in `.xml` or `.mjcf`";
+            let fault = Diagnostic::error(fault).at((0..1).into(), "expected TOML");
+            return Description::none(source, vec![fault]);
         }
         _ => {
             let base = "this model says itself by which joints its bodies hang from the inertial frame; one \

@@ -187,6 +187,7 @@ mod urdf_file {
         tag_never_ends
         two_parents
         unknown_joint_type
+        unexpanded
         wrong_end_tag
         xyz_too_short
         xyz_with_commas

@@ -1,7 +1,7 @@
 //! XML that readers of robots take though it is none: read with a warning, and every place is that of the text as it stands.
 
 use kane_codegen::{
-    description::{Description, Reading, urdf},
+    description::{self, Description, Reading, urdf},
     diagnostic::{Severity, Source},
 };
 
@@ -170,4 +170,22 @@ fn nested_include_is_looked_for_beside_the_main_file_and_then_beside_the_one_tha
         .map(|fault| fault.message.as_str())
         .collect();
     assert_eq!(messages, ["`one.xml` includes itself"]);
+}
+
+#[test]
+fn xml_under_another_ending_is_told_which_endings_there_are() {
+    let faults = |name: &str| {
+        let source = Source::new(name, "<sdf version=\"1.9\"/>");
+        let none = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        let description = description::read(&source, &Reading::default(), &none);
+        description
+            .faults
+            .iter()
+            .map(|fault| fault.message.clone())
+            .collect::<String>()
+    };
+    assert!(
+        faults("robot.sdf").contains("a model in XML is a URDF, in a file that ends in `.urdf`")
+    );
+    assert!(faults("robot.xacro").contains("expected `robot`"));
 }

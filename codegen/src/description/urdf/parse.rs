@@ -74,6 +74,10 @@ fn read(
             return None;
         }
     }
+    if let Some(fault) = unexpanded(robot) {
+        reader.faults.push(fault);
+        return None;
+    }
     let known = Known {
         attributes: &["name"],
         children: &["link", "joint"],
@@ -93,6 +97,19 @@ fn read(
         bodies: bodies.list,
         ..Description::none(source, Vec::new())
     })
+}
+
+/// Elements of xacro that stand for nothing: what is left of them in a URDF does no harm.
+const LEFTOVERS: [&str; 3] = ["xacro:arg", "xacro:macro", "xacro:property"];
+
+/// What is wrong with a file that xacro did not expand: links and joints may be missing.
+fn unexpanded(robot: Element<'_>) -> Option<Diagnostic> {
+    let stands_for_more = |name: &str| name.starts_with("xacro:") && !LEFTOVERS.contains(&name);
+    let mut children = robot.children();
+    let first = children.find(|child| stands_for_more(child.name()))?;
+    let fault = format!("`{}` is no element of a URDF", shown(first.name()));
+    let fault = Diagnostic::error(fault).at(first.span(), "an element of xacro");
+    Some(fault.help("expand the file first: `xacro robot.xacro >robot.urdf`"))
 }
 
 /// The robot's name; that of its file where it is empty.

@@ -161,7 +161,10 @@ fn meant(
     let mut meant = free.iter().filter(|known| known.name == name);
     let Some(&Lockable { motion, .. }) = meant.next() else {
         let known: Vec<&str> = free.iter().map(|known| known.name.as_str()).collect();
-        let fault = format!("nothing free to lock is called `{}`", name.escape_debug());
+        let fault = format!(
+            "`lock` names `{}`; no free coordinate is called so",
+            name.escape_debug()
+        );
         let fault = Diagnostic::error(fault);
         return Err(with_known(fault, name, &known, "the free coordinates"));
     };
@@ -187,7 +190,10 @@ fn removed(
         let bodies = 0..description.bodies.len();
         let known = bodies.filter_map(|body| joint_name(description, body));
         let known: Vec<&str> = known.collect();
-        let fault = format!("no joint to remove is called `{}`", name.escape_debug());
+        let fault = format!(
+            "`remove` names `{}`; no joint is called so",
+            name.escape_debug()
+        );
         findings.push(with_known(
             Diagnostic::error(fault),
             name,
