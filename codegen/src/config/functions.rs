@@ -85,11 +85,12 @@ impl Named {
                 fault,
                 "unknown frame",
             )),
-            RequestError::UnknownVariable { request, .. } => Some(part_fault(
+            RequestError::UnknownVariable { request, .. }
+            | RequestError::OneOfDirection { request, .. } => Some(part_fault(
                 self.entry(request)?,
                 &self.what,
                 fault,
-                "unknown variable",
+                "no variable of it",
             )),
             _ => None,
         }

@@ -177,8 +177,13 @@ impl Derivative {
         Some(self.sparsity.get_or_find(|| {
             let mut rows: Vec<BTreeSet<usize>> = Vec::new();
             let mut n_columns = 0;
-            for seed in DRAWN {
-                let mut derived = values(&tree.with_drawn_parameters(seed));
+            // A number that becomes a parameter, perhaps of several coordinates, makes nothing zero.
+            let drawn = DRAWN.into_iter().flat_map(|seed| {
+                let apart = tree.with_drawn_parameters_apart(seed);
+                std::iter::once(tree.with_drawn_parameters(seed)).chain(apart)
+            });
+            for drawn in drawn {
+                let mut derived = values(&drawn);
                 let graph = &mut derived.graph;
                 graph.enter(None);
                 // How inputs change follows from joints alone.

@@ -90,12 +90,18 @@ pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
     found(&VARIABLES, &[plain(name)])
 }
 
-/// What to do about a name that is no variable.
-pub(super) fn advice_on_variable(name: &str) -> String {
+/// What to do about a name that is none of these variables.
+pub(super) fn advice_on_variable(name: &str, known: &[String]) -> String {
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let is_list = name.contains(' ') && name.split(' ').all(|word| known.contains(&word));
     if let Some(own) = variable_elsewhere(name) {
         format!("here it is called `{own}`")
     } else if name == "x" {
         "a state is `q, u`".to_owned()
+    } else if is_list {
+        "variables stand with commas between them".to_owned()
+    } else if let Some(near) = nearest(name, &known) {
+        format!("did you mean `{near}`?")
     } else {
         "a number of the model has to be `{ runtime = .. }`".to_owned()
     }

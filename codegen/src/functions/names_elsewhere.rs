@@ -1,5 +1,5 @@
-//! The names themselves: what Pinocchio, MuJoCo, RBDL, Drake, CasADi and textbooks call our requests, operators and variables; in small
-//! letters and digits, without the words with which names of other tools begin.
+//! The names themselves: what Pinocchio, MuJoCo, RBDL, Drake and textbooks call our requests, operators and variables; in small letters
+//! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
 pub(super) const REQUESTS: [(&str, &[&str]); 29] = [

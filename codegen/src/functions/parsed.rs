@@ -165,6 +165,11 @@ impl ParsedPart {
     ) -> Result<Self, RequestError> {
         let name = self.function.name;
         for (at, word) in by.iter().enumerate() {
+            if word.text.is_empty() {
+                let place = word.place.clone();
+                let expected = "expected a variable";
+                return Err(RequestError::syntax(text, Unexpected { expected, place }));
+            }
             if by[..at].iter().any(|known| known.text == word.text) {
                 return Err(RequestError::Repeated {
                     request: text.to_owned(),
@@ -230,7 +235,7 @@ impl ParsedPart {
             (Of::Frame(views), [frame, rest @ ..]) => {
                 Some(ParsedSubject::new(function, frame, rest, views)?)
             }
-            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(text, frames, views)?),
+            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(frames, views)),
         };
         Ok(Self {
             function,
@@ -244,18 +249,24 @@ impl ParsedPart {
         let is_forward = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Forward;
         let is_forward = self.derivative.as_ref().is_some_and(is_forward);
         let variable = |word: &Word| {
-            let variable = Variable::find(tree, &word.text);
-            // A direction is one of all values set at run time.
-            let variable = variable.filter(|own| !is_forward || own.direction().is_some());
-            variable.ok_or_else(|| {
-                vec![RequestError::UnknownVariable {
-                    request: text.to_owned(),
+            let (request, name, place) = (text.to_owned(), word.text.clone(), word.place.clone());
+            match Variable::find(tree, &word.text) {
+                Some(own) if is_forward && own.direction().is_none() => {
+                    Err(vec![RequestError::OneOfDirection {
+                        request,
+                        name,
+                        place,
+                    }])
+                }
+                Some(own) => Ok(own),
+                None => Err(vec![RequestError::UnknownVariable {
+                    request,
                     function: self.function.name,
-                    name: word.text.clone(),
+                    name,
                     known: variables(self.function, tree, is_forward),
-                    place: word.place.clone(),
-                }]
-            })
+                    place,
+                }]),
+            }
         };
         let by = self.derivative.iter().flat_map(|(_, by)| by);
         let by = all_or_faults(by.map(variable));

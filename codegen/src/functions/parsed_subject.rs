@@ -37,9 +37,6 @@ impl ParsedSubject {
             [] => (vec![frame], View::Inertial),
             [word] if has_local && word.is(LOCAL) => (vec![frame], View::Local),
             [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
-            [other] if has_other && other.text == frame.text => {
-                return fault(other, "expected another frame");
-            }
             [other] if has_other => (vec![frame, other], View::Other),
             [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
             [word] => return fault(word, "expected `local`, for the frame's own axes"),
@@ -51,14 +48,7 @@ impl ParsedSubject {
     }
 
     /// Frames, and at the end perhaps that their own axes are meant.
-    ///
-    /// # Errors
-    /// A frame that is there twice.
-    pub(super) fn of_several(
-        text: &str,
-        words: &[Word],
-        views: &[View],
-    ) -> Result<Self, RequestError> {
+    pub(super) fn of_several(words: &[Word], views: &[View]) -> Self {
         let has_local = views.contains(&View::Local);
         let (frames, view) = match words {
             [frames @ .., last] if has_local && last.is(LOCAL) && !frames.is_empty() => {
@@ -66,20 +56,10 @@ impl ParsedSubject {
             }
             frames => (frames, View::Inertial),
         };
-        let twice = (1..frames.len()).find(|&at| {
-            let mut before = frames[..at].iter();
-            before.any(|known| known.text == frames[at].text)
-        });
-        if let Some(at) = twice {
-            return Err(RequestError::Repeated {
-                request: text.to_owned(),
-                name: frames[at].text.clone(),
-            });
-        }
-        Ok(Self {
+        Self {
             frames: frames.to_vec(),
             view,
-        })
+        }
     }
 
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {

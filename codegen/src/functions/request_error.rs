@@ -131,7 +131,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(name))]
+    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(name, known))]
     UnknownVariable {
         /// What was asked for.
         request: String,
@@ -141,6 +141,16 @@ pub enum RequestError {
         name: String,
         /// By what the function can be differentiated.
         known: Vec<String>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// One value set at run time as a direction, which only all are.
+    #[error("`{}` alone is no direction; expected `parameters`, of which it is one", name.escape_debug())]
+    OneOfDirection {
+        /// What was asked for.
+        request: String,
+        /// The value.
+        name: String,
         /// Where in the request.
         place: Range<usize>,
     },
@@ -177,7 +187,8 @@ impl RequestError {
             | Self::UnknownFrame { place, .. }
             | Self::NoDerivative { place, .. }
             | Self::VariableNotTaken { place, .. }
-            | Self::UnknownVariable { place, .. } => Some(place.clone()),
+            | Self::UnknownVariable { place, .. }
+            | Self::OneOfDirection { place, .. } => Some(place.clone()),
             Self::Unknown { .. }
             | Self::Repeated { .. }
             | Self::Compact { .. }

@@ -17,20 +17,29 @@ impl Tree {
     /// parameters there are, where that is known.
     #[must_use]
     pub fn with_drawn_numbers(&self, seed: u64) -> Self {
-        self.drawn(seed, None)
+        self.drawn(seed, None, Shared::Kept)
     }
 
     /// The same with all values set at run time, after those that were; rotations have rational entries. So nothing is rounded
     /// where expressions are built.
     pub(crate) fn with_drawn_parameters(&self, seed: u64) -> Self {
-        self.drawn(seed, Some(self.parameters.clone()))
+        self.drawn(seed, Some(self.parameters.clone()), Shared::Kept)
     }
 
-    fn drawn(&self, seed: u64, parameters: Option<Vec<Parameter>>) -> Self {
+    /// The same where coordinates of a joint that share a value each have one of their own, as if the value were a number; `None` where
+    /// none do.
+    pub(crate) fn with_drawn_parameters_apart(&self, seed: u64) -> Option<Self> {
+        let shares = |body: &Body| apart(&body.joint.mechanics) != body.joint.mechanics;
+        let shares = self.bodies.iter().any(shares);
+        shares.then(|| self.drawn(seed, Some(self.parameters.clone()), Shared::Apart))
+    }
+
+    fn drawn(&self, seed: u64, parameters: Option<Vec<Parameter>>, shared: Shared) -> Self {
         let mut drawn = Drawn {
             values: Random::new(seed),
             joints: Random::new(!seed),
             parameters,
+            shared,
         };
         let tree = Self {
             // Which entries are zero does not depend on how much is lifted.
@@ -56,6 +65,13 @@ struct Drawn {
     joints: Random,
     /// Where all values are set at run time, those that there are.
     parameters: Option<Vec<Parameter>>,
+    shared: Shared,
+}
+
+/// What becomes of a value set at run time that several coordinates of a joint share.
+enum Shared {
+    Kept,
+    Apart,
 }
 
 impl Drawn {
@@ -172,7 +188,11 @@ impl Drawn {
     }
 
     fn joint(&mut self, joint: &Joint) -> Joint {
-        let mut mechanics = joint.mechanics.map(|own| Mechanics {
+        let given = match self.shared {
+            Shared::Kept => joint.mechanics,
+            Shared::Apart => apart(&joint.mechanics),
+        };
+        let mut mechanics = given.map(|own| Mechanics {
             stiffness: self.value(own.stiffness),
             rest: self.value(own.rest),
             damping: self.value(own.damping),
@@ -227,6 +247,24 @@ impl Drawn {
             Coordinate::Locked(_) => Coordinate::Locked(locked(self)),
         }
     }
+}
+
+/// What acts in a joint, with a number in the place of a value set at run time that a coordinate before has too.
+fn apart(mechanics: &[Mechanics; 6]) -> [Mechanics; 6] {
+    let mut apart = *mechanics;
+    for (place, own) in apart.iter_mut().enumerate().skip(1) {
+        let before = &mechanics[..place];
+        let unless_shared = |value: Value, of: fn(&Mechanics) -> Value| {
+            let is_set = matches!(value, Value::Runtime(_));
+            let is_shared = is_set && before.iter().any(|other| of(other) == value);
+            if is_shared { Value::Baked(0.0) } else { value }
+        };
+        own.stiffness = unless_shared(own.stiffness, |other| other.stiffness);
+        own.rest = unless_shared(own.rest, |other| other.rest);
+        own.damping = unless_shared(own.damping, |other| other.damping);
+        own.armature = unless_shared(own.armature, |other| other.armature);
+    }
+    apart
 }
 
 /// A whole number of either sign between 2 and 9. Entries of rotations become fractions with small denominators, which are told

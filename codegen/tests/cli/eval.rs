@@ -390,11 +390,11 @@ fn what_cannot_be_differentiated_is_told_why() {
         ),
         (
             "d(bias)/d(pole_maas)",
-            "`pole_maas` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`, `pole_mass`; a number of the model has to be `{ runtime = .. }`",
+            "`pole_maas` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`, `pole_mass`; did you mean `pole_mass`?",
         ),
         (
             "jvp(bias; pole_mass)",
-            "`pole_mass` is no variable of `bias`, which can be differentiated by `q`, `u`, `parameters`; a number of the model has to be `{ runtime = .. }`",
+            "`pole_mass` alone is no direction; expected `parameters`, of which it is one",
         ),
         (
             "hessian(mass_matrix; u)",

@@ -208,7 +208,7 @@ fn all_unknown_functions_are_reported_with_what_was_meant() {
     );
     assert_eq!(lines[1], "error: --functions names `bias` twice");
     assert!(lines[2].starts_with(
-        "error: `nonsense_entirely` is no function; the functions are relative_rotation, "
+        "error: `nonsense_entirely` is no function; `kane info MODEL --functions all` lists those of a system; "
     ));
 }
 

@@ -68,5 +68,5 @@ fn unknown_names_are_met_with_advice() {
         advice("inverse_kinematics"),
         "`kane::inverse_kinematics` does that, for every system"
     );
-    insta::assert_snapshot!(advice("jerk"), @"");
+    insta::assert_snapshot!(advice("jerk"), @"`kane info MODEL --functions all` lists those of a system; those of a frame are pose, velocity, acceleration, jacobian, jacobian_packed, point_jacobian, jacobian_dot_u, generalized_force, imu, operational_inverse_inertia");
 }

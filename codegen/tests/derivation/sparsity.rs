@@ -304,6 +304,30 @@ fn patterns_do_not_change_with_values() {
 }
 
 #[test]
+fn patterns_do_not_change_where_coordinates_share_a_value_set_at_run_time() {
+    let floating = |armature: &str| {
+        let text = format!(
+            "name = \"x\"\ngravity = [0.0, 0.0, -9.81]\nlower_bodies = [0]\n\
+             [[body]]\nname = \"b\"\nmass = 1.0\nmass_center = [0.1, 0.2, 0.3]\n\
+             inertia = {{ xx = 0.1, yy = 0.11, zz = 0.12, xy = 0.01, xz = 0.02, yz = 0.03 }}\n\
+             attachment = [0.0, 0.0, 0.0]\njoint = \"free\"\nchart = \"quaternion\"\n\
+             armature = {armature}\n"
+        );
+        kane_test_support::systems::tree(&text).expect("a right description")
+    };
+    let (known, shared) = (floating("0.1"), floating("{ runtime = 0.1 }"));
+    for (text, n_places) in [
+        ("packed(d(mass_matrix_inverse)/d(q))", 108),
+        ("packed(d(forward_dynamics_pivots)/d(q))", 9),
+        ("hessian(operational_inverse_inertia(b, local); q)", 6),
+    ] {
+        let places = sparsity(&known, text).places;
+        assert_eq!(places.len(), n_places, "{text}");
+        assert_eq!(sparsity(&shared, text).places, places, "{text}");
+    }
+}
+
+#[test]
 fn columns_that_share_a_row_differ() {
     // An arrow: the first column meets all others, which meet none.
     let places = [[0, 0], [1, 0], [1, 1], [2, 0], [2, 2], [3, 0], [3, 3]];

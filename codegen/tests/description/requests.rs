@@ -118,11 +118,8 @@ fn what_is_missing_or_misplaced_is_said() {
             "bias(sin_cos)+mass_matrix",
             "`(sin_cos)` stands last, behind the whole request",
         ),
-        ("jacobian(tool0, tool0)", "expected another frame"),
-        (
-            "operational_inverse_inertia(left, right, left)",
-            " names `left` twice",
-        ),
+        ("d(bias)/d()", "expected a variable"),
+        ("hessian(bias; q,)", "expected a variable"),
         (
             "\"d(bias)/d(q)\"",
             "quotes stand around one name, not around a request",
