@@ -171,8 +171,10 @@ fn value(tree: &Tree, function: &Request, numbers: &[f64], compact: &[CompactBlo
         outputs.insert("blocks".to_owned(), blocks(compact));
     }
     let packed = function.packed();
+    let mut parts = function.parts().iter();
+    let is_only = packed.len() == 1 && parts.all(|part| part.sparsity(tree).is_none());
     for own in &packed {
-        let key = key("places", own.function(), packed.len() == 1);
+        let key = key("places", own.function(), is_only);
         outputs.insert(key, json!(own.places(tree)));
     }
     speeds(tree, function, &mut outputs);
@@ -209,7 +211,7 @@ fn entries(tree: &Tree, function: &Request, outputs: &mut Map<String, Value>) {
     let all: Vec<_> = parts
         .filter_map(|part| Some((part.name(), part.sparsity(tree)?)))
         .collect();
-    let is_only = all.len() == 1 && !outputs.contains_key("places");
+    let is_only = all.len() == 1 && function.packed().is_empty();
     for (name, own) in all {
         outputs.insert(key("places", &name, is_only), json!(own.places));
         if let Some(colors) = &own.colors {

@@ -377,6 +377,17 @@ fn packed_derivatives_come_with_their_places() {
         second["places"].as_array().unwrap().len(),
         flat(&second["hessian"]).len()
     );
+    // Two lists of places are each called as what they belong to.
+    let of_packed = at("packed(d(mass_matrix_packed)/d(q))");
+    let of_packed = of_packed.as_object().unwrap();
+    assert!(!of_packed.contains_key("places"));
+    let n_places = |name: &str| of_packed[name].as_array().unwrap().len();
+    let n_derivatives = flat(&of_packed["derivatives"]).len();
+    assert_eq!(
+        n_places("d_mass_matrix_packed_d_q_packed_places"),
+        n_derivatives
+    );
+    assert_eq!(n_places("mass_matrix_packed_places"), 3);
 }
 
 #[test]
