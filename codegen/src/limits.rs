@@ -1,4 +1,4 @@
-//! The largest sizes of inputs. With them every command ends in about a minute and within 4 GiB.
+//! The largest sizes of inputs.
 //!
 //! Whatever is beyond a limit is an error that says what was found and what is allowed. `docs/model.md` lists the limits.
 
@@ -22,6 +22,8 @@ pub const OUTPUT_BYTES: usize = 256 << 20;
 pub const BODIES: usize = 10_000;
 /// Characters of a name.
 pub const NAME_CHARACTERS: usize = 250;
+/// Words of a request.
+pub const REQUEST_WORDS: usize = 1_000;
 /// Errors of a file that are told, and as many warnings.
 pub const TOLD: usize = 1_000;
 /// Elements, comments and texts of an XML file.

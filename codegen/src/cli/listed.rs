@@ -12,13 +12,11 @@ use std::{
 use kane_codegen::{
     config::{self, Config, System},
     diagnostic::Source,
-    error::Error,
-    input,
 };
 
 use super::{
     Failures,
-    job::{Job, Listing, Target},
+    job::{self, Job, Listing, Target},
     paths,
 };
 
@@ -35,12 +33,12 @@ pub(super) struct Listed {
 
 impl Listed {
     pub(super) fn read(path: &Path) -> Result<Self, Failures> {
-        Self::parse(path, &text(path)?)
+        Self::of(path, job::read(path)?)
     }
 
     /// Reads it, to generate everything in it: beside its faults those of its models are told.
     pub(super) fn read_whole(path: &Path) -> Result<Self, Failures> {
-        let source = Source::new(path.to_string_lossy(), &text(path)?);
+        let source = job::read(path)?;
         let (config, faults) = config::read(&source);
         let listed = Self::new(path, source, config);
         let Err(faults) = faults else {
@@ -58,7 +56,10 @@ impl Listed {
 
     /// Reads a text that stands, or would stand, at this path.
     pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
-        let source = Source::new(path.to_string_lossy(), text);
+        Self::of(path, Source::new(path.to_string_lossy(), text))
+    }
+
+    fn of(path: &Path, source: Source) -> Result<Self, Failures> {
         let config = config::parse(&source)?;
         Self::new(path, source, config)
     }
@@ -108,13 +109,6 @@ impl Listed {
         let systems = self.config.systems.iter().filter(is_listed);
         systems.map(|system| self.job(system)).collect()
     }
-}
-
-fn text(path: &Path) -> Result<String, Error> {
-    input::text(path).map_err(|source| Error::Io {
-        path: path.to_owned(),
-        source,
-    })
 }
 
 /// The model's path as the banner shows it: relative to `kane.toml`, else the file's name.

@@ -24,7 +24,7 @@ use super::{
 pub(crate) struct OptionsArguments {
     /// The functions, with commas between them; `all` for every one of the system, `default` for the default set
     ///
-    /// `kane info MODEL` lists them; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
+    /// `kane info MODEL --functions all` lists those of the system; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
     /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
     /// `kane::System` needs them.
     #[arg(long, value_name = "A,B", requires = "model")]

@@ -55,6 +55,16 @@ fn check_companions(
 fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result<(), Error> {
     let terms = request.literal_terms(tree);
     let name = request.text();
+    if request.differentiates() {
+        // It is derived whole, however few numbers come of it.
+        let (values, what) = (
+            request.values(),
+            format!("what `{name}` differentiates has"),
+        );
+        bound(&what, values.n_numbers(tree), "numbers", limits::NUMBERS)?;
+        let n_solved = values.n_solved(tree);
+        bound(&what, n_solved, "numbers of solutions", limits::SOLVED)?;
+    }
     if options.formulation == Formulation::Notes {
         bound(
             &format!("the notes' sums for `{name}` have"),

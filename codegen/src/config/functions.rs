@@ -85,12 +85,17 @@ impl Named {
                 fault,
                 "unknown frame",
             )),
-            RequestError::UnknownVariable { request, .. }
-            | RequestError::OneOfDirection { request, .. } => Some(part_fault(
+            RequestError::UnknownVariable { request, .. } => Some(part_fault(
                 self.entry(request)?,
                 &self.what,
                 fault,
-                "no variable of it",
+                "unknown variable",
+            )),
+            RequestError::OneOfDirection { request, .. } => Some(part_fault(
+                self.entry(request)?,
+                &self.what,
+                fault,
+                "no direction",
             )),
             _ => None,
         }
@@ -133,7 +138,7 @@ fn request_fault(name: &Spanned<String>, what: &str, fault: &RequestError) -> Di
 fn part_fault(name: &Spanned<String>, what: &str, fault: &RequestError, label: &str) -> Diagnostic {
     let shown = Diagnostic::error(format!("{what}: {fault}"));
     let Some(place) = fault.place() else {
-        return shown.at(name.span, "cannot be joined");
+        return shown.at(name.span, "in this request");
     };
     // Between two quotes of one character each, and nothing escaped.
     let is_plain = name.span.end - name.span.start == name.value.len() + 2;

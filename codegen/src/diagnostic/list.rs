@@ -94,13 +94,23 @@ impl Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// All faults, an empty line between two; of more than a hundred, the first hundred.
+    /// All faults, an empty line between two; of more than a hundred errors, or others, the first hundred.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, diagnostic) in self.list.iter().take(MOST_SHOWN).enumerate() {
-            let space = if index == 0 { "" } else { "\n\n" };
-            write!(f, "{space}{}", diagnostic.render(&self.source))?;
+        let (mut n_errors, mut n_others) = (0, 0);
+        for diagnostic in &self.list {
+            let n_before = n_errors.min(MOST_SHOWN) + n_others.min(MOST_SHOWN);
+            let n_of_kind = match diagnostic.severity {
+                Severity::Error => &mut n_errors,
+                Severity::Warning | Severity::Note => &mut n_others,
+            };
+            *n_of_kind += 1;
+            if *n_of_kind <= MOST_SHOWN {
+                let space = if n_before == 0 { "" } else { "\n\n" };
+                write!(f, "{space}{}", diagnostic.render(&self.source))?;
+            }
         }
-        match self.list.len().saturating_sub(MOST_SHOWN) {
+        let n_shown = n_errors.min(MOST_SHOWN) + n_others.min(MOST_SHOWN);
+        match self.list.len() - n_shown {
             0 => Ok(()),
             more => write!(
                 f,

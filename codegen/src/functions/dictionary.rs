@@ -4,6 +4,7 @@ use super::{
     function::{Function, Of},
     generated_name,
     names_elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
+    variable::Variable,
 };
 use crate::diagnostic::nearest;
 
@@ -74,11 +75,10 @@ fn of_frames() -> Vec<&'static str> {
 
 /// What to do about a name that is no frame, if it is known to be something else.
 pub(super) fn advice_on_frame(name: &str) -> Option<String> {
-    let is_variable = VARIABLES.iter().any(|(own, _)| *own == name);
     match &*plain(name) {
         "local" => Some("for the frame's own axes write `local`".to_owned()),
         "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
-        _ if is_variable || Function::find(name).is_some() => {
+        _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {
             Some("derivatives are written `d(F)/d(X)`".to_owned())
         }
         _ => None,

@@ -14,6 +14,8 @@
 
 use std::ops::Range;
 
+use crate::limits;
+
 /// What stands after a request whose function is given sines and cosines.
 pub const AT_SIN_COS: &str = "(sin_cos)";
 
@@ -88,6 +90,7 @@ pub fn read(text: &str) -> Result<Sum, Unexpected> {
         text,
         at: 0,
         depth: 0,
+        n_words: 0,
     };
     let mut parts = vec![reader.part()?];
     while reader.take('+') {
@@ -149,6 +152,7 @@ struct Reader<'a> {
     text: &'a str,
     at: usize,
     depth: usize,
+    n_words: usize,
 }
 
 impl<'a> Reader<'a> {
@@ -282,6 +286,10 @@ impl<'a> Reader<'a> {
     /// A word; one without quotes may be empty, and is then no name of anything.
     fn word(&mut self) -> Result<Word, Unexpected> {
         self.skip();
+        self.n_words += 1;
+        if self.n_words > limits::REQUEST_WORDS {
+            return Err(self.unexpected("expected a thousand words at most"));
+        }
         let start = self.at;
         if self.take('"') {
             return self.quoted(start);

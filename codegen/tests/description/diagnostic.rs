@@ -100,3 +100,15 @@ fn faults_of_included_files_follow_those_of_the_file_itself() {
         .collect();
     assert_eq!(order, ["one", "two", "three"]);
 }
+
+#[test]
+fn many_warnings_hide_no_error() {
+    let source = Source::new("model.toml", "word");
+    let warning = Diagnostic::warning("this is odd").at(place(&source, "word"), "here");
+    let mut list = vec![warning; 150];
+    list.push(Diagnostic::error("this is wrong").at(place(&source, "word"), "here"));
+    let told = Diagnostics::new(source, list).to_string();
+    assert_eq!(told.matches("this is odd").count(), 100);
+    assert_eq!(told.matches("this is wrong").count(), 1);
+    assert!(told.ends_with("50 more faults are not shown"), "{told}");
+}

@@ -91,6 +91,16 @@ fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("d(bias)/d(q)/d(u)"), (second, 12..13));
 }
 
+#[test]
+fn a_request_of_too_many_words_is_refused() {
+    let words = vec!["bias"; 1_001].join("+");
+    assert_eq!(
+        expected(&words),
+        ("expected a thousand words at most", 5_000..5_001)
+    );
+    assert!(read(&words[5..]).is_ok());
+}
+
 fn faults(text: &str) -> Vec<String> {
     let faults = Parsed::read(text).expect_err("it has a fault");
     faults.iter().map(ToString::to_string).collect()

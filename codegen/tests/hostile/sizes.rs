@@ -326,6 +326,16 @@ fn what_would_be_too_large_is_told_before_it_is_derived() {
             "`hessian(bias; q, u)` writes 80200 numbers of derivatives; expected at most 20000",
         ),
         (
+            1000,
+            named("vjp(mass_matrix; q)"),
+            "what `vjp(mass_matrix; q)` differentiates has 1000000 numbers; expected at most 250000",
+        ),
+        (
+            200,
+            named("vjp(mass_matrix_inverse; q)"),
+            "what `vjp(mass_matrix_inverse; q)` differentiates has 40000 numbers of solutions; expected at most 20000",
+        ),
+        (
             600,
             named("mass_matrix"),
             "the functions, `mass_matrix` most of all, write 360600 numbers; expected at most 250000",
