@@ -141,7 +141,7 @@ pub const FINGERPRINT: u64 = 0xd32b_1836_42ba_ca46;
 /// Of each function the multiplications, additions, divisions, sines and cosines of one call.
 #[allow(dead_code, reason = "a program calls what it needs")]
 pub const OPERATIONS: [kane::Cost; 10] = [
-    kane::Cost::new("Prepared::new", [4, 2, 1, 0]),
+    kane::Cost::new("Prepared::new", [6, 2, 1, 0]),
     kane::Cost::new("rotation", [0, 0, 0, 2]),
     kane::Cost::new("mass_center_position", [4, 3, 0, 2]),
     kane::Cost::new("mass_matrix", [1, 0, 0, 2]),
@@ -149,8 +149,8 @@ pub const OPERATIONS: [kane::Cost; 10] = [
     kane::Cost::new("bias", [4, 0, 0, 2]),
     kane::Cost::new("inverse_dynamics", [10, 4, 0, 2]),
     kane::Cost::new("forward_dynamics", [11, 5, 1, 2]),
-    kane::Cost::new("kinetic_energy", [11, 4, 0, 2]),
-    kane::Cost::new("potential_energy", [9, 4, 0, 2]),
+    kane::Cost::new("kinetic_energy", [8, 2, 0, 2]),
+    kane::Cost::new("potential_energy", [2, 1, 0, 2]),
 ];
 
 /// Values set at run time; the default is the model's nominal values.
@@ -194,16 +194,20 @@ pub struct Prepared<R> {
     inverse_dynamics_cart_k1: R,
     inverse_dynamics_pole_inertia_o_yy: R,
     inverse_dynamics_pole_moment_z: R,
+    kinetic_energy_cart_k1: R,
+    kinetic_energy_pole_inertia_o_yy: R,
+    kinetic_energy_pole_k1: R,
     mass_matrix_cart_k1: R,
     mass_matrix_pole_inertia_o_yy: R,
     mass_matrix_pole_moment_z: R,
-    pole_mass: R,
+    potential_energy_cart_moment_z: R,
+    potential_energy_pole_moment_z: R,
 }
 
 impl<R: kane::Real> Prepared<R> {
     /// Prepares a set of parameters.
     ///
-    /// Operations: 7 = 4 mul + 2 add + 1 div + 0 trig.
+    /// Operations: 9 = 6 mul + 2 add + 1 div + 0 trig.
     #[allow(
         dead_code,
         unused_variables,
@@ -223,6 +227,8 @@ impl<R: kane::Real> Prepared<R> {
         let pole_k1 = R::from_f64(3.9240000000000004) * pole_mass;
         let pole_inverse_theta2 = R::from_f64(1.0) / pole_inertia_o_yy;
         let pole_k2 = pole_moment_z * pole_inverse_theta2;
+        let pole_k3 = R::from_f64(0.8) * pole_mass;
+        let cart_moment_z = R::from_f64(0.1) * pole_mass;
         Self {
             bias_pole_k1: pole_k1,
             bias_pole_moment_z: pole_moment_z,
@@ -234,10 +240,14 @@ impl<R: kane::Real> Prepared<R> {
             inverse_dynamics_cart_k1: cart_k1,
             inverse_dynamics_pole_inertia_o_yy: pole_inertia_o_yy,
             inverse_dynamics_pole_moment_z: pole_moment_z,
+            kinetic_energy_cart_k1: cart_k1,
+            kinetic_energy_pole_inertia_o_yy: pole_inertia_o_yy,
+            kinetic_energy_pole_k1: pole_k3,
             mass_matrix_cart_k1: cart_k1,
             mass_matrix_pole_inertia_o_yy: pole_inertia_o_yy,
             mass_matrix_pole_moment_z: pole_moment_z,
-            pole_mass,
+            potential_energy_cart_moment_z: cart_moment_z,
+            potential_energy_pole_moment_z: pole_moment_z,
         }
     }
     /// Prepares the nominal parameters.
@@ -586,7 +596,7 @@ impl<R: kane::Real> kane::functions::ForwardDynamics<R> for Prepared<R> {
 
 /// Kinetic energy in the inertial frame, J.
 ///
-/// Operations: 17 = 11 mul + 4 add + 0 div + 2 trig.
+/// Operations: 12 = 8 mul + 2 add + 0 div + 2 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -604,18 +614,17 @@ pub fn kinetic_energy<R: kane::Real>(
     energy: &mut R,
 ) {
     let pole_theta2 = q[1];
-    let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
-    // pole: velocity, Eqs. (25), (27)
+    let (_, pole_cos2) = R::sin_cos(pole_theta2);
+    // pole: position and velocity, outward
     let cart_s1_dot = u[0];
-    let pole_t1 = pole_cos2 * cart_s1_dot;
-    let pole_v_g_z = pole_sin2 * cart_s1_dot;
+    let pole_v_o_x = pole_cos2 * cart_s1_dot;
+    // pole: energy
     let pole_theta2_dot = u[1];
-    let pole_v_g_x = pole_t1 + R::from_f64(0.4) * pole_theta2_dot;
-    let pole_t2 = p.pole_mass * (pole_v_g_x * pole_v_g_x + pole_v_g_z * pole_v_g_z)
-        + pole_theta2_dot * (R::from_f64(0.03) * pole_theta2_dot);
-    // cart: velocity, Eqs. (25), (27)
-    let cart_t1 = R::from_f64(2.0) * (cart_s1_dot * cart_s1_dot) + pole_t2;
-    // system: velocity, Eqs. (25), (27)
+    let pole_t1 = p.kinetic_energy_pole_k1 * (pole_v_o_x * pole_theta2_dot)
+        + pole_theta2_dot * (p.kinetic_energy_pole_inertia_o_yy * pole_theta2_dot);
+    // cart: energy
+    let cart_t1 = cart_s1_dot * (p.kinetic_energy_cart_k1 * cart_s1_dot) + pole_t1;
+    // system: energy
     let system_t1 = R::from_f64(0.5) * cart_t1;
     *energy = system_t1;
 }
@@ -629,7 +638,7 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
 
 /// Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.
 ///
-/// Operations: 15 = 9 mul + 4 add + 0 div + 2 trig.
+/// Operations: 5 = 2 mul + 1 add + 0 div + 2 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -642,17 +651,14 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
 #[inline(never)]
 pub fn potential_energy<R: kane::Real>(p: &Prepared<R>, q: &[R; NQ], energy: &mut R) {
     let pole_theta2 = q[1];
-    let (pole_sin2, pole_cos2) = R::sin_cos(pole_theta2);
-    // pole: position, Eqs. (22), (23)
-    let cart_s1 = q[0];
-    let pole_p_o_x = pole_cos2 * cart_s1 + R::from_f64(-0.1) * pole_sin2;
-    let pole_p_o_z = pole_sin2 * cart_s1 + R::from_f64(0.1) * pole_cos2;
-    let pole_p_g_z = pole_p_o_z + R::from_f64(0.4);
+    let (_, pole_cos2) = R::sin_cos(pole_theta2);
     // pole: weight, inward
-    let pole_g_x = R::from_f64(9.81) * pole_sin2;
-    let pole_g_z = R::from_f64(-9.81) * pole_cos2;
-    let pole_t1 = -(p.pole_mass * (pole_p_o_x * pole_g_x + pole_p_g_z * pole_g_z));
-    *energy = pole_t1;
+    let pole_t1 = p.potential_energy_pole_moment_z * pole_cos2;
+    // cart: weight, inward
+    let cart_composite_z = p.potential_energy_cart_moment_z + pole_t1;
+    // system: energy
+    let system_t1 = R::from_f64(9.81) * cart_composite_z;
+    *energy = system_t1;
 }
 
 impl<R: kane::Real> kane::functions::PotentialEnergy<R> for Prepared<R> {

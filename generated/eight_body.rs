@@ -317,10 +317,10 @@ pub const OPERATIONS: [kane::Cost; 48] = [
     kane::Cost::new("forward_dynamics", [1605, 1283, 16, 48]),
     kane::Cost::new("forward_dynamics_pivots", [4916, 3850, 32, 48]),
     kane::Cost::new("singularity", [0, 0, 0, 16]),
-    kane::Cost::new("kinetic_energy", [506, 394, 0, 48]),
+    kane::Cost::new("kinetic_energy", [397, 317, 0, 48]),
     kane::Cost::new("potential_energy", [0, 0, 0, 0]),
-    kane::Cost::new("linear_momentum", [473, 368, 0, 48]),
-    kane::Cost::new("angular_momentum", [665, 557, 0, 48]),
+    kane::Cost::new("linear_momentum", [279, 225, 0, 48]),
+    kane::Cost::new("angular_momentum", [660, 528, 0, 48]),
     kane::Cost::new("mass_matrix_product", [648, 519, 0, 48]),
     kane::Cost::new("mass_matrix_solve", [870, 645, 16, 48]),
     kane::Cost::new("mass_matrix_factors", [4916, 3850, 32, 48]),
@@ -43418,7 +43418,7 @@ impl<R: kane::Real> kane::functions::Singularity<R> for Prepared<R> {
 
 /// Kinetic energy in the inertial frame, J.
 ///
-/// Operations: 948 = 506 mul + 394 add + 0 div + 48 trig.
+/// Operations: 762 = 397 mul + 317 add + 0 div + 48 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -43485,654 +43485,542 @@ pub fn kinetic_energy<R: kane::Real>(
         camera_theta2,
         camera_theta3,
     ]);
-    // hub: rotation, Eqs. (2) to (5)
-    let hub_sin1 = sines[0];
-    let hub_sin2 = sines[1];
-    let hub_t1 = hub_sin1 * hub_sin2;
-    let hub_cos1 = cosines[0];
-    let hub_t2 = hub_sin2 * hub_cos1;
-    let hub_sin3 = sines[2];
-    let hub_cos3 = cosines[2];
-    let hub_rel_xy = hub_sin3 * hub_cos1 + hub_cos3 * hub_t1;
-    let hub_rel_xz = hub_sin1 * hub_sin3 - hub_cos3 * hub_t2;
-    let hub_rel_yy = hub_cos1 * hub_cos3 - hub_sin3 * hub_t1;
-    let hub_rel_yz = hub_sin1 * hub_cos3 + hub_sin3 * hub_t2;
-    let hub_cos2 = cosines[1];
-    let hub_rel_xx = hub_cos2 * hub_cos3;
-    let hub_minus_rel_yx = hub_sin3 * hub_cos2;
-    let hub_minus_rel_zy = hub_sin1 * hub_cos2;
-    let hub_rel_zz = hub_cos1 * hub_cos2;
-    // shoulder: rotation, Eqs. (2) to (5)
-    let shoulder_sin1 = sines[3];
-    let shoulder_sin2 = sines[4];
-    let shoulder_t1 = shoulder_sin1 * shoulder_sin2;
-    let shoulder_cos1 = cosines[3];
-    let shoulder_t2 = shoulder_sin2 * shoulder_cos1;
-    let shoulder_sin3 = sines[5];
-    let shoulder_cos3 = cosines[5];
-    let shoulder_rel_xy = shoulder_sin3 * shoulder_cos1 + shoulder_cos3 * shoulder_t1;
-    let shoulder_rel_xz = shoulder_sin1 * shoulder_sin3 - shoulder_cos3 * shoulder_t2;
-    let shoulder_rel_yy = shoulder_cos1 * shoulder_cos3 - shoulder_sin3 * shoulder_t1;
-    let shoulder_rel_yz = shoulder_sin1 * shoulder_cos3 + shoulder_sin3 * shoulder_t2;
-    let shoulder_cos2 = cosines[4];
-    let shoulder_rel_xx = shoulder_cos2 * shoulder_cos3;
-    let shoulder_minus_rel_yx = shoulder_sin3 * shoulder_cos2;
-    let shoulder_minus_rel_zy = shoulder_sin1 * shoulder_cos2;
-    let shoulder_rel_zz = shoulder_cos1 * shoulder_cos2;
-    // forearm: rotation, Eqs. (2) to (5)
-    let forearm_sin1 = sines[6];
-    let forearm_sin2 = sines[7];
-    let forearm_t1 = forearm_sin1 * forearm_sin2;
-    let forearm_cos1 = cosines[6];
-    let forearm_t2 = forearm_sin2 * forearm_cos1;
-    let forearm_sin3 = sines[8];
-    let forearm_cos3 = cosines[8];
-    let forearm_rel_xy = forearm_sin3 * forearm_cos1 + forearm_cos3 * forearm_t1;
-    let forearm_rel_xz = forearm_sin1 * forearm_sin3 - forearm_cos3 * forearm_t2;
-    let forearm_rel_yy = forearm_cos1 * forearm_cos3 - forearm_sin3 * forearm_t1;
-    let forearm_rel_yz = forearm_sin1 * forearm_cos3 + forearm_sin3 * forearm_t2;
-    let forearm_cos2 = cosines[7];
-    let forearm_rel_xx = forearm_cos2 * forearm_cos3;
-    let forearm_minus_rel_yx = forearm_sin3 * forearm_cos2;
-    let forearm_minus_rel_zy = forearm_sin1 * forearm_cos2;
-    let forearm_rel_zz = forearm_cos1 * forearm_cos2;
-    // left_panel: rotation, Eqs. (2) to (5)
-    let left_panel_sin1 = sines[9];
-    let left_panel_sin2 = sines[10];
-    let left_panel_t1 = left_panel_sin1 * left_panel_sin2;
-    let left_panel_cos1 = cosines[9];
-    let left_panel_t2 = left_panel_sin2 * left_panel_cos1;
-    let left_panel_sin3 = sines[11];
-    let left_panel_cos3 = cosines[11];
-    let left_panel_rel_xy = left_panel_sin3 * left_panel_cos1
-        + left_panel_cos3 * left_panel_t1;
-    let left_panel_rel_xz = left_panel_sin1 * left_panel_sin3
-        - left_panel_cos3 * left_panel_t2;
-    let left_panel_rel_yy = left_panel_cos1 * left_panel_cos3
-        - left_panel_sin3 * left_panel_t1;
-    let left_panel_rel_yz = left_panel_sin1 * left_panel_cos3
-        + left_panel_sin3 * left_panel_t2;
-    let left_panel_cos2 = cosines[10];
-    let left_panel_rel_xx = left_panel_cos2 * left_panel_cos3;
-    let left_panel_minus_rel_yx = left_panel_sin3 * left_panel_cos2;
-    let left_panel_minus_rel_zy = left_panel_sin1 * left_panel_cos2;
-    let left_panel_rel_zz = left_panel_cos1 * left_panel_cos2;
-    // left_tip: rotation, Eqs. (2) to (5)
-    let left_tip_sin1 = sines[12];
-    let left_tip_sin2 = sines[13];
-    let left_tip_t1 = left_tip_sin1 * left_tip_sin2;
-    let left_tip_cos1 = cosines[12];
-    let left_tip_t2 = left_tip_sin2 * left_tip_cos1;
-    let left_tip_sin3 = sines[14];
-    let left_tip_cos3 = cosines[14];
-    let left_tip_rel_xy = left_tip_sin3 * left_tip_cos1 + left_tip_cos3 * left_tip_t1;
-    let left_tip_rel_xz = left_tip_sin1 * left_tip_sin3 - left_tip_cos3 * left_tip_t2;
-    let left_tip_rel_yy = left_tip_cos1 * left_tip_cos3 - left_tip_sin3 * left_tip_t1;
-    let left_tip_rel_yz = left_tip_sin1 * left_tip_cos3 + left_tip_sin3 * left_tip_t2;
-    let left_tip_cos2 = cosines[13];
-    let left_tip_rel_xx = left_tip_cos2 * left_tip_cos3;
-    let left_tip_minus_rel_yx = left_tip_sin3 * left_tip_cos2;
-    let left_tip_minus_rel_zy = left_tip_sin1 * left_tip_cos2;
-    let left_tip_rel_zz = left_tip_cos1 * left_tip_cos2;
-    // antenna: rotation, Eqs. (2) to (5)
-    let antenna_sin1 = sines[15];
-    let antenna_sin2 = sines[16];
-    let antenna_t1 = antenna_sin1 * antenna_sin2;
-    let antenna_cos1 = cosines[15];
-    let antenna_t2 = antenna_sin2 * antenna_cos1;
-    let antenna_sin3 = sines[17];
-    let antenna_cos3 = cosines[17];
-    let antenna_rel_xy = antenna_sin3 * antenna_cos1 + antenna_cos3 * antenna_t1;
-    let antenna_rel_xz = antenna_sin1 * antenna_sin3 - antenna_cos3 * antenna_t2;
-    let antenna_rel_yy = antenna_cos1 * antenna_cos3 - antenna_sin3 * antenna_t1;
-    let antenna_rel_yz = antenna_sin1 * antenna_cos3 + antenna_sin3 * antenna_t2;
-    let antenna_cos2 = cosines[16];
-    let antenna_rel_xx = antenna_cos2 * antenna_cos3;
-    let antenna_minus_rel_yx = antenna_sin3 * antenna_cos2;
-    let antenna_minus_rel_zy = antenna_sin1 * antenna_cos2;
-    let antenna_rel_zz = antenna_cos1 * antenna_cos2;
-    // boom: rotation, Eqs. (2) to (5)
-    let boom_sin1 = sines[18];
-    let boom_sin2 = sines[19];
-    let boom_t1 = boom_sin1 * boom_sin2;
-    let boom_cos1 = cosines[18];
-    let boom_t2 = boom_sin2 * boom_cos1;
-    let boom_sin3 = sines[20];
-    let boom_cos3 = cosines[20];
-    let boom_rel_xy = boom_sin3 * boom_cos1 + boom_cos3 * boom_t1;
-    let boom_rel_xz = boom_sin1 * boom_sin3 - boom_cos3 * boom_t2;
-    let boom_rel_yy = boom_cos1 * boom_cos3 - boom_sin3 * boom_t1;
-    let boom_rel_yz = boom_sin1 * boom_cos3 + boom_sin3 * boom_t2;
-    let boom_cos2 = cosines[19];
-    let boom_rel_xx = boom_cos2 * boom_cos3;
-    let boom_minus_rel_yx = boom_sin3 * boom_cos2;
-    let boom_minus_rel_zy = boom_sin1 * boom_cos2;
-    let boom_rel_zz = boom_cos1 * boom_cos2;
-    // camera: rotation, Eqs. (2) to (5)
-    let camera_sin1 = sines[21];
-    let camera_sin2 = sines[22];
-    let camera_t1 = camera_sin1 * camera_sin2;
-    let camera_cos1 = cosines[21];
-    let camera_t2 = camera_sin2 * camera_cos1;
-    let camera_sin3 = sines[23];
-    let camera_cos3 = cosines[23];
-    let camera_rel_xy = camera_sin3 * camera_cos1 + camera_cos3 * camera_t1;
-    let camera_rel_xz = camera_sin1 * camera_sin3 - camera_cos3 * camera_t2;
-    let camera_rel_yy = camera_cos1 * camera_cos3 - camera_sin3 * camera_t1;
-    let camera_rel_yz = camera_sin1 * camera_cos3 + camera_sin3 * camera_t2;
-    let camera_cos2 = cosines[22];
-    let camera_rel_xx = camera_cos2 * camera_cos3;
-    let camera_minus_rel_yx = camera_sin3 * camera_cos2;
-    let camera_minus_rel_zy = camera_sin1 * camera_cos2;
-    let camera_rel_zz = camera_cos1 * camera_cos2;
-    // hub: angular velocity, Eqs. (8), (11)
-    let hub_theta1_dot = u[0];
-    let hub_theta2_dot = u[1];
-    let hub_w_rel_x = hub_rel_xx * hub_theta1_dot + hub_sin3 * hub_theta2_dot;
-    let hub_w_rel_y = hub_cos3 * hub_theta2_dot - hub_minus_rel_yx * hub_theta1_dot;
-    let hub_theta3_dot = u[2];
-    let hub_w_rel_z = hub_theta3_dot + hub_sin2 * hub_theta1_dot;
-    // shoulder: angular velocity, Eqs. (8), (11)
-    let shoulder_theta1_dot = u[3];
-    let shoulder_theta2_dot = u[4];
-    let shoulder_w_rel_x = shoulder_rel_xx * shoulder_theta1_dot
-        + shoulder_sin3 * shoulder_theta2_dot;
-    let shoulder_w_rel_y = shoulder_cos3 * shoulder_theta2_dot
-        - shoulder_minus_rel_yx * shoulder_theta1_dot;
-    let shoulder_theta3_dot = u[5];
-    let shoulder_w_rel_z = shoulder_theta3_dot + shoulder_sin2 * shoulder_theta1_dot;
-    // forearm: angular velocity, Eqs. (8), (11)
-    let forearm_theta1_dot = u[6];
-    let forearm_theta2_dot = u[7];
-    let forearm_w_rel_x = forearm_rel_xx * forearm_theta1_dot
-        + forearm_sin3 * forearm_theta2_dot;
-    let forearm_w_rel_y = forearm_cos3 * forearm_theta2_dot
-        - forearm_minus_rel_yx * forearm_theta1_dot;
-    let forearm_theta3_dot = u[8];
-    let forearm_w_rel_z = forearm_theta3_dot + forearm_sin2 * forearm_theta1_dot;
-    // left_panel: angular velocity, Eqs. (8), (11)
-    let left_panel_theta1_dot = u[9];
-    let left_panel_theta2_dot = u[10];
-    let left_panel_w_rel_x = left_panel_rel_xx * left_panel_theta1_dot
-        + left_panel_sin3 * left_panel_theta2_dot;
-    let left_panel_w_rel_y = left_panel_cos3 * left_panel_theta2_dot
-        - left_panel_minus_rel_yx * left_panel_theta1_dot;
-    let left_panel_theta3_dot = u[11];
-    let left_panel_w_rel_z = left_panel_theta3_dot
-        + left_panel_sin2 * left_panel_theta1_dot;
-    // left_tip: angular velocity, Eqs. (8), (11)
-    let left_tip_theta1_dot = u[12];
-    let left_tip_theta2_dot = u[13];
-    let left_tip_w_rel_x = left_tip_rel_xx * left_tip_theta1_dot
-        + left_tip_sin3 * left_tip_theta2_dot;
-    let left_tip_w_rel_y = left_tip_cos3 * left_tip_theta2_dot
-        - left_tip_minus_rel_yx * left_tip_theta1_dot;
-    let left_tip_theta3_dot = u[14];
-    let left_tip_w_rel_z = left_tip_theta3_dot + left_tip_sin2 * left_tip_theta1_dot;
-    // antenna: angular velocity, Eqs. (8), (11)
-    let antenna_theta1_dot = u[15];
-    let antenna_theta2_dot = u[16];
-    let antenna_w_rel_x = antenna_rel_xx * antenna_theta1_dot
-        + antenna_sin3 * antenna_theta2_dot;
-    let antenna_w_rel_y = antenna_cos3 * antenna_theta2_dot
-        - antenna_minus_rel_yx * antenna_theta1_dot;
-    let antenna_theta3_dot = u[17];
-    let antenna_w_rel_z = antenna_theta3_dot + antenna_sin2 * antenna_theta1_dot;
-    // boom: angular velocity, Eqs. (8), (11)
-    let boom_theta1_dot = u[18];
-    let boom_theta2_dot = u[19];
-    let boom_w_rel_x = boom_rel_xx * boom_theta1_dot + boom_sin3 * boom_theta2_dot;
-    let boom_w_rel_y = boom_cos3 * boom_theta2_dot - boom_minus_rel_yx * boom_theta1_dot;
-    let boom_theta3_dot = u[20];
-    let boom_w_rel_z = boom_theta3_dot + boom_sin2 * boom_theta1_dot;
-    // camera: angular velocity, Eqs. (8), (11)
-    let camera_theta1_dot = u[21];
-    let camera_theta2_dot = u[22];
-    let camera_w_rel_x = camera_rel_xx * camera_theta1_dot
-        + camera_sin3 * camera_theta2_dot;
-    let camera_w_rel_y = camera_cos3 * camera_theta2_dot
-        - camera_minus_rel_yx * camera_theta1_dot;
-    let camera_theta3_dot = u[23];
-    let camera_w_rel_z = camera_theta3_dot + camera_sin2 * camera_theta1_dot;
-    // shoulder: angular velocity, Eqs. (8), (11)
-    let shoulder_t3 = shoulder_rel_xx * hub_w_rel_x + shoulder_rel_xy * hub_w_rel_y
-        + shoulder_rel_xz * hub_w_rel_z;
-    let shoulder_t4 = shoulder_rel_yy * hub_w_rel_y - shoulder_minus_rel_yx * hub_w_rel_x
-        + shoulder_rel_yz * hub_w_rel_z;
-    let shoulder_t5 = shoulder_sin2 * hub_w_rel_x - shoulder_minus_rel_zy * hub_w_rel_y
-        + shoulder_rel_zz * hub_w_rel_z;
-    let shoulder_w_x = shoulder_w_rel_x + shoulder_t3;
-    let shoulder_w_y = shoulder_w_rel_y + shoulder_t4;
-    let shoulder_w_z = shoulder_w_rel_z + shoulder_t5;
-    // forearm: angular velocity, Eqs. (8), (11)
-    let forearm_t3 = forearm_rel_xx * shoulder_w_x + forearm_rel_xy * shoulder_w_y
-        + forearm_rel_xz * shoulder_w_z;
-    let forearm_t4 = forearm_rel_yy * shoulder_w_y - forearm_minus_rel_yx * shoulder_w_x
-        + forearm_rel_yz * shoulder_w_z;
-    let forearm_t5 = forearm_sin2 * shoulder_w_x - forearm_minus_rel_zy * shoulder_w_y
-        + forearm_rel_zz * shoulder_w_z;
-    let forearm_w_x = forearm_w_rel_x + forearm_t3;
-    let forearm_w_y = forearm_w_rel_y + forearm_t4;
-    let forearm_w_z = forearm_w_rel_z + forearm_t5;
-    // left_panel: angular velocity, Eqs. (8), (11)
-    let left_panel_t3 = left_panel_rel_xx * hub_w_rel_x + left_panel_rel_xy * hub_w_rel_y
-        + left_panel_rel_xz * hub_w_rel_z;
-    let left_panel_t4 = left_panel_rel_yy * hub_w_rel_y
-        - left_panel_minus_rel_yx * hub_w_rel_x + left_panel_rel_yz * hub_w_rel_z;
-    let left_panel_t5 = left_panel_sin2 * hub_w_rel_x
-        - left_panel_minus_rel_zy * hub_w_rel_y + left_panel_rel_zz * hub_w_rel_z;
-    let left_panel_w_x = left_panel_w_rel_x + left_panel_t3;
-    let left_panel_w_y = left_panel_w_rel_y + left_panel_t4;
-    let left_panel_w_z = left_panel_w_rel_z + left_panel_t5;
-    // left_tip: angular velocity, Eqs. (8), (11)
-    let left_tip_t3 = left_tip_rel_xx * shoulder_w_x + left_tip_rel_xy * shoulder_w_y
-        + left_tip_rel_xz * shoulder_w_z;
-    let left_tip_t4 = left_tip_rel_yy * shoulder_w_y
-        - left_tip_minus_rel_yx * shoulder_w_x + left_tip_rel_yz * shoulder_w_z;
-    let left_tip_t5 = left_tip_sin2 * shoulder_w_x - left_tip_minus_rel_zy * shoulder_w_y
-        + left_tip_rel_zz * shoulder_w_z;
-    let left_tip_w_x = left_tip_w_rel_x + left_tip_t3;
-    let left_tip_w_y = left_tip_w_rel_y + left_tip_t4;
-    let left_tip_w_z = left_tip_w_rel_z + left_tip_t5;
-    // antenna: angular velocity, Eqs. (8), (11)
-    let antenna_t3 = antenna_rel_xx * hub_w_rel_x + antenna_rel_xy * hub_w_rel_y
-        + antenna_rel_xz * hub_w_rel_z;
-    let antenna_t4 = antenna_rel_yy * hub_w_rel_y - antenna_minus_rel_yx * hub_w_rel_x
-        + antenna_rel_yz * hub_w_rel_z;
-    let antenna_t5 = antenna_sin2 * hub_w_rel_x - antenna_minus_rel_zy * hub_w_rel_y
-        + antenna_rel_zz * hub_w_rel_z;
-    let antenna_w_x = antenna_w_rel_x + antenna_t3;
-    let antenna_w_y = antenna_w_rel_y + antenna_t4;
-    let antenna_w_z = antenna_w_rel_z + antenna_t5;
-    // boom: angular velocity, Eqs. (8), (11)
-    let boom_t3 = boom_rel_xx * hub_w_rel_x + boom_rel_xy * hub_w_rel_y
-        + boom_rel_xz * hub_w_rel_z;
-    let boom_t4 = boom_rel_yy * hub_w_rel_y - boom_minus_rel_yx * hub_w_rel_x
-        + boom_rel_yz * hub_w_rel_z;
-    let boom_t5 = boom_sin2 * hub_w_rel_x - boom_minus_rel_zy * hub_w_rel_y
-        + boom_rel_zz * hub_w_rel_z;
-    let boom_w_x = boom_w_rel_x + boom_t3;
-    let boom_w_y = boom_w_rel_y + boom_t4;
-    let boom_w_z = boom_w_rel_z + boom_t5;
-    // camera: angular velocity, Eqs. (8), (11)
-    let camera_t3 = camera_rel_xx * boom_w_x + camera_rel_xy * boom_w_y
-        + camera_rel_xz * boom_w_z;
-    let camera_t4 = camera_rel_yy * boom_w_y - camera_minus_rel_yx * boom_w_x
-        + camera_rel_yz * boom_w_z;
-    let camera_t5 = camera_sin2 * boom_w_x - camera_minus_rel_zy * boom_w_y
-        + camera_rel_zz * boom_w_z;
-    let camera_w_x = camera_w_rel_x + camera_t3;
-    let camera_w_y = camera_w_rel_y + camera_t4;
-    let camera_w_z = camera_w_rel_z + camera_t5;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_s1_dot = u[24];
-    let hub_s2_dot = u[25];
-    let hub_s3_dot = u[26];
-    let hub_t3 = hub_rel_xx * hub_s1_dot + hub_rel_xy * hub_s2_dot
-        + hub_rel_xz * hub_s3_dot;
-    let hub_t4 = hub_rel_yy * hub_s2_dot - hub_minus_rel_yx * hub_s1_dot
-        + hub_rel_yz * hub_s3_dot;
-    let hub_t5 = hub_sin2 * hub_s1_dot - hub_minus_rel_zy * hub_s2_dot
-        + hub_rel_zz * hub_s3_dot;
-    // shoulder: velocity, Eqs. (25), (27)
+    // shoulder: joint, mass and inertia
     let shoulder_s1 = q[27];
     let shoulder_offset_x = shoulder_s1 + R::from_f64(-0.561);
     let shoulder_s2 = q[28];
     let shoulder_offset_y = shoulder_s2 + R::from_f64(-0.092);
     let shoulder_s3 = q[29];
     let shoulder_offset_z = shoulder_s3 + R::from_f64(-0.672);
-    let shoulder_t6 = hub_w_rel_y * shoulder_offset_z - hub_w_rel_z * shoulder_offset_y;
-    let shoulder_t7 = hub_w_rel_z * shoulder_offset_x - hub_w_rel_x * shoulder_offset_z;
-    let shoulder_t8 = hub_w_rel_x * shoulder_offset_y - hub_w_rel_y * shoulder_offset_x;
-    let shoulder_s1_dot = u[27];
-    let shoulder_t9 = hub_t3 + shoulder_s1_dot;
-    let shoulder_s2_dot = u[28];
-    let shoulder_t10 = hub_t4 + shoulder_s2_dot;
-    let shoulder_s3_dot = u[29];
-    let shoulder_t11 = hub_t5 + shoulder_s3_dot;
-    let shoulder_v_o_x = shoulder_t6 + shoulder_t9;
-    let shoulder_v_o_y = shoulder_t7 + shoulder_t10;
-    let shoulder_v_o_z = shoulder_t8 + shoulder_t11;
-    let shoulder_t12 = shoulder_rel_xx * shoulder_v_o_x
-        + shoulder_rel_xy * shoulder_v_o_y + shoulder_rel_xz * shoulder_v_o_z;
-    let shoulder_t13 = shoulder_rel_yy * shoulder_v_o_y
-        - shoulder_minus_rel_yx * shoulder_v_o_x + shoulder_rel_yz * shoulder_v_o_z;
-    let shoulder_t14 = shoulder_sin2 * shoulder_v_o_x
-        - shoulder_minus_rel_zy * shoulder_v_o_y + shoulder_rel_zz * shoulder_v_o_z;
-    // forearm: velocity, Eqs. (25), (27)
+    // forearm: joint, mass and inertia
     let forearm_s1 = q[30];
     let forearm_offset_x = forearm_s1 + R::from_f64(-0.171);
     let forearm_s2 = q[31];
     let forearm_offset_y = forearm_s2 + R::from_f64(0.136);
     let forearm_s3 = q[32];
     let forearm_offset_z = forearm_s3 + R::from_f64(0.519);
-    let forearm_t6 = shoulder_w_y * forearm_offset_z - shoulder_w_z * forearm_offset_y;
-    let forearm_t7 = shoulder_w_z * forearm_offset_x - shoulder_w_x * forearm_offset_z;
-    let forearm_t8 = shoulder_w_x * forearm_offset_y - shoulder_w_y * forearm_offset_x;
-    let forearm_s1_dot = u[30];
-    let forearm_t9 = shoulder_t12 + forearm_s1_dot;
-    let forearm_s2_dot = u[31];
-    let forearm_t10 = shoulder_t13 + forearm_s2_dot;
-    let forearm_s3_dot = u[32];
-    let forearm_t11 = shoulder_t14 + forearm_s3_dot;
-    let forearm_v_o_x = forearm_t6 + forearm_t9;
-    let forearm_v_o_y = forearm_t7 + forearm_t10;
-    let forearm_v_o_z = forearm_t8 + forearm_t11;
-    // left_panel: velocity, Eqs. (25), (27)
+    // left_panel: joint, mass and inertia
     let left_panel_s1 = q[33];
     let left_panel_offset_x = left_panel_s1 + R::from_f64(-0.944);
     let left_panel_s2 = q[34];
     let left_panel_offset_y = left_panel_s2 + R::from_f64(0.254);
     let left_panel_s3 = q[35];
     let left_panel_offset_z = left_panel_s3 + R::from_f64(0.22);
-    let left_panel_t6 = hub_w_rel_y * left_panel_offset_z
-        - hub_w_rel_z * left_panel_offset_y;
-    let left_panel_t7 = hub_w_rel_z * left_panel_offset_x
-        - hub_w_rel_x * left_panel_offset_z;
-    let left_panel_t8 = hub_w_rel_x * left_panel_offset_y
-        - hub_w_rel_y * left_panel_offset_x;
-    let left_panel_s1_dot = u[33];
-    let left_panel_t9 = hub_t3 + left_panel_s1_dot;
-    let left_panel_s2_dot = u[34];
-    let left_panel_t10 = hub_t4 + left_panel_s2_dot;
-    let left_panel_s3_dot = u[35];
-    let left_panel_t11 = hub_t5 + left_panel_s3_dot;
-    let left_panel_v_o_x = left_panel_t6 + left_panel_t9;
-    let left_panel_v_o_y = left_panel_t7 + left_panel_t10;
-    let left_panel_v_o_z = left_panel_t8 + left_panel_t11;
-    // left_tip: velocity, Eqs. (25), (27)
+    // left_tip: joint, mass and inertia
     let left_tip_s1 = q[36];
     let left_tip_offset_x = left_tip_s1 + R::from_f64(-0.519);
     let left_tip_s2 = q[37];
     let left_tip_offset_y = left_tip_s2 + R::from_f64(-0.949);
     let left_tip_s3 = q[38];
     let left_tip_offset_z = left_tip_s3 + R::from_f64(0.4);
-    let left_tip_t6 = shoulder_w_y * left_tip_offset_z
-        - shoulder_w_z * left_tip_offset_y;
-    let left_tip_t7 = shoulder_w_z * left_tip_offset_x
-        - shoulder_w_x * left_tip_offset_z;
-    let left_tip_t8 = shoulder_w_x * left_tip_offset_y
-        - shoulder_w_y * left_tip_offset_x;
-    let left_tip_s1_dot = u[36];
-    let left_tip_t9 = shoulder_t12 + left_tip_s1_dot;
-    let left_tip_s2_dot = u[37];
-    let left_tip_t10 = shoulder_t13 + left_tip_s2_dot;
-    let left_tip_s3_dot = u[38];
-    let left_tip_t11 = shoulder_t14 + left_tip_s3_dot;
-    let left_tip_v_o_x = left_tip_t6 + left_tip_t9;
-    let left_tip_v_o_y = left_tip_t7 + left_tip_t10;
-    let left_tip_v_o_z = left_tip_t8 + left_tip_t11;
-    // antenna: velocity, Eqs. (25), (27)
+    // antenna: joint, mass and inertia
     let antenna_s1 = q[39];
     let antenna_offset_x = antenna_s1 + R::from_f64(0.974);
     let antenna_s2 = q[40];
     let antenna_offset_y = antenna_s2 + R::from_f64(0.421);
     let antenna_s3 = q[41];
     let antenna_offset_z = antenna_s3 + R::from_f64(-0.143);
-    let antenna_t6 = hub_w_rel_y * antenna_offset_z - hub_w_rel_z * antenna_offset_y;
-    let antenna_t7 = hub_w_rel_z * antenna_offset_x - hub_w_rel_x * antenna_offset_z;
-    let antenna_t8 = hub_w_rel_x * antenna_offset_y - hub_w_rel_y * antenna_offset_x;
-    let antenna_s1_dot = u[39];
-    let antenna_t9 = hub_t3 + antenna_s1_dot;
-    let antenna_s2_dot = u[40];
-    let antenna_t10 = hub_t4 + antenna_s2_dot;
-    let antenna_s3_dot = u[41];
-    let antenna_t11 = hub_t5 + antenna_s3_dot;
-    let antenna_v_o_x = antenna_t6 + antenna_t9;
-    let antenna_v_o_y = antenna_t7 + antenna_t10;
-    let antenna_v_o_z = antenna_t8 + antenna_t11;
-    // boom: velocity, Eqs. (25), (27)
+    // boom: joint, mass and inertia
     let boom_s1 = q[42];
     let boom_offset_x = boom_s1 + R::from_f64(-0.589);
     let boom_s2 = q[43];
     let boom_offset_y = boom_s2 + R::from_f64(-0.284);
     let boom_s3 = q[44];
     let boom_offset_z = boom_s3 + R::from_f64(0.166);
-    let boom_t6 = hub_w_rel_y * boom_offset_z - hub_w_rel_z * boom_offset_y;
-    let boom_t7 = hub_w_rel_z * boom_offset_x - hub_w_rel_x * boom_offset_z;
-    let boom_t8 = hub_w_rel_x * boom_offset_y - hub_w_rel_y * boom_offset_x;
-    let boom_s1_dot = u[42];
-    let boom_t9 = hub_t3 + boom_s1_dot;
-    let boom_s2_dot = u[43];
-    let boom_t10 = hub_t4 + boom_s2_dot;
-    let boom_s3_dot = u[44];
-    let boom_t11 = hub_t5 + boom_s3_dot;
-    let boom_v_o_x = boom_t6 + boom_t9;
-    let boom_v_o_y = boom_t7 + boom_t10;
-    let boom_v_o_z = boom_t8 + boom_t11;
-    let boom_t12 = boom_rel_xx * boom_v_o_x + boom_rel_xy * boom_v_o_y
-        + boom_rel_xz * boom_v_o_z;
-    let boom_t13 = boom_rel_yy * boom_v_o_y - boom_minus_rel_yx * boom_v_o_x
-        + boom_rel_yz * boom_v_o_z;
-    let boom_t14 = boom_sin2 * boom_v_o_x - boom_minus_rel_zy * boom_v_o_y
-        + boom_rel_zz * boom_v_o_z;
-    // camera: velocity, Eqs. (25), (27)
+    // camera: joint, mass and inertia
     let camera_s1 = q[45];
     let camera_offset_x = camera_s1 + R::from_f64(-0.379);
     let camera_s2 = q[46];
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    let camera_t6 = boom_w_y * camera_offset_z - boom_w_z * camera_offset_y;
-    let camera_t7 = boom_w_z * camera_offset_x - boom_w_x * camera_offset_z;
-    let camera_t8 = boom_w_x * camera_offset_y - boom_w_y * camera_offset_x;
+    // hub: position and velocity, outward
+    let hub_cos1 = cosines[0];
+    let hub_s2_dot = u[25];
+    let hub_sin1 = sines[0];
+    let hub_s3_dot = u[26];
+    let hub_t1 = hub_cos1 * hub_s2_dot + hub_sin1 * hub_s3_dot;
+    let hub_t2 = hub_cos1 * hub_s3_dot - hub_sin1 * hub_s2_dot;
+    let hub_cos2 = cosines[1];
+    let hub_sin2 = sines[1];
+    let hub_s1_dot = u[24];
+    let hub_v_o_z = hub_cos2 * hub_t2 + hub_sin2 * hub_s1_dot;
+    let hub_t3 = hub_cos2 * hub_s1_dot - hub_sin2 * hub_t2;
+    let hub_theta1_dot = u[0];
+    let hub_t4 = hub_sin2 * hub_theta1_dot;
+    let hub_t5 = hub_cos2 * hub_theta1_dot;
+    let hub_cos3 = cosines[2];
+    let hub_sin3 = sines[2];
+    let hub_v_o_x = hub_cos3 * hub_t3 + hub_sin3 * hub_t1;
+    let hub_v_o_y = hub_cos3 * hub_t1 - hub_sin3 * hub_t3;
+    let hub_theta2_dot = u[1];
+    let hub_w_x = hub_cos3 * hub_t5 + hub_sin3 * hub_theta2_dot;
+    let hub_w_y = hub_cos3 * hub_theta2_dot - hub_sin3 * hub_t5;
+    let hub_theta3_dot = u[2];
+    let hub_w_z = hub_t4 + hub_theta3_dot;
+    // shoulder: position and velocity, outward
+    let shoulder_t1 = shoulder_offset_z * hub_w_y - shoulder_offset_y * hub_w_z;
+    let shoulder_t2 = shoulder_offset_x * hub_w_z - shoulder_offset_z * hub_w_x;
+    let shoulder_t3 = shoulder_offset_y * hub_w_x - shoulder_offset_x * hub_w_y;
+    let shoulder_t4 = hub_v_o_x + shoulder_t1;
+    let shoulder_t5 = hub_v_o_y + shoulder_t2;
+    let shoulder_t6 = hub_v_o_z + shoulder_t3;
+    let shoulder_s1_dot = u[27];
+    let shoulder_t7 = shoulder_t4 + shoulder_s1_dot;
+    let shoulder_s2_dot = u[28];
+    let shoulder_t8 = shoulder_t5 + shoulder_s2_dot;
+    let shoulder_s3_dot = u[29];
+    let shoulder_t9 = shoulder_t6 + shoulder_s3_dot;
+    let shoulder_cos1 = cosines[3];
+    let shoulder_sin1 = sines[3];
+    let shoulder_t10 = shoulder_cos1 * shoulder_t8 + shoulder_sin1 * shoulder_t9;
+    let shoulder_t11 = shoulder_cos1 * shoulder_t9 - shoulder_sin1 * shoulder_t8;
+    let shoulder_t12 = shoulder_cos1 * hub_w_y + shoulder_sin1 * hub_w_z;
+    let shoulder_t13 = shoulder_cos1 * hub_w_z - shoulder_sin1 * hub_w_y;
+    let shoulder_theta1_dot = u[3];
+    let shoulder_t14 = hub_w_x + shoulder_theta1_dot;
+    let shoulder_cos2 = cosines[4];
+    let shoulder_sin2 = sines[4];
+    let shoulder_v_o_z = shoulder_cos2 * shoulder_t11 + shoulder_sin2 * shoulder_t7;
+    let shoulder_t15 = shoulder_cos2 * shoulder_t7 - shoulder_sin2 * shoulder_t11;
+    let shoulder_t16 = shoulder_cos2 * shoulder_t13 + shoulder_sin2 * shoulder_t14;
+    let shoulder_t17 = shoulder_cos2 * shoulder_t14 - shoulder_sin2 * shoulder_t13;
+    let shoulder_theta2_dot = u[4];
+    let shoulder_t18 = shoulder_t12 + shoulder_theta2_dot;
+    let shoulder_cos3 = cosines[5];
+    let shoulder_sin3 = sines[5];
+    let shoulder_v_o_x = shoulder_cos3 * shoulder_t15 + shoulder_sin3 * shoulder_t10;
+    let shoulder_v_o_y = shoulder_cos3 * shoulder_t10 - shoulder_sin3 * shoulder_t15;
+    let shoulder_w_x = shoulder_cos3 * shoulder_t17 + shoulder_sin3 * shoulder_t18;
+    let shoulder_w_y = shoulder_cos3 * shoulder_t18 - shoulder_sin3 * shoulder_t17;
+    let shoulder_theta3_dot = u[5];
+    let shoulder_w_z = shoulder_t16 + shoulder_theta3_dot;
+    // forearm: position and velocity, outward
+    let forearm_t1 = forearm_offset_z * shoulder_w_y - forearm_offset_y * shoulder_w_z;
+    let forearm_t2 = forearm_offset_x * shoulder_w_z - forearm_offset_z * shoulder_w_x;
+    let forearm_t3 = forearm_offset_y * shoulder_w_x - forearm_offset_x * shoulder_w_y;
+    let forearm_t4 = shoulder_v_o_x + forearm_t1;
+    let forearm_t5 = shoulder_v_o_y + forearm_t2;
+    let forearm_t6 = shoulder_v_o_z + forearm_t3;
+    let forearm_s1_dot = u[30];
+    let forearm_t7 = forearm_t4 + forearm_s1_dot;
+    let forearm_s2_dot = u[31];
+    let forearm_t8 = forearm_t5 + forearm_s2_dot;
+    let forearm_s3_dot = u[32];
+    let forearm_t9 = forearm_t6 + forearm_s3_dot;
+    let forearm_cos1 = cosines[6];
+    let forearm_sin1 = sines[6];
+    let forearm_t10 = forearm_cos1 * forearm_t8 + forearm_sin1 * forearm_t9;
+    let forearm_t11 = forearm_cos1 * forearm_t9 - forearm_sin1 * forearm_t8;
+    let forearm_t12 = forearm_cos1 * shoulder_w_y + forearm_sin1 * shoulder_w_z;
+    let forearm_t13 = forearm_cos1 * shoulder_w_z - forearm_sin1 * shoulder_w_y;
+    let forearm_theta1_dot = u[6];
+    let forearm_t14 = shoulder_w_x + forearm_theta1_dot;
+    let forearm_cos2 = cosines[7];
+    let forearm_sin2 = sines[7];
+    let forearm_v_o_z = forearm_cos2 * forearm_t11 + forearm_sin2 * forearm_t7;
+    let forearm_t15 = forearm_cos2 * forearm_t7 - forearm_sin2 * forearm_t11;
+    let forearm_t16 = forearm_cos2 * forearm_t13 + forearm_sin2 * forearm_t14;
+    let forearm_t17 = forearm_cos2 * forearm_t14 - forearm_sin2 * forearm_t13;
+    let forearm_theta2_dot = u[7];
+    let forearm_t18 = forearm_t12 + forearm_theta2_dot;
+    let forearm_cos3 = cosines[8];
+    let forearm_sin3 = sines[8];
+    let forearm_v_o_x = forearm_cos3 * forearm_t15 + forearm_sin3 * forearm_t10;
+    let forearm_v_o_y = forearm_cos3 * forearm_t10 - forearm_sin3 * forearm_t15;
+    let forearm_w_x = forearm_cos3 * forearm_t17 + forearm_sin3 * forearm_t18;
+    let forearm_w_y = forearm_cos3 * forearm_t18 - forearm_sin3 * forearm_t17;
+    let forearm_theta3_dot = u[8];
+    let forearm_w_z = forearm_t16 + forearm_theta3_dot;
+    // left_panel: position and velocity, outward
+    let left_panel_t1 = left_panel_offset_z * hub_w_y - left_panel_offset_y * hub_w_z;
+    let left_panel_t2 = left_panel_offset_x * hub_w_z - left_panel_offset_z * hub_w_x;
+    let left_panel_t3 = left_panel_offset_y * hub_w_x - left_panel_offset_x * hub_w_y;
+    let left_panel_t4 = hub_v_o_x + left_panel_t1;
+    let left_panel_t5 = hub_v_o_y + left_panel_t2;
+    let left_panel_t6 = hub_v_o_z + left_panel_t3;
+    let left_panel_s1_dot = u[33];
+    let left_panel_t7 = left_panel_t4 + left_panel_s1_dot;
+    let left_panel_s2_dot = u[34];
+    let left_panel_t8 = left_panel_t5 + left_panel_s2_dot;
+    let left_panel_s3_dot = u[35];
+    let left_panel_t9 = left_panel_t6 + left_panel_s3_dot;
+    let left_panel_cos1 = cosines[9];
+    let left_panel_sin1 = sines[9];
+    let left_panel_t10 = left_panel_cos1 * left_panel_t8
+        + left_panel_sin1 * left_panel_t9;
+    let left_panel_t11 = left_panel_cos1 * left_panel_t9
+        - left_panel_sin1 * left_panel_t8;
+    let left_panel_t12 = left_panel_cos1 * hub_w_y + left_panel_sin1 * hub_w_z;
+    let left_panel_t13 = left_panel_cos1 * hub_w_z - left_panel_sin1 * hub_w_y;
+    let left_panel_theta1_dot = u[9];
+    let left_panel_t14 = hub_w_x + left_panel_theta1_dot;
+    let left_panel_cos2 = cosines[10];
+    let left_panel_sin2 = sines[10];
+    let left_panel_v_o_z = left_panel_cos2 * left_panel_t11
+        + left_panel_sin2 * left_panel_t7;
+    let left_panel_t15 = left_panel_cos2 * left_panel_t7
+        - left_panel_sin2 * left_panel_t11;
+    let left_panel_t16 = left_panel_cos2 * left_panel_t13
+        + left_panel_sin2 * left_panel_t14;
+    let left_panel_t17 = left_panel_cos2 * left_panel_t14
+        - left_panel_sin2 * left_panel_t13;
+    let left_panel_theta2_dot = u[10];
+    let left_panel_t18 = left_panel_t12 + left_panel_theta2_dot;
+    let left_panel_cos3 = cosines[11];
+    let left_panel_sin3 = sines[11];
+    let left_panel_v_o_x = left_panel_cos3 * left_panel_t15
+        + left_panel_sin3 * left_panel_t10;
+    let left_panel_v_o_y = left_panel_cos3 * left_panel_t10
+        - left_panel_sin3 * left_panel_t15;
+    let left_panel_w_x = left_panel_cos3 * left_panel_t17
+        + left_panel_sin3 * left_panel_t18;
+    let left_panel_w_y = left_panel_cos3 * left_panel_t18
+        - left_panel_sin3 * left_panel_t17;
+    let left_panel_theta3_dot = u[11];
+    let left_panel_w_z = left_panel_t16 + left_panel_theta3_dot;
+    // left_tip: position and velocity, outward
+    let left_tip_t1 = left_tip_offset_z * shoulder_w_y
+        - left_tip_offset_y * shoulder_w_z;
+    let left_tip_t2 = left_tip_offset_x * shoulder_w_z
+        - left_tip_offset_z * shoulder_w_x;
+    let left_tip_t3 = left_tip_offset_y * shoulder_w_x
+        - left_tip_offset_x * shoulder_w_y;
+    let left_tip_t4 = shoulder_v_o_x + left_tip_t1;
+    let left_tip_t5 = shoulder_v_o_y + left_tip_t2;
+    let left_tip_t6 = shoulder_v_o_z + left_tip_t3;
+    let left_tip_s1_dot = u[36];
+    let left_tip_t7 = left_tip_t4 + left_tip_s1_dot;
+    let left_tip_s2_dot = u[37];
+    let left_tip_t8 = left_tip_t5 + left_tip_s2_dot;
+    let left_tip_s3_dot = u[38];
+    let left_tip_t9 = left_tip_t6 + left_tip_s3_dot;
+    let left_tip_cos1 = cosines[12];
+    let left_tip_sin1 = sines[12];
+    let left_tip_t10 = left_tip_cos1 * left_tip_t8 + left_tip_sin1 * left_tip_t9;
+    let left_tip_t11 = left_tip_cos1 * left_tip_t9 - left_tip_sin1 * left_tip_t8;
+    let left_tip_t12 = left_tip_cos1 * shoulder_w_y + left_tip_sin1 * shoulder_w_z;
+    let left_tip_t13 = left_tip_cos1 * shoulder_w_z - left_tip_sin1 * shoulder_w_y;
+    let left_tip_theta1_dot = u[12];
+    let left_tip_t14 = shoulder_w_x + left_tip_theta1_dot;
+    let left_tip_cos2 = cosines[13];
+    let left_tip_sin2 = sines[13];
+    let left_tip_v_o_z = left_tip_cos2 * left_tip_t11 + left_tip_sin2 * left_tip_t7;
+    let left_tip_t15 = left_tip_cos2 * left_tip_t7 - left_tip_sin2 * left_tip_t11;
+    let left_tip_t16 = left_tip_cos2 * left_tip_t13 + left_tip_sin2 * left_tip_t14;
+    let left_tip_t17 = left_tip_cos2 * left_tip_t14 - left_tip_sin2 * left_tip_t13;
+    let left_tip_theta2_dot = u[13];
+    let left_tip_t18 = left_tip_t12 + left_tip_theta2_dot;
+    let left_tip_cos3 = cosines[14];
+    let left_tip_sin3 = sines[14];
+    let left_tip_v_o_x = left_tip_cos3 * left_tip_t15 + left_tip_sin3 * left_tip_t10;
+    let left_tip_v_o_y = left_tip_cos3 * left_tip_t10 - left_tip_sin3 * left_tip_t15;
+    let left_tip_w_x = left_tip_cos3 * left_tip_t17 + left_tip_sin3 * left_tip_t18;
+    let left_tip_w_y = left_tip_cos3 * left_tip_t18 - left_tip_sin3 * left_tip_t17;
+    let left_tip_theta3_dot = u[14];
+    let left_tip_w_z = left_tip_t16 + left_tip_theta3_dot;
+    // antenna: position and velocity, outward
+    let antenna_t1 = antenna_offset_z * hub_w_y - antenna_offset_y * hub_w_z;
+    let antenna_t2 = antenna_offset_x * hub_w_z - antenna_offset_z * hub_w_x;
+    let antenna_t3 = antenna_offset_y * hub_w_x - antenna_offset_x * hub_w_y;
+    let antenna_t4 = hub_v_o_x + antenna_t1;
+    let antenna_t5 = hub_v_o_y + antenna_t2;
+    let antenna_t6 = hub_v_o_z + antenna_t3;
+    let antenna_s1_dot = u[39];
+    let antenna_t7 = antenna_t4 + antenna_s1_dot;
+    let antenna_s2_dot = u[40];
+    let antenna_t8 = antenna_t5 + antenna_s2_dot;
+    let antenna_s3_dot = u[41];
+    let antenna_t9 = antenna_t6 + antenna_s3_dot;
+    let antenna_cos1 = cosines[15];
+    let antenna_sin1 = sines[15];
+    let antenna_t10 = antenna_cos1 * antenna_t8 + antenna_sin1 * antenna_t9;
+    let antenna_t11 = antenna_cos1 * antenna_t9 - antenna_sin1 * antenna_t8;
+    let antenna_t12 = antenna_cos1 * hub_w_y + antenna_sin1 * hub_w_z;
+    let antenna_t13 = antenna_cos1 * hub_w_z - antenna_sin1 * hub_w_y;
+    let antenna_theta1_dot = u[15];
+    let antenna_t14 = hub_w_x + antenna_theta1_dot;
+    let antenna_cos2 = cosines[16];
+    let antenna_sin2 = sines[16];
+    let antenna_v_o_z = antenna_cos2 * antenna_t11 + antenna_sin2 * antenna_t7;
+    let antenna_t15 = antenna_cos2 * antenna_t7 - antenna_sin2 * antenna_t11;
+    let antenna_t16 = antenna_cos2 * antenna_t13 + antenna_sin2 * antenna_t14;
+    let antenna_t17 = antenna_cos2 * antenna_t14 - antenna_sin2 * antenna_t13;
+    let antenna_theta2_dot = u[16];
+    let antenna_t18 = antenna_t12 + antenna_theta2_dot;
+    let antenna_cos3 = cosines[17];
+    let antenna_sin3 = sines[17];
+    let antenna_v_o_x = antenna_cos3 * antenna_t15 + antenna_sin3 * antenna_t10;
+    let antenna_v_o_y = antenna_cos3 * antenna_t10 - antenna_sin3 * antenna_t15;
+    let antenna_w_x = antenna_cos3 * antenna_t17 + antenna_sin3 * antenna_t18;
+    let antenna_w_y = antenna_cos3 * antenna_t18 - antenna_sin3 * antenna_t17;
+    let antenna_theta3_dot = u[17];
+    let antenna_w_z = antenna_t16 + antenna_theta3_dot;
+    // boom: position and velocity, outward
+    let boom_t1 = boom_offset_z * hub_w_y - boom_offset_y * hub_w_z;
+    let boom_t2 = boom_offset_x * hub_w_z - boom_offset_z * hub_w_x;
+    let boom_t3 = boom_offset_y * hub_w_x - boom_offset_x * hub_w_y;
+    let boom_t4 = hub_v_o_x + boom_t1;
+    let boom_t5 = hub_v_o_y + boom_t2;
+    let boom_t6 = hub_v_o_z + boom_t3;
+    let boom_s1_dot = u[42];
+    let boom_t7 = boom_t4 + boom_s1_dot;
+    let boom_s2_dot = u[43];
+    let boom_t8 = boom_t5 + boom_s2_dot;
+    let boom_s3_dot = u[44];
+    let boom_t9 = boom_t6 + boom_s3_dot;
+    let boom_cos1 = cosines[18];
+    let boom_sin1 = sines[18];
+    let boom_t10 = boom_cos1 * boom_t8 + boom_sin1 * boom_t9;
+    let boom_t11 = boom_cos1 * boom_t9 - boom_sin1 * boom_t8;
+    let boom_t12 = boom_cos1 * hub_w_y + boom_sin1 * hub_w_z;
+    let boom_t13 = boom_cos1 * hub_w_z - boom_sin1 * hub_w_y;
+    let boom_theta1_dot = u[18];
+    let boom_t14 = hub_w_x + boom_theta1_dot;
+    let boom_cos2 = cosines[19];
+    let boom_sin2 = sines[19];
+    let boom_v_o_z = boom_cos2 * boom_t11 + boom_sin2 * boom_t7;
+    let boom_t15 = boom_cos2 * boom_t7 - boom_sin2 * boom_t11;
+    let boom_t16 = boom_cos2 * boom_t13 + boom_sin2 * boom_t14;
+    let boom_t17 = boom_cos2 * boom_t14 - boom_sin2 * boom_t13;
+    let boom_theta2_dot = u[19];
+    let boom_t18 = boom_t12 + boom_theta2_dot;
+    let boom_cos3 = cosines[20];
+    let boom_sin3 = sines[20];
+    let boom_v_o_x = boom_cos3 * boom_t15 + boom_sin3 * boom_t10;
+    let boom_v_o_y = boom_cos3 * boom_t10 - boom_sin3 * boom_t15;
+    let boom_w_x = boom_cos3 * boom_t17 + boom_sin3 * boom_t18;
+    let boom_w_y = boom_cos3 * boom_t18 - boom_sin3 * boom_t17;
+    let boom_theta3_dot = u[20];
+    let boom_w_z = boom_t16 + boom_theta3_dot;
+    // camera: position and velocity, outward
+    let camera_t1 = camera_offset_z * boom_w_y - camera_offset_y * boom_w_z;
+    let camera_t2 = camera_offset_x * boom_w_z - camera_offset_z * boom_w_x;
+    let camera_t3 = camera_offset_y * boom_w_x - camera_offset_x * boom_w_y;
+    let camera_t4 = boom_v_o_x + camera_t1;
+    let camera_t5 = boom_v_o_y + camera_t2;
+    let camera_t6 = boom_v_o_z + camera_t3;
     let camera_s1_dot = u[45];
-    let camera_t9 = boom_t12 + camera_s1_dot;
+    let camera_t7 = camera_t4 + camera_s1_dot;
     let camera_s2_dot = u[46];
-    let camera_t10 = boom_t13 + camera_s2_dot;
+    let camera_t8 = camera_t5 + camera_s2_dot;
     let camera_s3_dot = u[47];
-    let camera_t11 = boom_t14 + camera_s3_dot;
-    let camera_v_o_x = camera_t6 + camera_t9;
-    let camera_v_o_y = camera_t7 + camera_t10;
-    let camera_v_o_z = camera_t8 + camera_t11;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t6 = R::from_f64(0.16) * hub_w_rel_y - R::from_f64(-0.423) * hub_w_rel_z;
-    let hub_t7 = R::from_f64(0.187) * hub_w_rel_z - R::from_f64(0.16) * hub_w_rel_x;
-    let hub_t8 = R::from_f64(-0.423) * hub_w_rel_x - R::from_f64(0.187) * hub_w_rel_y;
-    let hub_v_g_x = hub_t3 + hub_t6;
-    let hub_v_g_y = hub_t4 + hub_t7;
-    let hub_v_g_z = hub_t5 + hub_t8;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t15 = R::from_f64(0.237) * shoulder_w_y
-        - R::from_f64(-0.126) * shoulder_w_z;
-    let shoulder_t16 = R::from_f64(0.291) * shoulder_w_z
-        - R::from_f64(0.237) * shoulder_w_x;
-    let shoulder_t17 = R::from_f64(-0.126) * shoulder_w_x
-        - R::from_f64(0.291) * shoulder_w_y;
-    let shoulder_v_g_x = shoulder_t12 + shoulder_t15;
-    let shoulder_v_g_y = shoulder_t13 + shoulder_t16;
-    let shoulder_v_g_z = shoulder_t14 + shoulder_t17;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t12 = forearm_rel_xx * forearm_v_o_x + forearm_rel_xy * forearm_v_o_y
-        + forearm_rel_xz * forearm_v_o_z;
-    let forearm_t13 = forearm_rel_yy * forearm_v_o_y
-        - forearm_minus_rel_yx * forearm_v_o_x + forearm_rel_yz * forearm_v_o_z;
-    let forearm_t14 = forearm_sin2 * forearm_v_o_x - forearm_minus_rel_zy * forearm_v_o_y
-        + forearm_rel_zz * forearm_v_o_z;
-    let forearm_t15 = R::from_f64(0.303) * forearm_w_y
-        - R::from_f64(-0.428) * forearm_w_z;
-    let forearm_t16 = R::from_f64(-0.227) * forearm_w_z
-        - R::from_f64(0.303) * forearm_w_x;
-    let forearm_t17 = R::from_f64(-0.428) * forearm_w_x
-        - R::from_f64(-0.227) * forearm_w_y;
-    let forearm_v_g_x = forearm_t12 + forearm_t15;
-    let forearm_v_g_y = forearm_t13 + forearm_t16;
-    let forearm_v_g_z = forearm_t14 + forearm_t17;
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t12 = left_panel_rel_xx * left_panel_v_o_x
-        + left_panel_rel_xy * left_panel_v_o_y + left_panel_rel_xz * left_panel_v_o_z;
-    let left_panel_t13 = left_panel_rel_yy * left_panel_v_o_y
-        - left_panel_minus_rel_yx * left_panel_v_o_x
-        + left_panel_rel_yz * left_panel_v_o_z;
-    let left_panel_t14 = left_panel_sin2 * left_panel_v_o_x
-        - left_panel_minus_rel_zy * left_panel_v_o_y
-        + left_panel_rel_zz * left_panel_v_o_z;
-    let left_panel_t15 = R::from_f64(-0.472) * left_panel_w_y
-        - R::from_f64(-0.486) * left_panel_w_z;
-    let left_panel_t16 = R::from_f64(-0.163) * left_panel_w_z
-        - R::from_f64(-0.472) * left_panel_w_x;
-    let left_panel_t17 = R::from_f64(-0.486) * left_panel_w_x
-        - R::from_f64(-0.163) * left_panel_w_y;
-    let left_panel_v_g_x = left_panel_t12 + left_panel_t15;
-    let left_panel_v_g_y = left_panel_t13 + left_panel_t16;
-    let left_panel_v_g_z = left_panel_t14 + left_panel_t17;
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t12 = left_tip_rel_xx * left_tip_v_o_x
-        + left_tip_rel_xy * left_tip_v_o_y + left_tip_rel_xz * left_tip_v_o_z;
-    let left_tip_t13 = left_tip_rel_yy * left_tip_v_o_y
-        - left_tip_minus_rel_yx * left_tip_v_o_x + left_tip_rel_yz * left_tip_v_o_z;
-    let left_tip_t14 = left_tip_sin2 * left_tip_v_o_x
-        - left_tip_minus_rel_zy * left_tip_v_o_y + left_tip_rel_zz * left_tip_v_o_z;
-    let left_tip_t15 = R::from_f64(0.088) * left_tip_w_y
-        - R::from_f64(0.139) * left_tip_w_z;
-    let left_tip_t16 = R::from_f64(-0.24) * left_tip_w_z
-        - R::from_f64(0.088) * left_tip_w_x;
-    let left_tip_t17 = R::from_f64(0.139) * left_tip_w_x
-        - R::from_f64(-0.24) * left_tip_w_y;
-    let left_tip_v_g_x = left_tip_t12 + left_tip_t15;
-    let left_tip_v_g_y = left_tip_t13 + left_tip_t16;
-    let left_tip_v_g_z = left_tip_t14 + left_tip_t17;
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t12 = antenna_rel_xx * antenna_v_o_x + antenna_rel_xy * antenna_v_o_y
-        + antenna_rel_xz * antenna_v_o_z;
-    let antenna_t13 = antenna_rel_yy * antenna_v_o_y
-        - antenna_minus_rel_yx * antenna_v_o_x + antenna_rel_yz * antenna_v_o_z;
-    let antenna_t14 = antenna_sin2 * antenna_v_o_x - antenna_minus_rel_zy * antenna_v_o_y
-        + antenna_rel_zz * antenna_v_o_z;
-    let antenna_t15 = R::from_f64(0.074) * antenna_w_y
-        - R::from_f64(-0.258) * antenna_w_z;
-    let antenna_t16 = R::from_f64(0.447) * antenna_w_z
-        - R::from_f64(0.074) * antenna_w_x;
-    let antenna_t17 = R::from_f64(-0.258) * antenna_w_x
-        - R::from_f64(0.447) * antenna_w_y;
-    let antenna_v_g_x = antenna_t12 + antenna_t15;
-    let antenna_v_g_y = antenna_t13 + antenna_t16;
-    let antenna_v_g_z = antenna_t14 + antenna_t17;
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t15 = R::from_f64(-0.207) * boom_w_y - R::from_f64(-0.245) * boom_w_z;
-    let boom_t16 = R::from_f64(0.112) * boom_w_z - R::from_f64(-0.207) * boom_w_x;
-    let boom_t17 = R::from_f64(-0.245) * boom_w_x - R::from_f64(0.112) * boom_w_y;
-    let boom_v_g_x = boom_t12 + boom_t15;
-    let boom_v_g_y = boom_t13 + boom_t16;
-    let boom_v_g_z = boom_t14 + boom_t17;
-    // camera: velocity, Eqs. (25), (27)
-    let camera_t12 = camera_rel_xx * camera_v_o_x + camera_rel_xy * camera_v_o_y
-        + camera_rel_xz * camera_v_o_z;
-    let camera_t13 = camera_rel_yy * camera_v_o_y - camera_minus_rel_yx * camera_v_o_x
-        + camera_rel_yz * camera_v_o_z;
-    let camera_t14 = camera_sin2 * camera_v_o_x - camera_minus_rel_zy * camera_v_o_y
-        + camera_rel_zz * camera_v_o_z;
-    let camera_t15 = R::from_f64(0.462) * camera_w_y - R::from_f64(-0.416) * camera_w_z;
-    let camera_t16 = R::from_f64(-0.375) * camera_w_z - R::from_f64(0.462) * camera_w_x;
-    let camera_t17 = R::from_f64(-0.416) * camera_w_x - R::from_f64(-0.375) * camera_w_y;
-    let camera_v_g_x = camera_t12 + camera_t15;
-    let camera_v_g_y = camera_t13 + camera_t16;
-    let camera_v_g_z = camera_t14 + camera_t17;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t9 = R::from_f64(0.987)
-        * (hub_v_g_x * hub_v_g_x + hub_v_g_y * hub_v_g_y + hub_v_g_z * hub_v_g_z);
-    let hub_t10 = R::from_f64(0.115245) * hub_w_rel_x
-        + R::from_f64(0.027069) * hub_w_rel_y + R::from_f64(-0.000941) * hub_w_rel_z;
-    let hub_t11 = R::from_f64(0.027069) * hub_w_rel_x
-        + R::from_f64(0.114639) * hub_w_rel_y + R::from_f64(-0.027493) * hub_w_rel_z;
-    let hub_t12 = R::from_f64(-0.000941) * hub_w_rel_x
-        + R::from_f64(-0.027493) * hub_w_rel_y + R::from_f64(0.136585) * hub_w_rel_z;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t18 = R::from_f64(1.86)
-        * (shoulder_v_g_x * shoulder_v_g_x + shoulder_v_g_y * shoulder_v_g_y
-            + shoulder_v_g_z * shoulder_v_g_z);
-    let shoulder_t19 = R::from_f64(0.171826) * shoulder_w_x
-        + R::from_f64(0.083652) * shoulder_w_y + R::from_f64(0.061507) * shoulder_w_z;
-    let shoulder_t20 = R::from_f64(0.083652) * shoulder_w_x
-        + R::from_f64(0.211443) * shoulder_w_y + R::from_f64(-0.051178) * shoulder_w_z;
-    let shoulder_t21 = R::from_f64(0.061507) * shoulder_w_x
-        + R::from_f64(-0.051178) * shoulder_w_y + R::from_f64(0.249467) * shoulder_w_z;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t18 = R::from_f64(1.918)
-        * (forearm_v_g_x * forearm_v_g_x + forearm_v_g_y * forearm_v_g_y
-            + forearm_v_g_z * forearm_v_g_z);
-    let forearm_t19 = R::from_f64(0.296081) * forearm_w_x
-        + R::from_f64(0.001497) * forearm_w_y + R::from_f64(-0.052767) * forearm_w_z;
-    let forearm_t20 = R::from_f64(0.001497) * forearm_w_x
-        + R::from_f64(0.301253) * forearm_w_y + R::from_f64(-0.036937) * forearm_w_z;
-    let forearm_t21 = R::from_f64(-0.052767) * forearm_w_x
-        + R::from_f64(-0.036937) * forearm_w_y + R::from_f64(0.310085) * forearm_w_z;
-    let forearm_t22 = forearm_t18
-        + (forearm_w_x * forearm_t19 + forearm_w_y * forearm_t20
-            + forearm_w_z * forearm_t21);
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t18 = R::from_f64(3.255)
-        * (left_panel_v_g_x * left_panel_v_g_x + left_panel_v_g_y * left_panel_v_g_y
-            + left_panel_v_g_z * left_panel_v_g_z);
-    let left_panel_t19 = R::from_f64(0.431478) * left_panel_w_x
-        + R::from_f64(-0.011013) * left_panel_w_y
-        + R::from_f64(-0.136208) * left_panel_w_z;
-    let left_panel_t20 = R::from_f64(-0.011013) * left_panel_w_x
-        + R::from_f64(0.379337) * left_panel_w_y
-        + R::from_f64(-0.02756) * left_panel_w_z;
-    let left_panel_t21 = R::from_f64(-0.136208) * left_panel_w_x
-        + R::from_f64(-0.02756) * left_panel_w_y
-        + R::from_f64(0.472249) * left_panel_w_z;
-    let left_panel_t22 = left_panel_t18
-        + (left_panel_w_x * left_panel_t19 + left_panel_w_y * left_panel_t20
-            + left_panel_w_z * left_panel_t21);
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t18 = R::from_f64(3.327)
-        * (left_tip_v_g_x * left_tip_v_g_x + left_tip_v_g_y * left_tip_v_g_y
-            + left_tip_v_g_z * left_tip_v_g_z);
-    let left_tip_t19 = R::from_f64(0.315022) * left_tip_w_x
-        + R::from_f64(-0.028823) * left_tip_w_y + R::from_f64(0.013492) * left_tip_w_z;
-    let left_tip_t20 = R::from_f64(-0.028823) * left_tip_w_x
-        + R::from_f64(0.187637) * left_tip_w_y + R::from_f64(0.022609) * left_tip_w_z;
-    let left_tip_t21 = R::from_f64(0.013492) * left_tip_w_x
-        + R::from_f64(0.022609) * left_tip_w_y + R::from_f64(0.251566) * left_tip_w_z;
-    let left_tip_t22 = left_tip_t18
-        + (left_tip_w_x * left_tip_t19 + left_tip_w_y * left_tip_t20
-            + left_tip_w_z * left_tip_t21);
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t18 = R::from_f64(1.186)
-        * (antenna_v_g_x * antenna_v_g_x + antenna_v_g_y * antenna_v_g_y
-            + antenna_v_g_z * antenna_v_g_z);
-    let antenna_t19 = R::from_f64(0.124568) * antenna_w_x
-        + R::from_f64(0.011933) * antenna_w_y + R::from_f64(0.037777) * antenna_w_z;
-    let antenna_t20 = R::from_f64(0.011933) * antenna_w_x
-        + R::from_f64(0.123687) * antenna_w_y + R::from_f64(-0.005811) * antenna_w_z;
-    let antenna_t21 = R::from_f64(0.037777) * antenna_w_x
-        + R::from_f64(-0.005811) * antenna_w_y + R::from_f64(0.092161) * antenna_w_z;
-    let antenna_t22 = antenna_t18
-        + (antenna_w_x * antenna_t19 + antenna_w_y * antenna_t20
-            + antenna_w_z * antenna_t21);
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t18 = R::from_f64(2.351)
-        * (boom_v_g_x * boom_v_g_x + boom_v_g_y * boom_v_g_y + boom_v_g_z * boom_v_g_z);
-    let boom_t19 = R::from_f64(0.257015) * boom_w_x + R::from_f64(-0.062027) * boom_w_y
-        + R::from_f64(0.023996) * boom_w_z;
-    let boom_t20 = R::from_f64(-0.062027) * boom_w_x + R::from_f64(0.294886) * boom_w_y
-        + R::from_f64(0.016911) * boom_w_z;
-    let boom_t21 = R::from_f64(0.023996) * boom_w_x + R::from_f64(0.016911) * boom_w_y
-        + R::from_f64(0.236785) * boom_w_z;
-    // camera: velocity, Eqs. (25), (27)
-    let camera_t18 = R::from_f64(1.717)
-        * (camera_v_g_x * camera_v_g_x + camera_v_g_y * camera_v_g_y
-            + camera_v_g_z * camera_v_g_z);
-    let camera_t19 = R::from_f64(0.184413) * camera_w_x
-        + R::from_f64(0.06609) * camera_w_y + R::from_f64(0.036042) * camera_w_z;
-    let camera_t20 = R::from_f64(0.06609) * camera_w_x
-        + R::from_f64(0.217173) * camera_w_y + R::from_f64(-0.059823) * camera_w_z;
-    let camera_t21 = R::from_f64(0.036042) * camera_w_x
-        + R::from_f64(-0.059823) * camera_w_y + R::from_f64(0.249401) * camera_w_z;
-    let camera_t22 = camera_t18
-        + (camera_w_x * camera_t19 + camera_w_y * camera_t20 + camera_w_z * camera_t21);
-    let boom_t22 = boom_t18
-        + (boom_w_x * boom_t19 + boom_w_y * boom_t20 + boom_w_z * boom_t21) + camera_t22;
-    let shoulder_t22 = shoulder_t18
-        + (shoulder_w_x * shoulder_t19 + shoulder_w_y * shoulder_t20
-            + shoulder_w_z * shoulder_t21) + left_tip_t22 + forearm_t22;
-    let hub_t13 = hub_t9
-        + (hub_w_rel_x * hub_t10 + hub_w_rel_y * hub_t11 + hub_w_rel_z * hub_t12)
-        + boom_t22 + antenna_t22 + left_panel_t22 + shoulder_t22;
-    // system: velocity, Eqs. (25), (27)
-    let system_t1 = R::from_f64(0.5) * hub_t13;
+    let camera_t9 = camera_t6 + camera_s3_dot;
+    let camera_cos1 = cosines[21];
+    let camera_sin1 = sines[21];
+    let camera_t10 = camera_cos1 * camera_t8 + camera_sin1 * camera_t9;
+    let camera_t11 = camera_cos1 * camera_t9 - camera_sin1 * camera_t8;
+    let camera_t12 = camera_cos1 * boom_w_y + camera_sin1 * boom_w_z;
+    let camera_t13 = camera_cos1 * boom_w_z - camera_sin1 * boom_w_y;
+    let camera_theta1_dot = u[21];
+    let camera_t14 = boom_w_x + camera_theta1_dot;
+    let camera_cos2 = cosines[22];
+    let camera_sin2 = sines[22];
+    let camera_v_o_z = camera_cos2 * camera_t11 + camera_sin2 * camera_t7;
+    let camera_t15 = camera_cos2 * camera_t7 - camera_sin2 * camera_t11;
+    let camera_t16 = camera_cos2 * camera_t13 + camera_sin2 * camera_t14;
+    let camera_t17 = camera_cos2 * camera_t14 - camera_sin2 * camera_t13;
+    let camera_theta2_dot = u[22];
+    let camera_t18 = camera_t12 + camera_theta2_dot;
+    let camera_cos3 = cosines[23];
+    let camera_sin3 = sines[23];
+    let camera_v_o_x = camera_cos3 * camera_t15 + camera_sin3 * camera_t10;
+    let camera_v_o_y = camera_cos3 * camera_t10 - camera_sin3 * camera_t15;
+    let camera_w_x = camera_cos3 * camera_t17 + camera_sin3 * camera_t18;
+    let camera_w_y = camera_cos3 * camera_t18 - camera_sin3 * camera_t17;
+    let camera_theta3_dot = u[23];
+    let camera_w_z = camera_t16 + camera_theta3_dot;
+    // hub: energy
+    let hub_t6 = R::from_f64(0.987) * hub_v_o_x;
+    let hub_t7 = R::from_f64(0.987) * hub_v_o_y;
+    let hub_t8 = R::from_f64(0.987) * hub_v_o_z;
+    let hub_t9 = R::from_f64(0.31584) * hub_w_y
+        - R::from_f64(-0.8350019999999999) * hub_w_z;
+    let hub_t10 = R::from_f64(0.369138) * hub_w_z - R::from_f64(0.31584) * hub_w_x;
+    let hub_t11 = R::from_f64(-0.8350019999999999) * hub_w_x
+        - R::from_f64(0.369138) * hub_w_y;
+    let hub_t12 = hub_t6 + hub_t9;
+    let hub_t13 = hub_t7 + hub_t10;
+    let hub_t14 = hub_t8 + hub_t11;
+    let hub_t15 = hub_v_o_x * hub_t12 + hub_v_o_y * hub_t13 + hub_v_o_z * hub_t14;
+    let hub_t16 = hub_w_x
+        * (R::from_f64(0.31711512299999994) * hub_w_x
+            + R::from_f64(0.21028337399999997) * hub_w_y
+            + R::from_f64(-0.060944080000000005) * hub_w_z)
+        + hub_w_y
+            * (R::from_f64(0.174420603) * hub_w_y
+                + R::from_f64(0.07861431999999999) * hub_w_z);
+    // shoulder: energy
+    let shoulder_t19 = R::from_f64(1.86) * shoulder_v_o_x;
+    let shoulder_t20 = R::from_f64(1.86) * shoulder_v_o_y;
+    let shoulder_t21 = R::from_f64(1.86) * shoulder_v_o_z;
+    let shoulder_t22 = R::from_f64(0.88164) * shoulder_w_y
+        - R::from_f64(-0.46872) * shoulder_w_z;
+    let shoulder_t23 = R::from_f64(1.08252) * shoulder_w_z
+        - R::from_f64(0.88164) * shoulder_w_x;
+    let shoulder_t24 = R::from_f64(-0.46872) * shoulder_w_x
+        - R::from_f64(1.08252) * shoulder_w_y;
+    let shoulder_t25 = shoulder_t19 + shoulder_t22;
+    let shoulder_t26 = shoulder_t20 + shoulder_t23;
+    let shoulder_t27 = shoulder_t21 + shoulder_t24;
+    let shoulder_t28 = shoulder_v_o_x * shoulder_t25 + shoulder_v_o_y * shoulder_t26
+        + shoulder_v_o_z * shoulder_t27;
+    let shoulder_t29 = shoulder_w_x
+        * (R::from_f64(0.3058297) * shoulder_w_x + R::from_f64(0.30370152) * shoulder_w_y
+            + R::from_f64(-0.13354323999999995) * shoulder_w_z)
+        + shoulder_w_y
+            * (R::from_f64(0.473424) * shoulder_w_y
+                + R::from_f64(0.008730639999999998) * shoulder_w_z);
+    // forearm: energy
+    let forearm_t19 = R::from_f64(1.918) * forearm_v_o_x;
+    let forearm_t20 = R::from_f64(1.918) * forearm_v_o_y;
+    let forearm_t21 = R::from_f64(1.918) * forearm_v_o_z;
+    let forearm_t22 = R::from_f64(1.162308) * forearm_w_y
+        - R::from_f64(-1.641808) * forearm_w_z;
+    let forearm_t23 = R::from_f64(-0.870772) * forearm_w_z
+        - R::from_f64(1.162308) * forearm_w_x;
+    let forearm_t24 = R::from_f64(-1.641808) * forearm_w_x
+        - R::from_f64(-0.870772) * forearm_w_y;
+    let forearm_t25 = forearm_t19 + forearm_t22;
+    let forearm_t26 = forearm_t20 + forearm_t23;
+    let forearm_t27 = forearm_t21 + forearm_t24;
+    let forearm_t28 = forearm_v_o_x * forearm_t25 + forearm_v_o_y * forearm_t26
+        + forearm_v_o_z * forearm_t27;
+    let forearm_t29 = forearm_w_x
+        * (R::from_f64(0.823517574) * forearm_w_x
+            + R::from_f64(-0.369696416) * forearm_w_y
+            + R::from_f64(0.158309916) * forearm_w_z)
+        + forearm_w_y
+            * (R::from_f64(0.576175284) * forearm_w_y
+                + R::from_f64(0.42359382399999995) * forearm_w_z);
+    let forearm_t30 = forearm_t28
+        + (forearm_t29 + forearm_w_z * (R::from_f64(0.760264534) * forearm_w_z));
+    // left_panel: energy
+    let left_panel_t19 = R::from_f64(3.255) * left_panel_v_o_x;
+    let left_panel_t20 = R::from_f64(3.255) * left_panel_v_o_y;
+    let left_panel_t21 = R::from_f64(3.255) * left_panel_v_o_z;
+    let left_panel_t22 = R::from_f64(-3.07272) * left_panel_w_y
+        - R::from_f64(-3.1638599999999997) * left_panel_w_z;
+    let left_panel_t23 = R::from_f64(-1.06113) * left_panel_w_z
+        - R::from_f64(-3.07272) * left_panel_w_x;
+    let left_panel_t24 = R::from_f64(-3.1638599999999997) * left_panel_w_x
+        - R::from_f64(-1.06113) * left_panel_w_y;
+    let left_panel_t25 = left_panel_t19 + left_panel_t22;
+    let left_panel_t26 = left_panel_t20 + left_panel_t23;
+    let left_panel_t27 = left_panel_t21 + left_panel_t24;
+    let left_panel_t28 = left_panel_v_o_x * left_panel_t25
+        + left_panel_v_o_y * left_panel_t26 + left_panel_v_o_z * left_panel_t27;
+    let left_panel_t29 = left_panel_w_x
+        * (R::from_f64(1.9254578999999998) * left_panel_w_x
+            + R::from_f64(-0.53773518) * left_panel_w_y
+            + R::from_f64(-0.7732693599999999) * left_panel_w_z)
+        + left_panel_w_y
+            * (R::from_f64(1.190981015) * left_panel_w_y
+                + R::from_f64(-1.54846192) * left_panel_w_z);
+    let left_panel_t30 = left_panel_t28
+        + (left_panel_t29
+            + left_panel_w_z * (R::from_f64(1.3275490749999999) * left_panel_w_z));
+    // left_tip: energy
+    let left_tip_t19 = R::from_f64(3.327) * left_tip_v_o_x;
+    let left_tip_t20 = R::from_f64(3.327) * left_tip_v_o_y;
+    let left_tip_t21 = R::from_f64(3.327) * left_tip_v_o_z;
+    let left_tip_t22 = R::from_f64(0.585552) * left_tip_w_y
+        - R::from_f64(0.9249060000000001) * left_tip_w_z;
+    let left_tip_t23 = R::from_f64(-1.59696) * left_tip_w_z
+        - R::from_f64(0.585552) * left_tip_w_x;
+    let left_tip_t24 = R::from_f64(0.9249060000000001) * left_tip_w_x
+        - R::from_f64(-1.59696) * left_tip_w_y;
+    let left_tip_t25 = left_tip_t19 + left_tip_t22;
+    let left_tip_t26 = left_tip_t20 + left_tip_t23;
+    let left_tip_t27 = left_tip_t21 + left_tip_t24;
+    let left_tip_t28 = left_tip_v_o_x * left_tip_t25 + left_tip_v_o_y * left_tip_t26
+        + left_tip_v_o_z * left_tip_t27;
+    let left_tip_t29 = left_tip_w_x
+        * (R::from_f64(0.405067255) * left_tip_w_x
+            + R::from_f64(0.16433144000000002) * left_tip_w_y
+            + R::from_f64(0.16751648) * left_tip_w_z)
+        + left_tip_w_y
+            * (R::from_f64(0.405036488) * left_tip_w_y
+                + R::from_f64(-0.036173727999999995) * left_tip_w_z);
+    let left_tip_t30 = left_tip_t28
+        + (left_tip_t29 + left_tip_w_z * (R::from_f64(0.507482167) * left_tip_w_z));
+    // antenna: energy
+    let antenna_t19 = R::from_f64(1.186) * antenna_v_o_x;
+    let antenna_t20 = R::from_f64(1.186) * antenna_v_o_y;
+    let antenna_t21 = R::from_f64(1.186) * antenna_v_o_z;
+    let antenna_t22 = R::from_f64(0.175528) * antenna_w_y
+        - R::from_f64(-0.611976) * antenna_w_z;
+    let antenna_t23 = R::from_f64(1.060284) * antenna_w_z
+        - R::from_f64(0.175528) * antenna_w_x;
+    let antenna_t24 = R::from_f64(-0.611976) * antenna_w_x
+        - R::from_f64(1.060284) * antenna_w_y;
+    let antenna_t25 = antenna_t19 + antenna_t22;
+    let antenna_t26 = antenna_t20 + antenna_t23;
+    let antenna_t27 = antenna_t21 + antenna_t24;
+    let antenna_t28 = antenna_v_o_x * antenna_t25 + antenna_v_o_y * antenna_t26
+        + antenna_v_o_z * antenna_t27;
+    let antenna_t29 = antenna_w_x
+        * (R::from_f64(0.21000744) * antenna_w_x + R::from_f64(0.297419272) * antenna_w_y
+            + R::from_f64(-0.0029070159999999984) * antenna_w_z)
+        + antenna_w_y
+            * (R::from_f64(0.36715501) * antenna_w_y
+                + R::from_f64(0.033664224) * antenna_w_z);
+    let antenna_t30 = antenna_t28
+        + (antenna_t29 + antenna_w_z * (R::from_f64(0.408079378) * antenna_w_z));
+    // boom: energy
+    let boom_t19 = R::from_f64(2.351) * boom_v_o_x;
+    let boom_t20 = R::from_f64(2.351) * boom_v_o_y;
+    let boom_t21 = R::from_f64(2.351) * boom_v_o_z;
+    let boom_t22 = R::from_f64(-0.9733139999999999) * boom_w_y
+        - R::from_f64(-1.15199) * boom_w_z;
+    let boom_t23 = R::from_f64(0.526624) * boom_w_z
+        - R::from_f64(-0.9733139999999999) * boom_w_x;
+    let boom_t24 = R::from_f64(-1.15199) * boom_w_x - R::from_f64(0.526624) * boom_w_y;
+    let boom_t25 = boom_t19 + boom_t22;
+    let boom_t26 = boom_t20 + boom_t23;
+    let boom_t27 = boom_t21 + boom_t24;
+    let boom_t28 = boom_v_o_x * boom_t25 + boom_v_o_y * boom_t26 + boom_v_o_z * boom_t27;
+    let boom_t29 = boom_w_x
+        * (R::from_f64(0.498871774) * boom_w_x
+            + R::from_f64(0.004968880000000009) * boom_w_y
+            + R::from_f64(0.157003168) * boom_w_z)
+        + boom_w_y
+            * (R::from_f64(0.42511494299999997) * boom_w_y
+                + R::from_f64(-0.20463992999999997) * boom_w_z);
+    // camera: energy
+    let camera_t19 = R::from_f64(1.717) * camera_v_o_x;
+    let camera_t20 = R::from_f64(1.717) * camera_v_o_y;
+    let camera_t21 = R::from_f64(1.717) * camera_v_o_z;
+    let camera_t22 = R::from_f64(1.5865080000000003) * camera_w_y
+        - R::from_f64(-1.428544) * camera_w_z;
+    let camera_t23 = R::from_f64(-1.28775) * camera_w_z
+        - R::from_f64(1.5865080000000003) * camera_w_x;
+    let camera_t24 = R::from_f64(-1.428544) * camera_w_x
+        - R::from_f64(-1.28775) * camera_w_y;
+    let camera_t25 = camera_t19 + camera_t22;
+    let camera_t26 = camera_t20 + camera_t23;
+    let camera_t27 = camera_t21 + camera_t24;
+    let camera_t28 = camera_v_o_x * camera_t25 + camera_v_o_y * camera_t26
+        + camera_v_o_z * camera_t27;
+    let camera_t29 = camera_w_x
+        * (R::from_f64(0.8480335000000001) * camera_w_x
+            + R::from_f64(-0.403524) * camera_w_y + R::from_f64(0.6670245) * camera_w_z)
+        + camera_w_y
+            * (R::from_f64(0.8251094730000001) * camera_w_y
+                + R::from_f64(0.540341328) * camera_w_z);
+    let camera_t30 = camera_t28
+        + (camera_t29 + camera_w_z * (R::from_f64(0.7879912769999999) * camera_w_z));
+    let boom_t30 = boom_t28
+        + (boom_t29 + boom_w_z * (R::from_f64(0.407394719) * boom_w_z)) + camera_t30;
+    let shoulder_t30 = shoulder_t28
+        + (shoulder_t29
+            + shoulder_w_z * (R::from_f64(0.43650301999999996) * shoulder_w_z))
+        + left_tip_t30 + forearm_t30;
+    let hub_t17 = hub_t15
+        + (hub_t16 + hub_w_z * (R::from_f64(0.34770232599999995) * hub_w_z)) + boom_t30
+        + antenna_t30 + left_panel_t30 + shoulder_t30;
+    // system: energy
+    let system_t1 = R::from_f64(0.5) * hub_t17;
     *energy = system_t1;
 }
 
@@ -44145,7 +44033,7 @@ impl<R: kane::Real> kane::functions::KineticEnergy<R> for Prepared<R> {
 
 /// Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.
 ///
-/// Operations: 0 = 0 mul + 0 add + 0 div + 0 trig.
+/// Operations: 0 = 0 mul + 0 add + 0 div + 0 trig; formulation: notes.
 #[allow(
     dead_code,
     unused_variables,
@@ -44169,7 +44057,7 @@ impl<R: kane::Real> kane::functions::PotentialEnergy<R> for Prepared<R> {
 
 /// Linear momentum of all bodies: inertial components, kg m/s.
 ///
-/// Operations: 889 = 473 mul + 368 add + 0 div + 48 trig.
+/// Operations: 552 = 279 mul + 225 add + 0 div + 48 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -44236,662 +44124,494 @@ pub fn linear_momentum<R: kane::Real>(
         camera_theta2,
         camera_theta3,
     ]);
-    // hub: rotation, Eqs. (2) to (5)
-    let hub_sin1 = sines[0];
-    let hub_sin2 = sines[1];
-    let hub_t1 = hub_sin1 * hub_sin2;
-    let hub_cos1 = cosines[0];
-    let hub_t2 = hub_sin2 * hub_cos1;
-    let hub_sin3 = sines[2];
-    let hub_cos3 = cosines[2];
-    let hub_rel_xy = hub_sin3 * hub_cos1 + hub_cos3 * hub_t1;
-    let hub_rel_xz = hub_sin1 * hub_sin3 - hub_cos3 * hub_t2;
-    let hub_rel_yy = hub_cos1 * hub_cos3 - hub_sin3 * hub_t1;
-    let hub_rel_yz = hub_sin1 * hub_cos3 + hub_sin3 * hub_t2;
-    let hub_cos2 = cosines[1];
-    let hub_rel_xx = hub_cos2 * hub_cos3;
-    let hub_minus_rel_yx = hub_sin3 * hub_cos2;
-    let hub_minus_rel_zy = hub_sin1 * hub_cos2;
-    let hub_rel_zz = hub_cos1 * hub_cos2;
-    // shoulder: rotation, Eqs. (2) to (5)
-    let shoulder_sin1 = sines[3];
-    let shoulder_sin2 = sines[4];
-    let shoulder_t1 = shoulder_sin1 * shoulder_sin2;
-    let shoulder_cos1 = cosines[3];
-    let shoulder_t2 = shoulder_sin2 * shoulder_cos1;
-    let shoulder_sin3 = sines[5];
-    let shoulder_cos3 = cosines[5];
-    let shoulder_rel_xy = shoulder_sin3 * shoulder_cos1 + shoulder_cos3 * shoulder_t1;
-    let shoulder_rel_xz = shoulder_sin1 * shoulder_sin3 - shoulder_cos3 * shoulder_t2;
-    let shoulder_rel_yy = shoulder_cos1 * shoulder_cos3 - shoulder_sin3 * shoulder_t1;
-    let shoulder_rel_yz = shoulder_sin1 * shoulder_cos3 + shoulder_sin3 * shoulder_t2;
-    let shoulder_cos2 = cosines[4];
-    let shoulder_rel_xx = shoulder_cos2 * shoulder_cos3;
-    let shoulder_minus_rel_yx = shoulder_sin3 * shoulder_cos2;
-    let shoulder_minus_rel_zy = shoulder_sin1 * shoulder_cos2;
-    let shoulder_rel_zz = shoulder_cos1 * shoulder_cos2;
-    // forearm: rotation, Eqs. (2) to (5)
-    let forearm_sin1 = sines[6];
-    let forearm_sin2 = sines[7];
-    let forearm_t1 = forearm_sin1 * forearm_sin2;
-    let forearm_cos1 = cosines[6];
-    let forearm_t2 = forearm_sin2 * forearm_cos1;
-    let forearm_sin3 = sines[8];
-    let forearm_cos3 = cosines[8];
-    let forearm_rel_xy = forearm_sin3 * forearm_cos1 + forearm_cos3 * forearm_t1;
-    let forearm_rel_xz = forearm_sin1 * forearm_sin3 - forearm_cos3 * forearm_t2;
-    let forearm_rel_yy = forearm_cos1 * forearm_cos3 - forearm_sin3 * forearm_t1;
-    let forearm_rel_yz = forearm_sin1 * forearm_cos3 + forearm_sin3 * forearm_t2;
-    let forearm_cos2 = cosines[7];
-    let forearm_rel_xx = forearm_cos2 * forearm_cos3;
-    let forearm_minus_rel_yx = forearm_sin3 * forearm_cos2;
-    let forearm_minus_rel_zy = forearm_sin1 * forearm_cos2;
-    let forearm_rel_zz = forearm_cos1 * forearm_cos2;
-    // left_panel: rotation, Eqs. (2) to (5)
-    let left_panel_sin1 = sines[9];
-    let left_panel_sin2 = sines[10];
-    let left_panel_t1 = left_panel_sin1 * left_panel_sin2;
-    let left_panel_cos1 = cosines[9];
-    let left_panel_t2 = left_panel_sin2 * left_panel_cos1;
-    let left_panel_sin3 = sines[11];
-    let left_panel_cos3 = cosines[11];
-    let left_panel_rel_xy = left_panel_sin3 * left_panel_cos1
-        + left_panel_cos3 * left_panel_t1;
-    let left_panel_rel_xz = left_panel_sin1 * left_panel_sin3
-        - left_panel_cos3 * left_panel_t2;
-    let left_panel_rel_yy = left_panel_cos1 * left_panel_cos3
-        - left_panel_sin3 * left_panel_t1;
-    let left_panel_rel_yz = left_panel_sin1 * left_panel_cos3
-        + left_panel_sin3 * left_panel_t2;
-    let left_panel_cos2 = cosines[10];
-    let left_panel_rel_xx = left_panel_cos2 * left_panel_cos3;
-    let left_panel_minus_rel_yx = left_panel_sin3 * left_panel_cos2;
-    let left_panel_minus_rel_zy = left_panel_sin1 * left_panel_cos2;
-    let left_panel_rel_zz = left_panel_cos1 * left_panel_cos2;
-    // left_tip: rotation, Eqs. (2) to (5)
-    let left_tip_sin1 = sines[12];
-    let left_tip_sin2 = sines[13];
-    let left_tip_t1 = left_tip_sin1 * left_tip_sin2;
-    let left_tip_cos1 = cosines[12];
-    let left_tip_t2 = left_tip_sin2 * left_tip_cos1;
-    let left_tip_sin3 = sines[14];
-    let left_tip_cos3 = cosines[14];
-    let left_tip_rel_xy = left_tip_sin3 * left_tip_cos1 + left_tip_cos3 * left_tip_t1;
-    let left_tip_rel_xz = left_tip_sin1 * left_tip_sin3 - left_tip_cos3 * left_tip_t2;
-    let left_tip_rel_yy = left_tip_cos1 * left_tip_cos3 - left_tip_sin3 * left_tip_t1;
-    let left_tip_rel_yz = left_tip_sin1 * left_tip_cos3 + left_tip_sin3 * left_tip_t2;
-    let left_tip_cos2 = cosines[13];
-    let left_tip_rel_xx = left_tip_cos2 * left_tip_cos3;
-    let left_tip_minus_rel_yx = left_tip_sin3 * left_tip_cos2;
-    let left_tip_minus_rel_zy = left_tip_sin1 * left_tip_cos2;
-    let left_tip_rel_zz = left_tip_cos1 * left_tip_cos2;
-    // antenna: rotation, Eqs. (2) to (5)
-    let antenna_sin1 = sines[15];
-    let antenna_sin2 = sines[16];
-    let antenna_t1 = antenna_sin1 * antenna_sin2;
-    let antenna_cos1 = cosines[15];
-    let antenna_t2 = antenna_sin2 * antenna_cos1;
-    let antenna_sin3 = sines[17];
-    let antenna_cos3 = cosines[17];
-    let antenna_rel_xy = antenna_sin3 * antenna_cos1 + antenna_cos3 * antenna_t1;
-    let antenna_rel_xz = antenna_sin1 * antenna_sin3 - antenna_cos3 * antenna_t2;
-    let antenna_rel_yy = antenna_cos1 * antenna_cos3 - antenna_sin3 * antenna_t1;
-    let antenna_rel_yz = antenna_sin1 * antenna_cos3 + antenna_sin3 * antenna_t2;
-    let antenna_cos2 = cosines[16];
-    let antenna_rel_xx = antenna_cos2 * antenna_cos3;
-    let antenna_minus_rel_yx = antenna_sin3 * antenna_cos2;
-    let antenna_minus_rel_zy = antenna_sin1 * antenna_cos2;
-    let antenna_rel_zz = antenna_cos1 * antenna_cos2;
-    // boom: rotation, Eqs. (2) to (5)
-    let boom_sin1 = sines[18];
-    let boom_sin2 = sines[19];
-    let boom_t1 = boom_sin1 * boom_sin2;
-    let boom_cos1 = cosines[18];
-    let boom_t2 = boom_sin2 * boom_cos1;
-    let boom_sin3 = sines[20];
-    let boom_cos3 = cosines[20];
-    let boom_rel_xy = boom_sin3 * boom_cos1 + boom_cos3 * boom_t1;
-    let boom_rel_xz = boom_sin1 * boom_sin3 - boom_cos3 * boom_t2;
-    let boom_rel_yy = boom_cos1 * boom_cos3 - boom_sin3 * boom_t1;
-    let boom_rel_yz = boom_sin1 * boom_cos3 + boom_sin3 * boom_t2;
-    let boom_cos2 = cosines[19];
-    let boom_rel_xx = boom_cos2 * boom_cos3;
-    let boom_minus_rel_yx = boom_sin3 * boom_cos2;
-    let boom_minus_rel_zy = boom_sin1 * boom_cos2;
-    let boom_rel_zz = boom_cos1 * boom_cos2;
-    // camera: rotation, Eqs. (2) to (5)
-    let camera_sin1 = sines[21];
-    let camera_sin2 = sines[22];
-    let camera_t1 = camera_sin1 * camera_sin2;
-    let camera_cos1 = cosines[21];
-    let camera_t2 = camera_sin2 * camera_cos1;
-    let camera_sin3 = sines[23];
-    let camera_cos3 = cosines[23];
-    let camera_rel_xy = camera_sin3 * camera_cos1 + camera_cos3 * camera_t1;
-    let camera_rel_xz = camera_sin1 * camera_sin3 - camera_cos3 * camera_t2;
-    let camera_rel_yy = camera_cos1 * camera_cos3 - camera_sin3 * camera_t1;
-    let camera_rel_yz = camera_sin1 * camera_cos3 + camera_sin3 * camera_t2;
-    let camera_cos2 = cosines[22];
-    let camera_rel_xx = camera_cos2 * camera_cos3;
-    let camera_minus_rel_yx = camera_sin3 * camera_cos2;
-    let camera_minus_rel_zy = camera_sin1 * camera_cos2;
-    let camera_rel_zz = camera_cos1 * camera_cos2;
-    // hub: angular velocity, Eqs. (8), (11)
-    let hub_theta1_dot = u[0];
-    let hub_theta2_dot = u[1];
-    let hub_w_rel_x = hub_rel_xx * hub_theta1_dot + hub_sin3 * hub_theta2_dot;
-    let hub_w_rel_y = hub_cos3 * hub_theta2_dot - hub_minus_rel_yx * hub_theta1_dot;
-    let hub_theta3_dot = u[2];
-    let hub_w_rel_z = hub_theta3_dot + hub_sin2 * hub_theta1_dot;
-    // shoulder: angular velocity, Eqs. (8), (11)
-    let shoulder_theta1_dot = u[3];
-    let shoulder_theta2_dot = u[4];
-    let shoulder_w_rel_x = shoulder_rel_xx * shoulder_theta1_dot
-        + shoulder_sin3 * shoulder_theta2_dot;
-    let shoulder_w_rel_y = shoulder_cos3 * shoulder_theta2_dot
-        - shoulder_minus_rel_yx * shoulder_theta1_dot;
-    let shoulder_theta3_dot = u[5];
-    let shoulder_w_rel_z = shoulder_theta3_dot + shoulder_sin2 * shoulder_theta1_dot;
-    // forearm: angular velocity, Eqs. (8), (11)
-    let forearm_theta1_dot = u[6];
-    let forearm_theta2_dot = u[7];
-    let forearm_w_rel_x = forearm_rel_xx * forearm_theta1_dot
-        + forearm_sin3 * forearm_theta2_dot;
-    let forearm_w_rel_y = forearm_cos3 * forearm_theta2_dot
-        - forearm_minus_rel_yx * forearm_theta1_dot;
-    let forearm_theta3_dot = u[8];
-    let forearm_w_rel_z = forearm_theta3_dot + forearm_sin2 * forearm_theta1_dot;
-    // left_panel: angular velocity, Eqs. (8), (11)
-    let left_panel_theta1_dot = u[9];
-    let left_panel_theta2_dot = u[10];
-    let left_panel_w_rel_x = left_panel_rel_xx * left_panel_theta1_dot
-        + left_panel_sin3 * left_panel_theta2_dot;
-    let left_panel_w_rel_y = left_panel_cos3 * left_panel_theta2_dot
-        - left_panel_minus_rel_yx * left_panel_theta1_dot;
-    let left_panel_theta3_dot = u[11];
-    let left_panel_w_rel_z = left_panel_theta3_dot
-        + left_panel_sin2 * left_panel_theta1_dot;
-    // left_tip: angular velocity, Eqs. (8), (11)
-    let left_tip_theta1_dot = u[12];
-    let left_tip_theta2_dot = u[13];
-    let left_tip_w_rel_x = left_tip_rel_xx * left_tip_theta1_dot
-        + left_tip_sin3 * left_tip_theta2_dot;
-    let left_tip_w_rel_y = left_tip_cos3 * left_tip_theta2_dot
-        - left_tip_minus_rel_yx * left_tip_theta1_dot;
-    let left_tip_theta3_dot = u[14];
-    let left_tip_w_rel_z = left_tip_theta3_dot + left_tip_sin2 * left_tip_theta1_dot;
-    // antenna: angular velocity, Eqs. (8), (11)
-    let antenna_theta1_dot = u[15];
-    let antenna_theta2_dot = u[16];
-    let antenna_w_rel_x = antenna_rel_xx * antenna_theta1_dot
-        + antenna_sin3 * antenna_theta2_dot;
-    let antenna_w_rel_y = antenna_cos3 * antenna_theta2_dot
-        - antenna_minus_rel_yx * antenna_theta1_dot;
-    let antenna_theta3_dot = u[17];
-    let antenna_w_rel_z = antenna_theta3_dot + antenna_sin2 * antenna_theta1_dot;
-    // boom: angular velocity, Eqs. (8), (11)
-    let boom_theta1_dot = u[18];
-    let boom_theta2_dot = u[19];
-    let boom_w_rel_x = boom_rel_xx * boom_theta1_dot + boom_sin3 * boom_theta2_dot;
-    let boom_w_rel_y = boom_cos3 * boom_theta2_dot - boom_minus_rel_yx * boom_theta1_dot;
-    let boom_theta3_dot = u[20];
-    let boom_w_rel_z = boom_theta3_dot + boom_sin2 * boom_theta1_dot;
-    // camera: angular velocity, Eqs. (8), (11)
-    let camera_theta1_dot = u[21];
-    let camera_theta2_dot = u[22];
-    let camera_w_rel_x = camera_rel_xx * camera_theta1_dot
-        + camera_sin3 * camera_theta2_dot;
-    let camera_w_rel_y = camera_cos3 * camera_theta2_dot
-        - camera_minus_rel_yx * camera_theta1_dot;
-    let camera_theta3_dot = u[23];
-    let camera_w_rel_z = camera_theta3_dot + camera_sin2 * camera_theta1_dot;
-    // shoulder: angular velocity, Eqs. (8), (11)
-    let shoulder_t3 = shoulder_rel_xx * hub_w_rel_x + shoulder_rel_xy * hub_w_rel_y
-        + shoulder_rel_xz * hub_w_rel_z;
-    let shoulder_t4 = shoulder_rel_yy * hub_w_rel_y - shoulder_minus_rel_yx * hub_w_rel_x
-        + shoulder_rel_yz * hub_w_rel_z;
-    let shoulder_t5 = shoulder_sin2 * hub_w_rel_x - shoulder_minus_rel_zy * hub_w_rel_y
-        + shoulder_rel_zz * hub_w_rel_z;
-    let shoulder_w_x = shoulder_w_rel_x + shoulder_t3;
-    let shoulder_w_y = shoulder_w_rel_y + shoulder_t4;
-    let shoulder_w_z = shoulder_w_rel_z + shoulder_t5;
-    // forearm: angular velocity, Eqs. (8), (11)
-    let forearm_t3 = forearm_rel_xx * shoulder_w_x + forearm_rel_xy * shoulder_w_y
-        + forearm_rel_xz * shoulder_w_z;
-    let forearm_t4 = forearm_rel_yy * shoulder_w_y - forearm_minus_rel_yx * shoulder_w_x
-        + forearm_rel_yz * shoulder_w_z;
-    let forearm_t5 = forearm_sin2 * shoulder_w_x - forearm_minus_rel_zy * shoulder_w_y
-        + forearm_rel_zz * shoulder_w_z;
-    let forearm_w_x = forearm_w_rel_x + forearm_t3;
-    let forearm_w_y = forearm_w_rel_y + forearm_t4;
-    let forearm_w_z = forearm_w_rel_z + forearm_t5;
-    // left_panel: angular velocity, Eqs. (8), (11)
-    let left_panel_t3 = left_panel_rel_xx * hub_w_rel_x + left_panel_rel_xy * hub_w_rel_y
-        + left_panel_rel_xz * hub_w_rel_z;
-    let left_panel_t4 = left_panel_rel_yy * hub_w_rel_y
-        - left_panel_minus_rel_yx * hub_w_rel_x + left_panel_rel_yz * hub_w_rel_z;
-    let left_panel_t5 = left_panel_sin2 * hub_w_rel_x
-        - left_panel_minus_rel_zy * hub_w_rel_y + left_panel_rel_zz * hub_w_rel_z;
-    let left_panel_w_x = left_panel_w_rel_x + left_panel_t3;
-    let left_panel_w_y = left_panel_w_rel_y + left_panel_t4;
-    let left_panel_w_z = left_panel_w_rel_z + left_panel_t5;
-    // left_tip: angular velocity, Eqs. (8), (11)
-    let left_tip_t3 = left_tip_rel_xx * shoulder_w_x + left_tip_rel_xy * shoulder_w_y
-        + left_tip_rel_xz * shoulder_w_z;
-    let left_tip_t4 = left_tip_rel_yy * shoulder_w_y
-        - left_tip_minus_rel_yx * shoulder_w_x + left_tip_rel_yz * shoulder_w_z;
-    let left_tip_t5 = left_tip_sin2 * shoulder_w_x - left_tip_minus_rel_zy * shoulder_w_y
-        + left_tip_rel_zz * shoulder_w_z;
-    let left_tip_w_x = left_tip_w_rel_x + left_tip_t3;
-    let left_tip_w_y = left_tip_w_rel_y + left_tip_t4;
-    let left_tip_w_z = left_tip_w_rel_z + left_tip_t5;
-    // antenna: angular velocity, Eqs. (8), (11)
-    let antenna_t3 = antenna_rel_xx * hub_w_rel_x + antenna_rel_xy * hub_w_rel_y
-        + antenna_rel_xz * hub_w_rel_z;
-    let antenna_t4 = antenna_rel_yy * hub_w_rel_y - antenna_minus_rel_yx * hub_w_rel_x
-        + antenna_rel_yz * hub_w_rel_z;
-    let antenna_t5 = antenna_sin2 * hub_w_rel_x - antenna_minus_rel_zy * hub_w_rel_y
-        + antenna_rel_zz * hub_w_rel_z;
-    let antenna_w_x = antenna_w_rel_x + antenna_t3;
-    let antenna_w_y = antenna_w_rel_y + antenna_t4;
-    let antenna_w_z = antenna_w_rel_z + antenna_t5;
-    // boom: angular velocity, Eqs. (8), (11)
-    let boom_t3 = boom_rel_xx * hub_w_rel_x + boom_rel_xy * hub_w_rel_y
-        + boom_rel_xz * hub_w_rel_z;
-    let boom_t4 = boom_rel_yy * hub_w_rel_y - boom_minus_rel_yx * hub_w_rel_x
-        + boom_rel_yz * hub_w_rel_z;
-    let boom_t5 = boom_sin2 * hub_w_rel_x - boom_minus_rel_zy * hub_w_rel_y
-        + boom_rel_zz * hub_w_rel_z;
-    let boom_w_x = boom_w_rel_x + boom_t3;
-    let boom_w_y = boom_w_rel_y + boom_t4;
-    let boom_w_z = boom_w_rel_z + boom_t5;
-    // camera: angular velocity, Eqs. (8), (11)
-    let camera_t3 = camera_rel_xx * boom_w_x + camera_rel_xy * boom_w_y
-        + camera_rel_xz * boom_w_z;
-    let camera_t4 = camera_rel_yy * boom_w_y - camera_minus_rel_yx * boom_w_x
-        + camera_rel_yz * boom_w_z;
-    let camera_t5 = camera_sin2 * boom_w_x - camera_minus_rel_zy * boom_w_y
-        + camera_rel_zz * boom_w_z;
-    let camera_w_x = camera_w_rel_x + camera_t3;
-    let camera_w_y = camera_w_rel_y + camera_t4;
-    let camera_w_z = camera_w_rel_z + camera_t5;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_s1_dot = u[24];
-    let hub_s2_dot = u[25];
-    let hub_s3_dot = u[26];
-    let hub_t3 = hub_rel_xx * hub_s1_dot + hub_rel_xy * hub_s2_dot
-        + hub_rel_xz * hub_s3_dot;
-    let hub_t4 = hub_rel_yy * hub_s2_dot - hub_minus_rel_yx * hub_s1_dot
-        + hub_rel_yz * hub_s3_dot;
-    let hub_t5 = hub_sin2 * hub_s1_dot - hub_minus_rel_zy * hub_s2_dot
-        + hub_rel_zz * hub_s3_dot;
-    // shoulder: velocity, Eqs. (25), (27)
+    // shoulder: joint, mass and inertia
     let shoulder_s1 = q[27];
     let shoulder_offset_x = shoulder_s1 + R::from_f64(-0.561);
     let shoulder_s2 = q[28];
     let shoulder_offset_y = shoulder_s2 + R::from_f64(-0.092);
     let shoulder_s3 = q[29];
     let shoulder_offset_z = shoulder_s3 + R::from_f64(-0.672);
-    let shoulder_t6 = hub_w_rel_y * shoulder_offset_z - hub_w_rel_z * shoulder_offset_y;
-    let shoulder_t7 = hub_w_rel_z * shoulder_offset_x - hub_w_rel_x * shoulder_offset_z;
-    let shoulder_t8 = hub_w_rel_x * shoulder_offset_y - hub_w_rel_y * shoulder_offset_x;
-    let shoulder_s1_dot = u[27];
-    let shoulder_t9 = hub_t3 + shoulder_s1_dot;
-    let shoulder_s2_dot = u[28];
-    let shoulder_t10 = hub_t4 + shoulder_s2_dot;
-    let shoulder_s3_dot = u[29];
-    let shoulder_t11 = hub_t5 + shoulder_s3_dot;
-    let shoulder_v_o_x = shoulder_t6 + shoulder_t9;
-    let shoulder_v_o_y = shoulder_t7 + shoulder_t10;
-    let shoulder_v_o_z = shoulder_t8 + shoulder_t11;
-    let shoulder_t12 = shoulder_rel_xx * shoulder_v_o_x
-        + shoulder_rel_xy * shoulder_v_o_y + shoulder_rel_xz * shoulder_v_o_z;
-    let shoulder_t13 = shoulder_rel_yy * shoulder_v_o_y
-        - shoulder_minus_rel_yx * shoulder_v_o_x + shoulder_rel_yz * shoulder_v_o_z;
-    let shoulder_t14 = shoulder_sin2 * shoulder_v_o_x
-        - shoulder_minus_rel_zy * shoulder_v_o_y + shoulder_rel_zz * shoulder_v_o_z;
-    // forearm: velocity, Eqs. (25), (27)
+    // forearm: joint, mass and inertia
     let forearm_s1 = q[30];
     let forearm_offset_x = forearm_s1 + R::from_f64(-0.171);
     let forearm_s2 = q[31];
     let forearm_offset_y = forearm_s2 + R::from_f64(0.136);
     let forearm_s3 = q[32];
     let forearm_offset_z = forearm_s3 + R::from_f64(0.519);
-    let forearm_t6 = shoulder_w_y * forearm_offset_z - shoulder_w_z * forearm_offset_y;
-    let forearm_t7 = shoulder_w_z * forearm_offset_x - shoulder_w_x * forearm_offset_z;
-    let forearm_t8 = shoulder_w_x * forearm_offset_y - shoulder_w_y * forearm_offset_x;
-    let forearm_s1_dot = u[30];
-    let forearm_t9 = shoulder_t12 + forearm_s1_dot;
-    let forearm_s2_dot = u[31];
-    let forearm_t10 = shoulder_t13 + forearm_s2_dot;
-    let forearm_s3_dot = u[32];
-    let forearm_t11 = shoulder_t14 + forearm_s3_dot;
-    let forearm_v_o_x = forearm_t6 + forearm_t9;
-    let forearm_v_o_y = forearm_t7 + forearm_t10;
-    let forearm_v_o_z = forearm_t8 + forearm_t11;
-    // left_panel: velocity, Eqs. (25), (27)
+    // left_panel: joint, mass and inertia
     let left_panel_s1 = q[33];
     let left_panel_offset_x = left_panel_s1 + R::from_f64(-0.944);
     let left_panel_s2 = q[34];
     let left_panel_offset_y = left_panel_s2 + R::from_f64(0.254);
     let left_panel_s3 = q[35];
     let left_panel_offset_z = left_panel_s3 + R::from_f64(0.22);
-    let left_panel_t6 = hub_w_rel_y * left_panel_offset_z
-        - hub_w_rel_z * left_panel_offset_y;
-    let left_panel_t7 = hub_w_rel_z * left_panel_offset_x
-        - hub_w_rel_x * left_panel_offset_z;
-    let left_panel_t8 = hub_w_rel_x * left_panel_offset_y
-        - hub_w_rel_y * left_panel_offset_x;
-    let left_panel_s1_dot = u[33];
-    let left_panel_t9 = hub_t3 + left_panel_s1_dot;
-    let left_panel_s2_dot = u[34];
-    let left_panel_t10 = hub_t4 + left_panel_s2_dot;
-    let left_panel_s3_dot = u[35];
-    let left_panel_t11 = hub_t5 + left_panel_s3_dot;
-    let left_panel_v_o_x = left_panel_t6 + left_panel_t9;
-    let left_panel_v_o_y = left_panel_t7 + left_panel_t10;
-    let left_panel_v_o_z = left_panel_t8 + left_panel_t11;
-    // left_tip: velocity, Eqs. (25), (27)
+    // left_tip: joint, mass and inertia
     let left_tip_s1 = q[36];
     let left_tip_offset_x = left_tip_s1 + R::from_f64(-0.519);
     let left_tip_s2 = q[37];
     let left_tip_offset_y = left_tip_s2 + R::from_f64(-0.949);
     let left_tip_s3 = q[38];
     let left_tip_offset_z = left_tip_s3 + R::from_f64(0.4);
-    let left_tip_t6 = shoulder_w_y * left_tip_offset_z
-        - shoulder_w_z * left_tip_offset_y;
-    let left_tip_t7 = shoulder_w_z * left_tip_offset_x
-        - shoulder_w_x * left_tip_offset_z;
-    let left_tip_t8 = shoulder_w_x * left_tip_offset_y
-        - shoulder_w_y * left_tip_offset_x;
-    let left_tip_s1_dot = u[36];
-    let left_tip_t9 = shoulder_t12 + left_tip_s1_dot;
-    let left_tip_s2_dot = u[37];
-    let left_tip_t10 = shoulder_t13 + left_tip_s2_dot;
-    let left_tip_s3_dot = u[38];
-    let left_tip_t11 = shoulder_t14 + left_tip_s3_dot;
-    let left_tip_v_o_x = left_tip_t6 + left_tip_t9;
-    let left_tip_v_o_y = left_tip_t7 + left_tip_t10;
-    let left_tip_v_o_z = left_tip_t8 + left_tip_t11;
-    // antenna: velocity, Eqs. (25), (27)
+    // antenna: joint, mass and inertia
     let antenna_s1 = q[39];
     let antenna_offset_x = antenna_s1 + R::from_f64(0.974);
     let antenna_s2 = q[40];
     let antenna_offset_y = antenna_s2 + R::from_f64(0.421);
     let antenna_s3 = q[41];
     let antenna_offset_z = antenna_s3 + R::from_f64(-0.143);
-    let antenna_t6 = hub_w_rel_y * antenna_offset_z - hub_w_rel_z * antenna_offset_y;
-    let antenna_t7 = hub_w_rel_z * antenna_offset_x - hub_w_rel_x * antenna_offset_z;
-    let antenna_t8 = hub_w_rel_x * antenna_offset_y - hub_w_rel_y * antenna_offset_x;
-    let antenna_s1_dot = u[39];
-    let antenna_t9 = hub_t3 + antenna_s1_dot;
-    let antenna_s2_dot = u[40];
-    let antenna_t10 = hub_t4 + antenna_s2_dot;
-    let antenna_s3_dot = u[41];
-    let antenna_t11 = hub_t5 + antenna_s3_dot;
-    let antenna_v_o_x = antenna_t6 + antenna_t9;
-    let antenna_v_o_y = antenna_t7 + antenna_t10;
-    let antenna_v_o_z = antenna_t8 + antenna_t11;
-    // boom: velocity, Eqs. (25), (27)
+    // boom: joint, mass and inertia
     let boom_s1 = q[42];
     let boom_offset_x = boom_s1 + R::from_f64(-0.589);
     let boom_s2 = q[43];
     let boom_offset_y = boom_s2 + R::from_f64(-0.284);
     let boom_s3 = q[44];
     let boom_offset_z = boom_s3 + R::from_f64(0.166);
-    let boom_t6 = hub_w_rel_y * boom_offset_z - hub_w_rel_z * boom_offset_y;
-    let boom_t7 = hub_w_rel_z * boom_offset_x - hub_w_rel_x * boom_offset_z;
-    let boom_t8 = hub_w_rel_x * boom_offset_y - hub_w_rel_y * boom_offset_x;
-    let boom_s1_dot = u[42];
-    let boom_t9 = hub_t3 + boom_s1_dot;
-    let boom_s2_dot = u[43];
-    let boom_t10 = hub_t4 + boom_s2_dot;
-    let boom_s3_dot = u[44];
-    let boom_t11 = hub_t5 + boom_s3_dot;
-    let boom_v_o_x = boom_t6 + boom_t9;
-    let boom_v_o_y = boom_t7 + boom_t10;
-    let boom_v_o_z = boom_t8 + boom_t11;
-    let boom_t12 = boom_rel_xx * boom_v_o_x + boom_rel_xy * boom_v_o_y
-        + boom_rel_xz * boom_v_o_z;
-    let boom_t13 = boom_rel_yy * boom_v_o_y - boom_minus_rel_yx * boom_v_o_x
-        + boom_rel_yz * boom_v_o_z;
-    let boom_t14 = boom_sin2 * boom_v_o_x - boom_minus_rel_zy * boom_v_o_y
-        + boom_rel_zz * boom_v_o_z;
-    // camera: velocity, Eqs. (25), (27)
+    // camera: joint, mass and inertia
     let camera_s1 = q[45];
     let camera_offset_x = camera_s1 + R::from_f64(-0.379);
     let camera_s2 = q[46];
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    let camera_t6 = boom_w_y * camera_offset_z - boom_w_z * camera_offset_y;
-    let camera_t7 = boom_w_z * camera_offset_x - boom_w_x * camera_offset_z;
-    let camera_t8 = boom_w_x * camera_offset_y - boom_w_y * camera_offset_x;
+    // camera: mass centre and momentum, inward
+    let camera_theta3_dot = u[23];
+    let camera_t1 = R::from_f64(-0.714272) * camera_theta3_dot;
+    let camera_t2 = R::from_f64(-0.643875) * camera_theta3_dot;
+    let camera_cos3 = cosines[23];
+    let camera_sin3 = sines[23];
+    let camera_t3 = R::from_f64(-0.643875) * camera_cos3
+        + R::from_f64(0.714272) * camera_sin3;
+    let camera_t4 = R::from_f64(-0.714272) * camera_cos3
+        - R::from_f64(0.643875) * camera_sin3;
+    let camera_t5 = camera_cos3 * camera_t1 + camera_sin3 * camera_t2;
+    let camera_t6 = camera_cos3 * camera_t2 - camera_sin3 * camera_t1;
+    let camera_theta2_dot = u[22];
+    let camera_t7 = R::from_f64(0.7932540000000001) * camera_theta2_dot;
+    let camera_t8 = camera_t3 * camera_theta2_dot;
+    let camera_t9 = camera_t7 - camera_t5;
+    let camera_cos2 = cosines[22];
+    let camera_sin2 = sines[22];
+    let camera_t10 = R::from_f64(0.7932540000000001) * camera_cos2
+        - camera_sin2 * camera_t3;
+    let camera_t11 = camera_cos2 * camera_t3
+        - R::from_f64(-0.7932540000000001) * camera_sin2;
+    let camera_t12 = camera_cos2 * camera_t8 + camera_sin2 * camera_t9;
+    let camera_t13 = camera_cos2 * camera_t9 - camera_sin2 * camera_t8;
+    let camera_theta1_dot = u[21];
+    let camera_t14 = camera_t10 * camera_theta1_dot;
+    let camera_t15 = camera_t4 * camera_theta1_dot;
+    let camera_t16 = camera_t6 - camera_t14;
+    let camera_t17 = camera_t15 - camera_t12;
+    let camera_cos1 = cosines[21];
+    let camera_sin1 = sines[21];
+    let camera_t18 = camera_cos1 * camera_t4 - camera_sin1 * camera_t10;
+    let camera_t19 = camera_cos1 * camera_t10 + camera_sin1 * camera_t4;
+    let camera_t20 = camera_cos1 * camera_t16 - camera_sin1 * camera_t17;
+    let camera_t21 = camera_cos1 * camera_t17 + camera_sin1 * camera_t16;
     let camera_s1_dot = u[45];
-    let camera_t9 = boom_t12 + camera_s1_dot;
+    let camera_t22 = R::from_f64(1.717) * camera_s1_dot;
     let camera_s2_dot = u[46];
-    let camera_t10 = boom_t13 + camera_s2_dot;
+    let camera_t23 = R::from_f64(1.717) * camera_s2_dot;
     let camera_s3_dot = u[47];
-    let camera_t11 = boom_t14 + camera_s3_dot;
-    let camera_v_o_x = camera_t6 + camera_t9;
-    let camera_v_o_y = camera_t7 + camera_t10;
-    let camera_v_o_z = camera_t8 + camera_t11;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t6 = R::from_f64(0.16) * hub_w_rel_y - R::from_f64(-0.423) * hub_w_rel_z;
-    let hub_t7 = R::from_f64(0.187) * hub_w_rel_z - R::from_f64(0.16) * hub_w_rel_x;
-    let hub_t8 = R::from_f64(-0.423) * hub_w_rel_x - R::from_f64(0.187) * hub_w_rel_y;
-    let hub_v_g_x = hub_t3 + hub_t6;
-    let hub_v_g_y = hub_t4 + hub_t7;
-    let hub_v_g_z = hub_t5 + hub_t8;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t15 = R::from_f64(0.237) * shoulder_w_y
-        - R::from_f64(-0.126) * shoulder_w_z;
-    let shoulder_t16 = R::from_f64(0.291) * shoulder_w_z
-        - R::from_f64(0.237) * shoulder_w_x;
-    let shoulder_t17 = R::from_f64(-0.126) * shoulder_w_x
-        - R::from_f64(0.291) * shoulder_w_y;
-    let shoulder_v_g_x = shoulder_t12 + shoulder_t15;
-    let shoulder_v_g_y = shoulder_t13 + shoulder_t16;
-    let shoulder_v_g_z = shoulder_t14 + shoulder_t17;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t12 = forearm_rel_xx * forearm_v_o_x + forearm_rel_xy * forearm_v_o_y
-        + forearm_rel_xz * forearm_v_o_z;
-    let forearm_t13 = forearm_rel_yy * forearm_v_o_y
-        - forearm_minus_rel_yx * forearm_v_o_x + forearm_rel_yz * forearm_v_o_z;
-    let forearm_t14 = forearm_sin2 * forearm_v_o_x - forearm_minus_rel_zy * forearm_v_o_y
-        + forearm_rel_zz * forearm_v_o_z;
-    let forearm_t15 = R::from_f64(0.303) * forearm_w_y
-        - R::from_f64(-0.428) * forearm_w_z;
-    let forearm_t16 = R::from_f64(-0.227) * forearm_w_z
-        - R::from_f64(0.303) * forearm_w_x;
-    let forearm_t17 = R::from_f64(-0.428) * forearm_w_x
-        - R::from_f64(-0.227) * forearm_w_y;
-    let forearm_v_g_x = forearm_t12 + forearm_t15;
-    let forearm_v_g_y = forearm_t13 + forearm_t16;
-    let forearm_v_g_z = forearm_t14 + forearm_t17;
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t12 = left_panel_rel_xx * left_panel_v_o_x
-        + left_panel_rel_xy * left_panel_v_o_y + left_panel_rel_xz * left_panel_v_o_z;
-    let left_panel_t13 = left_panel_rel_yy * left_panel_v_o_y
-        - left_panel_minus_rel_yx * left_panel_v_o_x
-        + left_panel_rel_yz * left_panel_v_o_z;
-    let left_panel_t14 = left_panel_sin2 * left_panel_v_o_x
-        - left_panel_minus_rel_zy * left_panel_v_o_y
-        + left_panel_rel_zz * left_panel_v_o_z;
-    let left_panel_t15 = R::from_f64(-0.472) * left_panel_w_y
-        - R::from_f64(-0.486) * left_panel_w_z;
-    let left_panel_t16 = R::from_f64(-0.163) * left_panel_w_z
-        - R::from_f64(-0.472) * left_panel_w_x;
-    let left_panel_t17 = R::from_f64(-0.486) * left_panel_w_x
-        - R::from_f64(-0.163) * left_panel_w_y;
-    let left_panel_v_g_x = left_panel_t12 + left_panel_t15;
-    let left_panel_v_g_y = left_panel_t13 + left_panel_t16;
-    let left_panel_v_g_z = left_panel_t14 + left_panel_t17;
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t12 = left_tip_rel_xx * left_tip_v_o_x
-        + left_tip_rel_xy * left_tip_v_o_y + left_tip_rel_xz * left_tip_v_o_z;
-    let left_tip_t13 = left_tip_rel_yy * left_tip_v_o_y
-        - left_tip_minus_rel_yx * left_tip_v_o_x + left_tip_rel_yz * left_tip_v_o_z;
-    let left_tip_t14 = left_tip_sin2 * left_tip_v_o_x
-        - left_tip_minus_rel_zy * left_tip_v_o_y + left_tip_rel_zz * left_tip_v_o_z;
-    let left_tip_t15 = R::from_f64(0.088) * left_tip_w_y
-        - R::from_f64(0.139) * left_tip_w_z;
-    let left_tip_t16 = R::from_f64(-0.24) * left_tip_w_z
-        - R::from_f64(0.088) * left_tip_w_x;
-    let left_tip_t17 = R::from_f64(0.139) * left_tip_w_x
-        - R::from_f64(-0.24) * left_tip_w_y;
-    let left_tip_v_g_x = left_tip_t12 + left_tip_t15;
-    let left_tip_v_g_y = left_tip_t13 + left_tip_t16;
-    let left_tip_v_g_z = left_tip_t14 + left_tip_t17;
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t12 = antenna_rel_xx * antenna_v_o_x + antenna_rel_xy * antenna_v_o_y
-        + antenna_rel_xz * antenna_v_o_z;
-    let antenna_t13 = antenna_rel_yy * antenna_v_o_y
-        - antenna_minus_rel_yx * antenna_v_o_x + antenna_rel_yz * antenna_v_o_z;
-    let antenna_t14 = antenna_sin2 * antenna_v_o_x - antenna_minus_rel_zy * antenna_v_o_y
-        + antenna_rel_zz * antenna_v_o_z;
-    let antenna_t15 = R::from_f64(0.074) * antenna_w_y
-        - R::from_f64(-0.258) * antenna_w_z;
-    let antenna_t16 = R::from_f64(0.447) * antenna_w_z
-        - R::from_f64(0.074) * antenna_w_x;
-    let antenna_t17 = R::from_f64(-0.258) * antenna_w_x
-        - R::from_f64(0.447) * antenna_w_y;
-    let antenna_v_g_x = antenna_t12 + antenna_t15;
-    let antenna_v_g_y = antenna_t13 + antenna_t16;
-    let antenna_v_g_z = antenna_t14 + antenna_t17;
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t15 = R::from_f64(-0.207) * boom_w_y - R::from_f64(-0.245) * boom_w_z;
-    let boom_t16 = R::from_f64(0.112) * boom_w_z - R::from_f64(-0.207) * boom_w_x;
-    let boom_t17 = R::from_f64(-0.245) * boom_w_x - R::from_f64(0.112) * boom_w_y;
-    let boom_v_g_x = boom_t12 + boom_t15;
-    let boom_v_g_y = boom_t13 + boom_t16;
-    let boom_v_g_z = boom_t14 + boom_t17;
-    // camera: velocity, Eqs. (25), (27)
-    let camera_t12 = camera_rel_xx * camera_v_o_x + camera_rel_xy * camera_v_o_y
-        + camera_rel_xz * camera_v_o_z;
-    let camera_t13 = camera_rel_yy * camera_v_o_y - camera_minus_rel_yx * camera_v_o_x
-        + camera_rel_yz * camera_v_o_z;
-    let camera_t14 = camera_sin2 * camera_v_o_x - camera_minus_rel_zy * camera_v_o_y
-        + camera_rel_zz * camera_v_o_z;
-    let camera_t15 = R::from_f64(0.462) * camera_w_y - R::from_f64(-0.416) * camera_w_z;
-    let camera_t16 = R::from_f64(-0.375) * camera_w_z - R::from_f64(0.462) * camera_w_x;
-    let camera_t17 = R::from_f64(-0.416) * camera_w_x - R::from_f64(-0.375) * camera_w_y;
-    let camera_v_g_x = camera_t12 + camera_t15;
-    let camera_v_g_y = camera_t13 + camera_t16;
-    let camera_v_g_z = camera_t14 + camera_t17;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t9 = R::from_f64(0.987) * hub_v_g_x;
-    let hub_t10 = R::from_f64(0.987) * hub_v_g_y;
-    let hub_t11 = R::from_f64(0.987) * hub_v_g_z;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t18 = R::from_f64(1.86) * shoulder_v_g_x;
-    let shoulder_t19 = R::from_f64(1.86) * shoulder_v_g_y;
-    let shoulder_t20 = R::from_f64(1.86) * shoulder_v_g_z;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t18 = R::from_f64(1.918) * forearm_v_g_x;
-    let forearm_t19 = R::from_f64(1.918) * forearm_v_g_y;
-    let forearm_t20 = R::from_f64(1.918) * forearm_v_g_z;
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t18 = R::from_f64(3.255) * left_panel_v_g_x;
-    let left_panel_t19 = R::from_f64(3.255) * left_panel_v_g_y;
-    let left_panel_t20 = R::from_f64(3.255) * left_panel_v_g_z;
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t18 = R::from_f64(3.327) * left_tip_v_g_x;
-    let left_tip_t19 = R::from_f64(3.327) * left_tip_v_g_y;
-    let left_tip_t20 = R::from_f64(3.327) * left_tip_v_g_z;
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t18 = R::from_f64(1.186) * antenna_v_g_x;
-    let antenna_t19 = R::from_f64(1.186) * antenna_v_g_y;
-    let antenna_t20 = R::from_f64(1.186) * antenna_v_g_z;
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t18 = R::from_f64(2.351) * boom_v_g_x;
-    let boom_t19 = R::from_f64(2.351) * boom_v_g_y;
-    let boom_t20 = R::from_f64(2.351) * boom_v_g_z;
-    // camera: velocity, Eqs. (25), (27)
-    let camera_t18 = R::from_f64(1.717) * camera_v_g_x;
-    let camera_t19 = R::from_f64(1.717) * camera_v_g_y;
-    let camera_t20 = R::from_f64(1.717) * camera_v_g_z;
-    let camera_t21 = camera_rel_xx * camera_t18 - camera_minus_rel_yx * camera_t19
-        + camera_sin2 * camera_t20;
-    let camera_t22 = camera_rel_xy * camera_t18 + camera_rel_yy * camera_t19
-        - camera_minus_rel_zy * camera_t20;
-    let camera_t23 = camera_rel_xz * camera_t18 + camera_rel_yz * camera_t19
-        + camera_rel_zz * camera_t20;
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t21 = boom_t18 + camera_t21;
-    let boom_t22 = boom_t19 + camera_t22;
-    let boom_t23 = boom_t20 + camera_t23;
-    let boom_t24 = boom_rel_xx * boom_t21 - boom_minus_rel_yx * boom_t22
-        + boom_sin2 * boom_t23;
-    let boom_t25 = boom_rel_xy * boom_t21 + boom_rel_yy * boom_t22
-        - boom_minus_rel_zy * boom_t23;
-    let boom_t26 = boom_rel_xz * boom_t21 + boom_rel_yz * boom_t22
-        + boom_rel_zz * boom_t23;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t12 = hub_t9 + boom_t24;
-    let hub_t13 = hub_t10 + boom_t25;
-    let hub_t14 = hub_t11 + boom_t26;
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t21 = antenna_rel_xx * antenna_t18 - antenna_minus_rel_yx * antenna_t19
-        + antenna_sin2 * antenna_t20;
-    let antenna_t22 = antenna_rel_xy * antenna_t18 + antenna_rel_yy * antenna_t19
-        - antenna_minus_rel_zy * antenna_t20;
-    let antenna_t23 = antenna_rel_xz * antenna_t18 + antenna_rel_yz * antenna_t19
-        + antenna_rel_zz * antenna_t20;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t15 = hub_t12 + antenna_t21;
-    let hub_t16 = hub_t13 + antenna_t22;
-    let hub_t17 = hub_t14 + antenna_t23;
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t21 = left_tip_rel_xx * left_tip_t18
-        - left_tip_minus_rel_yx * left_tip_t19 + left_tip_sin2 * left_tip_t20;
-    let left_tip_t22 = left_tip_rel_xy * left_tip_t18 + left_tip_rel_yy * left_tip_t19
-        - left_tip_minus_rel_zy * left_tip_t20;
-    let left_tip_t23 = left_tip_rel_xz * left_tip_t18 + left_tip_rel_yz * left_tip_t19
-        + left_tip_rel_zz * left_tip_t20;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t21 = shoulder_t18 + left_tip_t21;
-    let shoulder_t22 = shoulder_t19 + left_tip_t22;
-    let shoulder_t23 = shoulder_t20 + left_tip_t23;
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t21 = left_panel_rel_xx * left_panel_t18
-        - left_panel_minus_rel_yx * left_panel_t19 + left_panel_sin2 * left_panel_t20;
-    let left_panel_t22 = left_panel_rel_xy * left_panel_t18
-        + left_panel_rel_yy * left_panel_t19 - left_panel_minus_rel_zy * left_panel_t20;
-    let left_panel_t23 = left_panel_rel_xz * left_panel_t18
-        + left_panel_rel_yz * left_panel_t19 + left_panel_rel_zz * left_panel_t20;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t18 = hub_t15 + left_panel_t21;
-    let hub_t19 = hub_t16 + left_panel_t22;
-    let hub_t20 = hub_t17 + left_panel_t23;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t21 = forearm_rel_xx * forearm_t18 - forearm_minus_rel_yx * forearm_t19
-        + forearm_sin2 * forearm_t20;
-    let forearm_t22 = forearm_rel_xy * forearm_t18 + forearm_rel_yy * forearm_t19
-        - forearm_minus_rel_zy * forearm_t20;
-    let forearm_t23 = forearm_rel_xz * forearm_t18 + forearm_rel_yz * forearm_t19
-        + forearm_rel_zz * forearm_t20;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t24 = shoulder_t21 + forearm_t21;
-    let shoulder_t25 = shoulder_t22 + forearm_t22;
-    let shoulder_t26 = shoulder_t23 + forearm_t23;
-    let shoulder_t27 = shoulder_rel_xx * shoulder_t24
-        - shoulder_minus_rel_yx * shoulder_t25 + shoulder_sin2 * shoulder_t26;
-    let shoulder_t28 = shoulder_rel_xy * shoulder_t24 + shoulder_rel_yy * shoulder_t25
-        - shoulder_minus_rel_zy * shoulder_t26;
-    let shoulder_t29 = shoulder_rel_xz * shoulder_t24 + shoulder_rel_yz * shoulder_t25
-        + shoulder_rel_zz * shoulder_t26;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t21 = hub_t18 + shoulder_t27;
-    let hub_t22 = hub_t19 + shoulder_t28;
-    let hub_t23 = hub_t20 + shoulder_t29;
-    let hub_t24 = hub_rel_xx * hub_t21 - hub_minus_rel_yx * hub_t22 + hub_sin2 * hub_t23;
-    kane::store(&mut momentum[0], hub_t24);
-    let hub_t25 = hub_rel_xy * hub_t21 + hub_rel_yy * hub_t22
-        - hub_minus_rel_zy * hub_t23;
-    kane::store(&mut momentum[1], hub_t25);
-    let hub_t26 = hub_rel_xz * hub_t21 + hub_rel_yz * hub_t22 + hub_rel_zz * hub_t23;
-    kane::store(&mut momentum[2], hub_t26);
+    let camera_t24 = R::from_f64(1.717) * camera_s3_dot;
+    let camera_composite_dot_below_x = camera_t13 + camera_t22;
+    let camera_composite_dot_below_y = camera_t20 + camera_t23;
+    let camera_composite_dot_below_z = camera_t21 + camera_t24;
+    let camera_t25 = R::from_f64(1.717) * camera_offset_x;
+    let camera_t26 = R::from_f64(1.717) * camera_offset_y;
+    let camera_t27 = R::from_f64(1.717) * camera_offset_z;
+    let camera_t28 = camera_t11 + camera_t25;
+    let camera_t29 = camera_t18 + camera_t26;
+    let camera_t30 = camera_t19 + camera_t27;
+    // boom: mass centre and momentum, inward
+    let boom_composite_x = camera_t28 + R::from_f64(0.263312);
+    let boom_composite_y = camera_t29 + R::from_f64(-0.575995);
+    let boom_composite_z = camera_t30 + R::from_f64(-0.48665699999999995);
+    let boom_theta3_dot = u[20];
+    let boom_t1 = boom_composite_y * boom_theta3_dot;
+    let boom_t2 = boom_composite_x * boom_theta3_dot;
+    let boom_t3 = camera_composite_dot_below_x - boom_t1;
+    let boom_t4 = boom_t2 + camera_composite_dot_below_y;
+    let boom_cos3 = cosines[20];
+    let boom_sin3 = sines[20];
+    let boom_t5 = boom_cos3 * boom_composite_x - boom_sin3 * boom_composite_y;
+    let boom_t6 = boom_cos3 * boom_composite_y + boom_sin3 * boom_composite_x;
+    let boom_t7 = boom_cos3 * boom_t3 - boom_sin3 * boom_t4;
+    let boom_t8 = boom_cos3 * boom_t4 + boom_sin3 * boom_t3;
+    let boom_theta2_dot = u[19];
+    let boom_t9 = boom_composite_z * boom_theta2_dot;
+    let boom_t10 = boom_t5 * boom_theta2_dot;
+    let boom_t11 = boom_t7 + boom_t9;
+    let boom_t12 = camera_composite_dot_below_z - boom_t10;
+    let boom_cos2 = cosines[19];
+    let boom_sin2 = sines[19];
+    let boom_t13 = boom_cos2 * boom_composite_z - boom_sin2 * boom_t5;
+    let boom_t14 = boom_cos2 * boom_t5 + boom_sin2 * boom_composite_z;
+    let boom_t15 = boom_cos2 * boom_t12 - boom_sin2 * boom_t11;
+    let boom_t16 = boom_cos2 * boom_t11 + boom_sin2 * boom_t12;
+    let boom_theta1_dot = u[18];
+    let boom_t17 = boom_t13 * boom_theta1_dot;
+    let boom_t18 = boom_t6 * boom_theta1_dot;
+    let boom_t19 = boom_t8 - boom_t17;
+    let boom_t20 = boom_t15 + boom_t18;
+    let boom_cos1 = cosines[18];
+    let boom_sin1 = sines[18];
+    let boom_t21 = boom_cos1 * boom_t6 - boom_sin1 * boom_t13;
+    let boom_t22 = boom_cos1 * boom_t13 + boom_sin1 * boom_t6;
+    let boom_t23 = boom_cos1 * boom_t19 - boom_sin1 * boom_t20;
+    let boom_t24 = boom_cos1 * boom_t20 + boom_sin1 * boom_t19;
+    let boom_s1_dot = u[42];
+    let boom_t25 = R::from_f64(4.068) * boom_s1_dot;
+    let boom_s2_dot = u[43];
+    let boom_t26 = R::from_f64(4.068) * boom_s2_dot;
+    let boom_s3_dot = u[44];
+    let boom_t27 = R::from_f64(4.068) * boom_s3_dot;
+    let boom_composite_dot_below_x = boom_t16 + boom_t25;
+    let boom_composite_dot_below_y = boom_t23 + boom_t26;
+    let boom_composite_dot_below_z = boom_t24 + boom_t27;
+    let boom_t28 = R::from_f64(4.068) * boom_offset_x;
+    let boom_t29 = R::from_f64(4.068) * boom_offset_y;
+    let boom_t30 = R::from_f64(4.068) * boom_offset_z;
+    let boom_t31 = boom_t14 + boom_t28;
+    let boom_t32 = boom_t21 + boom_t29;
+    let boom_t33 = boom_t22 + boom_t30;
+    // hub: mass centre and momentum, inward
+    let hub_t1 = boom_t31 + R::from_f64(0.184569);
+    let hub_t2 = boom_t32 + R::from_f64(-0.41750099999999996);
+    let hub_t3 = boom_t33 + R::from_f64(0.15792);
+    // antenna: mass centre and momentum, inward
+    let antenna_theta3_dot = u[17];
+    let antenna_t1 = R::from_f64(-0.305988) * antenna_theta3_dot;
+    let antenna_t2 = R::from_f64(0.530142) * antenna_theta3_dot;
+    let antenna_cos3 = cosines[17];
+    let antenna_sin3 = sines[17];
+    let antenna_t3 = R::from_f64(0.530142) * antenna_cos3
+        + R::from_f64(0.305988) * antenna_sin3;
+    let antenna_t4 = R::from_f64(-0.305988) * antenna_cos3
+        - R::from_f64(-0.530142) * antenna_sin3;
+    let antenna_t5 = antenna_cos3 * antenna_t1 + antenna_sin3 * antenna_t2;
+    let antenna_t6 = antenna_cos3 * antenna_t2 - antenna_sin3 * antenna_t1;
+    let antenna_theta2_dot = u[16];
+    let antenna_t7 = R::from_f64(0.087764) * antenna_theta2_dot;
+    let antenna_t8 = antenna_t3 * antenna_theta2_dot;
+    let antenna_t9 = antenna_t7 - antenna_t5;
+    let antenna_cos2 = cosines[16];
+    let antenna_sin2 = sines[16];
+    let antenna_t10 = R::from_f64(0.087764) * antenna_cos2 - antenna_sin2 * antenna_t3;
+    let antenna_t11 = antenna_cos2 * antenna_t3 - R::from_f64(-0.087764) * antenna_sin2;
+    let antenna_t12 = antenna_cos2 * antenna_t8 + antenna_sin2 * antenna_t9;
+    let antenna_t13 = antenna_cos2 * antenna_t9 - antenna_sin2 * antenna_t8;
+    let antenna_theta1_dot = u[15];
+    let antenna_t14 = antenna_t10 * antenna_theta1_dot;
+    let antenna_t15 = antenna_t4 * antenna_theta1_dot;
+    let antenna_t16 = antenna_t6 - antenna_t14;
+    let antenna_t17 = antenna_t15 - antenna_t12;
+    let antenna_cos1 = cosines[15];
+    let antenna_sin1 = sines[15];
+    let antenna_t18 = antenna_cos1 * antenna_t4 - antenna_sin1 * antenna_t10;
+    let antenna_t19 = antenna_cos1 * antenna_t10 + antenna_sin1 * antenna_t4;
+    let antenna_t20 = antenna_cos1 * antenna_t16 - antenna_sin1 * antenna_t17;
+    let antenna_t21 = antenna_cos1 * antenna_t17 + antenna_sin1 * antenna_t16;
+    let antenna_s1_dot = u[39];
+    let antenna_t22 = R::from_f64(1.186) * antenna_s1_dot;
+    let antenna_s2_dot = u[40];
+    let antenna_t23 = R::from_f64(1.186) * antenna_s2_dot;
+    let antenna_s3_dot = u[41];
+    let antenna_t24 = R::from_f64(1.186) * antenna_s3_dot;
+    let antenna_composite_dot_below_x = antenna_t13 + antenna_t22;
+    let antenna_composite_dot_below_y = antenna_t20 + antenna_t23;
+    let antenna_composite_dot_below_z = antenna_t21 + antenna_t24;
+    let antenna_t25 = R::from_f64(1.186) * antenna_offset_x;
+    let antenna_t26 = R::from_f64(1.186) * antenna_offset_y;
+    let antenna_t27 = R::from_f64(1.186) * antenna_offset_z;
+    let antenna_t28 = antenna_t11 + antenna_t25;
+    let antenna_t29 = antenna_t18 + antenna_t26;
+    let antenna_t30 = antenna_t19 + antenna_t27;
+    // hub: mass centre and momentum, inward
+    let hub_t4 = hub_t1 + antenna_t28;
+    let hub_t5 = hub_t2 + antenna_t29;
+    let hub_t6 = hub_t3 + antenna_t30;
+    let hub_t7 = antenna_composite_dot_below_x + boom_composite_dot_below_x;
+    let hub_t8 = antenna_composite_dot_below_y + boom_composite_dot_below_y;
+    let hub_t9 = antenna_composite_dot_below_z + boom_composite_dot_below_z;
+    // left_tip: mass centre and momentum, inward
+    let left_tip_theta3_dot = u[14];
+    let left_tip_t1 = R::from_f64(0.46245300000000006) * left_tip_theta3_dot;
+    let left_tip_t2 = R::from_f64(-0.79848) * left_tip_theta3_dot;
+    let left_tip_cos3 = cosines[14];
+    let left_tip_sin3 = sines[14];
+    let left_tip_t3 = R::from_f64(-0.79848) * left_tip_cos3
+        + R::from_f64(-0.46245300000000006) * left_tip_sin3;
+    let left_tip_t4 = R::from_f64(0.46245300000000006) * left_tip_cos3
+        - R::from_f64(0.79848) * left_tip_sin3;
+    let left_tip_t5 = left_tip_cos3 * left_tip_t1 + left_tip_sin3 * left_tip_t2;
+    let left_tip_t6 = left_tip_cos3 * left_tip_t2 - left_tip_sin3 * left_tip_t1;
+    let left_tip_theta2_dot = u[13];
+    let left_tip_t7 = R::from_f64(0.292776) * left_tip_theta2_dot;
+    let left_tip_t8 = left_tip_t3 * left_tip_theta2_dot;
+    let left_tip_t9 = left_tip_t7 - left_tip_t5;
+    let left_tip_cos2 = cosines[13];
+    let left_tip_sin2 = sines[13];
+    let left_tip_t10 = R::from_f64(0.292776) * left_tip_cos2
+        - left_tip_sin2 * left_tip_t3;
+    let left_tip_t11 = left_tip_cos2 * left_tip_t3
+        - R::from_f64(-0.292776) * left_tip_sin2;
+    let left_tip_t12 = left_tip_cos2 * left_tip_t8 + left_tip_sin2 * left_tip_t9;
+    let left_tip_t13 = left_tip_cos2 * left_tip_t9 - left_tip_sin2 * left_tip_t8;
+    let left_tip_theta1_dot = u[12];
+    let left_tip_t14 = left_tip_t10 * left_tip_theta1_dot;
+    let left_tip_t15 = left_tip_t4 * left_tip_theta1_dot;
+    let left_tip_t16 = left_tip_t6 - left_tip_t14;
+    let left_tip_t17 = left_tip_t15 - left_tip_t12;
+    let left_tip_cos1 = cosines[12];
+    let left_tip_sin1 = sines[12];
+    let left_tip_t18 = left_tip_cos1 * left_tip_t4 - left_tip_sin1 * left_tip_t10;
+    let left_tip_t19 = left_tip_cos1 * left_tip_t10 + left_tip_sin1 * left_tip_t4;
+    let left_tip_t20 = left_tip_cos1 * left_tip_t16 - left_tip_sin1 * left_tip_t17;
+    let left_tip_t21 = left_tip_cos1 * left_tip_t17 + left_tip_sin1 * left_tip_t16;
+    let left_tip_s1_dot = u[36];
+    let left_tip_t22 = R::from_f64(3.327) * left_tip_s1_dot;
+    let left_tip_s2_dot = u[37];
+    let left_tip_t23 = R::from_f64(3.327) * left_tip_s2_dot;
+    let left_tip_s3_dot = u[38];
+    let left_tip_t24 = R::from_f64(3.327) * left_tip_s3_dot;
+    let left_tip_composite_dot_below_x = left_tip_t13 + left_tip_t22;
+    let left_tip_composite_dot_below_y = left_tip_t20 + left_tip_t23;
+    let left_tip_composite_dot_below_z = left_tip_t21 + left_tip_t24;
+    let left_tip_t25 = R::from_f64(3.327) * left_tip_offset_x;
+    let left_tip_t26 = R::from_f64(3.327) * left_tip_offset_y;
+    let left_tip_t27 = R::from_f64(3.327) * left_tip_offset_z;
+    let left_tip_t28 = left_tip_t11 + left_tip_t25;
+    let left_tip_t29 = left_tip_t18 + left_tip_t26;
+    let left_tip_t30 = left_tip_t19 + left_tip_t27;
+    // shoulder: mass centre and momentum, inward
+    let shoulder_t1 = left_tip_t28 + R::from_f64(0.54126);
+    let shoulder_t2 = left_tip_t29 + R::from_f64(-0.23436);
+    let shoulder_t3 = left_tip_t30 + R::from_f64(0.44082);
+    // left_panel: mass centre and momentum, inward
+    let left_panel_theta3_dot = u[11];
+    let left_panel_t1 = R::from_f64(-1.5819299999999998) * left_panel_theta3_dot;
+    let left_panel_t2 = R::from_f64(-0.530565) * left_panel_theta3_dot;
+    let left_panel_cos3 = cosines[11];
+    let left_panel_sin3 = sines[11];
+    let left_panel_t3 = R::from_f64(-0.530565) * left_panel_cos3
+        + R::from_f64(1.5819299999999998) * left_panel_sin3;
+    let left_panel_t4 = R::from_f64(-1.5819299999999998) * left_panel_cos3
+        - R::from_f64(0.530565) * left_panel_sin3;
+    let left_panel_t5 = left_panel_cos3 * left_panel_t1
+        + left_panel_sin3 * left_panel_t2;
+    let left_panel_t6 = left_panel_cos3 * left_panel_t2
+        - left_panel_sin3 * left_panel_t1;
+    let left_panel_theta2_dot = u[10];
+    let left_panel_t7 = R::from_f64(-1.53636) * left_panel_theta2_dot;
+    let left_panel_t8 = left_panel_t3 * left_panel_theta2_dot;
+    let left_panel_t9 = left_panel_t7 - left_panel_t5;
+    let left_panel_cos2 = cosines[10];
+    let left_panel_sin2 = sines[10];
+    let left_panel_t10 = R::from_f64(-1.53636) * left_panel_cos2
+        - left_panel_sin2 * left_panel_t3;
+    let left_panel_t11 = left_panel_cos2 * left_panel_t3
+        - R::from_f64(1.53636) * left_panel_sin2;
+    let left_panel_t12 = left_panel_cos2 * left_panel_t8
+        + left_panel_sin2 * left_panel_t9;
+    let left_panel_t13 = left_panel_cos2 * left_panel_t9
+        - left_panel_sin2 * left_panel_t8;
+    let left_panel_theta1_dot = u[9];
+    let left_panel_t14 = left_panel_t10 * left_panel_theta1_dot;
+    let left_panel_t15 = left_panel_t4 * left_panel_theta1_dot;
+    let left_panel_t16 = left_panel_t6 - left_panel_t14;
+    let left_panel_t17 = left_panel_t15 - left_panel_t12;
+    let left_panel_cos1 = cosines[9];
+    let left_panel_sin1 = sines[9];
+    let left_panel_t18 = left_panel_cos1 * left_panel_t4
+        - left_panel_sin1 * left_panel_t10;
+    let left_panel_t19 = left_panel_cos1 * left_panel_t10
+        + left_panel_sin1 * left_panel_t4;
+    let left_panel_t20 = left_panel_cos1 * left_panel_t16
+        - left_panel_sin1 * left_panel_t17;
+    let left_panel_t21 = left_panel_cos1 * left_panel_t17
+        + left_panel_sin1 * left_panel_t16;
+    let left_panel_s1_dot = u[33];
+    let left_panel_t22 = R::from_f64(3.255) * left_panel_s1_dot;
+    let left_panel_s2_dot = u[34];
+    let left_panel_t23 = R::from_f64(3.255) * left_panel_s2_dot;
+    let left_panel_s3_dot = u[35];
+    let left_panel_t24 = R::from_f64(3.255) * left_panel_s3_dot;
+    let left_panel_composite_dot_below_x = left_panel_t13 + left_panel_t22;
+    let left_panel_composite_dot_below_y = left_panel_t20 + left_panel_t23;
+    let left_panel_composite_dot_below_z = left_panel_t21 + left_panel_t24;
+    let left_panel_t25 = R::from_f64(3.255) * left_panel_offset_x;
+    let left_panel_t26 = R::from_f64(3.255) * left_panel_offset_y;
+    let left_panel_t27 = R::from_f64(3.255) * left_panel_offset_z;
+    let left_panel_t28 = left_panel_t11 + left_panel_t25;
+    let left_panel_t29 = left_panel_t18 + left_panel_t26;
+    let left_panel_t30 = left_panel_t19 + left_panel_t27;
+    // hub: mass centre and momentum, inward
+    let hub_t10 = hub_t4 + left_panel_t28;
+    let hub_t11 = hub_t5 + left_panel_t29;
+    let hub_t12 = hub_t6 + left_panel_t30;
+    let hub_t13 = hub_t7 + left_panel_composite_dot_below_x;
+    let hub_t14 = hub_t8 + left_panel_composite_dot_below_y;
+    let hub_t15 = hub_t9 + left_panel_composite_dot_below_z;
+    // forearm: mass centre and momentum, inward
+    let forearm_theta3_dot = u[8];
+    let forearm_t1 = R::from_f64(-0.820904) * forearm_theta3_dot;
+    let forearm_t2 = R::from_f64(-0.435386) * forearm_theta3_dot;
+    let forearm_cos3 = cosines[8];
+    let forearm_sin3 = sines[8];
+    let forearm_t3 = R::from_f64(-0.435386) * forearm_cos3
+        + R::from_f64(0.820904) * forearm_sin3;
+    let forearm_t4 = R::from_f64(-0.820904) * forearm_cos3
+        - R::from_f64(0.435386) * forearm_sin3;
+    let forearm_t5 = forearm_cos3 * forearm_t1 + forearm_sin3 * forearm_t2;
+    let forearm_t6 = forearm_cos3 * forearm_t2 - forearm_sin3 * forearm_t1;
+    let forearm_theta2_dot = u[7];
+    let forearm_t7 = R::from_f64(0.581154) * forearm_theta2_dot;
+    let forearm_t8 = forearm_t3 * forearm_theta2_dot;
+    let forearm_t9 = forearm_t7 - forearm_t5;
+    let forearm_cos2 = cosines[7];
+    let forearm_sin2 = sines[7];
+    let forearm_t10 = R::from_f64(0.581154) * forearm_cos2 - forearm_sin2 * forearm_t3;
+    let forearm_t11 = forearm_cos2 * forearm_t3 - R::from_f64(-0.581154) * forearm_sin2;
+    let forearm_t12 = forearm_cos2 * forearm_t8 + forearm_sin2 * forearm_t9;
+    let forearm_t13 = forearm_cos2 * forearm_t9 - forearm_sin2 * forearm_t8;
+    let forearm_theta1_dot = u[6];
+    let forearm_t14 = forearm_t10 * forearm_theta1_dot;
+    let forearm_t15 = forearm_t4 * forearm_theta1_dot;
+    let forearm_t16 = forearm_t6 - forearm_t14;
+    let forearm_t17 = forearm_t15 - forearm_t12;
+    let forearm_cos1 = cosines[6];
+    let forearm_sin1 = sines[6];
+    let forearm_t18 = forearm_cos1 * forearm_t4 - forearm_sin1 * forearm_t10;
+    let forearm_t19 = forearm_cos1 * forearm_t10 + forearm_sin1 * forearm_t4;
+    let forearm_t20 = forearm_cos1 * forearm_t16 - forearm_sin1 * forearm_t17;
+    let forearm_t21 = forearm_cos1 * forearm_t17 + forearm_sin1 * forearm_t16;
+    let forearm_s1_dot = u[30];
+    let forearm_t22 = R::from_f64(1.918) * forearm_s1_dot;
+    let forearm_s2_dot = u[31];
+    let forearm_t23 = R::from_f64(1.918) * forearm_s2_dot;
+    let forearm_s3_dot = u[32];
+    let forearm_t24 = R::from_f64(1.918) * forearm_s3_dot;
+    let forearm_composite_dot_below_x = forearm_t13 + forearm_t22;
+    let forearm_composite_dot_below_y = forearm_t20 + forearm_t23;
+    let forearm_composite_dot_below_z = forearm_t21 + forearm_t24;
+    let forearm_t25 = R::from_f64(1.918) * forearm_offset_x;
+    let forearm_t26 = R::from_f64(1.918) * forearm_offset_y;
+    let forearm_t27 = R::from_f64(1.918) * forearm_offset_z;
+    let forearm_t28 = forearm_t11 + forearm_t25;
+    let forearm_t29 = forearm_t18 + forearm_t26;
+    let forearm_t30 = forearm_t19 + forearm_t27;
+    // shoulder: mass centre and momentum, inward
+    let shoulder_composite_x = shoulder_t1 + forearm_t28;
+    let shoulder_composite_y = shoulder_t2 + forearm_t29;
+    let shoulder_composite_z = shoulder_t3 + forearm_t30;
+    let shoulder_composite_dot_x = forearm_composite_dot_below_x
+        + left_tip_composite_dot_below_x;
+    let shoulder_composite_dot_y = forearm_composite_dot_below_y
+        + left_tip_composite_dot_below_y;
+    let shoulder_composite_dot_z = forearm_composite_dot_below_z
+        + left_tip_composite_dot_below_z;
+    let shoulder_theta3_dot = u[5];
+    let shoulder_t4 = shoulder_composite_y * shoulder_theta3_dot;
+    let shoulder_t5 = shoulder_composite_x * shoulder_theta3_dot;
+    let shoulder_t6 = shoulder_composite_dot_x - shoulder_t4;
+    let shoulder_t7 = shoulder_composite_dot_y + shoulder_t5;
+    let shoulder_cos3 = cosines[5];
+    let shoulder_sin3 = sines[5];
+    let shoulder_t8 = shoulder_cos3 * shoulder_composite_x
+        - shoulder_sin3 * shoulder_composite_y;
+    let shoulder_t9 = shoulder_cos3 * shoulder_composite_y
+        + shoulder_sin3 * shoulder_composite_x;
+    let shoulder_t10 = shoulder_cos3 * shoulder_t6 - shoulder_sin3 * shoulder_t7;
+    let shoulder_t11 = shoulder_cos3 * shoulder_t7 + shoulder_sin3 * shoulder_t6;
+    let shoulder_theta2_dot = u[4];
+    let shoulder_t12 = shoulder_composite_z * shoulder_theta2_dot;
+    let shoulder_t13 = shoulder_t8 * shoulder_theta2_dot;
+    let shoulder_t14 = shoulder_t10 + shoulder_t12;
+    let shoulder_t15 = shoulder_composite_dot_z - shoulder_t13;
+    let shoulder_cos2 = cosines[4];
+    let shoulder_sin2 = sines[4];
+    let shoulder_t16 = shoulder_cos2 * shoulder_composite_z
+        - shoulder_sin2 * shoulder_t8;
+    let shoulder_t17 = shoulder_cos2 * shoulder_t8
+        + shoulder_sin2 * shoulder_composite_z;
+    let shoulder_t18 = shoulder_cos2 * shoulder_t15 - shoulder_sin2 * shoulder_t14;
+    let shoulder_t19 = shoulder_cos2 * shoulder_t14 + shoulder_sin2 * shoulder_t15;
+    let shoulder_theta1_dot = u[3];
+    let shoulder_t20 = shoulder_t16 * shoulder_theta1_dot;
+    let shoulder_t21 = shoulder_t9 * shoulder_theta1_dot;
+    let shoulder_t22 = shoulder_t11 - shoulder_t20;
+    let shoulder_t23 = shoulder_t18 + shoulder_t21;
+    let shoulder_cos1 = cosines[3];
+    let shoulder_sin1 = sines[3];
+    let shoulder_t24 = shoulder_cos1 * shoulder_t9 - shoulder_sin1 * shoulder_t16;
+    let shoulder_t25 = shoulder_cos1 * shoulder_t16 + shoulder_sin1 * shoulder_t9;
+    let shoulder_t26 = shoulder_cos1 * shoulder_t22 - shoulder_sin1 * shoulder_t23;
+    let shoulder_t27 = shoulder_cos1 * shoulder_t23 + shoulder_sin1 * shoulder_t22;
+    let shoulder_s1_dot = u[27];
+    let shoulder_t28 = R::from_f64(7.105) * shoulder_s1_dot;
+    let shoulder_s2_dot = u[28];
+    let shoulder_t29 = R::from_f64(7.105) * shoulder_s2_dot;
+    let shoulder_s3_dot = u[29];
+    let shoulder_t30 = R::from_f64(7.105) * shoulder_s3_dot;
+    let shoulder_composite_dot_below_x = shoulder_t19 + shoulder_t28;
+    let shoulder_composite_dot_below_y = shoulder_t26 + shoulder_t29;
+    let shoulder_composite_dot_below_z = shoulder_t27 + shoulder_t30;
+    let shoulder_t31 = R::from_f64(7.105) * shoulder_offset_x;
+    let shoulder_t32 = R::from_f64(7.105) * shoulder_offset_y;
+    let shoulder_t33 = R::from_f64(7.105) * shoulder_offset_z;
+    let shoulder_t34 = shoulder_t17 + shoulder_t31;
+    let shoulder_t35 = shoulder_t24 + shoulder_t32;
+    let shoulder_t36 = shoulder_t25 + shoulder_t33;
+    // hub: mass centre and momentum, inward
+    let hub_composite_x = hub_t10 + shoulder_t34;
+    let hub_composite_y = hub_t11 + shoulder_t35;
+    let hub_composite_z = hub_t12 + shoulder_t36;
+    let hub_composite_dot_x = hub_t13 + shoulder_composite_dot_below_x;
+    let hub_composite_dot_y = hub_t14 + shoulder_composite_dot_below_y;
+    let hub_composite_dot_z = hub_t15 + shoulder_composite_dot_below_z;
+    let hub_theta3_dot = u[2];
+    let hub_t16 = hub_composite_y * hub_theta3_dot;
+    let hub_t17 = hub_composite_x * hub_theta3_dot;
+    let hub_t18 = hub_composite_dot_x - hub_t16;
+    let hub_t19 = hub_composite_dot_y + hub_t17;
+    let hub_cos3 = cosines[2];
+    let hub_sin3 = sines[2];
+    let hub_t20 = hub_cos3 * hub_composite_x - hub_sin3 * hub_composite_y;
+    let hub_t21 = hub_cos3 * hub_composite_y + hub_sin3 * hub_composite_x;
+    let hub_t22 = hub_cos3 * hub_t18 - hub_sin3 * hub_t19;
+    let hub_t23 = hub_cos3 * hub_t19 + hub_sin3 * hub_t18;
+    let hub_theta2_dot = u[1];
+    let hub_t24 = hub_composite_z * hub_theta2_dot;
+    let hub_t25 = hub_t20 * hub_theta2_dot;
+    let hub_t26 = hub_t22 + hub_t24;
+    let hub_t27 = hub_composite_dot_z - hub_t25;
+    let hub_cos2 = cosines[1];
+    let hub_sin2 = sines[1];
+    let hub_t28 = hub_cos2 * hub_composite_z - hub_sin2 * hub_t20;
+    let hub_t29 = hub_cos2 * hub_t27 - hub_sin2 * hub_t26;
+    let hub_t30 = hub_cos2 * hub_t26 + hub_sin2 * hub_t27;
+    let hub_theta1_dot = u[0];
+    let hub_t31 = hub_t28 * hub_theta1_dot;
+    let hub_t32 = hub_t21 * hub_theta1_dot;
+    let hub_t33 = hub_t23 - hub_t31;
+    let hub_t34 = hub_t29 + hub_t32;
+    let hub_cos1 = cosines[0];
+    let hub_sin1 = sines[0];
+    let hub_t35 = hub_cos1 * hub_t33 - hub_sin1 * hub_t34;
+    let hub_t36 = hub_cos1 * hub_t34 + hub_sin1 * hub_t33;
+    let hub_s1_dot = u[24];
+    let hub_t37 = R::from_f64(16.601) * hub_s1_dot;
+    let hub_s2_dot = u[25];
+    let hub_t38 = R::from_f64(16.601) * hub_s2_dot;
+    let hub_s3_dot = u[26];
+    let hub_t39 = R::from_f64(16.601) * hub_s3_dot;
+    let hub_composite_dot_below_x = hub_t30 + hub_t37;
+    kane::store(&mut momentum[0], hub_composite_dot_below_x);
+    let hub_composite_dot_below_y = hub_t35 + hub_t38;
+    kane::store(&mut momentum[1], hub_composite_dot_below_y);
+    let hub_composite_dot_below_z = hub_t36 + hub_t39;
+    kane::store(&mut momentum[2], hub_composite_dot_below_z);
 }
 
 impl<R: kane::Real> kane::functions::LinearMomentum<R> for Prepared<R> {
@@ -44903,7 +44623,7 @@ impl<R: kane::Real> kane::functions::LinearMomentum<R> for Prepared<R> {
 
 /// Angular momentum of all bodies about the inertial origin: inertial components, kg m^2/s.
 ///
-/// Operations: 1270 = 665 mul + 557 add + 0 div + 48 trig.
+/// Operations: 1236 = 660 mul + 528 add + 0 div + 48 trig; formulation: recursive.
 #[allow(
     dead_code,
     unused_variables,
@@ -44970,882 +44690,819 @@ pub fn angular_momentum<R: kane::Real>(
         camera_theta2,
         camera_theta3,
     ]);
-    // hub: rotation, Eqs. (2) to (5)
-    let hub_sin1 = sines[0];
-    let hub_sin2 = sines[1];
-    let hub_t1 = hub_sin1 * hub_sin2;
-    let hub_cos1 = cosines[0];
-    let hub_t2 = hub_sin2 * hub_cos1;
-    let hub_sin3 = sines[2];
-    let hub_cos3 = cosines[2];
-    let hub_rel_xy = hub_sin3 * hub_cos1 + hub_cos3 * hub_t1;
-    let hub_rel_xz = hub_sin1 * hub_sin3 - hub_cos3 * hub_t2;
-    let hub_rel_yy = hub_cos1 * hub_cos3 - hub_sin3 * hub_t1;
-    let hub_rel_yz = hub_sin1 * hub_cos3 + hub_sin3 * hub_t2;
-    let hub_cos2 = cosines[1];
-    let hub_rel_xx = hub_cos2 * hub_cos3;
-    let hub_minus_rel_yx = hub_sin3 * hub_cos2;
-    let hub_minus_rel_zy = hub_sin1 * hub_cos2;
-    let hub_rel_zz = hub_cos1 * hub_cos2;
-    // shoulder: rotation, Eqs. (2) to (5)
-    let shoulder_sin1 = sines[3];
-    let shoulder_sin2 = sines[4];
-    let shoulder_t1 = shoulder_sin1 * shoulder_sin2;
-    let shoulder_cos1 = cosines[3];
-    let shoulder_t2 = shoulder_sin2 * shoulder_cos1;
-    let shoulder_sin3 = sines[5];
-    let shoulder_cos3 = cosines[5];
-    let shoulder_rel_xy = shoulder_sin3 * shoulder_cos1 + shoulder_cos3 * shoulder_t1;
-    let shoulder_rel_xz = shoulder_sin1 * shoulder_sin3 - shoulder_cos3 * shoulder_t2;
-    let shoulder_rel_yy = shoulder_cos1 * shoulder_cos3 - shoulder_sin3 * shoulder_t1;
-    let shoulder_rel_yz = shoulder_sin1 * shoulder_cos3 + shoulder_sin3 * shoulder_t2;
-    let shoulder_cos2 = cosines[4];
-    let shoulder_rel_xx = shoulder_cos2 * shoulder_cos3;
-    let shoulder_minus_rel_yx = shoulder_sin3 * shoulder_cos2;
-    let shoulder_minus_rel_zy = shoulder_sin1 * shoulder_cos2;
-    let shoulder_rel_zz = shoulder_cos1 * shoulder_cos2;
-    // forearm: rotation, Eqs. (2) to (5)
-    let forearm_sin1 = sines[6];
-    let forearm_sin2 = sines[7];
-    let forearm_t1 = forearm_sin1 * forearm_sin2;
-    let forearm_cos1 = cosines[6];
-    let forearm_t2 = forearm_sin2 * forearm_cos1;
-    let forearm_sin3 = sines[8];
-    let forearm_cos3 = cosines[8];
-    let forearm_rel_xy = forearm_sin3 * forearm_cos1 + forearm_cos3 * forearm_t1;
-    let forearm_rel_xz = forearm_sin1 * forearm_sin3 - forearm_cos3 * forearm_t2;
-    let forearm_rel_yy = forearm_cos1 * forearm_cos3 - forearm_sin3 * forearm_t1;
-    let forearm_rel_yz = forearm_sin1 * forearm_cos3 + forearm_sin3 * forearm_t2;
-    let forearm_cos2 = cosines[7];
-    let forearm_rel_xx = forearm_cos2 * forearm_cos3;
-    let forearm_minus_rel_yx = forearm_sin3 * forearm_cos2;
-    let forearm_minus_rel_zy = forearm_sin1 * forearm_cos2;
-    let forearm_rel_zz = forearm_cos1 * forearm_cos2;
-    // left_panel: rotation, Eqs. (2) to (5)
-    let left_panel_sin1 = sines[9];
-    let left_panel_sin2 = sines[10];
-    let left_panel_t1 = left_panel_sin1 * left_panel_sin2;
-    let left_panel_cos1 = cosines[9];
-    let left_panel_t2 = left_panel_sin2 * left_panel_cos1;
-    let left_panel_sin3 = sines[11];
-    let left_panel_cos3 = cosines[11];
-    let left_panel_rel_xy = left_panel_sin3 * left_panel_cos1
-        + left_panel_cos3 * left_panel_t1;
-    let left_panel_rel_xz = left_panel_sin1 * left_panel_sin3
-        - left_panel_cos3 * left_panel_t2;
-    let left_panel_rel_yy = left_panel_cos1 * left_panel_cos3
-        - left_panel_sin3 * left_panel_t1;
-    let left_panel_rel_yz = left_panel_sin1 * left_panel_cos3
-        + left_panel_sin3 * left_panel_t2;
-    let left_panel_cos2 = cosines[10];
-    let left_panel_rel_xx = left_panel_cos2 * left_panel_cos3;
-    let left_panel_minus_rel_yx = left_panel_sin3 * left_panel_cos2;
-    let left_panel_minus_rel_zy = left_panel_sin1 * left_panel_cos2;
-    let left_panel_rel_zz = left_panel_cos1 * left_panel_cos2;
-    // left_tip: rotation, Eqs. (2) to (5)
-    let left_tip_sin1 = sines[12];
-    let left_tip_sin2 = sines[13];
-    let left_tip_t1 = left_tip_sin1 * left_tip_sin2;
-    let left_tip_cos1 = cosines[12];
-    let left_tip_t2 = left_tip_sin2 * left_tip_cos1;
-    let left_tip_sin3 = sines[14];
-    let left_tip_cos3 = cosines[14];
-    let left_tip_rel_xy = left_tip_sin3 * left_tip_cos1 + left_tip_cos3 * left_tip_t1;
-    let left_tip_rel_xz = left_tip_sin1 * left_tip_sin3 - left_tip_cos3 * left_tip_t2;
-    let left_tip_rel_yy = left_tip_cos1 * left_tip_cos3 - left_tip_sin3 * left_tip_t1;
-    let left_tip_rel_yz = left_tip_sin1 * left_tip_cos3 + left_tip_sin3 * left_tip_t2;
-    let left_tip_cos2 = cosines[13];
-    let left_tip_rel_xx = left_tip_cos2 * left_tip_cos3;
-    let left_tip_minus_rel_yx = left_tip_sin3 * left_tip_cos2;
-    let left_tip_minus_rel_zy = left_tip_sin1 * left_tip_cos2;
-    let left_tip_rel_zz = left_tip_cos1 * left_tip_cos2;
-    // antenna: rotation, Eqs. (2) to (5)
-    let antenna_sin1 = sines[15];
-    let antenna_sin2 = sines[16];
-    let antenna_t1 = antenna_sin1 * antenna_sin2;
-    let antenna_cos1 = cosines[15];
-    let antenna_t2 = antenna_sin2 * antenna_cos1;
-    let antenna_sin3 = sines[17];
-    let antenna_cos3 = cosines[17];
-    let antenna_rel_xy = antenna_sin3 * antenna_cos1 + antenna_cos3 * antenna_t1;
-    let antenna_rel_xz = antenna_sin1 * antenna_sin3 - antenna_cos3 * antenna_t2;
-    let antenna_rel_yy = antenna_cos1 * antenna_cos3 - antenna_sin3 * antenna_t1;
-    let antenna_rel_yz = antenna_sin1 * antenna_cos3 + antenna_sin3 * antenna_t2;
-    let antenna_cos2 = cosines[16];
-    let antenna_rel_xx = antenna_cos2 * antenna_cos3;
-    let antenna_minus_rel_yx = antenna_sin3 * antenna_cos2;
-    let antenna_minus_rel_zy = antenna_sin1 * antenna_cos2;
-    let antenna_rel_zz = antenna_cos1 * antenna_cos2;
-    // boom: rotation, Eqs. (2) to (5)
-    let boom_sin1 = sines[18];
-    let boom_sin2 = sines[19];
-    let boom_t1 = boom_sin1 * boom_sin2;
-    let boom_cos1 = cosines[18];
-    let boom_t2 = boom_sin2 * boom_cos1;
-    let boom_sin3 = sines[20];
-    let boom_cos3 = cosines[20];
-    let boom_rel_xy = boom_sin3 * boom_cos1 + boom_cos3 * boom_t1;
-    let boom_rel_xz = boom_sin1 * boom_sin3 - boom_cos3 * boom_t2;
-    let boom_rel_yy = boom_cos1 * boom_cos3 - boom_sin3 * boom_t1;
-    let boom_rel_yz = boom_sin1 * boom_cos3 + boom_sin3 * boom_t2;
-    let boom_cos2 = cosines[19];
-    let boom_rel_xx = boom_cos2 * boom_cos3;
-    let boom_minus_rel_yx = boom_sin3 * boom_cos2;
-    let boom_minus_rel_zy = boom_sin1 * boom_cos2;
-    let boom_rel_zz = boom_cos1 * boom_cos2;
-    // camera: rotation, Eqs. (2) to (5)
-    let camera_sin1 = sines[21];
-    let camera_sin2 = sines[22];
-    let camera_t1 = camera_sin1 * camera_sin2;
-    let camera_cos1 = cosines[21];
-    let camera_t2 = camera_sin2 * camera_cos1;
-    let camera_sin3 = sines[23];
-    let camera_cos3 = cosines[23];
-    let camera_rel_xy = camera_sin3 * camera_cos1 + camera_cos3 * camera_t1;
-    let camera_rel_xz = camera_sin1 * camera_sin3 - camera_cos3 * camera_t2;
-    let camera_rel_yy = camera_cos1 * camera_cos3 - camera_sin3 * camera_t1;
-    let camera_rel_yz = camera_sin1 * camera_cos3 + camera_sin3 * camera_t2;
-    let camera_cos2 = cosines[22];
-    let camera_rel_xx = camera_cos2 * camera_cos3;
-    let camera_minus_rel_yx = camera_sin3 * camera_cos2;
-    let camera_minus_rel_zy = camera_sin1 * camera_cos2;
-    let camera_rel_zz = camera_cos1 * camera_cos2;
-    // hub: angular velocity, Eqs. (8), (11)
-    let hub_theta1_dot = u[0];
-    let hub_theta2_dot = u[1];
-    let hub_w_rel_x = hub_rel_xx * hub_theta1_dot + hub_sin3 * hub_theta2_dot;
-    let hub_w_rel_y = hub_cos3 * hub_theta2_dot - hub_minus_rel_yx * hub_theta1_dot;
-    let hub_theta3_dot = u[2];
-    let hub_w_rel_z = hub_theta3_dot + hub_sin2 * hub_theta1_dot;
-    // shoulder: angular velocity, Eqs. (8), (11)
-    let shoulder_theta1_dot = u[3];
-    let shoulder_theta2_dot = u[4];
-    let shoulder_w_rel_x = shoulder_rel_xx * shoulder_theta1_dot
-        + shoulder_sin3 * shoulder_theta2_dot;
-    let shoulder_w_rel_y = shoulder_cos3 * shoulder_theta2_dot
-        - shoulder_minus_rel_yx * shoulder_theta1_dot;
-    let shoulder_theta3_dot = u[5];
-    let shoulder_w_rel_z = shoulder_theta3_dot + shoulder_sin2 * shoulder_theta1_dot;
-    // forearm: angular velocity, Eqs. (8), (11)
-    let forearm_theta1_dot = u[6];
-    let forearm_theta2_dot = u[7];
-    let forearm_w_rel_x = forearm_rel_xx * forearm_theta1_dot
-        + forearm_sin3 * forearm_theta2_dot;
-    let forearm_w_rel_y = forearm_cos3 * forearm_theta2_dot
-        - forearm_minus_rel_yx * forearm_theta1_dot;
-    let forearm_theta3_dot = u[8];
-    let forearm_w_rel_z = forearm_theta3_dot + forearm_sin2 * forearm_theta1_dot;
-    // left_panel: angular velocity, Eqs. (8), (11)
-    let left_panel_theta1_dot = u[9];
-    let left_panel_theta2_dot = u[10];
-    let left_panel_w_rel_x = left_panel_rel_xx * left_panel_theta1_dot
-        + left_panel_sin3 * left_panel_theta2_dot;
-    let left_panel_w_rel_y = left_panel_cos3 * left_panel_theta2_dot
-        - left_panel_minus_rel_yx * left_panel_theta1_dot;
-    let left_panel_theta3_dot = u[11];
-    let left_panel_w_rel_z = left_panel_theta3_dot
-        + left_panel_sin2 * left_panel_theta1_dot;
-    // left_tip: angular velocity, Eqs. (8), (11)
-    let left_tip_theta1_dot = u[12];
-    let left_tip_theta2_dot = u[13];
-    let left_tip_w_rel_x = left_tip_rel_xx * left_tip_theta1_dot
-        + left_tip_sin3 * left_tip_theta2_dot;
-    let left_tip_w_rel_y = left_tip_cos3 * left_tip_theta2_dot
-        - left_tip_minus_rel_yx * left_tip_theta1_dot;
-    let left_tip_theta3_dot = u[14];
-    let left_tip_w_rel_z = left_tip_theta3_dot + left_tip_sin2 * left_tip_theta1_dot;
-    // antenna: angular velocity, Eqs. (8), (11)
-    let antenna_theta1_dot = u[15];
-    let antenna_theta2_dot = u[16];
-    let antenna_w_rel_x = antenna_rel_xx * antenna_theta1_dot
-        + antenna_sin3 * antenna_theta2_dot;
-    let antenna_w_rel_y = antenna_cos3 * antenna_theta2_dot
-        - antenna_minus_rel_yx * antenna_theta1_dot;
-    let antenna_theta3_dot = u[17];
-    let antenna_w_rel_z = antenna_theta3_dot + antenna_sin2 * antenna_theta1_dot;
-    // boom: angular velocity, Eqs. (8), (11)
-    let boom_theta1_dot = u[18];
-    let boom_theta2_dot = u[19];
-    let boom_w_rel_x = boom_rel_xx * boom_theta1_dot + boom_sin3 * boom_theta2_dot;
-    let boom_w_rel_y = boom_cos3 * boom_theta2_dot - boom_minus_rel_yx * boom_theta1_dot;
-    let boom_theta3_dot = u[20];
-    let boom_w_rel_z = boom_theta3_dot + boom_sin2 * boom_theta1_dot;
-    // camera: angular velocity, Eqs. (8), (11)
-    let camera_theta1_dot = u[21];
-    let camera_theta2_dot = u[22];
-    let camera_w_rel_x = camera_rel_xx * camera_theta1_dot
-        + camera_sin3 * camera_theta2_dot;
-    let camera_w_rel_y = camera_cos3 * camera_theta2_dot
-        - camera_minus_rel_yx * camera_theta1_dot;
-    let camera_theta3_dot = u[23];
-    let camera_w_rel_z = camera_theta3_dot + camera_sin2 * camera_theta1_dot;
-    // shoulder: angular velocity, Eqs. (8), (11)
-    let shoulder_t3 = shoulder_rel_xx * hub_w_rel_x + shoulder_rel_xy * hub_w_rel_y
-        + shoulder_rel_xz * hub_w_rel_z;
-    let shoulder_t4 = shoulder_rel_yy * hub_w_rel_y - shoulder_minus_rel_yx * hub_w_rel_x
-        + shoulder_rel_yz * hub_w_rel_z;
-    let shoulder_t5 = shoulder_sin2 * hub_w_rel_x - shoulder_minus_rel_zy * hub_w_rel_y
-        + shoulder_rel_zz * hub_w_rel_z;
-    let shoulder_w_x = shoulder_w_rel_x + shoulder_t3;
-    let shoulder_w_y = shoulder_w_rel_y + shoulder_t4;
-    let shoulder_w_z = shoulder_w_rel_z + shoulder_t5;
-    // forearm: angular velocity, Eqs. (8), (11)
-    let forearm_t3 = forearm_rel_xx * shoulder_w_x + forearm_rel_xy * shoulder_w_y
-        + forearm_rel_xz * shoulder_w_z;
-    let forearm_t4 = forearm_rel_yy * shoulder_w_y - forearm_minus_rel_yx * shoulder_w_x
-        + forearm_rel_yz * shoulder_w_z;
-    let forearm_t5 = forearm_sin2 * shoulder_w_x - forearm_minus_rel_zy * shoulder_w_y
-        + forearm_rel_zz * shoulder_w_z;
-    let forearm_w_x = forearm_w_rel_x + forearm_t3;
-    let forearm_w_y = forearm_w_rel_y + forearm_t4;
-    let forearm_w_z = forearm_w_rel_z + forearm_t5;
-    // left_panel: angular velocity, Eqs. (8), (11)
-    let left_panel_t3 = left_panel_rel_xx * hub_w_rel_x + left_panel_rel_xy * hub_w_rel_y
-        + left_panel_rel_xz * hub_w_rel_z;
-    let left_panel_t4 = left_panel_rel_yy * hub_w_rel_y
-        - left_panel_minus_rel_yx * hub_w_rel_x + left_panel_rel_yz * hub_w_rel_z;
-    let left_panel_t5 = left_panel_sin2 * hub_w_rel_x
-        - left_panel_minus_rel_zy * hub_w_rel_y + left_panel_rel_zz * hub_w_rel_z;
-    let left_panel_w_x = left_panel_w_rel_x + left_panel_t3;
-    let left_panel_w_y = left_panel_w_rel_y + left_panel_t4;
-    let left_panel_w_z = left_panel_w_rel_z + left_panel_t5;
-    // left_tip: angular velocity, Eqs. (8), (11)
-    let left_tip_t3 = left_tip_rel_xx * shoulder_w_x + left_tip_rel_xy * shoulder_w_y
-        + left_tip_rel_xz * shoulder_w_z;
-    let left_tip_t4 = left_tip_rel_yy * shoulder_w_y
-        - left_tip_minus_rel_yx * shoulder_w_x + left_tip_rel_yz * shoulder_w_z;
-    let left_tip_t5 = left_tip_sin2 * shoulder_w_x - left_tip_minus_rel_zy * shoulder_w_y
-        + left_tip_rel_zz * shoulder_w_z;
-    let left_tip_w_x = left_tip_w_rel_x + left_tip_t3;
-    let left_tip_w_y = left_tip_w_rel_y + left_tip_t4;
-    let left_tip_w_z = left_tip_w_rel_z + left_tip_t5;
-    // antenna: angular velocity, Eqs. (8), (11)
-    let antenna_t3 = antenna_rel_xx * hub_w_rel_x + antenna_rel_xy * hub_w_rel_y
-        + antenna_rel_xz * hub_w_rel_z;
-    let antenna_t4 = antenna_rel_yy * hub_w_rel_y - antenna_minus_rel_yx * hub_w_rel_x
-        + antenna_rel_yz * hub_w_rel_z;
-    let antenna_t5 = antenna_sin2 * hub_w_rel_x - antenna_minus_rel_zy * hub_w_rel_y
-        + antenna_rel_zz * hub_w_rel_z;
-    let antenna_w_x = antenna_w_rel_x + antenna_t3;
-    let antenna_w_y = antenna_w_rel_y + antenna_t4;
-    let antenna_w_z = antenna_w_rel_z + antenna_t5;
-    // boom: angular velocity, Eqs. (8), (11)
-    let boom_t3 = boom_rel_xx * hub_w_rel_x + boom_rel_xy * hub_w_rel_y
-        + boom_rel_xz * hub_w_rel_z;
-    let boom_t4 = boom_rel_yy * hub_w_rel_y - boom_minus_rel_yx * hub_w_rel_x
-        + boom_rel_yz * hub_w_rel_z;
-    let boom_t5 = boom_sin2 * hub_w_rel_x - boom_minus_rel_zy * hub_w_rel_y
-        + boom_rel_zz * hub_w_rel_z;
-    let boom_w_x = boom_w_rel_x + boom_t3;
-    let boom_w_y = boom_w_rel_y + boom_t4;
-    let boom_w_z = boom_w_rel_z + boom_t5;
-    // camera: angular velocity, Eqs. (8), (11)
-    let camera_t3 = camera_rel_xx * boom_w_x + camera_rel_xy * boom_w_y
-        + camera_rel_xz * boom_w_z;
-    let camera_t4 = camera_rel_yy * boom_w_y - camera_minus_rel_yx * boom_w_x
-        + camera_rel_yz * boom_w_z;
-    let camera_t5 = camera_sin2 * boom_w_x - camera_minus_rel_zy * boom_w_y
-        + camera_rel_zz * boom_w_z;
-    let camera_w_x = camera_w_rel_x + camera_t3;
-    let camera_w_y = camera_w_rel_y + camera_t4;
-    let camera_w_z = camera_w_rel_z + camera_t5;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_s1_dot = u[24];
-    let hub_s2_dot = u[25];
-    let hub_s3_dot = u[26];
-    let hub_t3 = hub_rel_xx * hub_s1_dot + hub_rel_xy * hub_s2_dot
-        + hub_rel_xz * hub_s3_dot;
-    let hub_t4 = hub_rel_yy * hub_s2_dot - hub_minus_rel_yx * hub_s1_dot
-        + hub_rel_yz * hub_s3_dot;
-    let hub_t5 = hub_sin2 * hub_s1_dot - hub_minus_rel_zy * hub_s2_dot
-        + hub_rel_zz * hub_s3_dot;
-    // shoulder: velocity, Eqs. (25), (27)
+    // shoulder: joint, mass and inertia
     let shoulder_s1 = q[27];
     let shoulder_offset_x = shoulder_s1 + R::from_f64(-0.561);
     let shoulder_s2 = q[28];
     let shoulder_offset_y = shoulder_s2 + R::from_f64(-0.092);
     let shoulder_s3 = q[29];
     let shoulder_offset_z = shoulder_s3 + R::from_f64(-0.672);
-    let shoulder_t6 = hub_w_rel_y * shoulder_offset_z - hub_w_rel_z * shoulder_offset_y;
-    let shoulder_t7 = hub_w_rel_z * shoulder_offset_x - hub_w_rel_x * shoulder_offset_z;
-    let shoulder_t8 = hub_w_rel_x * shoulder_offset_y - hub_w_rel_y * shoulder_offset_x;
-    let shoulder_s1_dot = u[27];
-    let shoulder_t9 = hub_t3 + shoulder_s1_dot;
-    let shoulder_s2_dot = u[28];
-    let shoulder_t10 = hub_t4 + shoulder_s2_dot;
-    let shoulder_s3_dot = u[29];
-    let shoulder_t11 = hub_t5 + shoulder_s3_dot;
-    let shoulder_v_o_x = shoulder_t6 + shoulder_t9;
-    let shoulder_v_o_y = shoulder_t7 + shoulder_t10;
-    let shoulder_v_o_z = shoulder_t8 + shoulder_t11;
-    let shoulder_t12 = shoulder_rel_xx * shoulder_v_o_x
-        + shoulder_rel_xy * shoulder_v_o_y + shoulder_rel_xz * shoulder_v_o_z;
-    let shoulder_t13 = shoulder_rel_yy * shoulder_v_o_y
-        - shoulder_minus_rel_yx * shoulder_v_o_x + shoulder_rel_yz * shoulder_v_o_z;
-    let shoulder_t14 = shoulder_sin2 * shoulder_v_o_x
-        - shoulder_minus_rel_zy * shoulder_v_o_y + shoulder_rel_zz * shoulder_v_o_z;
-    // forearm: velocity, Eqs. (25), (27)
+    // forearm: joint, mass and inertia
     let forearm_s1 = q[30];
     let forearm_offset_x = forearm_s1 + R::from_f64(-0.171);
     let forearm_s2 = q[31];
     let forearm_offset_y = forearm_s2 + R::from_f64(0.136);
     let forearm_s3 = q[32];
     let forearm_offset_z = forearm_s3 + R::from_f64(0.519);
-    let forearm_t6 = shoulder_w_y * forearm_offset_z - shoulder_w_z * forearm_offset_y;
-    let forearm_t7 = shoulder_w_z * forearm_offset_x - shoulder_w_x * forearm_offset_z;
-    let forearm_t8 = shoulder_w_x * forearm_offset_y - shoulder_w_y * forearm_offset_x;
-    let forearm_s1_dot = u[30];
-    let forearm_t9 = shoulder_t12 + forearm_s1_dot;
-    let forearm_s2_dot = u[31];
-    let forearm_t10 = shoulder_t13 + forearm_s2_dot;
-    let forearm_s3_dot = u[32];
-    let forearm_t11 = shoulder_t14 + forearm_s3_dot;
-    let forearm_v_o_x = forearm_t6 + forearm_t9;
-    let forearm_v_o_y = forearm_t7 + forearm_t10;
-    let forearm_v_o_z = forearm_t8 + forearm_t11;
-    // left_panel: velocity, Eqs. (25), (27)
+    // left_panel: joint, mass and inertia
     let left_panel_s1 = q[33];
     let left_panel_offset_x = left_panel_s1 + R::from_f64(-0.944);
     let left_panel_s2 = q[34];
     let left_panel_offset_y = left_panel_s2 + R::from_f64(0.254);
     let left_panel_s3 = q[35];
     let left_panel_offset_z = left_panel_s3 + R::from_f64(0.22);
-    let left_panel_t6 = hub_w_rel_y * left_panel_offset_z
-        - hub_w_rel_z * left_panel_offset_y;
-    let left_panel_t7 = hub_w_rel_z * left_panel_offset_x
-        - hub_w_rel_x * left_panel_offset_z;
-    let left_panel_t8 = hub_w_rel_x * left_panel_offset_y
-        - hub_w_rel_y * left_panel_offset_x;
-    let left_panel_s1_dot = u[33];
-    let left_panel_t9 = hub_t3 + left_panel_s1_dot;
-    let left_panel_s2_dot = u[34];
-    let left_panel_t10 = hub_t4 + left_panel_s2_dot;
-    let left_panel_s3_dot = u[35];
-    let left_panel_t11 = hub_t5 + left_panel_s3_dot;
-    let left_panel_v_o_x = left_panel_t6 + left_panel_t9;
-    let left_panel_v_o_y = left_panel_t7 + left_panel_t10;
-    let left_panel_v_o_z = left_panel_t8 + left_panel_t11;
-    // left_tip: velocity, Eqs. (25), (27)
+    // left_tip: joint, mass and inertia
     let left_tip_s1 = q[36];
     let left_tip_offset_x = left_tip_s1 + R::from_f64(-0.519);
     let left_tip_s2 = q[37];
     let left_tip_offset_y = left_tip_s2 + R::from_f64(-0.949);
     let left_tip_s3 = q[38];
     let left_tip_offset_z = left_tip_s3 + R::from_f64(0.4);
-    let left_tip_t6 = shoulder_w_y * left_tip_offset_z
-        - shoulder_w_z * left_tip_offset_y;
-    let left_tip_t7 = shoulder_w_z * left_tip_offset_x
-        - shoulder_w_x * left_tip_offset_z;
-    let left_tip_t8 = shoulder_w_x * left_tip_offset_y
-        - shoulder_w_y * left_tip_offset_x;
-    let left_tip_s1_dot = u[36];
-    let left_tip_t9 = shoulder_t12 + left_tip_s1_dot;
-    let left_tip_s2_dot = u[37];
-    let left_tip_t10 = shoulder_t13 + left_tip_s2_dot;
-    let left_tip_s3_dot = u[38];
-    let left_tip_t11 = shoulder_t14 + left_tip_s3_dot;
-    let left_tip_v_o_x = left_tip_t6 + left_tip_t9;
-    let left_tip_v_o_y = left_tip_t7 + left_tip_t10;
-    let left_tip_v_o_z = left_tip_t8 + left_tip_t11;
-    // antenna: velocity, Eqs. (25), (27)
+    // antenna: joint, mass and inertia
     let antenna_s1 = q[39];
     let antenna_offset_x = antenna_s1 + R::from_f64(0.974);
     let antenna_s2 = q[40];
     let antenna_offset_y = antenna_s2 + R::from_f64(0.421);
     let antenna_s3 = q[41];
     let antenna_offset_z = antenna_s3 + R::from_f64(-0.143);
-    let antenna_t6 = hub_w_rel_y * antenna_offset_z - hub_w_rel_z * antenna_offset_y;
-    let antenna_t7 = hub_w_rel_z * antenna_offset_x - hub_w_rel_x * antenna_offset_z;
-    let antenna_t8 = hub_w_rel_x * antenna_offset_y - hub_w_rel_y * antenna_offset_x;
-    let antenna_s1_dot = u[39];
-    let antenna_t9 = hub_t3 + antenna_s1_dot;
-    let antenna_s2_dot = u[40];
-    let antenna_t10 = hub_t4 + antenna_s2_dot;
-    let antenna_s3_dot = u[41];
-    let antenna_t11 = hub_t5 + antenna_s3_dot;
-    let antenna_v_o_x = antenna_t6 + antenna_t9;
-    let antenna_v_o_y = antenna_t7 + antenna_t10;
-    let antenna_v_o_z = antenna_t8 + antenna_t11;
-    // boom: velocity, Eqs. (25), (27)
+    // boom: joint, mass and inertia
     let boom_s1 = q[42];
     let boom_offset_x = boom_s1 + R::from_f64(-0.589);
     let boom_s2 = q[43];
     let boom_offset_y = boom_s2 + R::from_f64(-0.284);
     let boom_s3 = q[44];
     let boom_offset_z = boom_s3 + R::from_f64(0.166);
-    let boom_t6 = hub_w_rel_y * boom_offset_z - hub_w_rel_z * boom_offset_y;
-    let boom_t7 = hub_w_rel_z * boom_offset_x - hub_w_rel_x * boom_offset_z;
-    let boom_t8 = hub_w_rel_x * boom_offset_y - hub_w_rel_y * boom_offset_x;
-    let boom_s1_dot = u[42];
-    let boom_t9 = hub_t3 + boom_s1_dot;
-    let boom_s2_dot = u[43];
-    let boom_t10 = hub_t4 + boom_s2_dot;
-    let boom_s3_dot = u[44];
-    let boom_t11 = hub_t5 + boom_s3_dot;
-    let boom_v_o_x = boom_t6 + boom_t9;
-    let boom_v_o_y = boom_t7 + boom_t10;
-    let boom_v_o_z = boom_t8 + boom_t11;
-    let boom_t12 = boom_rel_xx * boom_v_o_x + boom_rel_xy * boom_v_o_y
-        + boom_rel_xz * boom_v_o_z;
-    let boom_t13 = boom_rel_yy * boom_v_o_y - boom_minus_rel_yx * boom_v_o_x
-        + boom_rel_yz * boom_v_o_z;
-    let boom_t14 = boom_sin2 * boom_v_o_x - boom_minus_rel_zy * boom_v_o_y
-        + boom_rel_zz * boom_v_o_z;
-    // camera: velocity, Eqs. (25), (27)
+    // camera: joint, mass and inertia
     let camera_s1 = q[45];
     let camera_offset_x = camera_s1 + R::from_f64(-0.379);
     let camera_s2 = q[46];
     let camera_offset_y = camera_s2 + R::from_f64(0.745);
     let camera_s3 = q[47];
     let camera_offset_z = camera_s3 + R::from_f64(0.063);
-    let camera_t6 = boom_w_y * camera_offset_z - boom_w_z * camera_offset_y;
-    let camera_t7 = boom_w_z * camera_offset_x - boom_w_x * camera_offset_z;
-    let camera_t8 = boom_w_x * camera_offset_y - boom_w_y * camera_offset_x;
+    // hub: position and velocity, outward
+    let hub_cos1 = cosines[0];
+    let hub_s2_dot = u[25];
+    let hub_sin1 = sines[0];
+    let hub_s3_dot = u[26];
+    let hub_t1 = hub_cos1 * hub_s2_dot + hub_sin1 * hub_s3_dot;
+    let hub_t2 = hub_cos1 * hub_s3_dot - hub_sin1 * hub_s2_dot;
+    let hub_cos2 = cosines[1];
+    let hub_sin2 = sines[1];
+    let hub_s1_dot = u[24];
+    let hub_v_o_z = hub_cos2 * hub_t2 + hub_sin2 * hub_s1_dot;
+    let hub_t3 = hub_cos2 * hub_s1_dot - hub_sin2 * hub_t2;
+    let hub_theta1_dot = u[0];
+    let hub_t4 = hub_sin2 * hub_theta1_dot;
+    let hub_t5 = hub_cos2 * hub_theta1_dot;
+    let hub_cos3 = cosines[2];
+    let hub_sin3 = sines[2];
+    let hub_v_o_x = hub_cos3 * hub_t3 + hub_sin3 * hub_t1;
+    let hub_v_o_y = hub_cos3 * hub_t1 - hub_sin3 * hub_t3;
+    let hub_theta2_dot = u[1];
+    let hub_w_x = hub_cos3 * hub_t5 + hub_sin3 * hub_theta2_dot;
+    let hub_w_y = hub_cos3 * hub_theta2_dot - hub_sin3 * hub_t5;
+    let hub_theta3_dot = u[2];
+    let hub_w_z = hub_t4 + hub_theta3_dot;
+    // shoulder: position and velocity, outward
+    let shoulder_t1 = shoulder_offset_z * hub_w_y - shoulder_offset_y * hub_w_z;
+    let shoulder_t2 = shoulder_offset_x * hub_w_z - shoulder_offset_z * hub_w_x;
+    let shoulder_t3 = shoulder_offset_y * hub_w_x - shoulder_offset_x * hub_w_y;
+    let shoulder_t4 = hub_v_o_x + shoulder_t1;
+    let shoulder_t5 = hub_v_o_y + shoulder_t2;
+    let shoulder_t6 = hub_v_o_z + shoulder_t3;
+    let shoulder_s1_dot = u[27];
+    let shoulder_t7 = shoulder_t4 + shoulder_s1_dot;
+    let shoulder_s2_dot = u[28];
+    let shoulder_t8 = shoulder_t5 + shoulder_s2_dot;
+    let shoulder_s3_dot = u[29];
+    let shoulder_t9 = shoulder_t6 + shoulder_s3_dot;
+    let shoulder_cos1 = cosines[3];
+    let shoulder_sin1 = sines[3];
+    let shoulder_t10 = shoulder_cos1 * shoulder_t8 + shoulder_sin1 * shoulder_t9;
+    let shoulder_t11 = shoulder_cos1 * shoulder_t9 - shoulder_sin1 * shoulder_t8;
+    let shoulder_t12 = shoulder_cos1 * hub_w_y + shoulder_sin1 * hub_w_z;
+    let shoulder_t13 = shoulder_cos1 * hub_w_z - shoulder_sin1 * hub_w_y;
+    let shoulder_theta1_dot = u[3];
+    let shoulder_t14 = hub_w_x + shoulder_theta1_dot;
+    let shoulder_cos2 = cosines[4];
+    let shoulder_sin2 = sines[4];
+    let shoulder_v_o_z = shoulder_cos2 * shoulder_t11 + shoulder_sin2 * shoulder_t7;
+    let shoulder_t15 = shoulder_cos2 * shoulder_t7 - shoulder_sin2 * shoulder_t11;
+    let shoulder_t16 = shoulder_cos2 * shoulder_t13 + shoulder_sin2 * shoulder_t14;
+    let shoulder_t17 = shoulder_cos2 * shoulder_t14 - shoulder_sin2 * shoulder_t13;
+    let shoulder_theta2_dot = u[4];
+    let shoulder_t18 = shoulder_t12 + shoulder_theta2_dot;
+    let shoulder_cos3 = cosines[5];
+    let shoulder_sin3 = sines[5];
+    let shoulder_v_o_x = shoulder_cos3 * shoulder_t15 + shoulder_sin3 * shoulder_t10;
+    let shoulder_v_o_y = shoulder_cos3 * shoulder_t10 - shoulder_sin3 * shoulder_t15;
+    let shoulder_w_x = shoulder_cos3 * shoulder_t17 + shoulder_sin3 * shoulder_t18;
+    let shoulder_w_y = shoulder_cos3 * shoulder_t18 - shoulder_sin3 * shoulder_t17;
+    let shoulder_theta3_dot = u[5];
+    let shoulder_w_z = shoulder_t16 + shoulder_theta3_dot;
+    // forearm: position and velocity, outward
+    let forearm_t1 = forearm_offset_z * shoulder_w_y - forearm_offset_y * shoulder_w_z;
+    let forearm_t2 = forearm_offset_x * shoulder_w_z - forearm_offset_z * shoulder_w_x;
+    let forearm_t3 = forearm_offset_y * shoulder_w_x - forearm_offset_x * shoulder_w_y;
+    let forearm_t4 = shoulder_v_o_x + forearm_t1;
+    let forearm_t5 = shoulder_v_o_y + forearm_t2;
+    let forearm_t6 = shoulder_v_o_z + forearm_t3;
+    let forearm_s1_dot = u[30];
+    let forearm_t7 = forearm_t4 + forearm_s1_dot;
+    let forearm_s2_dot = u[31];
+    let forearm_t8 = forearm_t5 + forearm_s2_dot;
+    let forearm_s3_dot = u[32];
+    let forearm_t9 = forearm_t6 + forearm_s3_dot;
+    let forearm_cos1 = cosines[6];
+    let forearm_sin1 = sines[6];
+    let forearm_t10 = forearm_cos1 * forearm_t8 + forearm_sin1 * forearm_t9;
+    let forearm_t11 = forearm_cos1 * forearm_t9 - forearm_sin1 * forearm_t8;
+    let forearm_t12 = forearm_cos1 * shoulder_w_y + forearm_sin1 * shoulder_w_z;
+    let forearm_t13 = forearm_cos1 * shoulder_w_z - forearm_sin1 * shoulder_w_y;
+    let forearm_theta1_dot = u[6];
+    let forearm_t14 = shoulder_w_x + forearm_theta1_dot;
+    let forearm_cos2 = cosines[7];
+    let forearm_sin2 = sines[7];
+    let forearm_v_o_z = forearm_cos2 * forearm_t11 + forearm_sin2 * forearm_t7;
+    let forearm_t15 = forearm_cos2 * forearm_t7 - forearm_sin2 * forearm_t11;
+    let forearm_t16 = forearm_cos2 * forearm_t13 + forearm_sin2 * forearm_t14;
+    let forearm_t17 = forearm_cos2 * forearm_t14 - forearm_sin2 * forearm_t13;
+    let forearm_theta2_dot = u[7];
+    let forearm_t18 = forearm_t12 + forearm_theta2_dot;
+    let forearm_cos3 = cosines[8];
+    let forearm_sin3 = sines[8];
+    let forearm_v_o_x = forearm_cos3 * forearm_t15 + forearm_sin3 * forearm_t10;
+    let forearm_v_o_y = forearm_cos3 * forearm_t10 - forearm_sin3 * forearm_t15;
+    let forearm_w_x = forearm_cos3 * forearm_t17 + forearm_sin3 * forearm_t18;
+    let forearm_w_y = forearm_cos3 * forearm_t18 - forearm_sin3 * forearm_t17;
+    let forearm_theta3_dot = u[8];
+    let forearm_w_z = forearm_t16 + forearm_theta3_dot;
+    // left_panel: position and velocity, outward
+    let left_panel_t1 = left_panel_offset_z * hub_w_y - left_panel_offset_y * hub_w_z;
+    let left_panel_t2 = left_panel_offset_x * hub_w_z - left_panel_offset_z * hub_w_x;
+    let left_panel_t3 = left_panel_offset_y * hub_w_x - left_panel_offset_x * hub_w_y;
+    let left_panel_t4 = hub_v_o_x + left_panel_t1;
+    let left_panel_t5 = hub_v_o_y + left_panel_t2;
+    let left_panel_t6 = hub_v_o_z + left_panel_t3;
+    let left_panel_s1_dot = u[33];
+    let left_panel_t7 = left_panel_t4 + left_panel_s1_dot;
+    let left_panel_s2_dot = u[34];
+    let left_panel_t8 = left_panel_t5 + left_panel_s2_dot;
+    let left_panel_s3_dot = u[35];
+    let left_panel_t9 = left_panel_t6 + left_panel_s3_dot;
+    let left_panel_cos1 = cosines[9];
+    let left_panel_sin1 = sines[9];
+    let left_panel_t10 = left_panel_cos1 * left_panel_t8
+        + left_panel_sin1 * left_panel_t9;
+    let left_panel_t11 = left_panel_cos1 * left_panel_t9
+        - left_panel_sin1 * left_panel_t8;
+    let left_panel_t12 = left_panel_cos1 * hub_w_y + left_panel_sin1 * hub_w_z;
+    let left_panel_t13 = left_panel_cos1 * hub_w_z - left_panel_sin1 * hub_w_y;
+    let left_panel_theta1_dot = u[9];
+    let left_panel_t14 = hub_w_x + left_panel_theta1_dot;
+    let left_panel_cos2 = cosines[10];
+    let left_panel_sin2 = sines[10];
+    let left_panel_v_o_z = left_panel_cos2 * left_panel_t11
+        + left_panel_sin2 * left_panel_t7;
+    let left_panel_t15 = left_panel_cos2 * left_panel_t7
+        - left_panel_sin2 * left_panel_t11;
+    let left_panel_t16 = left_panel_cos2 * left_panel_t13
+        + left_panel_sin2 * left_panel_t14;
+    let left_panel_t17 = left_panel_cos2 * left_panel_t14
+        - left_panel_sin2 * left_panel_t13;
+    let left_panel_theta2_dot = u[10];
+    let left_panel_t18 = left_panel_t12 + left_panel_theta2_dot;
+    let left_panel_cos3 = cosines[11];
+    let left_panel_sin3 = sines[11];
+    let left_panel_v_o_x = left_panel_cos3 * left_panel_t15
+        + left_panel_sin3 * left_panel_t10;
+    let left_panel_v_o_y = left_panel_cos3 * left_panel_t10
+        - left_panel_sin3 * left_panel_t15;
+    let left_panel_w_x = left_panel_cos3 * left_panel_t17
+        + left_panel_sin3 * left_panel_t18;
+    let left_panel_w_y = left_panel_cos3 * left_panel_t18
+        - left_panel_sin3 * left_panel_t17;
+    let left_panel_theta3_dot = u[11];
+    let left_panel_w_z = left_panel_t16 + left_panel_theta3_dot;
+    // left_tip: position and velocity, outward
+    let left_tip_t1 = left_tip_offset_z * shoulder_w_y
+        - left_tip_offset_y * shoulder_w_z;
+    let left_tip_t2 = left_tip_offset_x * shoulder_w_z
+        - left_tip_offset_z * shoulder_w_x;
+    let left_tip_t3 = left_tip_offset_y * shoulder_w_x
+        - left_tip_offset_x * shoulder_w_y;
+    let left_tip_t4 = shoulder_v_o_x + left_tip_t1;
+    let left_tip_t5 = shoulder_v_o_y + left_tip_t2;
+    let left_tip_t6 = shoulder_v_o_z + left_tip_t3;
+    let left_tip_s1_dot = u[36];
+    let left_tip_t7 = left_tip_t4 + left_tip_s1_dot;
+    let left_tip_s2_dot = u[37];
+    let left_tip_t8 = left_tip_t5 + left_tip_s2_dot;
+    let left_tip_s3_dot = u[38];
+    let left_tip_t9 = left_tip_t6 + left_tip_s3_dot;
+    let left_tip_cos1 = cosines[12];
+    let left_tip_sin1 = sines[12];
+    let left_tip_t10 = left_tip_cos1 * left_tip_t8 + left_tip_sin1 * left_tip_t9;
+    let left_tip_t11 = left_tip_cos1 * left_tip_t9 - left_tip_sin1 * left_tip_t8;
+    let left_tip_t12 = left_tip_cos1 * shoulder_w_y + left_tip_sin1 * shoulder_w_z;
+    let left_tip_t13 = left_tip_cos1 * shoulder_w_z - left_tip_sin1 * shoulder_w_y;
+    let left_tip_theta1_dot = u[12];
+    let left_tip_t14 = shoulder_w_x + left_tip_theta1_dot;
+    let left_tip_cos2 = cosines[13];
+    let left_tip_sin2 = sines[13];
+    let left_tip_v_o_z = left_tip_cos2 * left_tip_t11 + left_tip_sin2 * left_tip_t7;
+    let left_tip_t15 = left_tip_cos2 * left_tip_t7 - left_tip_sin2 * left_tip_t11;
+    let left_tip_t16 = left_tip_cos2 * left_tip_t13 + left_tip_sin2 * left_tip_t14;
+    let left_tip_t17 = left_tip_cos2 * left_tip_t14 - left_tip_sin2 * left_tip_t13;
+    let left_tip_theta2_dot = u[13];
+    let left_tip_t18 = left_tip_t12 + left_tip_theta2_dot;
+    let left_tip_cos3 = cosines[14];
+    let left_tip_sin3 = sines[14];
+    let left_tip_v_o_x = left_tip_cos3 * left_tip_t15 + left_tip_sin3 * left_tip_t10;
+    let left_tip_v_o_y = left_tip_cos3 * left_tip_t10 - left_tip_sin3 * left_tip_t15;
+    let left_tip_w_x = left_tip_cos3 * left_tip_t17 + left_tip_sin3 * left_tip_t18;
+    let left_tip_w_y = left_tip_cos3 * left_tip_t18 - left_tip_sin3 * left_tip_t17;
+    let left_tip_theta3_dot = u[14];
+    let left_tip_w_z = left_tip_t16 + left_tip_theta3_dot;
+    // antenna: position and velocity, outward
+    let antenna_t1 = antenna_offset_z * hub_w_y - antenna_offset_y * hub_w_z;
+    let antenna_t2 = antenna_offset_x * hub_w_z - antenna_offset_z * hub_w_x;
+    let antenna_t3 = antenna_offset_y * hub_w_x - antenna_offset_x * hub_w_y;
+    let antenna_t4 = hub_v_o_x + antenna_t1;
+    let antenna_t5 = hub_v_o_y + antenna_t2;
+    let antenna_t6 = hub_v_o_z + antenna_t3;
+    let antenna_s1_dot = u[39];
+    let antenna_t7 = antenna_t4 + antenna_s1_dot;
+    let antenna_s2_dot = u[40];
+    let antenna_t8 = antenna_t5 + antenna_s2_dot;
+    let antenna_s3_dot = u[41];
+    let antenna_t9 = antenna_t6 + antenna_s3_dot;
+    let antenna_cos1 = cosines[15];
+    let antenna_sin1 = sines[15];
+    let antenna_t10 = antenna_cos1 * antenna_t8 + antenna_sin1 * antenna_t9;
+    let antenna_t11 = antenna_cos1 * antenna_t9 - antenna_sin1 * antenna_t8;
+    let antenna_t12 = antenna_cos1 * hub_w_y + antenna_sin1 * hub_w_z;
+    let antenna_t13 = antenna_cos1 * hub_w_z - antenna_sin1 * hub_w_y;
+    let antenna_theta1_dot = u[15];
+    let antenna_t14 = hub_w_x + antenna_theta1_dot;
+    let antenna_cos2 = cosines[16];
+    let antenna_sin2 = sines[16];
+    let antenna_v_o_z = antenna_cos2 * antenna_t11 + antenna_sin2 * antenna_t7;
+    let antenna_t15 = antenna_cos2 * antenna_t7 - antenna_sin2 * antenna_t11;
+    let antenna_t16 = antenna_cos2 * antenna_t13 + antenna_sin2 * antenna_t14;
+    let antenna_t17 = antenna_cos2 * antenna_t14 - antenna_sin2 * antenna_t13;
+    let antenna_theta2_dot = u[16];
+    let antenna_t18 = antenna_t12 + antenna_theta2_dot;
+    let antenna_cos3 = cosines[17];
+    let antenna_sin3 = sines[17];
+    let antenna_v_o_x = antenna_cos3 * antenna_t15 + antenna_sin3 * antenna_t10;
+    let antenna_v_o_y = antenna_cos3 * antenna_t10 - antenna_sin3 * antenna_t15;
+    let antenna_w_x = antenna_cos3 * antenna_t17 + antenna_sin3 * antenna_t18;
+    let antenna_w_y = antenna_cos3 * antenna_t18 - antenna_sin3 * antenna_t17;
+    let antenna_theta3_dot = u[17];
+    let antenna_w_z = antenna_t16 + antenna_theta3_dot;
+    // boom: position and velocity, outward
+    let boom_t1 = boom_offset_z * hub_w_y - boom_offset_y * hub_w_z;
+    let boom_t2 = boom_offset_x * hub_w_z - boom_offset_z * hub_w_x;
+    let boom_t3 = boom_offset_y * hub_w_x - boom_offset_x * hub_w_y;
+    let boom_t4 = hub_v_o_x + boom_t1;
+    let boom_t5 = hub_v_o_y + boom_t2;
+    let boom_t6 = hub_v_o_z + boom_t3;
+    let boom_s1_dot = u[42];
+    let boom_t7 = boom_t4 + boom_s1_dot;
+    let boom_s2_dot = u[43];
+    let boom_t8 = boom_t5 + boom_s2_dot;
+    let boom_s3_dot = u[44];
+    let boom_t9 = boom_t6 + boom_s3_dot;
+    let boom_cos1 = cosines[18];
+    let boom_sin1 = sines[18];
+    let boom_t10 = boom_cos1 * boom_t8 + boom_sin1 * boom_t9;
+    let boom_t11 = boom_cos1 * boom_t9 - boom_sin1 * boom_t8;
+    let boom_t12 = boom_cos1 * hub_w_y + boom_sin1 * hub_w_z;
+    let boom_t13 = boom_cos1 * hub_w_z - boom_sin1 * hub_w_y;
+    let boom_theta1_dot = u[18];
+    let boom_t14 = hub_w_x + boom_theta1_dot;
+    let boom_cos2 = cosines[19];
+    let boom_sin2 = sines[19];
+    let boom_v_o_z = boom_cos2 * boom_t11 + boom_sin2 * boom_t7;
+    let boom_t15 = boom_cos2 * boom_t7 - boom_sin2 * boom_t11;
+    let boom_t16 = boom_cos2 * boom_t13 + boom_sin2 * boom_t14;
+    let boom_t17 = boom_cos2 * boom_t14 - boom_sin2 * boom_t13;
+    let boom_theta2_dot = u[19];
+    let boom_t18 = boom_t12 + boom_theta2_dot;
+    let boom_cos3 = cosines[20];
+    let boom_sin3 = sines[20];
+    let boom_v_o_x = boom_cos3 * boom_t15 + boom_sin3 * boom_t10;
+    let boom_v_o_y = boom_cos3 * boom_t10 - boom_sin3 * boom_t15;
+    let boom_w_x = boom_cos3 * boom_t17 + boom_sin3 * boom_t18;
+    let boom_w_y = boom_cos3 * boom_t18 - boom_sin3 * boom_t17;
+    let boom_theta3_dot = u[20];
+    let boom_w_z = boom_t16 + boom_theta3_dot;
+    // camera: position and velocity, outward
+    let camera_t1 = camera_offset_z * boom_w_y - camera_offset_y * boom_w_z;
+    let camera_t2 = camera_offset_x * boom_w_z - camera_offset_z * boom_w_x;
+    let camera_t3 = camera_offset_y * boom_w_x - camera_offset_x * boom_w_y;
+    let camera_t4 = boom_v_o_x + camera_t1;
+    let camera_t5 = boom_v_o_y + camera_t2;
+    let camera_t6 = boom_v_o_z + camera_t3;
     let camera_s1_dot = u[45];
-    let camera_t9 = boom_t12 + camera_s1_dot;
+    let camera_t7 = camera_t4 + camera_s1_dot;
     let camera_s2_dot = u[46];
-    let camera_t10 = boom_t13 + camera_s2_dot;
+    let camera_t8 = camera_t5 + camera_s2_dot;
     let camera_s3_dot = u[47];
-    let camera_t11 = boom_t14 + camera_s3_dot;
-    let camera_v_o_x = camera_t6 + camera_t9;
-    let camera_v_o_y = camera_t7 + camera_t10;
-    let camera_v_o_z = camera_t8 + camera_t11;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t6 = R::from_f64(0.16) * hub_w_rel_y - R::from_f64(-0.423) * hub_w_rel_z;
-    let hub_t7 = R::from_f64(0.187) * hub_w_rel_z - R::from_f64(0.16) * hub_w_rel_x;
-    let hub_t8 = R::from_f64(-0.423) * hub_w_rel_x - R::from_f64(0.187) * hub_w_rel_y;
-    let hub_v_g_x = hub_t3 + hub_t6;
-    let hub_v_g_y = hub_t4 + hub_t7;
-    let hub_v_g_z = hub_t5 + hub_t8;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t15 = R::from_f64(0.237) * shoulder_w_y
-        - R::from_f64(-0.126) * shoulder_w_z;
-    let shoulder_t16 = R::from_f64(0.291) * shoulder_w_z
-        - R::from_f64(0.237) * shoulder_w_x;
-    let shoulder_t17 = R::from_f64(-0.126) * shoulder_w_x
-        - R::from_f64(0.291) * shoulder_w_y;
-    let shoulder_v_g_x = shoulder_t12 + shoulder_t15;
-    let shoulder_v_g_y = shoulder_t13 + shoulder_t16;
-    let shoulder_v_g_z = shoulder_t14 + shoulder_t17;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t12 = forearm_rel_xx * forearm_v_o_x + forearm_rel_xy * forearm_v_o_y
-        + forearm_rel_xz * forearm_v_o_z;
-    let forearm_t13 = forearm_rel_yy * forearm_v_o_y
-        - forearm_minus_rel_yx * forearm_v_o_x + forearm_rel_yz * forearm_v_o_z;
-    let forearm_t14 = forearm_sin2 * forearm_v_o_x - forearm_minus_rel_zy * forearm_v_o_y
-        + forearm_rel_zz * forearm_v_o_z;
-    let forearm_t15 = R::from_f64(0.303) * forearm_w_y
-        - R::from_f64(-0.428) * forearm_w_z;
-    let forearm_t16 = R::from_f64(-0.227) * forearm_w_z
-        - R::from_f64(0.303) * forearm_w_x;
-    let forearm_t17 = R::from_f64(-0.428) * forearm_w_x
-        - R::from_f64(-0.227) * forearm_w_y;
-    let forearm_v_g_x = forearm_t12 + forearm_t15;
-    let forearm_v_g_y = forearm_t13 + forearm_t16;
-    let forearm_v_g_z = forearm_t14 + forearm_t17;
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t12 = left_panel_rel_xx * left_panel_v_o_x
-        + left_panel_rel_xy * left_panel_v_o_y + left_panel_rel_xz * left_panel_v_o_z;
-    let left_panel_t13 = left_panel_rel_yy * left_panel_v_o_y
-        - left_panel_minus_rel_yx * left_panel_v_o_x
-        + left_panel_rel_yz * left_panel_v_o_z;
-    let left_panel_t14 = left_panel_sin2 * left_panel_v_o_x
-        - left_panel_minus_rel_zy * left_panel_v_o_y
-        + left_panel_rel_zz * left_panel_v_o_z;
-    let left_panel_t15 = R::from_f64(-0.472) * left_panel_w_y
-        - R::from_f64(-0.486) * left_panel_w_z;
-    let left_panel_t16 = R::from_f64(-0.163) * left_panel_w_z
-        - R::from_f64(-0.472) * left_panel_w_x;
-    let left_panel_t17 = R::from_f64(-0.486) * left_panel_w_x
-        - R::from_f64(-0.163) * left_panel_w_y;
-    let left_panel_v_g_x = left_panel_t12 + left_panel_t15;
-    let left_panel_v_g_y = left_panel_t13 + left_panel_t16;
-    let left_panel_v_g_z = left_panel_t14 + left_panel_t17;
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t12 = left_tip_rel_xx * left_tip_v_o_x
-        + left_tip_rel_xy * left_tip_v_o_y + left_tip_rel_xz * left_tip_v_o_z;
-    let left_tip_t13 = left_tip_rel_yy * left_tip_v_o_y
-        - left_tip_minus_rel_yx * left_tip_v_o_x + left_tip_rel_yz * left_tip_v_o_z;
-    let left_tip_t14 = left_tip_sin2 * left_tip_v_o_x
-        - left_tip_minus_rel_zy * left_tip_v_o_y + left_tip_rel_zz * left_tip_v_o_z;
-    let left_tip_t15 = R::from_f64(0.088) * left_tip_w_y
-        - R::from_f64(0.139) * left_tip_w_z;
-    let left_tip_t16 = R::from_f64(-0.24) * left_tip_w_z
-        - R::from_f64(0.088) * left_tip_w_x;
-    let left_tip_t17 = R::from_f64(0.139) * left_tip_w_x
-        - R::from_f64(-0.24) * left_tip_w_y;
-    let left_tip_v_g_x = left_tip_t12 + left_tip_t15;
-    let left_tip_v_g_y = left_tip_t13 + left_tip_t16;
-    let left_tip_v_g_z = left_tip_t14 + left_tip_t17;
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t12 = antenna_rel_xx * antenna_v_o_x + antenna_rel_xy * antenna_v_o_y
-        + antenna_rel_xz * antenna_v_o_z;
-    let antenna_t13 = antenna_rel_yy * antenna_v_o_y
-        - antenna_minus_rel_yx * antenna_v_o_x + antenna_rel_yz * antenna_v_o_z;
-    let antenna_t14 = antenna_sin2 * antenna_v_o_x - antenna_minus_rel_zy * antenna_v_o_y
-        + antenna_rel_zz * antenna_v_o_z;
-    let antenna_t15 = R::from_f64(0.074) * antenna_w_y
-        - R::from_f64(-0.258) * antenna_w_z;
-    let antenna_t16 = R::from_f64(0.447) * antenna_w_z
-        - R::from_f64(0.074) * antenna_w_x;
-    let antenna_t17 = R::from_f64(-0.258) * antenna_w_x
-        - R::from_f64(0.447) * antenna_w_y;
-    let antenna_v_g_x = antenna_t12 + antenna_t15;
-    let antenna_v_g_y = antenna_t13 + antenna_t16;
-    let antenna_v_g_z = antenna_t14 + antenna_t17;
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t15 = R::from_f64(-0.207) * boom_w_y - R::from_f64(-0.245) * boom_w_z;
-    let boom_t16 = R::from_f64(0.112) * boom_w_z - R::from_f64(-0.207) * boom_w_x;
-    let boom_t17 = R::from_f64(-0.245) * boom_w_x - R::from_f64(0.112) * boom_w_y;
-    let boom_v_g_x = boom_t12 + boom_t15;
-    let boom_v_g_y = boom_t13 + boom_t16;
-    let boom_v_g_z = boom_t14 + boom_t17;
-    // camera: velocity, Eqs. (25), (27)
-    let camera_t12 = camera_rel_xx * camera_v_o_x + camera_rel_xy * camera_v_o_y
-        + camera_rel_xz * camera_v_o_z;
-    let camera_t13 = camera_rel_yy * camera_v_o_y - camera_minus_rel_yx * camera_v_o_x
-        + camera_rel_yz * camera_v_o_z;
-    let camera_t14 = camera_sin2 * camera_v_o_x - camera_minus_rel_zy * camera_v_o_y
-        + camera_rel_zz * camera_v_o_z;
-    let camera_t15 = R::from_f64(0.462) * camera_w_y - R::from_f64(-0.416) * camera_w_z;
-    let camera_t16 = R::from_f64(-0.375) * camera_w_z - R::from_f64(0.462) * camera_w_x;
-    let camera_t17 = R::from_f64(-0.416) * camera_w_x - R::from_f64(-0.375) * camera_w_y;
-    let camera_v_g_x = camera_t12 + camera_t15;
-    let camera_v_g_y = camera_t13 + camera_t16;
-    let camera_v_g_z = camera_t14 + camera_t17;
-    // hub: velocity, Eqs. (25), (27)
-    let hub_t9 = R::from_f64(0.987) * hub_v_g_x;
-    let hub_t10 = R::from_f64(0.987) * hub_v_g_y;
-    let hub_t11 = R::from_f64(0.987) * hub_v_g_z;
-    // shoulder: velocity, Eqs. (25), (27)
-    let shoulder_t18 = R::from_f64(1.86) * shoulder_v_g_x;
-    let shoulder_t19 = R::from_f64(1.86) * shoulder_v_g_y;
-    let shoulder_t20 = R::from_f64(1.86) * shoulder_v_g_z;
-    // forearm: velocity, Eqs. (25), (27)
-    let forearm_t18 = R::from_f64(1.918) * forearm_v_g_x;
-    let forearm_t19 = R::from_f64(1.918) * forearm_v_g_y;
-    let forearm_t20 = R::from_f64(1.918) * forearm_v_g_z;
-    // left_panel: velocity, Eqs. (25), (27)
-    let left_panel_t18 = R::from_f64(3.255) * left_panel_v_g_x;
-    let left_panel_t19 = R::from_f64(3.255) * left_panel_v_g_y;
-    let left_panel_t20 = R::from_f64(3.255) * left_panel_v_g_z;
-    // left_tip: velocity, Eqs. (25), (27)
-    let left_tip_t18 = R::from_f64(3.327) * left_tip_v_g_x;
-    let left_tip_t19 = R::from_f64(3.327) * left_tip_v_g_y;
-    let left_tip_t20 = R::from_f64(3.327) * left_tip_v_g_z;
-    // antenna: velocity, Eqs. (25), (27)
-    let antenna_t18 = R::from_f64(1.186) * antenna_v_g_x;
-    let antenna_t19 = R::from_f64(1.186) * antenna_v_g_y;
-    let antenna_t20 = R::from_f64(1.186) * antenna_v_g_z;
-    // boom: velocity, Eqs. (25), (27)
-    let boom_t18 = R::from_f64(2.351) * boom_v_g_x;
-    let boom_t19 = R::from_f64(2.351) * boom_v_g_y;
-    let boom_t20 = R::from_f64(2.351) * boom_v_g_z;
-    // camera: velocity, Eqs. (25), (27)
-    let camera_t18 = R::from_f64(1.717) * camera_v_g_x;
-    let camera_t19 = R::from_f64(1.717) * camera_v_g_y;
-    let camera_t20 = R::from_f64(1.717) * camera_v_g_z;
-    // hub: position, Eqs. (22), (23)
-    let hub_s1 = q[24];
+    let camera_t9 = camera_t6 + camera_s3_dot;
+    let camera_cos1 = cosines[21];
+    let camera_sin1 = sines[21];
+    let camera_t10 = camera_cos1 * camera_t8 + camera_sin1 * camera_t9;
+    let camera_t11 = camera_cos1 * camera_t9 - camera_sin1 * camera_t8;
+    let camera_t12 = camera_cos1 * boom_w_y + camera_sin1 * boom_w_z;
+    let camera_t13 = camera_cos1 * boom_w_z - camera_sin1 * boom_w_y;
+    let camera_theta1_dot = u[21];
+    let camera_t14 = boom_w_x + camera_theta1_dot;
+    let camera_cos2 = cosines[22];
+    let camera_sin2 = sines[22];
+    let camera_v_o_z = camera_cos2 * camera_t11 + camera_sin2 * camera_t7;
+    let camera_t15 = camera_cos2 * camera_t7 - camera_sin2 * camera_t11;
+    let camera_t16 = camera_cos2 * camera_t13 + camera_sin2 * camera_t14;
+    let camera_t17 = camera_cos2 * camera_t14 - camera_sin2 * camera_t13;
+    let camera_theta2_dot = u[22];
+    let camera_t18 = camera_t12 + camera_theta2_dot;
+    let camera_cos3 = cosines[23];
+    let camera_sin3 = sines[23];
+    let camera_v_o_x = camera_cos3 * camera_t15 + camera_sin3 * camera_t10;
+    let camera_v_o_y = camera_cos3 * camera_t10 - camera_sin3 * camera_t15;
+    let camera_w_x = camera_cos3 * camera_t17 + camera_sin3 * camera_t18;
+    let camera_w_y = camera_cos3 * camera_t18 - camera_sin3 * camera_t17;
+    let camera_theta3_dot = u[23];
+    let camera_w_z = camera_t16 + camera_theta3_dot;
+    // hub: mass centre and momentum, inward
+    let hub_t6 = R::from_f64(0.987) * hub_v_o_x;
+    let hub_t7 = R::from_f64(0.987) * hub_v_o_y;
+    let hub_t8 = R::from_f64(0.987) * hub_v_o_z;
+    let hub_t9 = R::from_f64(0.15792) * hub_w_y
+        - R::from_f64(-0.41750099999999996) * hub_w_z;
+    let hub_t10 = R::from_f64(0.184569) * hub_w_z - R::from_f64(0.15792) * hub_w_x;
+    let hub_t11 = R::from_f64(-0.41750099999999996) * hub_w_x
+        - R::from_f64(0.184569) * hub_w_y;
+    let hub_t12 = R::from_f64(0.31711512299999994) * hub_w_x
+        + R::from_f64(0.10514168699999998) * hub_w_y
+        + R::from_f64(-0.030472040000000002) * hub_w_z;
+    let hub_t13 = R::from_f64(0.10514168699999998) * hub_w_x
+        + R::from_f64(0.174420603) * hub_w_y
+        + R::from_f64(0.039307159999999994) * hub_w_z;
+    let hub_t14 = R::from_f64(-0.030472040000000002) * hub_w_x
+        + R::from_f64(0.039307159999999994) * hub_w_y
+        + R::from_f64(0.34770232599999995) * hub_w_z;
+    let hub_t15 = R::from_f64(-0.41750099999999996) * hub_v_o_z
+        - R::from_f64(0.15792) * hub_v_o_y;
+    let hub_t16 = R::from_f64(0.15792) * hub_v_o_x - R::from_f64(0.184569) * hub_v_o_z;
+    let hub_t17 = R::from_f64(0.184569) * hub_v_o_y
+        - R::from_f64(-0.41750099999999996) * hub_v_o_x;
+    let hub_t18 = hub_t6 + hub_t9;
+    let hub_t19 = hub_t7 + hub_t10;
+    let hub_t20 = hub_t8 + hub_t11;
+    let hub_t21 = hub_t12 + hub_t15;
+    let hub_t22 = hub_t13 + hub_t16;
+    let hub_t23 = hub_t14 + hub_t17;
+    // shoulder: mass centre and momentum, inward
+    let shoulder_t19 = R::from_f64(1.86) * shoulder_v_o_x;
+    let shoulder_t20 = R::from_f64(1.86) * shoulder_v_o_y;
+    let shoulder_t21 = R::from_f64(1.86) * shoulder_v_o_z;
+    let shoulder_t22 = R::from_f64(0.44082) * shoulder_w_y
+        - R::from_f64(-0.23436) * shoulder_w_z;
+    let shoulder_t23 = R::from_f64(0.54126) * shoulder_w_z
+        - R::from_f64(0.44082) * shoulder_w_x;
+    let shoulder_t24 = R::from_f64(-0.23436) * shoulder_w_x
+        - R::from_f64(0.54126) * shoulder_w_y;
+    let shoulder_t25 = R::from_f64(0.3058297) * shoulder_w_x
+        + R::from_f64(0.15185076) * shoulder_w_y
+        + R::from_f64(-0.06677161999999998) * shoulder_w_z;
+    let shoulder_t26 = R::from_f64(0.15185076) * shoulder_w_x
+        + R::from_f64(0.473424) * shoulder_w_y
+        + R::from_f64(0.004365319999999999) * shoulder_w_z;
+    let shoulder_t27 = R::from_f64(-0.06677161999999998) * shoulder_w_x
+        + R::from_f64(0.004365319999999999) * shoulder_w_y
+        + R::from_f64(0.43650301999999996) * shoulder_w_z;
+    let shoulder_t28 = R::from_f64(-0.23436) * shoulder_v_o_z
+        - R::from_f64(0.44082) * shoulder_v_o_y;
+    let shoulder_t29 = R::from_f64(0.44082) * shoulder_v_o_x
+        - R::from_f64(0.54126) * shoulder_v_o_z;
+    let shoulder_t30 = R::from_f64(0.54126) * shoulder_v_o_y
+        - R::from_f64(-0.23436) * shoulder_v_o_x;
+    let shoulder_t31 = shoulder_t19 + shoulder_t22;
+    let shoulder_t32 = shoulder_t20 + shoulder_t23;
+    let shoulder_t33 = shoulder_t21 + shoulder_t24;
+    let shoulder_t34 = shoulder_t25 + shoulder_t28;
+    let shoulder_t35 = shoulder_t26 + shoulder_t29;
+    let shoulder_t36 = shoulder_t27 + shoulder_t30;
+    // forearm: mass centre and momentum, inward
+    let forearm_t19 = R::from_f64(1.918) * forearm_v_o_x;
+    let forearm_t20 = R::from_f64(1.918) * forearm_v_o_y;
+    let forearm_t21 = R::from_f64(1.918) * forearm_v_o_z;
+    let forearm_t22 = R::from_f64(0.581154) * forearm_w_y
+        - R::from_f64(-0.820904) * forearm_w_z;
+    let forearm_t23 = R::from_f64(-0.435386) * forearm_w_z
+        - R::from_f64(0.581154) * forearm_w_x;
+    let forearm_t24 = R::from_f64(-0.820904) * forearm_w_x
+        - R::from_f64(-0.435386) * forearm_w_y;
+    let forearm_t25 = R::from_f64(0.823517574) * forearm_w_x
+        + R::from_f64(-0.184848208) * forearm_w_y
+        + R::from_f64(0.079154958) * forearm_w_z;
+    let forearm_t26 = R::from_f64(-0.184848208) * forearm_w_x
+        + R::from_f64(0.576175284) * forearm_w_y
+        + R::from_f64(0.21179691199999998) * forearm_w_z;
+    let forearm_t27 = R::from_f64(0.079154958) * forearm_w_x
+        + R::from_f64(0.21179691199999998) * forearm_w_y
+        + R::from_f64(0.760264534) * forearm_w_z;
+    let forearm_t28 = R::from_f64(-0.820904) * forearm_v_o_z
+        - R::from_f64(0.581154) * forearm_v_o_y;
+    let forearm_t29 = R::from_f64(0.581154) * forearm_v_o_x
+        - R::from_f64(-0.435386) * forearm_v_o_z;
+    let forearm_t30 = R::from_f64(-0.435386) * forearm_v_o_y
+        - R::from_f64(-0.820904) * forearm_v_o_x;
+    let forearm_p_x = forearm_t19 + forearm_t22;
+    let forearm_p_y = forearm_t20 + forearm_t23;
+    let forearm_p_z = forearm_t21 + forearm_t24;
+    let forearm_l_x = forearm_t25 + forearm_t28;
+    let forearm_l_y = forearm_t26 + forearm_t29;
+    let forearm_l_z = forearm_t27 + forearm_t30;
+    // left_panel: mass centre and momentum, inward
+    let left_panel_t19 = R::from_f64(3.255) * left_panel_v_o_x;
+    let left_panel_t20 = R::from_f64(3.255) * left_panel_v_o_y;
+    let left_panel_t21 = R::from_f64(3.255) * left_panel_v_o_z;
+    let left_panel_t22 = R::from_f64(-1.53636) * left_panel_w_y
+        - R::from_f64(-1.5819299999999998) * left_panel_w_z;
+    let left_panel_t23 = R::from_f64(-0.530565) * left_panel_w_z
+        - R::from_f64(-1.53636) * left_panel_w_x;
+    let left_panel_t24 = R::from_f64(-1.5819299999999998) * left_panel_w_x
+        - R::from_f64(-0.530565) * left_panel_w_y;
+    let left_panel_t25 = R::from_f64(1.9254578999999998) * left_panel_w_x
+        + R::from_f64(-0.26886759) * left_panel_w_y
+        + R::from_f64(-0.38663467999999995) * left_panel_w_z;
+    let left_panel_t26 = R::from_f64(-0.26886759) * left_panel_w_x
+        + R::from_f64(1.190981015) * left_panel_w_y
+        + R::from_f64(-0.77423096) * left_panel_w_z;
+    let left_panel_t27 = R::from_f64(-0.38663467999999995) * left_panel_w_x
+        + R::from_f64(-0.77423096) * left_panel_w_y
+        + R::from_f64(1.3275490749999999) * left_panel_w_z;
+    let left_panel_t28 = R::from_f64(-1.5819299999999998) * left_panel_v_o_z
+        - R::from_f64(-1.53636) * left_panel_v_o_y;
+    let left_panel_t29 = R::from_f64(-1.53636) * left_panel_v_o_x
+        - R::from_f64(-0.530565) * left_panel_v_o_z;
+    let left_panel_t30 = R::from_f64(-0.530565) * left_panel_v_o_y
+        - R::from_f64(-1.5819299999999998) * left_panel_v_o_x;
+    let left_panel_p_x = left_panel_t19 + left_panel_t22;
+    let left_panel_p_y = left_panel_t20 + left_panel_t23;
+    let left_panel_p_z = left_panel_t21 + left_panel_t24;
+    let left_panel_l_x = left_panel_t25 + left_panel_t28;
+    let left_panel_l_y = left_panel_t26 + left_panel_t29;
+    let left_panel_l_z = left_panel_t27 + left_panel_t30;
+    // left_tip: mass centre and momentum, inward
+    let left_tip_t19 = R::from_f64(3.327) * left_tip_v_o_x;
+    let left_tip_t20 = R::from_f64(3.327) * left_tip_v_o_y;
+    let left_tip_t21 = R::from_f64(3.327) * left_tip_v_o_z;
+    let left_tip_t22 = R::from_f64(0.292776) * left_tip_w_y
+        - R::from_f64(0.46245300000000006) * left_tip_w_z;
+    let left_tip_t23 = R::from_f64(-0.79848) * left_tip_w_z
+        - R::from_f64(0.292776) * left_tip_w_x;
+    let left_tip_t24 = R::from_f64(0.46245300000000006) * left_tip_w_x
+        - R::from_f64(-0.79848) * left_tip_w_y;
+    let left_tip_t25 = R::from_f64(0.405067255) * left_tip_w_x
+        + R::from_f64(0.08216572000000001) * left_tip_w_y
+        + R::from_f64(0.08375824) * left_tip_w_z;
+    let left_tip_t26 = R::from_f64(0.08216572000000001) * left_tip_w_x
+        + R::from_f64(0.405036488) * left_tip_w_y
+        + R::from_f64(-0.018086863999999998) * left_tip_w_z;
+    let left_tip_t27 = R::from_f64(0.08375824) * left_tip_w_x
+        + R::from_f64(-0.018086863999999998) * left_tip_w_y
+        + R::from_f64(0.507482167) * left_tip_w_z;
+    let left_tip_t28 = R::from_f64(0.46245300000000006) * left_tip_v_o_z
+        - R::from_f64(0.292776) * left_tip_v_o_y;
+    let left_tip_t29 = R::from_f64(0.292776) * left_tip_v_o_x
+        - R::from_f64(-0.79848) * left_tip_v_o_z;
+    let left_tip_t30 = R::from_f64(-0.79848) * left_tip_v_o_y
+        - R::from_f64(0.46245300000000006) * left_tip_v_o_x;
+    let left_tip_p_x = left_tip_t19 + left_tip_t22;
+    let left_tip_p_y = left_tip_t20 + left_tip_t23;
+    let left_tip_p_z = left_tip_t21 + left_tip_t24;
+    let left_tip_l_x = left_tip_t25 + left_tip_t28;
+    let left_tip_l_y = left_tip_t26 + left_tip_t29;
+    let left_tip_l_z = left_tip_t27 + left_tip_t30;
+    // antenna: mass centre and momentum, inward
+    let antenna_t19 = R::from_f64(1.186) * antenna_v_o_x;
+    let antenna_t20 = R::from_f64(1.186) * antenna_v_o_y;
+    let antenna_t21 = R::from_f64(1.186) * antenna_v_o_z;
+    let antenna_t22 = R::from_f64(0.087764) * antenna_w_y
+        - R::from_f64(-0.305988) * antenna_w_z;
+    let antenna_t23 = R::from_f64(0.530142) * antenna_w_z
+        - R::from_f64(0.087764) * antenna_w_x;
+    let antenna_t24 = R::from_f64(-0.305988) * antenna_w_x
+        - R::from_f64(0.530142) * antenna_w_y;
+    let antenna_t25 = R::from_f64(0.21000744) * antenna_w_x
+        + R::from_f64(0.148709636) * antenna_w_y
+        + R::from_f64(-0.0014535079999999992) * antenna_w_z;
+    let antenna_t26 = R::from_f64(0.148709636) * antenna_w_x
+        + R::from_f64(0.36715501) * antenna_w_y + R::from_f64(0.016832112) * antenna_w_z;
+    let antenna_t27 = R::from_f64(-0.0014535079999999992) * antenna_w_x
+        + R::from_f64(0.016832112) * antenna_w_y
+        + R::from_f64(0.408079378) * antenna_w_z;
+    let antenna_t28 = R::from_f64(-0.305988) * antenna_v_o_z
+        - R::from_f64(0.087764) * antenna_v_o_y;
+    let antenna_t29 = R::from_f64(0.087764) * antenna_v_o_x
+        - R::from_f64(0.530142) * antenna_v_o_z;
+    let antenna_t30 = R::from_f64(0.530142) * antenna_v_o_y
+        - R::from_f64(-0.305988) * antenna_v_o_x;
+    let antenna_p_x = antenna_t19 + antenna_t22;
+    let antenna_p_y = antenna_t20 + antenna_t23;
+    let antenna_p_z = antenna_t21 + antenna_t24;
+    let antenna_l_x = antenna_t25 + antenna_t28;
+    let antenna_l_y = antenna_t26 + antenna_t29;
+    let antenna_l_z = antenna_t27 + antenna_t30;
+    // boom: mass centre and momentum, inward
+    let boom_t19 = R::from_f64(2.351) * boom_v_o_x;
+    let boom_t20 = R::from_f64(2.351) * boom_v_o_y;
+    let boom_t21 = R::from_f64(2.351) * boom_v_o_z;
+    let boom_t22 = R::from_f64(-0.48665699999999995) * boom_w_y
+        - R::from_f64(-0.575995) * boom_w_z;
+    let boom_t23 = R::from_f64(0.263312) * boom_w_z
+        - R::from_f64(-0.48665699999999995) * boom_w_x;
+    let boom_t24 = R::from_f64(-0.575995) * boom_w_x - R::from_f64(0.263312) * boom_w_y;
+    let boom_t25 = R::from_f64(0.498871774) * boom_w_x
+        + R::from_f64(0.0024844400000000044) * boom_w_y
+        + R::from_f64(0.078501584) * boom_w_z;
+    let boom_t26 = R::from_f64(0.0024844400000000044) * boom_w_x
+        + R::from_f64(0.42511494299999997) * boom_w_y
+        + R::from_f64(-0.10231996499999998) * boom_w_z;
+    let boom_t27 = R::from_f64(0.078501584) * boom_w_x
+        + R::from_f64(-0.10231996499999998) * boom_w_y
+        + R::from_f64(0.407394719) * boom_w_z;
+    let boom_t28 = R::from_f64(-0.575995) * boom_v_o_z
+        - R::from_f64(-0.48665699999999995) * boom_v_o_y;
+    let boom_t29 = R::from_f64(-0.48665699999999995) * boom_v_o_x
+        - R::from_f64(0.263312) * boom_v_o_z;
+    let boom_t30 = R::from_f64(0.263312) * boom_v_o_y
+        - R::from_f64(-0.575995) * boom_v_o_x;
+    let boom_t31 = boom_t19 + boom_t22;
+    let boom_t32 = boom_t20 + boom_t23;
+    let boom_t33 = boom_t21 + boom_t24;
+    let boom_t34 = boom_t25 + boom_t28;
+    let boom_t35 = boom_t26 + boom_t29;
+    let boom_t36 = boom_t27 + boom_t30;
+    // camera: mass centre and momentum, inward
+    let camera_t19 = R::from_f64(1.717) * camera_v_o_x;
+    let camera_t20 = R::from_f64(1.717) * camera_v_o_y;
+    let camera_t21 = R::from_f64(1.717) * camera_v_o_z;
+    let camera_t22 = R::from_f64(0.7932540000000001) * camera_w_y
+        - R::from_f64(-0.714272) * camera_w_z;
+    let camera_t23 = R::from_f64(-0.643875) * camera_w_z
+        - R::from_f64(0.7932540000000001) * camera_w_x;
+    let camera_t24 = R::from_f64(-0.714272) * camera_w_x
+        - R::from_f64(-0.643875) * camera_w_y;
+    let camera_t25 = R::from_f64(0.8480335000000001) * camera_w_x
+        + R::from_f64(-0.201762) * camera_w_y + R::from_f64(0.33351225) * camera_w_z;
+    let camera_t26 = R::from_f64(-0.201762) * camera_w_x
+        + R::from_f64(0.8251094730000001) * camera_w_y
+        + R::from_f64(0.270170664) * camera_w_z;
+    let camera_t27 = R::from_f64(0.33351225) * camera_w_x
+        + R::from_f64(0.270170664) * camera_w_y
+        + R::from_f64(0.7879912769999999) * camera_w_z;
+    let camera_t28 = R::from_f64(-0.714272) * camera_v_o_z
+        - R::from_f64(0.7932540000000001) * camera_v_o_y;
+    let camera_t29 = R::from_f64(0.7932540000000001) * camera_v_o_x
+        - R::from_f64(-0.643875) * camera_v_o_z;
+    let camera_t30 = R::from_f64(-0.643875) * camera_v_o_y
+        - R::from_f64(-0.714272) * camera_v_o_x;
+    let camera_p_x = camera_t19 + camera_t22;
+    let camera_p_y = camera_t20 + camera_t23;
+    let camera_p_z = camera_t21 + camera_t24;
+    let camera_l_x = camera_t25 + camera_t28;
+    let camera_l_y = camera_t26 + camera_t29;
+    let camera_l_z = camera_t27 + camera_t30;
+    let camera_t31 = camera_cos3 * camera_p_x - camera_sin3 * camera_p_y;
+    let camera_t32 = camera_cos3 * camera_p_y + camera_sin3 * camera_p_x;
+    let camera_t33 = camera_cos3 * camera_l_x - camera_sin3 * camera_l_y;
+    let camera_t34 = camera_cos3 * camera_l_y + camera_sin3 * camera_l_x;
+    let camera_t35 = camera_cos2 * camera_p_z - camera_sin2 * camera_t31;
+    let camera_t36 = camera_cos2 * camera_t31 + camera_sin2 * camera_p_z;
+    let camera_t37 = camera_cos2 * camera_l_z - camera_sin2 * camera_t33;
+    let camera_t38 = camera_cos2 * camera_t33 + camera_sin2 * camera_l_z;
+    let camera_t39 = camera_cos1 * camera_t32 - camera_sin1 * camera_t35;
+    let camera_t40 = camera_cos1 * camera_t35 + camera_sin1 * camera_t32;
+    let camera_t41 = camera_cos1 * camera_t34 - camera_sin1 * camera_t37;
+    let camera_t42 = camera_cos1 * camera_t37 + camera_sin1 * camera_t34;
+    let camera_t43 = camera_offset_y * camera_t40 - camera_offset_z * camera_t39;
+    let camera_t44 = camera_offset_z * camera_t36 - camera_offset_x * camera_t40;
+    let camera_t45 = camera_offset_x * camera_t39 - camera_offset_y * camera_t36;
+    let camera_t46 = camera_t38 + camera_t43;
+    let camera_t47 = camera_t41 + camera_t44;
+    let camera_t48 = camera_t42 + camera_t45;
+    // boom: mass centre and momentum, inward
+    let boom_p_x = boom_t31 + camera_t36;
+    let boom_p_y = boom_t32 + camera_t39;
+    let boom_p_z = boom_t33 + camera_t40;
+    let boom_l_x = boom_t34 + camera_t46;
+    let boom_l_y = boom_t35 + camera_t47;
+    let boom_l_z = boom_t36 + camera_t48;
+    let boom_t37 = boom_cos3 * boom_p_x - boom_sin3 * boom_p_y;
+    let boom_t38 = boom_cos3 * boom_p_y + boom_sin3 * boom_p_x;
+    let boom_t39 = boom_cos3 * boom_l_x - boom_sin3 * boom_l_y;
+    let boom_t40 = boom_cos3 * boom_l_y + boom_sin3 * boom_l_x;
+    let boom_t41 = boom_cos2 * boom_p_z - boom_sin2 * boom_t37;
+    let boom_t42 = boom_cos2 * boom_t37 + boom_sin2 * boom_p_z;
+    let boom_t43 = boom_cos2 * boom_l_z - boom_sin2 * boom_t39;
+    let boom_t44 = boom_cos2 * boom_t39 + boom_sin2 * boom_l_z;
+    let boom_t45 = boom_cos1 * boom_t38 - boom_sin1 * boom_t41;
+    let boom_t46 = boom_cos1 * boom_t41 + boom_sin1 * boom_t38;
+    let boom_t47 = boom_cos1 * boom_t40 - boom_sin1 * boom_t43;
+    let boom_t48 = boom_cos1 * boom_t43 + boom_sin1 * boom_t40;
+    let boom_t49 = boom_offset_y * boom_t46 - boom_offset_z * boom_t45;
+    let boom_t50 = boom_offset_z * boom_t42 - boom_offset_x * boom_t46;
+    let boom_t51 = boom_offset_x * boom_t45 - boom_offset_y * boom_t42;
+    let boom_t52 = boom_t44 + boom_t49;
+    let boom_t53 = boom_t47 + boom_t50;
+    let boom_t54 = boom_t48 + boom_t51;
+    // hub: mass centre and momentum, inward
+    let hub_t24 = hub_t18 + boom_t42;
+    let hub_t25 = hub_t19 + boom_t45;
+    let hub_t26 = hub_t20 + boom_t46;
+    let hub_t27 = hub_t21 + boom_t52;
+    let hub_t28 = hub_t22 + boom_t53;
+    let hub_t29 = hub_t23 + boom_t54;
+    // antenna: mass centre and momentum, inward
+    let antenna_t31 = antenna_cos3 * antenna_p_x - antenna_sin3 * antenna_p_y;
+    let antenna_t32 = antenna_cos3 * antenna_p_y + antenna_sin3 * antenna_p_x;
+    let antenna_t33 = antenna_cos3 * antenna_l_x - antenna_sin3 * antenna_l_y;
+    let antenna_t34 = antenna_cos3 * antenna_l_y + antenna_sin3 * antenna_l_x;
+    let antenna_t35 = antenna_cos2 * antenna_p_z - antenna_sin2 * antenna_t31;
+    let antenna_t36 = antenna_cos2 * antenna_t31 + antenna_sin2 * antenna_p_z;
+    let antenna_t37 = antenna_cos2 * antenna_l_z - antenna_sin2 * antenna_t33;
+    let antenna_t38 = antenna_cos2 * antenna_t33 + antenna_sin2 * antenna_l_z;
+    let antenna_t39 = antenna_cos1 * antenna_t32 - antenna_sin1 * antenna_t35;
+    let antenna_t40 = antenna_cos1 * antenna_t35 + antenna_sin1 * antenna_t32;
+    let antenna_t41 = antenna_cos1 * antenna_t34 - antenna_sin1 * antenna_t37;
+    let antenna_t42 = antenna_cos1 * antenna_t37 + antenna_sin1 * antenna_t34;
+    let antenna_t43 = antenna_offset_y * antenna_t40 - antenna_offset_z * antenna_t39;
+    let antenna_t44 = antenna_offset_z * antenna_t36 - antenna_offset_x * antenna_t40;
+    let antenna_t45 = antenna_offset_x * antenna_t39 - antenna_offset_y * antenna_t36;
+    let antenna_t46 = antenna_t38 + antenna_t43;
+    let antenna_t47 = antenna_t41 + antenna_t44;
+    let antenna_t48 = antenna_t42 + antenna_t45;
+    // hub: mass centre and momentum, inward
+    let hub_t30 = hub_t24 + antenna_t36;
+    let hub_t31 = hub_t25 + antenna_t39;
+    let hub_t32 = hub_t26 + antenna_t40;
+    let hub_t33 = hub_t27 + antenna_t46;
+    let hub_t34 = hub_t28 + antenna_t47;
+    let hub_t35 = hub_t29 + antenna_t48;
+    // left_tip: mass centre and momentum, inward
+    let left_tip_t31 = left_tip_cos3 * left_tip_p_x - left_tip_sin3 * left_tip_p_y;
+    let left_tip_t32 = left_tip_cos3 * left_tip_p_y + left_tip_sin3 * left_tip_p_x;
+    let left_tip_t33 = left_tip_cos3 * left_tip_l_x - left_tip_sin3 * left_tip_l_y;
+    let left_tip_t34 = left_tip_cos3 * left_tip_l_y + left_tip_sin3 * left_tip_l_x;
+    let left_tip_t35 = left_tip_cos2 * left_tip_p_z - left_tip_sin2 * left_tip_t31;
+    let left_tip_t36 = left_tip_cos2 * left_tip_t31 + left_tip_sin2 * left_tip_p_z;
+    let left_tip_t37 = left_tip_cos2 * left_tip_l_z - left_tip_sin2 * left_tip_t33;
+    let left_tip_t38 = left_tip_cos2 * left_tip_t33 + left_tip_sin2 * left_tip_l_z;
+    let left_tip_t39 = left_tip_cos1 * left_tip_t32 - left_tip_sin1 * left_tip_t35;
+    let left_tip_t40 = left_tip_cos1 * left_tip_t35 + left_tip_sin1 * left_tip_t32;
+    let left_tip_t41 = left_tip_cos1 * left_tip_t34 - left_tip_sin1 * left_tip_t37;
+    let left_tip_t42 = left_tip_cos1 * left_tip_t37 + left_tip_sin1 * left_tip_t34;
+    let left_tip_t43 = left_tip_offset_y * left_tip_t40
+        - left_tip_offset_z * left_tip_t39;
+    let left_tip_t44 = left_tip_offset_z * left_tip_t36
+        - left_tip_offset_x * left_tip_t40;
+    let left_tip_t45 = left_tip_offset_x * left_tip_t39
+        - left_tip_offset_y * left_tip_t36;
+    let left_tip_t46 = left_tip_t38 + left_tip_t43;
+    let left_tip_t47 = left_tip_t41 + left_tip_t44;
+    let left_tip_t48 = left_tip_t42 + left_tip_t45;
+    // shoulder: mass centre and momentum, inward
+    let shoulder_t37 = shoulder_t31 + left_tip_t36;
+    let shoulder_t38 = shoulder_t32 + left_tip_t39;
+    let shoulder_t39 = shoulder_t33 + left_tip_t40;
+    let shoulder_t40 = shoulder_t34 + left_tip_t46;
+    let shoulder_t41 = shoulder_t35 + left_tip_t47;
+    let shoulder_t42 = shoulder_t36 + left_tip_t48;
+    // left_panel: mass centre and momentum, inward
+    let left_panel_t31 = left_panel_cos3 * left_panel_p_x
+        - left_panel_sin3 * left_panel_p_y;
+    let left_panel_t32 = left_panel_cos3 * left_panel_p_y
+        + left_panel_sin3 * left_panel_p_x;
+    let left_panel_t33 = left_panel_cos3 * left_panel_l_x
+        - left_panel_sin3 * left_panel_l_y;
+    let left_panel_t34 = left_panel_cos3 * left_panel_l_y
+        + left_panel_sin3 * left_panel_l_x;
+    let left_panel_t35 = left_panel_cos2 * left_panel_p_z
+        - left_panel_sin2 * left_panel_t31;
+    let left_panel_t36 = left_panel_cos2 * left_panel_t31
+        + left_panel_sin2 * left_panel_p_z;
+    let left_panel_t37 = left_panel_cos2 * left_panel_l_z
+        - left_panel_sin2 * left_panel_t33;
+    let left_panel_t38 = left_panel_cos2 * left_panel_t33
+        + left_panel_sin2 * left_panel_l_z;
+    let left_panel_t39 = left_panel_cos1 * left_panel_t32
+        - left_panel_sin1 * left_panel_t35;
+    let left_panel_t40 = left_panel_cos1 * left_panel_t35
+        + left_panel_sin1 * left_panel_t32;
+    let left_panel_t41 = left_panel_cos1 * left_panel_t34
+        - left_panel_sin1 * left_panel_t37;
+    let left_panel_t42 = left_panel_cos1 * left_panel_t37
+        + left_panel_sin1 * left_panel_t34;
+    let left_panel_t43 = left_panel_offset_y * left_panel_t40
+        - left_panel_offset_z * left_panel_t39;
+    let left_panel_t44 = left_panel_offset_z * left_panel_t36
+        - left_panel_offset_x * left_panel_t40;
+    let left_panel_t45 = left_panel_offset_x * left_panel_t39
+        - left_panel_offset_y * left_panel_t36;
+    let left_panel_t46 = left_panel_t38 + left_panel_t43;
+    let left_panel_t47 = left_panel_t41 + left_panel_t44;
+    let left_panel_t48 = left_panel_t42 + left_panel_t45;
+    // hub: mass centre and momentum, inward
+    let hub_t36 = hub_t30 + left_panel_t36;
+    let hub_t37 = hub_t31 + left_panel_t39;
+    let hub_t38 = hub_t32 + left_panel_t40;
+    let hub_t39 = hub_t33 + left_panel_t46;
+    let hub_t40 = hub_t34 + left_panel_t47;
+    let hub_t41 = hub_t35 + left_panel_t48;
+    // forearm: mass centre and momentum, inward
+    let forearm_t31 = forearm_cos3 * forearm_p_x - forearm_sin3 * forearm_p_y;
+    let forearm_t32 = forearm_cos3 * forearm_p_y + forearm_sin3 * forearm_p_x;
+    let forearm_t33 = forearm_cos3 * forearm_l_x - forearm_sin3 * forearm_l_y;
+    let forearm_t34 = forearm_cos3 * forearm_l_y + forearm_sin3 * forearm_l_x;
+    let forearm_t35 = forearm_cos2 * forearm_p_z - forearm_sin2 * forearm_t31;
+    let forearm_t36 = forearm_cos2 * forearm_t31 + forearm_sin2 * forearm_p_z;
+    let forearm_t37 = forearm_cos2 * forearm_l_z - forearm_sin2 * forearm_t33;
+    let forearm_t38 = forearm_cos2 * forearm_t33 + forearm_sin2 * forearm_l_z;
+    let forearm_t39 = forearm_cos1 * forearm_t32 - forearm_sin1 * forearm_t35;
+    let forearm_t40 = forearm_cos1 * forearm_t35 + forearm_sin1 * forearm_t32;
+    let forearm_t41 = forearm_cos1 * forearm_t34 - forearm_sin1 * forearm_t37;
+    let forearm_t42 = forearm_cos1 * forearm_t37 + forearm_sin1 * forearm_t34;
+    let forearm_t43 = forearm_offset_y * forearm_t40 - forearm_offset_z * forearm_t39;
+    let forearm_t44 = forearm_offset_z * forearm_t36 - forearm_offset_x * forearm_t40;
+    let forearm_t45 = forearm_offset_x * forearm_t39 - forearm_offset_y * forearm_t36;
+    let forearm_t46 = forearm_t38 + forearm_t43;
+    let forearm_t47 = forearm_t41 + forearm_t44;
+    let forearm_t48 = forearm_t42 + forearm_t45;
+    // shoulder: mass centre and momentum, inward
+    let shoulder_p_x = shoulder_t37 + forearm_t36;
+    let shoulder_p_y = shoulder_t38 + forearm_t39;
+    let shoulder_p_z = shoulder_t39 + forearm_t40;
+    let shoulder_l_x = shoulder_t40 + forearm_t46;
+    let shoulder_l_y = shoulder_t41 + forearm_t47;
+    let shoulder_l_z = shoulder_t42 + forearm_t48;
+    let shoulder_t43 = shoulder_cos3 * shoulder_p_x - shoulder_sin3 * shoulder_p_y;
+    let shoulder_t44 = shoulder_cos3 * shoulder_p_y + shoulder_sin3 * shoulder_p_x;
+    let shoulder_t45 = shoulder_cos3 * shoulder_l_x - shoulder_sin3 * shoulder_l_y;
+    let shoulder_t46 = shoulder_cos3 * shoulder_l_y + shoulder_sin3 * shoulder_l_x;
+    let shoulder_t47 = shoulder_cos2 * shoulder_p_z - shoulder_sin2 * shoulder_t43;
+    let shoulder_t48 = shoulder_cos2 * shoulder_t43 + shoulder_sin2 * shoulder_p_z;
+    let shoulder_t49 = shoulder_cos2 * shoulder_l_z - shoulder_sin2 * shoulder_t45;
+    let shoulder_t50 = shoulder_cos2 * shoulder_t45 + shoulder_sin2 * shoulder_l_z;
+    let shoulder_t51 = shoulder_cos1 * shoulder_t44 - shoulder_sin1 * shoulder_t47;
+    let shoulder_t52 = shoulder_cos1 * shoulder_t47 + shoulder_sin1 * shoulder_t44;
+    let shoulder_t53 = shoulder_cos1 * shoulder_t46 - shoulder_sin1 * shoulder_t49;
+    let shoulder_t54 = shoulder_cos1 * shoulder_t49 + shoulder_sin1 * shoulder_t46;
+    let shoulder_t55 = shoulder_offset_y * shoulder_t52
+        - shoulder_offset_z * shoulder_t51;
+    let shoulder_t56 = shoulder_offset_z * shoulder_t48
+        - shoulder_offset_x * shoulder_t52;
+    let shoulder_t57 = shoulder_offset_x * shoulder_t51
+        - shoulder_offset_y * shoulder_t48;
+    let shoulder_t58 = shoulder_t50 + shoulder_t55;
+    let shoulder_t59 = shoulder_t53 + shoulder_t56;
+    let shoulder_t60 = shoulder_t54 + shoulder_t57;
+    // hub: mass centre and momentum, inward
+    let hub_p_x = hub_t36 + shoulder_t48;
+    let hub_p_y = hub_t37 + shoulder_t51;
+    let hub_p_z = hub_t38 + shoulder_t52;
+    let hub_l_x = hub_t39 + shoulder_t58;
+    let hub_l_y = hub_t40 + shoulder_t59;
+    let hub_l_z = hub_t41 + shoulder_t60;
+    let hub_t42 = hub_cos3 * hub_p_x - hub_sin3 * hub_p_y;
+    let hub_t43 = hub_cos3 * hub_p_y + hub_sin3 * hub_p_x;
+    let hub_t44 = hub_cos3 * hub_l_x - hub_sin3 * hub_l_y;
+    let hub_t45 = hub_cos3 * hub_l_y + hub_sin3 * hub_l_x;
+    let hub_t46 = hub_cos2 * hub_p_z - hub_sin2 * hub_t42;
+    let hub_t47 = hub_cos2 * hub_t42 + hub_sin2 * hub_p_z;
+    let hub_t48 = hub_cos2 * hub_l_z - hub_sin2 * hub_t44;
+    let hub_t49 = hub_cos2 * hub_t44 + hub_sin2 * hub_l_z;
+    let hub_t50 = hub_cos1 * hub_t43 - hub_sin1 * hub_t46;
+    let hub_t51 = hub_cos1 * hub_t46 + hub_sin1 * hub_t43;
+    let hub_t52 = hub_cos1 * hub_t45 - hub_sin1 * hub_t48;
+    let hub_t53 = hub_cos1 * hub_t48 + hub_sin1 * hub_t45;
+    // system: mass centre and momentum, inward
     let hub_s2 = q[25];
     let hub_s3 = q[26];
-    let hub_p_o_x = hub_rel_xx * hub_s1 + hub_rel_xy * hub_s2 + hub_rel_xz * hub_s3;
-    let hub_p_o_y = hub_rel_yy * hub_s2 - hub_minus_rel_yx * hub_s1
-        + hub_rel_yz * hub_s3;
-    let hub_p_o_z = hub_sin2 * hub_s1 - hub_minus_rel_zy * hub_s2 + hub_rel_zz * hub_s3;
-    // shoulder: position, Eqs. (22), (23)
-    let shoulder_t21 = hub_p_o_x + shoulder_offset_x;
-    let shoulder_t22 = hub_p_o_y + shoulder_offset_y;
-    let shoulder_t23 = hub_p_o_z + shoulder_offset_z;
-    let shoulder_p_o_x = shoulder_rel_xx * shoulder_t21 + shoulder_rel_xy * shoulder_t22
-        + shoulder_rel_xz * shoulder_t23;
-    let shoulder_p_o_y = shoulder_rel_yy * shoulder_t22
-        - shoulder_minus_rel_yx * shoulder_t21 + shoulder_rel_yz * shoulder_t23;
-    let shoulder_p_o_z = shoulder_sin2 * shoulder_t21
-        - shoulder_minus_rel_zy * shoulder_t22 + shoulder_rel_zz * shoulder_t23;
-    // forearm: position, Eqs. (22), (23)
-    let forearm_t21 = shoulder_p_o_x + forearm_offset_x;
-    let forearm_t22 = shoulder_p_o_y + forearm_offset_y;
-    let forearm_t23 = shoulder_p_o_z + forearm_offset_z;
-    let forearm_p_o_x = forearm_rel_xx * forearm_t21 + forearm_rel_xy * forearm_t22
-        + forearm_rel_xz * forearm_t23;
-    let forearm_p_o_y = forearm_rel_yy * forearm_t22 - forearm_minus_rel_yx * forearm_t21
-        + forearm_rel_yz * forearm_t23;
-    let forearm_p_o_z = forearm_sin2 * forearm_t21 - forearm_minus_rel_zy * forearm_t22
-        + forearm_rel_zz * forearm_t23;
-    // left_panel: position, Eqs. (22), (23)
-    let left_panel_t21 = hub_p_o_x + left_panel_offset_x;
-    let left_panel_t22 = hub_p_o_y + left_panel_offset_y;
-    let left_panel_t23 = hub_p_o_z + left_panel_offset_z;
-    let left_panel_p_o_x = left_panel_rel_xx * left_panel_t21
-        + left_panel_rel_xy * left_panel_t22 + left_panel_rel_xz * left_panel_t23;
-    let left_panel_p_o_y = left_panel_rel_yy * left_panel_t22
-        - left_panel_minus_rel_yx * left_panel_t21 + left_panel_rel_yz * left_panel_t23;
-    let left_panel_p_o_z = left_panel_sin2 * left_panel_t21
-        - left_panel_minus_rel_zy * left_panel_t22 + left_panel_rel_zz * left_panel_t23;
-    // left_tip: position, Eqs. (22), (23)
-    let left_tip_t21 = shoulder_p_o_x + left_tip_offset_x;
-    let left_tip_t22 = shoulder_p_o_y + left_tip_offset_y;
-    let left_tip_t23 = shoulder_p_o_z + left_tip_offset_z;
-    let left_tip_p_o_x = left_tip_rel_xx * left_tip_t21 + left_tip_rel_xy * left_tip_t22
-        + left_tip_rel_xz * left_tip_t23;
-    let left_tip_p_o_y = left_tip_rel_yy * left_tip_t22
-        - left_tip_minus_rel_yx * left_tip_t21 + left_tip_rel_yz * left_tip_t23;
-    let left_tip_p_o_z = left_tip_sin2 * left_tip_t21
-        - left_tip_minus_rel_zy * left_tip_t22 + left_tip_rel_zz * left_tip_t23;
-    // antenna: position, Eqs. (22), (23)
-    let antenna_t21 = hub_p_o_x + antenna_offset_x;
-    let antenna_t22 = hub_p_o_y + antenna_offset_y;
-    let antenna_t23 = hub_p_o_z + antenna_offset_z;
-    let antenna_p_o_x = antenna_rel_xx * antenna_t21 + antenna_rel_xy * antenna_t22
-        + antenna_rel_xz * antenna_t23;
-    let antenna_p_o_y = antenna_rel_yy * antenna_t22 - antenna_minus_rel_yx * antenna_t21
-        + antenna_rel_yz * antenna_t23;
-    let antenna_p_o_z = antenna_sin2 * antenna_t21 - antenna_minus_rel_zy * antenna_t22
-        + antenna_rel_zz * antenna_t23;
-    // boom: position, Eqs. (22), (23)
-    let boom_t21 = hub_p_o_x + boom_offset_x;
-    let boom_t22 = hub_p_o_y + boom_offset_y;
-    let boom_t23 = hub_p_o_z + boom_offset_z;
-    let boom_p_o_x = boom_rel_xx * boom_t21 + boom_rel_xy * boom_t22
-        + boom_rel_xz * boom_t23;
-    let boom_p_o_y = boom_rel_yy * boom_t22 - boom_minus_rel_yx * boom_t21
-        + boom_rel_yz * boom_t23;
-    let boom_p_o_z = boom_sin2 * boom_t21 - boom_minus_rel_zy * boom_t22
-        + boom_rel_zz * boom_t23;
-    // camera: position, Eqs. (22), (23)
-    let camera_t21 = boom_p_o_x + camera_offset_x;
-    let camera_t22 = boom_p_o_y + camera_offset_y;
-    let camera_t23 = boom_p_o_z + camera_offset_z;
-    let camera_p_o_x = camera_rel_xx * camera_t21 + camera_rel_xy * camera_t22
-        + camera_rel_xz * camera_t23;
-    let camera_p_o_y = camera_rel_yy * camera_t22 - camera_minus_rel_yx * camera_t21
-        + camera_rel_yz * camera_t23;
-    let camera_p_o_z = camera_sin2 * camera_t21 - camera_minus_rel_zy * camera_t22
-        + camera_rel_zz * camera_t23;
-    // hub: position, Eqs. (22), (23)
-    let hub_p_g_x = hub_p_o_x + R::from_f64(0.187);
-    let hub_p_g_y = hub_p_o_y + R::from_f64(-0.423);
-    let hub_p_g_z = hub_p_o_z + R::from_f64(0.16);
-    // shoulder: position, Eqs. (22), (23)
-    let shoulder_p_g_x = shoulder_p_o_x + R::from_f64(0.291);
-    let shoulder_p_g_y = shoulder_p_o_y + R::from_f64(-0.126);
-    let shoulder_p_g_z = shoulder_p_o_z + R::from_f64(0.237);
-    // forearm: position, Eqs. (22), (23)
-    let forearm_p_g_x = forearm_p_o_x + R::from_f64(-0.227);
-    let forearm_p_g_y = forearm_p_o_y + R::from_f64(-0.428);
-    let forearm_p_g_z = forearm_p_o_z + R::from_f64(0.303);
-    // left_panel: position, Eqs. (22), (23)
-    let left_panel_p_g_x = left_panel_p_o_x + R::from_f64(-0.163);
-    let left_panel_p_g_y = left_panel_p_o_y + R::from_f64(-0.486);
-    let left_panel_p_g_z = left_panel_p_o_z + R::from_f64(-0.472);
-    // left_tip: position, Eqs. (22), (23)
-    let left_tip_p_g_x = left_tip_p_o_x + R::from_f64(-0.24);
-    let left_tip_p_g_y = left_tip_p_o_y + R::from_f64(0.139);
-    let left_tip_p_g_z = left_tip_p_o_z + R::from_f64(0.088);
-    // antenna: position, Eqs. (22), (23)
-    let antenna_p_g_x = antenna_p_o_x + R::from_f64(0.447);
-    let antenna_p_g_y = antenna_p_o_y + R::from_f64(-0.258);
-    let antenna_p_g_z = antenna_p_o_z + R::from_f64(0.074);
-    // boom: position, Eqs. (22), (23)
-    let boom_p_g_x = boom_p_o_x + R::from_f64(0.112);
-    let boom_p_g_y = boom_p_o_y + R::from_f64(-0.245);
-    let boom_p_g_z = boom_p_o_z + R::from_f64(-0.207);
-    // camera: position, Eqs. (22), (23)
-    let camera_p_g_x = camera_p_o_x + R::from_f64(-0.375);
-    let camera_p_g_y = camera_p_o_y + R::from_f64(-0.416);
-    let camera_p_g_z = camera_p_o_z + R::from_f64(0.462);
-    // hub: position, Eqs. (22), (23)
-    let hub_t12 = hub_t11 * hub_p_g_y - hub_t10 * hub_p_g_z;
-    let hub_t13 = hub_t9 * hub_p_g_z - hub_t11 * hub_p_g_x;
-    let hub_t14 = hub_t10 * hub_p_g_x - hub_t9 * hub_p_g_y;
-    let hub_t15 = R::from_f64(0.115245) * hub_w_rel_x
-        + R::from_f64(0.027069) * hub_w_rel_y + R::from_f64(-0.000941) * hub_w_rel_z;
-    let hub_t16 = R::from_f64(0.027069) * hub_w_rel_x
-        + R::from_f64(0.114639) * hub_w_rel_y + R::from_f64(-0.027493) * hub_w_rel_z;
-    let hub_t17 = R::from_f64(-0.000941) * hub_w_rel_x
-        + R::from_f64(-0.027493) * hub_w_rel_y + R::from_f64(0.136585) * hub_w_rel_z;
-    let hub_t18 = hub_t12 + hub_t15;
-    let hub_t19 = hub_t13 + hub_t16;
-    let hub_t20 = hub_t14 + hub_t17;
-    // shoulder: position, Eqs. (22), (23)
-    let shoulder_t24 = shoulder_t20 * shoulder_p_g_y - shoulder_t19 * shoulder_p_g_z;
-    let shoulder_t25 = shoulder_t18 * shoulder_p_g_z - shoulder_t20 * shoulder_p_g_x;
-    let shoulder_t26 = shoulder_t19 * shoulder_p_g_x - shoulder_t18 * shoulder_p_g_y;
-    let shoulder_t27 = R::from_f64(0.171826) * shoulder_w_x
-        + R::from_f64(0.083652) * shoulder_w_y + R::from_f64(0.061507) * shoulder_w_z;
-    let shoulder_t28 = R::from_f64(0.083652) * shoulder_w_x
-        + R::from_f64(0.211443) * shoulder_w_y + R::from_f64(-0.051178) * shoulder_w_z;
-    let shoulder_t29 = R::from_f64(0.061507) * shoulder_w_x
-        + R::from_f64(-0.051178) * shoulder_w_y + R::from_f64(0.249467) * shoulder_w_z;
-    let shoulder_t30 = shoulder_t24 + shoulder_t27;
-    let shoulder_t31 = shoulder_t25 + shoulder_t28;
-    let shoulder_t32 = shoulder_t26 + shoulder_t29;
-    // forearm: position, Eqs. (22), (23)
-    let forearm_t24 = forearm_t20 * forearm_p_g_y - forearm_t19 * forearm_p_g_z;
-    let forearm_t25 = forearm_t18 * forearm_p_g_z - forearm_t20 * forearm_p_g_x;
-    let forearm_t26 = forearm_t19 * forearm_p_g_x - forearm_t18 * forearm_p_g_y;
-    let forearm_t27 = R::from_f64(0.296081) * forearm_w_x
-        + R::from_f64(0.001497) * forearm_w_y + R::from_f64(-0.052767) * forearm_w_z;
-    let forearm_t28 = R::from_f64(0.001497) * forearm_w_x
-        + R::from_f64(0.301253) * forearm_w_y + R::from_f64(-0.036937) * forearm_w_z;
-    let forearm_t29 = R::from_f64(-0.052767) * forearm_w_x
-        + R::from_f64(-0.036937) * forearm_w_y + R::from_f64(0.310085) * forearm_w_z;
-    let forearm_t30 = forearm_t24 + forearm_t27;
-    let forearm_t31 = forearm_t25 + forearm_t28;
-    let forearm_t32 = forearm_t26 + forearm_t29;
-    // left_panel: position, Eqs. (22), (23)
-    let left_panel_t24 = left_panel_t20 * left_panel_p_g_y
-        - left_panel_t19 * left_panel_p_g_z;
-    let left_panel_t25 = left_panel_t18 * left_panel_p_g_z
-        - left_panel_t20 * left_panel_p_g_x;
-    let left_panel_t26 = left_panel_t19 * left_panel_p_g_x
-        - left_panel_t18 * left_panel_p_g_y;
-    let left_panel_t27 = R::from_f64(0.431478) * left_panel_w_x
-        + R::from_f64(-0.011013) * left_panel_w_y
-        + R::from_f64(-0.136208) * left_panel_w_z;
-    let left_panel_t28 = R::from_f64(-0.011013) * left_panel_w_x
-        + R::from_f64(0.379337) * left_panel_w_y
-        + R::from_f64(-0.02756) * left_panel_w_z;
-    let left_panel_t29 = R::from_f64(-0.136208) * left_panel_w_x
-        + R::from_f64(-0.02756) * left_panel_w_y
-        + R::from_f64(0.472249) * left_panel_w_z;
-    let left_panel_t30 = left_panel_t24 + left_panel_t27;
-    let left_panel_t31 = left_panel_t25 + left_panel_t28;
-    let left_panel_t32 = left_panel_t26 + left_panel_t29;
-    // left_tip: position, Eqs. (22), (23)
-    let left_tip_t24 = left_tip_t20 * left_tip_p_g_y - left_tip_t19 * left_tip_p_g_z;
-    let left_tip_t25 = left_tip_t18 * left_tip_p_g_z - left_tip_t20 * left_tip_p_g_x;
-    let left_tip_t26 = left_tip_t19 * left_tip_p_g_x - left_tip_t18 * left_tip_p_g_y;
-    let left_tip_t27 = R::from_f64(0.315022) * left_tip_w_x
-        + R::from_f64(-0.028823) * left_tip_w_y + R::from_f64(0.013492) * left_tip_w_z;
-    let left_tip_t28 = R::from_f64(-0.028823) * left_tip_w_x
-        + R::from_f64(0.187637) * left_tip_w_y + R::from_f64(0.022609) * left_tip_w_z;
-    let left_tip_t29 = R::from_f64(0.013492) * left_tip_w_x
-        + R::from_f64(0.022609) * left_tip_w_y + R::from_f64(0.251566) * left_tip_w_z;
-    let left_tip_t30 = left_tip_t24 + left_tip_t27;
-    let left_tip_t31 = left_tip_t25 + left_tip_t28;
-    let left_tip_t32 = left_tip_t26 + left_tip_t29;
-    // antenna: position, Eqs. (22), (23)
-    let antenna_t24 = antenna_t20 * antenna_p_g_y - antenna_t19 * antenna_p_g_z;
-    let antenna_t25 = antenna_t18 * antenna_p_g_z - antenna_t20 * antenna_p_g_x;
-    let antenna_t26 = antenna_t19 * antenna_p_g_x - antenna_t18 * antenna_p_g_y;
-    let antenna_t27 = R::from_f64(0.124568) * antenna_w_x
-        + R::from_f64(0.011933) * antenna_w_y + R::from_f64(0.037777) * antenna_w_z;
-    let antenna_t28 = R::from_f64(0.011933) * antenna_w_x
-        + R::from_f64(0.123687) * antenna_w_y + R::from_f64(-0.005811) * antenna_w_z;
-    let antenna_t29 = R::from_f64(0.037777) * antenna_w_x
-        + R::from_f64(-0.005811) * antenna_w_y + R::from_f64(0.092161) * antenna_w_z;
-    let antenna_t30 = antenna_t24 + antenna_t27;
-    let antenna_t31 = antenna_t25 + antenna_t28;
-    let antenna_t32 = antenna_t26 + antenna_t29;
-    // boom: position, Eqs. (22), (23)
-    let boom_t24 = boom_t20 * boom_p_g_y - boom_t19 * boom_p_g_z;
-    let boom_t25 = boom_t18 * boom_p_g_z - boom_t20 * boom_p_g_x;
-    let boom_t26 = boom_t19 * boom_p_g_x - boom_t18 * boom_p_g_y;
-    let boom_t27 = R::from_f64(0.257015) * boom_w_x + R::from_f64(-0.062027) * boom_w_y
-        + R::from_f64(0.023996) * boom_w_z;
-    let boom_t28 = R::from_f64(-0.062027) * boom_w_x + R::from_f64(0.294886) * boom_w_y
-        + R::from_f64(0.016911) * boom_w_z;
-    let boom_t29 = R::from_f64(0.023996) * boom_w_x + R::from_f64(0.016911) * boom_w_y
-        + R::from_f64(0.236785) * boom_w_z;
-    let boom_t30 = boom_t24 + boom_t27;
-    let boom_t31 = boom_t25 + boom_t28;
-    let boom_t32 = boom_t26 + boom_t29;
-    // camera: position, Eqs. (22), (23)
-    let camera_t24 = camera_t20 * camera_p_g_y - camera_t19 * camera_p_g_z;
-    let camera_t25 = camera_t18 * camera_p_g_z - camera_t20 * camera_p_g_x;
-    let camera_t26 = camera_t19 * camera_p_g_x - camera_t18 * camera_p_g_y;
-    let camera_t27 = R::from_f64(0.184413) * camera_w_x
-        + R::from_f64(0.06609) * camera_w_y + R::from_f64(0.036042) * camera_w_z;
-    let camera_t28 = R::from_f64(0.06609) * camera_w_x
-        + R::from_f64(0.217173) * camera_w_y + R::from_f64(-0.059823) * camera_w_z;
-    let camera_t29 = R::from_f64(0.036042) * camera_w_x
-        + R::from_f64(-0.059823) * camera_w_y + R::from_f64(0.249401) * camera_w_z;
-    let camera_t30 = camera_t24 + camera_t27;
-    let camera_t31 = camera_t25 + camera_t28;
-    let camera_t32 = camera_t26 + camera_t29;
-    let camera_t33 = camera_rel_xx * camera_t30 - camera_minus_rel_yx * camera_t31
-        + camera_sin2 * camera_t32;
-    let camera_t34 = camera_rel_xy * camera_t30 + camera_rel_yy * camera_t31
-        - camera_minus_rel_zy * camera_t32;
-    let camera_t35 = camera_rel_xz * camera_t30 + camera_rel_yz * camera_t31
-        + camera_rel_zz * camera_t32;
-    // boom: position, Eqs. (22), (23)
-    let boom_t33 = boom_t30 + camera_t33;
-    let boom_t34 = boom_t31 + camera_t34;
-    let boom_t35 = boom_t32 + camera_t35;
-    let boom_t36 = boom_rel_xx * boom_t33 - boom_minus_rel_yx * boom_t34
-        + boom_sin2 * boom_t35;
-    let boom_t37 = boom_rel_xy * boom_t33 + boom_rel_yy * boom_t34
-        - boom_minus_rel_zy * boom_t35;
-    let boom_t38 = boom_rel_xz * boom_t33 + boom_rel_yz * boom_t34
-        + boom_rel_zz * boom_t35;
-    // hub: position, Eqs. (22), (23)
-    let hub_t21 = hub_t18 + boom_t36;
-    let hub_t22 = hub_t19 + boom_t37;
-    let hub_t23 = hub_t20 + boom_t38;
-    // antenna: position, Eqs. (22), (23)
-    let antenna_t33 = antenna_rel_xx * antenna_t30 - antenna_minus_rel_yx * antenna_t31
-        + antenna_sin2 * antenna_t32;
-    let antenna_t34 = antenna_rel_xy * antenna_t30 + antenna_rel_yy * antenna_t31
-        - antenna_minus_rel_zy * antenna_t32;
-    let antenna_t35 = antenna_rel_xz * antenna_t30 + antenna_rel_yz * antenna_t31
-        + antenna_rel_zz * antenna_t32;
-    // hub: position, Eqs. (22), (23)
-    let hub_t24 = hub_t21 + antenna_t33;
-    let hub_t25 = hub_t22 + antenna_t34;
-    let hub_t26 = hub_t23 + antenna_t35;
-    // left_tip: position, Eqs. (22), (23)
-    let left_tip_t33 = left_tip_rel_xx * left_tip_t30
-        - left_tip_minus_rel_yx * left_tip_t31 + left_tip_sin2 * left_tip_t32;
-    let left_tip_t34 = left_tip_rel_xy * left_tip_t30 + left_tip_rel_yy * left_tip_t31
-        - left_tip_minus_rel_zy * left_tip_t32;
-    let left_tip_t35 = left_tip_rel_xz * left_tip_t30 + left_tip_rel_yz * left_tip_t31
-        + left_tip_rel_zz * left_tip_t32;
-    // shoulder: position, Eqs. (22), (23)
-    let shoulder_t33 = shoulder_t30 + left_tip_t33;
-    let shoulder_t34 = shoulder_t31 + left_tip_t34;
-    let shoulder_t35 = shoulder_t32 + left_tip_t35;
-    // left_panel: position, Eqs. (22), (23)
-    let left_panel_t33 = left_panel_rel_xx * left_panel_t30
-        - left_panel_minus_rel_yx * left_panel_t31 + left_panel_sin2 * left_panel_t32;
-    let left_panel_t34 = left_panel_rel_xy * left_panel_t30
-        + left_panel_rel_yy * left_panel_t31 - left_panel_minus_rel_zy * left_panel_t32;
-    let left_panel_t35 = left_panel_rel_xz * left_panel_t30
-        + left_panel_rel_yz * left_panel_t31 + left_panel_rel_zz * left_panel_t32;
-    // hub: position, Eqs. (22), (23)
-    let hub_t27 = hub_t24 + left_panel_t33;
-    let hub_t28 = hub_t25 + left_panel_t34;
-    let hub_t29 = hub_t26 + left_panel_t35;
-    // forearm: position, Eqs. (22), (23)
-    let forearm_t33 = forearm_rel_xx * forearm_t30 - forearm_minus_rel_yx * forearm_t31
-        + forearm_sin2 * forearm_t32;
-    let forearm_t34 = forearm_rel_xy * forearm_t30 + forearm_rel_yy * forearm_t31
-        - forearm_minus_rel_zy * forearm_t32;
-    let forearm_t35 = forearm_rel_xz * forearm_t30 + forearm_rel_yz * forearm_t31
-        + forearm_rel_zz * forearm_t32;
-    // shoulder: position, Eqs. (22), (23)
-    let shoulder_t36 = shoulder_t33 + forearm_t33;
-    let shoulder_t37 = shoulder_t34 + forearm_t34;
-    let shoulder_t38 = shoulder_t35 + forearm_t35;
-    let shoulder_t39 = shoulder_rel_xx * shoulder_t36
-        - shoulder_minus_rel_yx * shoulder_t37 + shoulder_sin2 * shoulder_t38;
-    let shoulder_t40 = shoulder_rel_xy * shoulder_t36 + shoulder_rel_yy * shoulder_t37
-        - shoulder_minus_rel_zy * shoulder_t38;
-    let shoulder_t41 = shoulder_rel_xz * shoulder_t36 + shoulder_rel_yz * shoulder_t37
-        + shoulder_rel_zz * shoulder_t38;
-    // hub: position, Eqs. (22), (23)
-    let hub_t30 = hub_t27 + shoulder_t39;
-    let hub_t31 = hub_t28 + shoulder_t40;
-    let hub_t32 = hub_t29 + shoulder_t41;
-    let hub_t33 = hub_rel_xx * hub_t30 - hub_minus_rel_yx * hub_t31 + hub_sin2 * hub_t32;
-    kane::store(&mut momentum[0], hub_t33);
-    let hub_t34 = hub_rel_xy * hub_t30 + hub_rel_yy * hub_t31
-        - hub_minus_rel_zy * hub_t32;
-    kane::store(&mut momentum[1], hub_t34);
-    let hub_t35 = hub_rel_xz * hub_t30 + hub_rel_yz * hub_t31 + hub_rel_zz * hub_t32;
-    kane::store(&mut momentum[2], hub_t35);
+    let system_t1 = hub_s2 * hub_t51 - hub_s3 * hub_t50;
+    let hub_s1 = q[24];
+    let system_t2 = hub_s3 * hub_t47 - hub_s1 * hub_t51;
+    let system_t3 = hub_s1 * hub_t50 - hub_s2 * hub_t47;
+    let system_t4 = system_t1 + hub_t49;
+    kane::store(&mut momentum[0], system_t4);
+    let system_t5 = system_t2 + hub_t52;
+    kane::store(&mut momentum[1], system_t5);
+    let system_t6 = system_t3 + hub_t53;
+    kane::store(&mut momentum[2], system_t6);
 }
 
 impl<R: kane::Real> kane::functions::AngularMomentum<R> for Prepared<R> {

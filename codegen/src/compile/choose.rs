@@ -14,8 +14,11 @@ use crate::{
 
 use super::{
     candidate::{candidate, operations},
-    search,
+    search, sweeps,
 };
+
+/// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
+const LONG: usize = 20_000;
 
 /// A function in one formulation.
 #[derive(Clone, Debug)]
@@ -43,7 +46,10 @@ pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
     let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
     // On a large tree the literal sums alone would take longer than all the rest, and so would second derivatives of them.
-    if count < function.literal_terms(tree) || function.is_second_derivative() {
+    if count < function.literal_terms(tree)
+        || function.is_second_derivative()
+        || function.differentiates() && values_cost_more(tree, function, count)
+    {
         return recursive;
     }
     let notes = of(Formulation::Notes);
@@ -52,6 +58,13 @@ pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
     } else {
         recursive
     }
+}
+
+/// True where the notes' values are long, and need more operations alone than this: their derivatives then do too.
+fn values_cost_more(tree: &Tree, function: &Request, count: usize) -> bool {
+    let values = function.values();
+    let values = values.derive(tree, Formulation::Notes, &Plan::plain(tree));
+    values.graph.len() > LONG && operations(&values).total() > count
 }
 
 /// The function in this formulation, by its cheapest plan without some techniques.
@@ -64,7 +77,13 @@ pub fn of_formulation(
     let plan = if function.takes_plan(formulation) {
         search::cheapest(tree, function, without)
     } else {
-        Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor))
+        let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));
+        let plans = if function.differentiates() {
+            sweeps::ways(tree, function, formulation, without, &plan)
+        } else {
+            vec![plan]
+        };
+        sweeps::cheapest_of(tree, function, formulation, plans)
     };
     Choice {
         formulation,

@@ -9,6 +9,7 @@ mod choose;
 mod option_check;
 mod search;
 mod size_check;
+mod sweeps;
 
 pub use candidate::{candidate, operations};
 pub use choose::{Choice, choose, of_formulation};

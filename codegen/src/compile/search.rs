@@ -15,7 +15,10 @@ use crate::{
     tree::Tree,
 };
 
-use super::candidate::{candidate, given_sines, operations, text};
+use super::{
+    candidate::{candidate, given_sines, operations, text},
+    sweeps,
+};
 
 /// How many nodes may be built to try other choices link by link: a tenth of a second's work.
 const MOST_NODES: usize = 400_000;
@@ -50,22 +53,24 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
     let forward = cheapest_values(tree, &function.values(), without)
         .with(Technique::Composite, false)
         .with(Technique::Reverse, false);
-    let mut plans = vec![forward.clone()];
-    if !without.contains(&Technique::Reverse) {
-        plans.push(forward.with(Technique::Reverse, true));
-    }
+    let recursive = Formulation::Recursive;
+    let mut plans = sweeps::ways(tree, function, recursive, without, &forward);
     if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
         // Most of what they cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("search: the catalogue has it");
         let columns = cheapest_values(tree, &columns, without);
-        plans.extend([&forward, &columns].map(|plan| plan.with(Technique::Composite, true)));
+        let swept = if function.sweeps_beside_dynamics() {
+            plans.clone()
+        } else {
+            vec![forward.clone()]
+        };
+        for way in swept {
+            let is_reverse = way.uses(Technique::Reverse);
+            let columns = columns.with(Technique::Reverse, is_reverse);
+            plans.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
+        }
     }
-    let count = |plan: &Plan| {
-        let derived = candidate(tree, function, Formulation::Recursive, plan);
-        operations(&derived).total()
-    };
-    let best = plans.into_iter().min_by_key(count);
-    let best = best.expect("search: one plan is forward");
+    let best = sweeps::cheapest_of(tree, function, recursive, plans);
     if best.uses(Technique::Composite) {
         in_lockstep(tree, function, without, best)
     } else {

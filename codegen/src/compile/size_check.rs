@@ -66,9 +66,10 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         bound(&what, n_solved, "numbers of solutions", limits::SOLVED)?;
     }
     if options.formulation == Formulation::Notes {
+        let slopes = if request.differentiates() { SLOPES } else { 1 };
         bound(
             &format!("the notes' sums for `{name}` have"),
-            terms,
+            slopes * terms,
             "terms",
             limits::TERMS,
         )?;

@@ -5,7 +5,7 @@ use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector},
     given::{Accelerations, Loads, mechanics},
     id::BodyMap,
-    kane::{angular, dynamics, energy, orientation, position, velocity},
+    kane::{angular, dynamics, orientation, position, velocity},
     partition::Row,
     recursive::{self, Plan, composite, gravity, inverse_dynamics},
     solve::{self, Factors, SpeedMatrix},
@@ -335,20 +335,4 @@ pub(super) fn singularity(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     tree.body_ids()
         .map(|body| dynamics::singularity(graph, tree, body))
         .collect()
-}
-
-pub(super) fn kinetic_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vec![energy::kinetic(graph, tree)]
-}
-
-pub(super) fn potential_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    vec![energy::potential(graph, tree)]
-}
-
-pub(super) fn linear_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    energy::linear_momentum(graph, tree).to_vec()
-}
-
-pub(super) fn angular_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    energy::angular_momentum(graph, tree).to_vec()
 }

@@ -56,7 +56,9 @@ pub(super) fn center_of_mass_jacobian_recursive(
     tree: &Tree,
     plan: &Plan,
 ) -> Vec<Expr> {
-    matrix(&recursive::momentum::center_jacobian(graph, tree, plan))
+    matrix(&recursive::momentum_matrix::center_jacobian(
+        graph, tree, plan,
+    ))
 }
 
 pub(super) fn center_of_mass_jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
@@ -80,7 +82,9 @@ pub(super) fn centroidal_momentum_matrix_recursive(
     tree: &Tree,
     plan: &Plan,
 ) -> Vec<Expr> {
-    matrices(&recursive::momentum::momentum_matrix(graph, tree, plan))
+    matrices(&recursive::momentum_matrix::momentum_matrix(
+        graph, tree, plan,
+    ))
 }
 
 pub(super) fn centroidal_momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

@@ -1,4 +1,4 @@
-//! The root expressions of energies by body.
+//! The root expressions of energies and momenta.
 
 use crate::{
     expr::{Expr, ExprGraph},
@@ -6,6 +6,54 @@ use crate::{
     recursive::{self, Plan},
     tree::Tree,
 };
+
+pub(super) fn kinetic_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    vec![kane::energy::kinetic(graph, tree)]
+}
+
+pub(super) fn kinetic_energy_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    vec![recursive::energy::kinetic(graph, tree, plan)]
+}
+
+pub(super) fn potential_energy(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    vec![kane::energy::potential(graph, tree)]
+}
+
+pub(super) fn potential_energy_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    vec![recursive::energy::potential(graph, tree, plan)]
+}
+
+pub(super) fn linear_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    kane::energy::linear_momentum(graph, tree).to_vec()
+}
+
+pub(super) fn linear_momentum_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    recursive::momentum::linear(graph, tree, plan).to_vec()
+}
+
+pub(super) fn angular_momentum(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    kane::energy::angular_momentum(graph, tree).to_vec()
+}
+
+pub(super) fn angular_momentum_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    recursive::momentum::angular(graph, tree, plan).to_vec()
+}
 
 pub(super) fn kinetic_energies(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let energies = kane::energy::kinetic_by_body(graph, tree);
@@ -17,7 +65,7 @@ pub(super) fn kinetic_energies_recursive(
     tree: &Tree,
     plan: &Plan,
 ) -> Vec<Expr> {
-    let energies = recursive::energy::kinetic_by_body(graph, tree, plan);
+    let energies = recursive::body_energies::kinetic_by_body(graph, tree, plan);
     energies.into_values().collect()
 }
 
@@ -31,6 +79,6 @@ pub(super) fn potential_energies_recursive(
     tree: &Tree,
     plan: &Plan,
 ) -> Vec<Expr> {
-    let energies = recursive::energy::potential_by_body(graph, tree, plan);
+    let energies = recursive::body_energies::potential_by_body(graph, tree, plan);
     energies.into_values().collect()
 }

@@ -22,6 +22,11 @@ use crate::{
 /// A row for each entry of the output, a column for each of a variable.
 type Matrix = Vec<Vec<Expr>>;
 
+/// True for what the way of dynamics knows: all that they are given but loads.
+fn is_known(variable: &Variable) -> bool {
+    matches!(variable, Variable::Given(own) if *own != Argument::Loads)
+}
+
 impl Part {
     /// Derives all matrices, where the function has a way for one of them; else nothing. The values, where they were needed.
     pub(super) fn derive_matrices(
@@ -32,10 +37,8 @@ impl Part {
         plan: &Plan,
     ) -> Option<Told> {
         let (derivative, jacobians) = (self.derivative.as_ref()?, self.function.derivatives?);
-        // The way of dynamics knows all that they are given but loads.
-        let is_known = |variable: &&Variable| matches!(variable, Variable::Given(own) if *own != Argument::Loads);
         let (known, others): (Vec<&Variable>, Vec<&Variable>) =
-            derivative.by.iter().partition(is_known);
+            derivative.by.iter().partition(|by| is_known(by));
         if known.is_empty() {
             return None;
         }
@@ -53,6 +56,13 @@ impl Part {
         let found: Vec<Matrix> = found.collect();
         derived.put(&found, self.sparsity(tree));
         Some(told)
+    }
+
+    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, and
+    /// by what that way does not know.
+    pub(super) fn is_swept_beside_dynamics(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| !self.has_own_way() || !derivative.by.iter().all(is_known))
     }
 
     /// Those by other variables, beside what is told.

@@ -56,7 +56,7 @@ pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::Multiplier;
 pub use packed::{ELIMINATION, Packed};
 pub use parsed::{Parsed, Place};
-pub use part::Part;
+pub use part::{Part, Rows};
 pub use request::Request;
 pub use request_error::RequestError;
 pub use shape::{

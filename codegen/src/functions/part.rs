@@ -22,6 +22,15 @@ use crate::{
     tree::{N_INERTIAL, Tree, Value},
 };
 
+/// How many rows sweeps carry along.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rows {
+    /// From the inputs to the outputs: one for each variable or direction.
+    pub forward: usize,
+    /// From the outputs back: one for each output or multiplied sum.
+    pub reverse: usize,
+}
+
 /// What stands behind a frame whose own axes are meant.
 pub(super) const LOCAL: &str = "local";
 
@@ -312,6 +321,30 @@ impl Part {
     pub(super) fn n_variables(&self, tree: &Tree) -> usize {
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
         by.map(|variable| variable.n_entries(tree)).sum()
+    }
+
+    /// How many rows each way to sweep for its derivatives carries along.
+    pub(super) fn swept_rows(&self, tree: &Tree) -> Rows {
+        let Some(derivative) = &self.derivative else {
+            return Rows::default();
+        };
+        let [forward, reverse] = [self.n_variables(tree), self.n_values(tree)];
+        match derivative.kind {
+            DerivativeKind::Whole | DerivativeKind::Packed => Rows { forward, reverse },
+            DerivativeKind::Forward => Rows {
+                forward: 1,
+                reverse,
+            },
+            DerivativeKind::Reverse => Rows {
+                forward,
+                reverse: 1,
+            },
+            // Its gradient has an entry for each variable.
+            DerivativeKind::Hessian => Rows {
+                forward,
+                reverse: forward,
+            },
+        }
     }
 
     /// How many numbers its values have, or somewhat more.

@@ -10,7 +10,7 @@ use super::{
     derived::Derived,
     function::{Function, Output, Unknown},
     packed::Packed,
-    part::Part,
+    part::{Part, Rows},
     syntax::AT_SIN_COS,
     variable::Variable,
 };
@@ -260,6 +260,11 @@ impl Request {
         parts.any(Part::has_own_way)
     }
 
+    /// True where sweeps find derivatives even if dynamics are differentiated in their own way.
+    pub fn sweeps_beside_dynamics(&self) -> bool {
+        self.parts.iter().any(Part::is_swept_beside_dynamics)
+    }
+
     /// True where some of these are of accelerations that forces make.
     pub fn differentiates_accelerations(&self) -> bool {
         let mut parts = self.parts.iter();
@@ -281,6 +286,15 @@ impl Request {
     pub fn n_differentiated(&self, tree: &Tree) -> usize {
         let parts = self.parts.iter().filter(|part| part.derivative.is_some());
         parts.map(|part| part.n_numbers(tree)).sum()
+    }
+
+    /// How many rows each way to sweep for its derivatives carries along.
+    pub fn swept_rows(&self, tree: &Tree) -> Rows {
+        let parts = self.parts.iter().map(|part| part.swept_rows(tree));
+        parts.fold(Rows::default(), |sum, rows| Rows {
+            forward: sum.forward + rows.forward,
+            reverse: sum.reverse + rows.reverse,
+        })
     }
 
     /// True where some part is differentiated by all values set at run time.

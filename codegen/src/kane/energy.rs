@@ -131,7 +131,7 @@ fn linear_momenta(
 }
 
 /// The sum over all bodies.
-fn gather(graph: &mut ExprGraph, tree: &Tree, mut shares: BodyMap<Expr>) -> Expr {
+pub fn gather(graph: &mut ExprGraph, tree: &Tree, mut shares: BodyMap<Expr>) -> Expr {
     let mut total = graph.zero();
     for body in tree.body_ids().rev() {
         let share = shares[body];

@@ -7,6 +7,7 @@ use super::{
     link_motion,
     link_velocity::rates,
     linkage::Linkage,
+    momentum,
     passage::{Drive, Passenger},
     plan::Plan,
     root,
@@ -35,8 +36,7 @@ pub fn position(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
 
 /// Its velocity, inertial components; zero where no body has mass.
 pub fn velocity(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
-    let links = link::links(graph, tree, &root::kept_whole(tree, plan));
-    let momentum = whole(graph, tree, &links).rate;
+    let momentum = momentum::linear(graph, tree, plan);
     given::over_total_mass(graph, tree, momentum)
 }
 
@@ -76,6 +76,11 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
 pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
     let rates = momentum_matrix_dot_u(graph, tree, plan);
     given::over_total_mass(graph, tree, rates.linear)
+}
+
+/// The rate of the first moment of all bodies, which is their linear momentum: inertial components.
+pub(super) fn moment_rate(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {
+    whole(graph, tree, links).rate
 }
 
 /// From the origin of the first link on the inertial frame to the mass centre, inertial components; zero where no body has

@@ -1,125 +1,103 @@
-//! Energies body by body, on links that keep all their inertia: what a joint does not move of a link is not given to its lower
-//! link here, for then the sum alone would be right.
+//! Energies of the whole system. For the sum over bodies alone, links need not keep their own inertia: regrouped, and without
+//! what a joint on the inertial frame does not move, it stores the same.
 
 use super::{
     gravity::Weight,
-    link::{self, Link},
-    link_velocity,
-    passage::{Drive, Passenger},
-    plan::{Plan, Technique},
-    rotation::Turn,
+    inertia::Composite,
+    link,
+    link_velocity::{self, LinkVelocity},
+    plan::Plan,
+    root,
 };
 use crate::{
-    expr::{Expr, ExprGraph, Purpose, Vector},
+    expr::{Axis, Expr, ExprGraph, Purpose, Symmetric, Vector},
     given::{self, mechanics},
-    id::{BodyId, BodyMap},
-    tree::{Motion, Tree},
+    id::BodyMap,
+    kane,
+    tree::Tree,
 };
 
-/// `1/2 (m_K v_G_K · v_G_K + w_K · I_K w_K)` and that of the rotors of its joint, J, of each body.
-pub fn kinetic_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
-    let links = link::links(graph, tree, &whole(plan));
+/// `1/2 sum m v · v + 2 h · (v × w) + w · I w` of links about their origins, and that of the rotors, J.
+pub fn kinetic(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
+    let links = link::links(graph, tree, plan);
     graph.begin(Purpose::Outward);
     let velocities = link_velocity::velocities(graph, tree, &links);
     graph.begin(Purpose::Energy);
-    BodyMap::outward(tree.bodies.len(), |body, _| {
+    let twice = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let (link, velocity) = (&links[body], velocities[body]);
-        let mass = given::mass(graph, tree.body(body));
-        let center = given::mass_center(graph, tree.body(body));
-        let center = link.point_of_body(graph, center);
-        let swept = graph.cross(velocity.angular, center);
-        let v = graph.add_vectors(velocity.linear, swept);
-        let square = graph.dot(v, v);
-        let translational = graph.mul(mass, square);
-        let inertia = given::inertia(graph, tree.body(body));
-        let inertia = link.tensor_of_body(graph, &inertia);
-        let momentum = graph.mul_symmetric(&inertia, velocity.angular);
-        let turning = graph.dot(velocity.angular, momentum);
-        let twice = graph.add(translational, turning);
-        let of_rotors = mechanics::twice_kinetic_of(graph, tree, body);
-        let twice = graph.add(twice, of_rotors);
-        let half = graph.number(0.5);
-        graph.mul(half, twice)
-    })
-}
-
-/// `-m_K g · p_G_K` less what is lifted of it, zero at the inertial origin, and that of the springs of its joint, J, of each body.
-pub fn potential_by_body(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Expr> {
-    let links = link::links(graph, tree, &whole(plan));
-    graph.begin(Purpose::Energy);
-    let gravity = given::acting_gravity(graph, tree);
-    let depths = BodyMap::outward(tree.bodies.len(), |body, depths: &BodyMap<Depth>| {
-        graph.enter(body);
-        let depth = match tree.lower(body) {
-            Some(lower) => depths[lower].carried(graph, &links[body]),
-            None => Depth::of_root(graph, tree, &links[body], body, gravity),
-        };
-        graph.name(depth.of_origin, "depth");
-        graph.name_vector(depth.gravity, "g");
-        depth
+        twice_kinetic(graph, &links[body].inertia, &velocities[body])
     });
-    BodyMap::outward(tree.bodies.len(), |body, _| {
+    let twice = kane::energy::gather(graph, tree, twice);
+    graph.enter(None);
+    let half = graph.number(0.5);
+    let of_bodies = graph.mul(half, twice);
+    let of_rotors = mechanics::kinetic(graph, tree);
+    graph.add(of_bodies, of_rotors)
+}
+
+/// `-g · h` of all first moments, less what is lifted, zero at the inertial origin, and that of the springs, J.
+pub fn potential(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
+    // Below links on the inertial frame is none that could have their weight.
+    let links = link::links(graph, tree, &root::kept_whole(tree, plan));
+    graph.begin(Purpose::Weight);
+    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| {
+        Weight::left(graph, tree, &links[body], body)
+    });
+    let mut moment = graph.zero_vector();
+    for body in tree.body_ids().rev() {
         graph.enter(body);
-        let Depth { of_origin, gravity } = depths[body];
-        let weight = Weight::left(graph, tree, &links[body], body);
-        let at_origin = graph.mul(weight.mass, of_origin);
-        let from_there = graph.dot(gravity, weight.moment);
-        let of_weight = -graph.add(at_origin, from_there);
-        let twice = mechanics::twice_potential_of(graph, tree, body);
-        let half = graph.number(0.5);
-        let of_springs = graph.mul(half, twice);
-        graph.add(of_weight, of_springs)
-    })
+        let mut passing = weights[body];
+        graph.name_vector(passing.moment, "composite");
+        links[body].passage.inward(graph, &mut passing);
+        graph.enter(tree.lower(body));
+        if let Some(lower) = tree.lower(body) {
+            weights[lower] = weights[lower].plus(graph, &passing);
+            continue;
+        }
+        let origin = root::origin(graph, tree, &links[body], body);
+        graph.enter(None);
+        let own = passing.moved(graph, origin);
+        moment = graph.add_vectors(moment, own.moment);
+    }
+    graph.begin(Purpose::Energy);
+    graph.enter(None);
+    let gravity = given::acting_gravity(graph, tree);
+    let of_weights = -graph.dot(gravity, moment);
+    let of_springs = mechanics::potential(graph, tree);
+    graph.add(of_weights, of_springs)
 }
 
-/// The plan, with all inertia where it is.
-fn whole(plan: &Plan) -> Plan {
-    plan.with(Technique::Regroup, false)
+/// `m v · v + 2 h · (v × w) + w · I w`, about a point with velocity `v`.
+fn twice_kinetic(graph: &mut ExprGraph, inertia: &Composite, velocity: &LinkVelocity) -> Expr {
+    let LinkVelocity { linear, angular } = *velocity;
+    let two = graph.number(2.0);
+    let moment = graph.scale(two, inertia.moment);
+    let translational = if graph.is_zero(inertia.mass) {
+        let across = graph.cross(linear, angular);
+        graph.dot(moment, across)
+    } else {
+        let carried = graph.scale(inertia.mass, linear);
+        let swept = graph.cross(angular, moment);
+        let both = graph.add_vectors(carried, swept);
+        graph.dot(linear, both)
+    };
+    let turning = square_by(graph, &inertia.inertia, angular);
+    graph.add(translational, turning)
 }
 
-/// How far a link is down along gravity from the inertial origin, times gravity.
-#[derive(Clone, Copy, Debug)]
-struct Depth {
-    of_origin: Expr,
-    /// Gravity, along the axes that have been reached.
-    gravity: Vector,
-}
-
-impl Depth {
-    /// That of a link on the inertial frame, whose origin may stand elsewhere on its axis than its body's.
-    fn of_root(
-        graph: &mut ExprGraph,
-        tree: &Tree,
-        link: &Link,
-        body: BodyId,
-        gravity: Vector,
-    ) -> Self {
-        let offset = given::offset(graph, tree.body(body));
-        let of_origin = graph.dot(gravity, offset);
-        let mut depth = Self { of_origin, gravity }.carried(graph, link);
-        let zero = graph.zero_vector();
-        let own = link.point_of_body(graph, zero);
-        let beyond = graph.dot(depth.gravity, own);
-        depth.of_origin = graph.sub(depth.of_origin, beyond);
-        depth
+/// `w · I w`: each product of two components once.
+fn square_by(graph: &mut ExprGraph, tensor: &Symmetric, w: Vector) -> Expr {
+    let two = graph.number(2.0);
+    let mut sum = graph.zero();
+    for a in Axis::ALL.map(Axis::index) {
+        let mut row = graph.mul(tensor.entry(a, a), w[a]);
+        for b in a + 1..w.len() {
+            let twice = graph.mul(two, tensor.entry(a, b));
+            let term = graph.mul(twice, w[b]);
+            row = graph.add(row, term);
+        }
+        let own = graph.mul(w[a], row);
+        sum = graph.add(sum, own);
     }
-
-    fn carried(mut self, graph: &mut ExprGraph, link: &Link) -> Self {
-        link.passage.outward(graph, &mut self);
-        self
-    }
-}
-
-impl Passenger for Depth {
-    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
-        let down = graph.dot(self.gravity, offset);
-        self.of_origin = graph.add(self.of_origin, down);
-    }
-
-    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
-        self.gravity = rotation.forward(graph, self.gravity);
-    }
-
-    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
+    sum
 }

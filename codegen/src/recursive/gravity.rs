@@ -129,6 +129,19 @@ impl Passenger for Upward {
     }
 }
 
+/// Nothing is read off it on the way.
+impl Passenger for Weight {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        *self = self.moved(graph, offset);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, _: Drive) {
+        self.moment = rotation.backward(graph, self.moment);
+    }
+
+    fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
+}
+
 /// A weight on its way inward through a joint, whose motions read off what they need.
 struct Hanging<'a> {
     weight: Weight,
@@ -150,8 +163,8 @@ impl Hanging<'_> {
 }
 
 impl Passenger for Hanging<'_> {
-    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
-        self.weight = self.weight.moved(graph, offset);
+    fn shift(&mut self, graph: &mut ExprGraph, lower: BodyId, offset: Vector) {
+        self.weight.shift(graph, lower, offset);
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
@@ -162,7 +175,7 @@ impl Passenger for Hanging<'_> {
                 wrench::add(graph, self.tau, motion, along);
             }
         }
-        self.weight.moment = rotation.backward(graph, self.weight.moment);
+        self.weight.turn(graph, rotation, drive);
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
@@ -221,7 +234,7 @@ impl Weight {
     }
 
     /// About a point from which this one's point lies at `offset`.
-    fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
+    pub(super) fn moved(&self, graph: &mut ExprGraph, offset: Vector) -> Self {
         let shift = graph.scale(self.mass, offset);
         Self {
             mass: self.mass,
@@ -230,7 +243,7 @@ impl Weight {
     }
 
     /// Both together, about the same point.
-    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+    pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),

@@ -8,6 +8,7 @@
 mod ahead;
 mod articulated;
 mod articulated_inertia;
+pub mod body_energies;
 mod carriers;
 pub mod center;
 mod column;
@@ -37,6 +38,7 @@ mod loaded;
 pub mod mass_matrix_dot;
 mod moments;
 pub mod momentum;
+pub mod momentum_matrix;
 mod parallel;
 mod passage;
 mod plan;

@@ -36,19 +36,8 @@ pub fn mass_matrix_product(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> V
     graph.begin(Purpose::Needed);
     let wrenches = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
-        let (inertia, Starting { alpha, a }) = (&linkage.links[body].inertia, starts[body]);
-        let (carried, swept) = (
-            graph.scale(inertia.mass, a),
-            graph.cross(alpha, inertia.moment),
-        );
-        let (spun, lever) = (
-            graph.mul_symmetric(&inertia.inertia, alpha),
-            graph.cross(inertia.moment, a),
-        );
-        Wrench {
-            force: graph.add_vectors(carried, swept),
-            moment: graph.add_vectors(spun, lever),
-        }
+        let Starting { alpha, a } = starts[body];
+        Wrench::of_inertia(graph, &linkage.links[body].inertia, a, alpha)
     });
     inverse_dynamics::project(graph, &linkage, wrenches)
 }

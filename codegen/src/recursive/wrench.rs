@@ -1,6 +1,7 @@
 //! Wrenches, and the generalized forces that are read off them.
 
 use super::{
+    inertia::Composite,
     passage::{Drive, Passenger},
     rotation::Turn,
 };
@@ -18,6 +19,27 @@ pub(super) struct Wrench {
 }
 
 impl Wrench {
+    /// What gives bodies at rest, with this inertia about the origin, these accelerations; or their momentum at such velocities.
+    pub(super) fn of_inertia(
+        graph: &mut ExprGraph,
+        inertia: &Composite,
+        linear: Vector,
+        angular: Vector,
+    ) -> Self {
+        let (carried, swept) = (
+            graph.scale(inertia.mass, linear),
+            graph.cross(angular, inertia.moment),
+        );
+        let (spun, lever) = (
+            graph.mul_symmetric(&inertia.inertia, angular),
+            graph.cross(inertia.moment, linear),
+        );
+        Self {
+            force: graph.add_vectors(carried, swept),
+            moment: graph.add_vectors(spun, lever),
+        }
+    }
+
     /// Both together, about the same point.
     pub(super) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive, derive_energy,
+    derive_energy,
     function::{Function, Output, PLAIN},
     shape::Shape,
 };
@@ -15,7 +15,10 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     outputs: &[Output::new("energy", Shape::SCALAR)],
     is_default: true,
     doc: &["Kinetic energy in the inertial frame, J."],
-    candidates: &[Candidate::plain(derive::kinetic_energy)],
+    candidates: &[
+        Candidate::plain(derive_energy::kinetic_energy),
+        Candidate::planned(derive_energy::kinetic_energy_recursive),
+    ],
     ..PLAIN
 };
 
@@ -28,7 +31,10 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
     doc: &[
         "Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
-    candidates: &[Candidate::plain(derive::potential_energy)],
+    candidates: &[
+        Candidate::plain(derive_energy::potential_energy),
+        Candidate::planned(derive_energy::potential_energy_recursive),
+    ],
     ..PLAIN
 };
 
@@ -38,7 +44,10 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("momentum", Shape::VECTOR)],
     doc: &["Linear momentum of all bodies: inertial components, kg m/s."],
-    candidates: &[Candidate::plain(derive::linear_momentum)],
+    candidates: &[
+        Candidate::plain(derive_energy::linear_momentum),
+        Candidate::planned(derive_energy::linear_momentum_recursive),
+    ],
     ..PLAIN
 };
 
@@ -50,7 +59,10 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
     doc: &[
         "Angular momentum of all bodies about the inertial origin: inertial components, kg m^2/s.",
     ],
-    candidates: &[Candidate::plain(derive::angular_momentum)],
+    candidates: &[
+        Candidate::plain(derive_energy::angular_momentum),
+        Candidate::planned(derive_energy::angular_momentum_recursive),
+    ],
     ..PLAIN
 };
 

@@ -1,0 +1,66 @@
+//! The ways in which derivatives may be swept for: from inputs to outputs, or back.
+//!
+//! In: a tree, a function, a plan for its values. Out: the plan by each way that has a chance, or by the one with the fewest
+//! operations. Afterwards: at least one way is left.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    functions::{Formulation, Request, Rows},
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+
+use super::candidate::{candidate, operations};
+
+/// About how many nodes a sweep may build to be tried whatever the other one builds: a tenth of a second's work.
+const MOST_NODES: usize = 400_000;
+
+/// How many times as much as the other it may build beyond: what entries have in common never makes up for more.
+const MOST_TIMES: usize = 8;
+
+/// The plan by each way that has a chance to be the cheaper one, forward first.
+pub(super) fn ways(
+    tree: &Tree,
+    function: &Request,
+    formulation: Formulation,
+    without: &BTreeSet<Technique>,
+    plan: &Plan,
+) -> Vec<Plan> {
+    let ways = [false, true].map(|is_reverse| plan.with(Technique::Reverse, is_reverse));
+    let [forward, reverse] = ways;
+    if without.contains(&Technique::Reverse) {
+        return vec![forward];
+    }
+    let Rows {
+        forward: of_forward,
+        reverse: of_reverse,
+    } = function.swept_rows(tree);
+    let values = function.values().derive(tree, formulation, plan);
+    let has_chance = |own: usize, other: usize| {
+        own * values.graph.len() <= MOST_NODES || own <= MOST_TIMES * other
+    };
+    let mut plans = Vec::with_capacity(2);
+    if has_chance(of_forward, of_reverse) {
+        plans.push(forward);
+    }
+    if has_chance(of_reverse, of_forward) {
+        plans.push(reverse);
+    }
+    plans
+}
+
+/// The first of the plans with the fewest operations.
+pub(super) fn cheapest_of(
+    tree: &Tree,
+    function: &Request,
+    formulation: Formulation,
+    plans: Vec<Plan>,
+) -> Plan {
+    if let [_] = plans[..] {
+        return plans.into_iter().next().expect("sweeps: there is one");
+    }
+    let count = |plan: &Plan| operations(&candidate(tree, function, formulation, plan)).total();
+    let best = plans.into_iter().min_by_key(count);
+    best.expect("sweeps: one way is left")
+}
