@@ -1,70 +1,66 @@
 //! How the cost of a function grows with a chain.
-#![allow(
-    clippy::print_stdout,
-    reason = "the operations counted, shown with --nocapture"
-)]
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
 use std::fmt::Write as _;
 
+use crate::counts::counts;
 use kane_codegen::{
-    compile::operations,
-    functions::{Derived, Formulation, Function},
-    passes::factor,
+    config::{Formulation, Functions},
     tree::Tree,
 };
+use kane_test_support::models;
 
-/// A chain of free bodies. Numbers differ from body to body: equal ones would be shared.
-fn chain(n_bodies: u8) -> Tree {
-    let lower: Vec<u8> = (0..n_bodies).collect();
-    let mut text =
-        format!("name = \"chain\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = {lower:?}\n");
-    for body in 1..=n_bodies {
-        let number = |start: f64| start + f64::from(body) / 1000.0;
-        let [a, b, c, d, e, f] = [0.3, 0.35, 0.4, 0.01, 0.02, 0.03].map(number);
+/// Free bodies with all numbers different from one another and from zero: equal ones would be shared.
+fn chain(n: usize) -> Tree {
+    let lower: Vec<String> = (0..n).map(|k| k.to_string()).collect();
+    let mut text = format!(
+        "name = \"chain\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = [{}]\n",
+        lower.join(", ")
+    );
+    for k in 1..=n {
         write!(
             text,
-            "\n[[body]]\nname = \"b{body}\"\nmass = {:?}\nmass_center = [{a}, {b}, {c}]\n\
-            inertia = {{ xx = {a}, yy = {b}, zz = {c}, xy = {d}, xz = {e}, yz = {f} }}\n\
-            attachment = [{b}, {c}, {a}]\njoint = \"free\"\n",
-            number(1.0)
+            "[[body]]\nname = \"b{k}\"\nmass = {k}.5\nmass_center = [0.1{k}, 0.2{k}, 0.3{k}]\n\
+             inertia = {{ xx = 1.1{k}, yy = 1.2{k}, zz = 1.3{k}, xy = 0.01{k}, xz = 0.02{k}, yz = 0.03{k} }}\n\
+             attachment = [0.4{k}, 0.5{k}, 0.6{k}]\njoint = \"free\"\n"
         )
-        .expect("a String takes any text");
+        .unwrap();
     }
-    kane_test_support::models::build(&text)
-        .expect("a right description")
-        .tree
+    models::build(&text).unwrap().tree
 }
 
 /// Operations as emitted.
 fn cost(tree: &Tree, function: &str) -> usize {
-    let function = Function::find(function).expect("a function of the catalogue");
-    let derived = function.derive(
-        tree,
-        Formulation::Recursive,
-        &kane_codegen::recursive::Plan::full(tree),
-    );
-    let (graph, roots) = factor::run(&derived.graph, &derived.roots);
-    operations(&Derived {
-        graph,
-        roots,
-        blocks: derived.blocks,
-    })
-    .total()
+    let functions = Functions::Named(vec![function.to_owned()]);
+    let counts = counts(tree, functions, Formulation::Recursive);
+    // A module always has `q_dot`.
+    let own = counts.iter().find(|(name, _)| name != "q_dot");
+    own.unwrap().1.total()
 }
 
 #[test]
-fn right_hand_sides_of_chains_grow_by_the_same_with_every_body() {
-    let chains: Vec<Tree> = (2..=32).map(chain).collect();
-    for function in ["bias", "inverse_dynamics"] {
-        let costs: Vec<usize> = chains.iter().map(|tree| cost(tree, function)).collect();
-        let steps: Vec<usize> = costs.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        println!(
-            "{function}: {} at 2 bodies, {} at 32, {} for each",
-            costs[0], costs[30], steps[0]
-        );
-        assert!(
-            steps.iter().all(|step| *step == steps[0]),
-            "{function}: {costs:?}"
-        );
+fn forces_energies_momenta_and_what_is_swept_back_for_grow_by_the_same_with_every_body() {
+    let chains: Vec<[Tree; 2]> = [4, 2, 3, 8, 16, 32].map(|n| [n, n + 1].map(chain)).into();
+    for function in [
+        "bias",
+        "inverse_dynamics",
+        "kinetic_energy",
+        "potential_energy",
+        "linear_momentum",
+        "angular_momentum",
+        "d(kinetic_energy)/d(q, u)",
+        "d(potential_energy)/d(q)",
+        "vjp(angular_momentum; q, u)",
+        "vjp(inverse_dynamics; q, u, u_dot)",
+    ] {
+        let mut steps = chains.iter().map(|[shorter, longer]| {
+            let step = cost(longer, function) - cost(shorter, function);
+            (longer.bodies.len(), step)
+        });
+        let (_, first) = steps.next().unwrap();
+        for (n_bodies, step) in steps {
+            assert_eq!(step, first, "{function}: body {n_bodies} of a chain");
+        }
     }
 }

@@ -8,12 +8,12 @@ use crate::compiled::read;
 use kane_codegen::{
     compile::{self, Options},
     config::{Formulation, Functions},
-    description::{Base, Chart, Reading, toml},
-    diagnostic::Source,
+    description::{Base, Chart, Reading},
     functions::CATALOGUE,
     program::Operations,
-    tree::{self, Tree},
+    tree::Tree,
 };
+use kane_test_support::models;
 
 const NAMED: [&str; 6] = [
     "generalized_forces",
@@ -28,7 +28,7 @@ fn model(path: &str) -> Tree {
     read(path, &Reading::default())
 }
 
-fn counts(
+pub(crate) fn counts(
     tree: &Tree,
     functions: Functions,
     formulation: Formulation,
@@ -295,6 +295,23 @@ fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }
 
+const ENERGIES: [&str; 9] = [
+    "kinetic_energy",
+    "potential_energy",
+    "linear_momentum",
+    "angular_momentum",
+    "d(kinetic_energy)/d(q, u)",
+    "d(potential_energy)/d(q)",
+    "vjp(angular_momentum; q, u)",
+    "hessian(potential_energy; q)",
+    "vjp(center_of_mass; q)",
+];
+
+#[test]
+fn energies_and_momenta_of_robots() {
+    insta::assert_snapshot!(of_robots(&ENERGIES));
+}
+
 #[test]
 fn frames_of_robots() {
     let mut text = String::new();
@@ -337,27 +354,6 @@ fn frames_of_robots() {
         write!(text, "{robot}\n{}", table(&counts)).unwrap();
     }
     insta::assert_snapshot!(text);
-}
-
-/// A chain of free bodies with all numbers different from one another and from zero.
-fn chain(n: usize) -> Tree {
-    let lower: Vec<String> = (0..n).map(|k| k.to_string()).collect();
-    let mut text = format!(
-        "name = \"chain\"\ngravity = [0.1, 0.2, -9.81]\nlower_bodies = [{}]\n",
-        lower.join(", ")
-    );
-    for k in 1..=n {
-        write!(
-            text,
-            "[[body]]\nname = \"b{k}\"\nmass = {k}.5\nmass_center = [0.1{k}, 0.2{k}, 0.3{k}]\n\
-             inertia = {{ xx = 1.1{k}, yy = 1.2{k}, zz = 1.3{k}, xy = 0.01{k}, xz = 0.02{k}, yz = 0.03{k} }}\n\
-             attachment = [0.4{k}, 0.5{k}, 0.6{k}]\njoint = \"free\"\n"
-        )
-        .unwrap();
-    }
-    tree::build(&toml::parse(&Source::new("chain.toml", text)))
-        .unwrap()
-        .tree
 }
 
 #[test]
@@ -414,31 +410,6 @@ fn the_cheapest_is_never_dearer_than_either_formulation() {
 }
 
 #[test]
-fn bias_and_inverse_dynamics_are_linear_in_the_bodies_of_a_chain() {
-    for function in ["bias", "inverse_dynamics"] {
-        let count = |n| {
-            let functions = Functions::Named(vec![function.to_owned()]);
-            let counts = counts(&chain(n), functions, Formulation::Recursive);
-            counts
-                .iter()
-                .find(|(name, _)| *name == function)
-                .unwrap()
-                .1
-                .total()
-        };
-        let per_body = count(5) - count(4);
-        for n in [2, 3, 4, 8, 16, 32] {
-            assert_eq!(
-                count(n + 1) - count(n),
-                per_body,
-                "{function}: body {} of a chain",
-                n + 1
-            );
-        }
-    }
-}
-
-#[test]
 fn runtime_parameters_leave_the_loop_nearly_as_it_is() {
     let text = fs::read_to_string(format!(
         "{}/../models/eight_body.toml",
@@ -466,9 +437,7 @@ fn runtime_parameters_leave_the_loop_nearly_as_it_is() {
         out
     };
     let text: Vec<String> = text.lines().map(runtime).collect();
-    let tree = tree::build(&toml::parse(&Source::new("runtime.toml", text.join("\n"))))
-        .unwrap()
-        .tree;
+    let tree = models::build(&text.join("\n")).unwrap().tree;
     assert_eq!(tree.parameters.len(), 8 * (1 + 3 + 6 + 3));
     insta::assert_snapshot!(table(&dynamics(&tree, Formulation::Recursive)));
 }
