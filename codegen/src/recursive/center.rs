@@ -7,7 +7,6 @@ use super::{
     link_motion,
     link_velocity::rates,
     linkage::Linkage,
-    momentum,
     passage::{Drive, Passenger},
     plan::Plan,
     root,
@@ -36,8 +35,9 @@ pub fn position(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
 
 /// Its velocity, inertial components; zero where no body has mass.
 pub fn velocity(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
-    let momentum = momentum::linear(graph, tree, plan);
-    given::over_total_mass(graph, tree, momentum)
+    let links = link::links(graph, tree, plan);
+    let rate = moment_rate(graph, tree, &links);
+    given::over_total_mass(graph, tree, rate)
 }
 
 /// The rates of linear and angular momentum about it for `y_dot = 0`: resultants of what links need where there is no weight.
