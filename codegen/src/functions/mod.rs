@@ -7,64 +7,47 @@
 mod argument;
 mod candidate;
 mod catalogue;
-mod coloring;
-mod derivative;
-mod derivative_trait;
+mod derivatives;
 mod derive;
-mod derive_accelerations;
-mod derive_center;
-mod derive_coriolis;
-mod derive_derivatives;
-mod derive_energy;
-mod derive_frame;
-mod derive_hybrid;
-mod derive_loaded;
-mod derive_matrices;
-mod derive_regressor;
 mod derived;
-mod dictionary;
 mod function;
-mod generated_name;
-mod jacobians;
 mod multiplier;
-mod names_elsewhere;
+mod names;
 mod packed;
-mod parsed;
-mod parsed_subject;
+mod parse;
 mod part;
 mod request;
-mod request_error;
 mod shape;
 mod signature;
-mod solved;
-mod sparsity;
 mod subject;
-pub mod syntax;
 mod terms;
-mod user_axes;
 mod variable;
 
 pub use argument::Argument;
 pub use candidate::{Candidate, Formulation};
 pub use catalogue::{CATALOGUE, OF_FRAMES};
-pub use coloring::colors;
-pub use derivative::{Derivative, DerivativeKind};
-pub use derivative_trait::TRAITS;
+pub use derivatives::{
+    coloring::colors,
+    derivative::{Derivative, DerivativeKind},
+    derivative_trait::TRAITS,
+    sparsity::Sparsity,
+};
 pub use derived::{CompactBlock, Derived, pattern};
-pub use dictionary::{advice, elsewhere, variable_elsewhere};
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::Multiplier;
+pub use names::dictionary::{advice, elsewhere, variable_elsewhere};
 pub use packed::{ELIMINATION, Packed};
-pub use parsed::{Parsed, Place};
+pub use parse::{
+    parsed::{Parsed, Place},
+    request_error::RequestError,
+    syntax::{split, written},
+};
 pub use part::{Part, Rows};
 pub use request::Request;
-pub use request_error::RequestError;
 pub use shape::{
     Dimension, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     Shape,
 };
 pub use signature::{Access, Declared, Signature};
-pub use sparsity::Sparsity;
 pub use subject::{Subject, SubjectFrame, View};
-pub use syntax::split;
 pub use variable::{PARAMETER_NAMES, Variable};

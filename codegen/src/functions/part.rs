@@ -5,14 +5,16 @@ use std::borrow::Cow;
 use super::{
     argument::Argument,
     candidate::{Candidate, Formulation},
-    derivative::{Derivative, DerivativeKind},
+    derivatives::{
+        derivative::{Derivative, DerivativeKind},
+        sparsity::Sparsity,
+    },
     derived::Derived,
     function::{Function, Output},
     packed::Packed,
+    parse::syntax::written,
     shape::{Dimension, Length, Shape},
-    sparsity::Sparsity,
     subject::{Subject, View},
-    syntax::written,
     terms,
 };
 use crate::{

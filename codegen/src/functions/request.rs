@@ -10,8 +10,8 @@ use super::{
     derived::Derived,
     function::{Function, Output, Unknown},
     packed::Packed,
+    parse::syntax::AT_SIN_COS,
     part::{Part, Rows},
-    syntax::AT_SIN_COS,
     variable::Variable,
 };
 use crate::{

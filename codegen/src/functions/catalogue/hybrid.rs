@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive_hybrid,
+    derive,
     function::{Function, Output, PLAIN, Unknown},
     shape::Shape,
     terms,
@@ -27,8 +27,8 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
     candidates: &[
-        Candidate::plain(derive_hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
-        Candidate::planned(derive_hybrid::hybrid_dynamics_recursive),
+        Candidate::plain(derive::hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
+        Candidate::planned(derive::hybrid::hybrid_dynamics_recursive),
     ],
     ..PLAIN
 };

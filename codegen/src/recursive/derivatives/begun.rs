@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 
 use super::{
-    super::{coriolis::Column as Carrying, lever::Levered, wrench::Wrench},
     column::Column,
     reader::Reader,
     sides::on_sides,
@@ -14,6 +13,10 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph, LANES, Vector},
     id::SpeedId,
+    recursive::{
+        links::wrench::Wrench,
+        matrices::{coriolis::Column as Carrying, lever::Levered},
+    },
     tree::Motion,
 };
 

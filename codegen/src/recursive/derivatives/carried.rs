@@ -1,14 +1,6 @@
 //! A composite body with the columns of what it carries, passing a joint.
 
 use super::{
-    super::{
-        moments::{Changing, Moments, Rates},
-        passage::{Drive, Passenger, speeds},
-        rotation::Turn,
-        shortcut::Shortcuts,
-        speed_matrix,
-        wrench::Wrench,
-    },
     begun::Begins,
     column::Column,
     reader::Reader,
@@ -18,6 +10,18 @@ use super::{
 use crate::{
     expr::{ExprGraph, Vector},
     id::BodyId,
+    recursive::{
+        links::{
+            passage::{Drive, Passenger, speeds},
+            rotation::Turn,
+            wrench::Wrench,
+        },
+        matrices::{
+            moments::{Changing, Moments, Rates},
+            shortcut::Shortcuts,
+            speed_matrix,
+        },
+    },
     solve::SpeedMatrix,
     tree::{Motion, Tree},
 };

@@ -1,15 +1,16 @@
 //! Columns: what a motion makes of the masses that it moves.
 
-use super::super::{
-    coriolis::Column as Carrying,
-    lever::Levered,
-    rotation::Turn,
-    shortcut::{Next, Sent, Shortcut},
-    wrench::Wrench,
-};
 use crate::{
     expr::{Axis, Expr, ExprGraph, Vector},
     id::BodyId,
+    recursive::{
+        links::{rotation::Turn, wrench::Wrench},
+        matrices::{
+            coriolis::Column as Carrying,
+            lever::Levered,
+            shortcut::{Next, Sent, Shortcut},
+        },
+    },
     tree::Tree,
 };
 

@@ -1,11 +1,11 @@
 //! What masses at `r` need where their accelerations change by `D × r + 2 u × (w × r)`: a turn displaces them, and their relative
 //! motions turn with them.
 
-use super::{
-    super::{link_motion::LinkMotion, moments::Moments},
-    way::doubled,
+use super::way::doubled;
+use crate::{
+    expr::{ExprGraph, Vector},
+    recursive::{links::link_motion::LinkMotion, matrices::moments::Moments},
 };
-use crate::expr::{ExprGraph, Vector};
 
 /// With more off-diagonal second moments than this, the moment `sum m r × Q r` needs more operations than the terms one by one.
 const MOST_MIXED: usize = 1;

@@ -2,12 +2,6 @@
 //! of its numbers, and called for four.
 
 use super::{
-    super::{
-        linkage::Linkage,
-        moments::{Changing, Moments, Rates},
-        shortcut::Shortcuts,
-        wrench::Wrench,
-    },
     begun::Begins,
     carried::{Carried, Derivatives},
     column::Column,
@@ -18,6 +12,13 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph, LANES},
     id::{BodyId, BodyMap},
+    recursive::{
+        links::{linkage::Linkage, wrench::Wrench},
+        matrices::{
+            moments::{Changing, Moments, Rates},
+            shortcut::Shortcuts,
+        },
+    },
 };
 
 /// The way inward of columns that nothing joins.

@@ -32,13 +32,10 @@ use self::{
     way::{Went, ways},
 };
 use super::{
-    gathered::Gathered,
-    linkage::Linkage,
-    loaded,
-    moments::Rates,
+    forces::loaded,
+    links::{linkage::Linkage, wrench::Wrench},
+    matrices::{gathered::Gathered, moments::Rates, shortcut::Shortcuts},
     plan::{Plan, Technique},
-    shortcut::Shortcuts,
-    wrench::Wrench,
 };
 use crate::{
     expr::{ExprGraph, Purpose},

@@ -1,11 +1,9 @@
 //! What reads mirrored entries, of motions farther out, off their columns.
 
-use super::{
-    super::coriolis::Column as Carrying,
-    way::{At, doubled},
-};
+use super::way::{At, doubled};
 use crate::{
     expr::{Expr, ExprGraph, Vector},
+    recursive::matrices::coriolis::Column as Carrying,
     tree::Motion,
 };
 

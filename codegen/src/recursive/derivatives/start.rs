@@ -1,13 +1,6 @@
 //! Where columns begin: what a motion makes of the masses that it moves.
 
 use super::{
-    super::{
-        coriolis::{Column as Carrying, Masses, Velocity},
-        lever::Levered,
-        link_motion::LinkMotion,
-        moments::{Moments, Rates},
-        wrench::Wrench,
-    },
     column::Column,
     displaced,
     reader::Reader,
@@ -16,6 +9,14 @@ use super::{
 use crate::{
     expr::{Expr, ExprGraph, Matrix, Symmetric, Vector},
     id::BodyId,
+    recursive::{
+        links::{link_motion::LinkMotion, wrench::Wrench},
+        matrices::{
+            coriolis::{Column as Carrying, Masses, Velocity},
+            lever::Levered,
+            moments::{Moments, Rates},
+        },
+    },
 };
 
 /// A composite body where a motion moves it.

@@ -1,15 +1,15 @@
 //! How links move wherever motions enter, on the way outward.
 
-use super::super::{
-    link_motion::{LinkMotion, Moving},
-    linkage::Linkage,
-    passage::{Drive, Passenger, speeds},
-    rotation::Turn,
-};
 use crate::{
     expr::{ExprGraph, Vector},
     given::{self, Accelerations},
     id::{BodyId, BodyMap},
+    recursive::links::{
+        link_motion::{LinkMotion, Moving},
+        linkage::Linkage,
+        passage::{Drive, Passenger, speeds},
+        rotation::Turn,
+    },
     tree::Motion,
 };
 

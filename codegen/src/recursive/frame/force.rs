@@ -6,12 +6,14 @@ use crate::{
     given,
     id::BodyId,
     recursive::{
-        inverse_dynamics::Acting,
-        link,
-        passage::{Drive, Passenger},
+        forces::inverse_dynamics::Acting,
+        links::{
+            link,
+            passage::{Drive, Passenger},
+            rotation::Turn,
+            wrench::{self, Wrench},
+        },
         plan::Plan,
-        rotation::Turn,
-        wrench::{self, Wrench},
     },
     tree::{Motion, NamedFrame, Tree},
 };

@@ -9,11 +9,13 @@ use crate::{
     given::{self, Accelerations, FrameMotion},
     id::{BodyId, BodyMap},
     recursive::{
-        link::{self, Link},
-        link_velocity::{LinkVelocity, rates},
-        passage::{Drive, Passenger},
+        links::{
+            link::{self, Link},
+            link_velocity::{LinkVelocity, rates},
+            passage::{Drive, Passenger},
+            rotation::Turn,
+        },
         plan::Plan,
-        rotation::Turn,
     },
     tree::{Motion, NamedFrame, Tree},
 };

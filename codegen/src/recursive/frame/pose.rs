@@ -9,11 +9,13 @@ use crate::{
     given::FramePose,
     id::{BodyId, BodyMap},
     recursive::{
-        link::{self, Link},
-        passage::{Drive, Passenger},
+        links::{
+            link::{self, Link},
+            passage::{Drive, Passenger},
+            root,
+            rotation::Turn,
+        },
         plan::{Plan, Technique},
-        root,
-        rotation::Turn,
     },
     tree::{Motion, NamedFrame, Tree},
 };

@@ -4,7 +4,7 @@ use crate::{
     expr::{ExprGraph, Matrix, Vector},
     given::{frame_origin, frame_rotation},
     id::{BodyId, BodyMap},
-    recursive::link::Link,
+    recursive::links::link::Link,
     tree::{NamedFrame, Tree},
 };
 

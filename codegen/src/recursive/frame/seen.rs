@@ -10,11 +10,13 @@ use crate::{
     given::{FrameMotion, FramePose},
     id::{BodyId, BodyMap, SpeedId},
     recursive::{
-        link::{self, Link},
-        passage::{Drive, Passage, Passenger},
+        links::{
+            link::{self, Link},
+            passage::{Drive, Passage, Passenger},
+            root,
+            rotation::Turn,
+        },
         plan::Plan,
-        root,
-        rotation::Turn,
     },
     tree::{Motion, NamedFrame, Tree},
 };

@@ -1,12 +1,12 @@
 //! A column of one body and one parameter, on its way inward.
 
-use super::super::{
-    lever::Levered,
-    shortcut::{Sent, Shortcut},
-};
 use crate::{
     expr::{Axis, ExprGraph},
     id::BodyId,
+    recursive::matrices::{
+        lever::Levered,
+        shortcut::{Sent, Shortcut},
+    },
 };
 
 /// The wrench that a unit of one parameter needs.

@@ -12,13 +12,17 @@ mod shared;
 
 use self::{column::UnitColumn, own::OnHinge, shared::Shared};
 use super::{
-    ahead::{About, Ahead},
-    link_motion,
-    linkage::Linkage,
-    passage::{Drive, Passenger},
+    links::{
+        link_motion,
+        linkage::Linkage,
+        passage::{Drive, Passenger},
+        rotation::Turn,
+    },
+    matrices::{
+        ahead::{About, Ahead},
+        shortcut::{Shortcut, Shortcuts},
+    },
     plan::{Plan, Technique},
-    rotation::Turn,
-    shortcut::{Shortcut, Shortcuts},
 };
 use crate::{
     expr::{Axis, Expr, ExprGraph, Purpose, Vector},

@@ -1,10 +1,6 @@
 //! What a unit of each of a body's own parameters needs, and how that is turned by the body's own hinge.
 
 use super::{
-    super::{
-        ahead::About, lever::Levered, link::Link, link_motion::LinkMotion, linkage::Linkage,
-        rotation::Turn, shortcut::Next, wrench::Wrench,
-    },
     column::UnitColumn,
     shared::{Shared, component},
 };
@@ -13,6 +9,12 @@ use crate::{
     given,
     id::{BodyId, BodyMap},
     kane::regressor::{COMPONENTS, PARAMETERS, place},
+    recursive::{
+        links::{
+            link::Link, link_motion::LinkMotion, linkage::Linkage, rotation::Turn, wrench::Wrench,
+        },
+        matrices::{ahead::About, lever::Levered, shortcut::Next},
+    },
     tree::Tree,
 };
 

@@ -1,0 +1,61 @@
+//! Derivatives for which the runtime has a trait, so that generic code can hold them: one table.
+
+use crate::functions::request::Request;
+
+/// What is asked for, and its trait.
+pub const TRAITS: [(&str, &str); 14] = [
+    (
+        "d(forward_dynamics)/d(q, u, tau)",
+        "ForwardDynamicsDerivatives",
+    ),
+    (
+        "forward_dynamics+d(forward_dynamics)/d(q, u, tau)",
+        "ForwardDynamicsAndDerivatives",
+    ),
+    (
+        "d(forward_dynamics)/d(parameters)",
+        "ForwardDynamicsByParameters",
+    ),
+    ("jvp(forward_dynamics; q, u, tau)", "ForwardDynamicsJvp"),
+    (
+        "jvp(forward_dynamics; q, u, tau, parameters)",
+        "ForwardDynamicsParametersJvp",
+    ),
+    ("vjp(forward_dynamics; q, u, tau)", "ForwardDynamicsVjp"),
+    (
+        "vjp(forward_dynamics; q, u, tau, parameters)",
+        "ForwardDynamicsParametersVjp",
+    ),
+    (
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        "InverseDynamicsDerivatives",
+    ),
+    (
+        "inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)",
+        "InverseDynamicsAndDerivatives",
+    ),
+    (
+        "d(inverse_dynamics)/d(parameters)",
+        "InverseDynamicsByParameters",
+    ),
+    ("jvp(inverse_dynamics; q, u, u_dot)", "InverseDynamicsJvp"),
+    (
+        "jvp(inverse_dynamics; q, u, u_dot, parameters)",
+        "InverseDynamicsParametersJvp",
+    ),
+    ("vjp(inverse_dynamics; q, u, u_dot)", "InverseDynamicsVjp"),
+    (
+        "vjp(inverse_dynamics; q, u, u_dot, parameters)",
+        "InverseDynamicsParametersVjp",
+    ),
+];
+
+impl Request {
+    /// The runtime's trait for these derivatives, where it has one: of these variables, in this order.
+    pub fn derivative_trait(&self) -> Option<&'static str> {
+        let text = self.text();
+        let mut traits = TRAITS.into_iter();
+        let (_, name) = traits.find(|(known, _)| *known == text)?;
+        Some(name)
+    }
+}

@@ -1,0 +1,153 @@
+//! Whole derivatives of dynamics, a matrix for each variable: by coordinates, speeds, accelerations and forces in the way of their own,
+//! by loads and parameters, which that way does not know, beside it.
+
+use super::{
+    derivative::{Derivative, DerivativeKind},
+    solved::{is_worth_an_inverse, solved},
+    sparsity::Sparsity,
+};
+use crate::{
+    expr::Expr,
+    functions::{
+        argument::Argument, candidate::Formulation, derived::Derived, function::Told, part::Part,
+        variable::Variable,
+    },
+    recursive::{Plan, Technique},
+    solve::SpeedMatrix,
+    tree::Tree,
+};
+
+/// A row for each entry of the output, a column for each of a variable.
+type Matrix = Vec<Vec<Expr>>;
+
+/// True for what the way of dynamics knows: all that they are given but loads.
+fn is_known(variable: &Variable) -> bool {
+    matches!(variable, Variable::Given(own) if *own != Argument::Loads)
+}
+
+impl Part {
+    /// Derives all matrices, where the function has a way for one of them; else nothing. The values, where they were needed.
+    pub(in crate::functions) fn derive_matrices(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) -> Option<Told> {
+        let (derivative, jacobians) = (self.derivative.as_ref()?, self.function.derivatives?);
+        let (known, others): (Vec<&Variable>, Vec<&Variable>) =
+            derivative.by.iter().partition(|by| is_known(by));
+        if known.is_empty() {
+            return None;
+        }
+        let told = jacobians(&mut derived.graph, tree, plan);
+        let others = others.into_iter().cloned().collect();
+        let others = Derivative::new(DerivativeKind::Whole, others);
+        let mut others = self
+            .matrices_of_others(derived, tree, (formulation, plan), others, &told)
+            .into_iter();
+        let found = derivative.by.iter().map(|variable| {
+            let own = told.by(variable).cloned();
+            own.or_else(|| others.next())
+                .expect("functions: each variable has a matrix")
+        });
+        let found: Vec<Matrix> = found.collect();
+        derived.put(&found, self.sparsity(tree));
+        Some(told)
+    }
+
+    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, and
+    /// by what that way does not know.
+    pub(in crate::functions) fn is_swept_beside_dynamics(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| !self.has_own_way() || !derivative.by.iter().all(is_known))
+    }
+
+    /// Those by other variables, beside what is told.
+    fn matrices_of_others(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        (formulation, plan): (Formulation, &Plan),
+        others: Derivative,
+        told: &Told,
+    ) -> Vec<Matrix> {
+        if others.by.is_empty() {
+            return Vec::new();
+        }
+        if let (Some(needed), Some(u_dot)) = (self.function.needed, &told.values) {
+            let graph = &mut derived.graph;
+            // No sweep goes through calls.
+            let plan = &plan.with(Technique::Lockstep, false);
+            let columns = others.columns(graph, tree, plan, (needed, u_dot));
+            // Where the inverse is asked for it costs nothing more.
+            let tau = Variable::Given(Argument::Tau);
+            let is_asked_for = self.derivative.iter().any(|own| own.by.contains(&tau));
+            let is_worth_it = is_asked_for || is_worth_an_inverse(tree, &columns);
+            let inverse = told.by(&tau).filter(|_| is_worth_it);
+            let solved = solved(graph, tree, plan, (inverse, columns));
+            return others.of_columns(tree, &solved);
+        }
+        let sizes: Vec<usize> = others.by.iter().map(|own| own.n_entries(tree)).collect();
+        let first = derived.roots.len();
+        let part = Self {
+            derivative: Some(others),
+            ..self.clone()
+        };
+        part.derive_in(derived, tree, formulation, plan);
+        let roots = derived.roots.split_off(first);
+        let mut rest = &roots[..];
+        let matrix = |n_columns: usize| {
+            let (own, others) = rest.split_at(tree.n_speeds * n_columns);
+            rest = others;
+            let row = |row: usize| own[row * n_columns..][..n_columns].to_vec();
+            (0..tree.n_speeds).map(row).collect()
+        };
+        sizes.into_iter().map(matrix).collect()
+    }
+}
+
+impl Told {
+    fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
+        let mut by = self.by.iter();
+        let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
+        Some(&found.1)
+    }
+}
+
+impl Derivative {
+    /// The matrices, of all their columns one after the other.
+    pub(in crate::functions) fn of_columns(
+        &self,
+        tree: &Tree,
+        columns: &[Vec<Expr>],
+    ) -> Vec<Matrix> {
+        let mut rest = columns;
+        let mut matrices = Vec::with_capacity(self.by.len());
+        for variable in &self.by {
+            let (own, others) = rest.split_at(variable.n_entries(tree));
+            rest = others;
+            let row = |row: usize| own.iter().map(|column| column[row]).collect();
+            matrices.push((0..tree.n_speeds).map(row).collect());
+        }
+        matrices
+    }
+}
+
+impl Derived {
+    /// Adds the entries of these matrices, one for each variable, to what is written.
+    pub(in crate::functions) fn put(&mut self, found: &[Matrix], sparsity: Option<&Sparsity>) {
+        let Some(Sparsity { places, .. }) = sparsity else {
+            let entries = found.iter().flat_map(|own| own.concat());
+            return self.roots.extend(entries);
+        };
+        let of_matrix = |own: &Matrix| 0..own.first().map_or(0, Vec::len);
+        let columns = found.iter().enumerate();
+        let columns = columns.flat_map(|(place, own)| of_matrix(own).map(move |own| (place, own)));
+        let columns: Vec<(usize, usize)> = columns.collect();
+        self.roots.extend(places.iter().map(|&[row, column]| {
+            let (matrix, column) = columns[column];
+            found[matrix][row][column]
+        }));
+    }
+}

@@ -1,0 +1,123 @@
+//! Which entries of a derivative the tree makes zero, whatever numbers the model has.
+//!
+//! In: what is differentiated, derived of a tree of drawn numbers, and how its inputs change with the variables. Out: a
+//! [`Sparsity`]. It is evaluated at a drawn point modulo a prime, where what cancels is exactly zero: an entry that is left out is
+//! zero for all numbers of the model and all states. So patterns follow from the topology and the free coordinates alone.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::{Arc, OnceLock},
+};
+
+use super::coloring;
+use crate::{
+    differentiate::{Seeds, tangents},
+    drawn::Field,
+    expr::{Expr, ExprGraph, Input, Node},
+    tree::Tree,
+};
+
+/// The entries of a derivative that are not structurally zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sparsity {
+    /// The row and column of each, row after row: rows are the entries of all outputs one after the other, columns those of all
+    /// variables in the order asked for. Of a second derivative those with `column <= row`.
+    pub places: Vec<[usize; 2]>,
+    /// For each column a colour, from 0: two columns of one colour share no row. `None` of a second derivative.
+    pub colors: Option<Vec<usize>>,
+}
+
+impl Sparsity {
+    /// That of a first derivative with so many columns.
+    pub(in crate::functions) fn of_first(rows: &[BTreeSet<usize>], n_columns: usize) -> Self {
+        let rows = rows.iter().enumerate();
+        let places = rows.flat_map(|(row, columns)| columns.iter().map(move |&at| [row, at]));
+        let places: Vec<[usize; 2]> = places.collect();
+        Self {
+            colors: Some(coloring::colors(&places, n_columns)),
+            places,
+        }
+    }
+
+    /// That of a second derivative, whose rows may be given from either side.
+    pub(in crate::functions) fn of_second(rows: &[BTreeSet<usize>]) -> Self {
+        let rows = rows.iter().enumerate();
+        let places = rows.flat_map(|(row, columns)| {
+            let ordered = move |&at: &usize| [row.max(at), row.min(at)];
+            columns.iter().map(ordered)
+        });
+        let mut places: Vec<[usize; 2]> = places.collect();
+        places.sort_unstable();
+        places.dedup();
+        Self {
+            places,
+            colors: None,
+        }
+    }
+}
+
+/// A sparsity, once it is asked for. Copies share it, and all are equal: it follows from what they are kept with.
+#[derive(Clone, Debug, Default)]
+pub(in crate::functions) struct LazySparsity(Arc<OnceLock<Sparsity>>);
+
+impl LazySparsity {
+    /// The one that is known, or what `find` finds.
+    pub(in crate::functions) fn get_or_find(&self, find: impl FnOnce() -> Sparsity) -> &Sparsity {
+        self.0.get_or_init(find)
+    }
+}
+
+impl PartialEq for LazySparsity {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Eq for LazySparsity {}
+
+/// For each root the columns of the variables on which it depends.
+pub(in crate::functions) fn dependences(
+    graph: &ExprGraph,
+    roots: &[Expr],
+    (tree, seeds): (&Tree, &Seeds),
+) -> Vec<Vec<usize>> {
+    let point = point(graph, tree);
+    let of_input = |input: Input| point.get(&input).copied().unwrap_or(Field::ZERO);
+    let numbers = seeds.iter().map(|(&input, row)| {
+        let slopes: Vec<Expr> = row.iter().map(|&(_, slope)| slope).collect();
+        let values = graph.evaluate(&slopes, of_input);
+        let places = row.iter().map(|&(place, _)| place);
+        let known = places
+            .zip(values)
+            .filter(|(_, value)| *value != Field::ZERO);
+        (input, known.collect())
+    });
+    let numbers: BTreeMap<Input, Vec<(usize, Field)>> = numbers.collect();
+    let rows = tangents(graph, roots, of_input, &numbers).into_iter();
+    rows.map(|row| row.into_iter().map(|(column, _)| column).collect())
+        .collect()
+}
+
+/// A number for every input of the graph; quaternions have length one.
+fn point(graph: &ExprGraph, tree: &Tree) -> BTreeMap<Input, Field> {
+    let mut point = BTreeMap::new();
+    let input = |id| match graph.node(id) {
+        Node::Input(input) => Some(input),
+        _ => None,
+    };
+    for input in graph.ids().filter_map(input) {
+        let n_known = u64::try_from(point.len()).unwrap_or(u64::MAX);
+        point.entry(input).or_insert_with(|| Field::drawn(n_known));
+    }
+    for (_, [scalar, vector @ ..]) in tree.quaternions() {
+        // A point of the sphere, from the plane through its middle.
+        let drawn = vector.map(|own| point.get(&Input::Q(own)).copied().unwrap_or(Field::ONE));
+        let square = drawn.map(|own| own * own).into_iter();
+        let square = square.fold(Field::ZERO, |sum, own| sum + own);
+        let length = Field::ONE / (Field::ONE + square);
+        point.insert(Input::Q(scalar), (Field::ONE + -square) * length);
+        let units = vector.into_iter().zip(drawn);
+        point.extend(units.map(|(at, own)| (Input::Q(at), (own + own) * length)));
+    }
+    point
+}

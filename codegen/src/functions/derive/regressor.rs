@@ -1,0 +1,73 @@
+//! The root expressions of regressors.
+
+use crate::{
+    base_parameters,
+    expr::{Expr, ExprGraph},
+    given::mechanics,
+    kane,
+    recursive::{self, Plan},
+    tree::Tree,
+};
+
+pub(in crate::functions) fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    kane::regressor::regressor(graph, tree)
+}
+
+pub(in crate::functions) fn regressor_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    recursive::regressor::regressor(graph, tree, plan)
+}
+
+pub(in crate::functions) fn regressor_packed(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let y = regressor(graph, tree);
+    at_places(tree, &y)
+}
+
+pub(in crate::functions) fn regressor_packed_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    let y = regressor_recursive(graph, tree, plan);
+    at_places(tree, &y)
+}
+
+fn at_places(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
+    let columns = kane::regressor::PARAMETERS.len() * tree.bodies.len();
+    let places = kane::regressor::places(tree).into_iter();
+    places
+        .map(|[column, row]| y[row * columns + column])
+        .collect()
+}
+
+pub(in crate::functions) fn base_regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let y = regressor(graph, tree);
+    left(tree, &y)
+}
+
+pub(in crate::functions) fn base_regressor_recursive(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Vec<Expr> {
+    let y = regressor_recursive(graph, tree, plan);
+    left(tree, &y)
+}
+
+/// The columns of base parameters among all.
+fn left(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
+    let speeds = 0..tree.n_speeds;
+    let entries = speeds.flat_map(|speed| {
+        let parameters = base_parameters::of(tree).iter();
+        let columns = parameters.map(|parameter| parameter.terms[0].0);
+        columns.map(move |own| y[kane::regressor::place(tree, speed, own.body, own.place)])
+    });
+    entries.collect()
+}
+
+pub(in crate::functions) fn joint_regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    mechanics::unit_forces(graph, tree).concat()
+}

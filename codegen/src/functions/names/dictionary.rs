@@ -1,0 +1,112 @@
+//! What to say to those who look for a name that we do not have, perhaps another tool's.
+
+use super::{
+    elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
+    generated_name,
+};
+use crate::{
+    diagnostic::nearest,
+    functions::{
+        function::{Function, Of},
+        variable::Variable,
+    },
+};
+
+/// Words with which other tools' names begin.
+const BEFORE: [&str; 5] = ["compute", "calc", "get", "eval", "pinocchio"];
+
+/// Our request for what other tools call so; letters' case and what is no letter or digit do not count.
+pub fn elsewhere(name: &str) -> Option<&'static str> {
+    let words = words(name);
+    let mut own = Function::names().into_iter();
+    let own = own.find(|own| words.contains(&plain(own)));
+    own.or_else(|| found(&REQUESTS, &words))
+}
+
+/// A name, and what follows the words with which names of other tools begin.
+fn words(name: &str) -> Vec<String> {
+    let word = plain(name);
+    let rest = BEFORE.iter().filter_map(|before| word.strip_prefix(before));
+    let mut words: Vec<String> = rest.map(str::to_owned).collect();
+    words.push(word);
+    words
+}
+
+/// What one of these words stands beside in a table.
+fn found(table: &[(&'static str, &[&str])], words: &[String]) -> Option<&'static str> {
+    let is_known = |names: &[&str]| words.iter().any(|word| names.contains(&word.as_str()));
+    let mut rows = table.iter();
+    let row = rows.find(|(_, names)| is_known(names));
+    row.map(|(own, _)| *own)
+}
+
+fn plain(name: &str) -> String {
+    let letters = name.chars().filter(char::is_ascii_alphanumeric);
+    letters.map(|letter| letter.to_ascii_lowercase()).collect()
+}
+
+/// What to do about a name that is no function.
+pub fn advice(name: &str) -> String {
+    let words = words(name);
+    if let Some(request) = elsewhere(name) {
+        format!("here it is called `{request}`")
+    } else if let Some(operator) = found(&OPERATORS, &words) {
+        format!("expected `{operator}`, of a function `F` by variables `X`")
+    } else if let Some(module) = found(&RUNTIME, &words) {
+        format!("`{module}` does that, for every system")
+    } else if let Some(request) = generated_name::request(name) {
+        format!("did you mean `{request}`?")
+    } else if ["all", "default"].contains(&name) {
+        "it stands alone".to_owned()
+    } else if let Some(near) = nearest(name, &Function::names()) {
+        format!("did you mean `{near}`?")
+    } else if name.contains(['(', '+']) {
+        "quotes stand around one name, not around a request".to_owned()
+    } else {
+        format!(
+            "`kane info MODEL --functions all` lists those of a system; those of a frame are {}",
+            of_frames().join(", ")
+        )
+    }
+}
+
+/// The functions of frames.
+fn of_frames() -> Vec<&'static str> {
+    let functions = Function::all();
+    let functions = functions.filter(|own| !matches!(own.of, Of::System));
+    functions.map(|own| own.name).collect()
+}
+
+/// What to do about a name that is no frame, if it is known to be something else.
+pub(in crate::functions) fn advice_on_frame(name: &str) -> Option<String> {
+    match &*plain(name) {
+        "local" => Some("for the frame's own axes write `local`".to_owned()),
+        "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
+        _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {
+            Some("derivatives are written `d(F)/d(X)`".to_owned())
+        }
+        _ => None,
+    }
+}
+
+/// Our variable for what other tools call so; letters' case and what is no letter or digit do not count.
+pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
+    found(&VARIABLES, &[plain(name)])
+}
+
+/// What to do about a name that is none of these variables.
+pub(in crate::functions) fn advice_on_variable(name: &str, known: &[String]) -> String {
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let is_list = name.contains(' ') && name.split(' ').all(|word| known.contains(&word));
+    if let Some(own) = variable_elsewhere(name) {
+        format!("here it is called `{own}`")
+    } else if name == "x" {
+        "a state is `q, u`".to_owned()
+    } else if is_list {
+        "variables stand with commas between them".to_owned()
+    } else if let Some(near) = nearest(name, &known) {
+        format!("did you mean `{near}`?")
+    } else {
+        "a number of the model has to be `{ runtime = .. }`".to_owned()
+    }
+}

@@ -1,0 +1,208 @@
+//! The names themselves: what Pinocchio, MuJoCo, RBDL, Drake and textbooks call our requests, operators and variables; in small letters
+//! and digits, without the words with which names of other tools begin.
+
+/// Our requests, and other names of the same.
+pub(in crate::functions) const REQUESTS: [(&str, &[&str]); 29] = [
+    (
+        "inverse_dynamics",
+        &["rnea", "id", "newtoneuler", "mjinverse"],
+    ),
+    (
+        "mass_matrix",
+        &[
+            "crba",
+            "compositerigidbodyalgorithm",
+            "inertiamatrix",
+            "jointspaceinertia",
+            "mjfullm",
+        ],
+    ),
+    (
+        "forward_dynamics",
+        &["aba", "fd", "articulatedbodyalgorithm", "mjforward"],
+    ),
+    (
+        "bias",
+        &["nle", "nonlineareffects", "qfrcbias", "biasterm", "mjrne"],
+    ),
+    (
+        "gravity_forces",
+        &[
+            "gravity",
+            "gravityterm",
+            "generalizedgravity",
+            "gravitycompensation",
+            "gravityvector",
+            "gravitygeneralizedforces",
+        ],
+    ),
+    ("coriolis_matrix", &["coriolis", "christoffel"]),
+    (
+        "mass_matrix_inverse",
+        &["minv", "minverse", "inversemassmatrix"],
+    ),
+    ("mass_matrix_product", &["choleskymv", "mjmulm"]),
+    (
+        "mass_matrix_solve",
+        &["choleskysolve", "mjsolvem", "minvtimestau"],
+    ),
+    (
+        "mass_matrix_factors",
+        &["cholesky", "choleskydecompose", "qld", "sparsefactorizeltl"],
+    ),
+    (
+        "pose(FRAME)",
+        &[
+            "fk",
+            "forwardkinematics",
+            "framesforwardkinematics",
+            "placement",
+            "transform",
+            "omf",
+            "xpos",
+            "xmat",
+            "sitexpos",
+            "sitexmat",
+            "bodytobasecoordinates",
+            "bodyworldorientation",
+            "relativetransform",
+        ],
+    ),
+    (
+        "velocity(FRAME)",
+        &[
+            "framevelocity",
+            "twist",
+            "mjobjectvelocity",
+            "pointvelocity6d",
+            "spatialvelocity",
+            "bodyspatialvelocityinworld",
+        ],
+    ),
+    (
+        "acceleration(FRAME)",
+        &[
+            "frameacceleration",
+            "frameclassicalacceleration",
+            "mjobjectacceleration",
+            "pointacceleration6d",
+            "spatialacceleration",
+            "bodyspatialaccelerationinworld",
+        ],
+    ),
+    (
+        "jacobian(FRAME)",
+        &[
+            "jac",
+            "framejacobian",
+            "jointjacobian",
+            "geometricjacobian",
+            "mjjac",
+            "mjjacbody",
+            "mjjacsite",
+            "pointjacobian6d",
+            "jacobianspatialvelocity",
+        ],
+    ),
+    (
+        "jacobian_dot_u(FRAME)",
+        &[
+            "jdotv",
+            "jdotqdot",
+            "jacobiandot",
+            "framejacobiantimevariation",
+            "mjjacdot",
+            "biasspatialacceleration",
+        ],
+    ),
+    ("generalized_force(FRAME)", &["mjapplyft"]),
+    (
+        "operational_inverse_inertia(FRAME)",
+        &["delassus", "delassusmatrix", "efcar"],
+    ),
+    ("imu(FRAME)", &["accelerometer", "gyro"]),
+    (
+        "center_of_mass",
+        &[
+            "com",
+            "centerofmassposition",
+            "centerofmasspositioninworld",
+            "subtreecom",
+        ],
+    ),
+    (
+        "center_of_mass_velocity",
+        &[
+            "vcom",
+            "subtreelinvel",
+            "centerofmasstranslationalvelocityinworld",
+        ],
+    ),
+    (
+        "center_of_mass_jacobian",
+        &[
+            "jcom",
+            "jacobiancenterofmass",
+            "comjacobian",
+            "mjjacsubtreecom",
+            "jacobiancenterofmasstranslationalvelocity",
+        ],
+    ),
+    (
+        "centroidal_momentum_matrix",
+        &["cmm", "ccrba", "ag", "mjangmommat"],
+    ),
+    ("kinetic_energy", &["mjenergyvel"]),
+    ("potential_energy", &["mjenergypos"]),
+    ("normalize", &["mjnormalizequat"]),
+    ("regressor", &["jointtorqueregressor", "torqueregressor"]),
+    ("joint_wrenches", &["dataf", "cfrcint"]),
+    (
+        "d(inverse_dynamics)/d(q, u, u_dot)",
+        &[
+            "rneaderivatives",
+            "inversedynamicsderivatives",
+            "mjdinversefd",
+        ],
+    ),
+    (
+        "d(forward_dynamics)/d(q, u, tau)",
+        &[
+            "abaderivatives",
+            "forwarddynamicsderivatives",
+            "mjdtransitionfd",
+        ],
+    ),
+];
+
+/// How derivatives of a function `F` by variables `X` are asked for.
+pub(in crate::functions) const OPERATORS: [(&str, &[&str]); 5] = [
+    (
+        "d(F)/d(X)",
+        &["d", "derivative", "derivatives", "jacfwd", "jacrev"],
+    ),
+    ("packed(d(F)/d(X))", &["packed"]),
+    ("jvp(F; X)", &["jvp", "jtimes"]),
+    ("vjp(F; X)", &["vjp", "gradient", "grad"]),
+    ("hessian(F; X)", &["hessian", "hess"]),
+];
+
+/// What the runtime crate does, for every system.
+pub(in crate::functions) const RUNTIME: [(&str, &[&str]); 4] = [
+    ("kane::inverse_kinematics", &["inversekinematics", "ik"]),
+    ("kane::manifold::q_plus", &["integrate", "mjintegratepos"]),
+    (
+        "kane::manifold::q_minus",
+        &["difference", "mjdifferentiatepos"],
+    ),
+    ("kane::discrete", &["mjstep", "linearize", "discretize"]),
+];
+
+/// Our variables, and other names of the same.
+pub(in crate::functions) const VARIABLES: [(&str, &[&str]); 5] = [
+    ("q", &["qpos"]),
+    ("u", &["v", "qd", "dq", "qdot", "qvel"]),
+    ("u_dot", &["a", "qdd", "ddq", "qddot", "qacc", "vdot"]),
+    ("tau", &["torque", "torques", "forces", "ctrl"]),
+    ("loads", &["load", "fext", "wrench", "wrenches"]),
+];

@@ -1,0 +1,5 @@
+//! Names: those of what is generated, and those that other tools have for it.
+
+pub(super) mod dictionary;
+pub(super) mod elsewhere;
+pub(super) mod generated_name;

@@ -1,0 +1,6 @@
+//! Text → a request with the places of its words, or every fault in it.
+
+pub(super) mod parsed;
+pub(super) mod parsed_subject;
+pub(super) mod request_error;
+pub(super) mod syntax;

@@ -1,0 +1,433 @@
+//! What a user asks for, before a model is known.
+//!
+//! In: a text such as `bias`, `mass_matrix+pose(tool0)` or `bias(sin_cos)`. Out: a [`Parsed`] request. Afterwards: every
+//! part is of the catalogue and of what it can be of, none is there twice, and what is joined has no compact output. Does
+//! not: know which frames there are.
+
+use std::ops::Range;
+
+use super::{
+    parsed_subject::ParsedSubject,
+    request_error::{RequestError, all_or_faults},
+    syntax::{self, AT_SIN_COS, Kind, Unexpected, Word, written},
+};
+use crate::{
+    functions::{
+        catalogue::{CATALOGUE, OF_FRAMES},
+        derivatives::derivative::{Derivative, DerivativeKind},
+        function::{Function, Of},
+        part::{Part, text_of},
+        request::Request,
+        subject::View,
+        variable::{self, Variable},
+    },
+    tree::Tree,
+};
+
+/// A request without fault, of any model.
+#[derive(Clone, Debug)]
+pub struct Parsed {
+    /// As it was written: places count there.
+    text: String,
+    parts: Vec<ParsedPart>,
+    at_sin_cos: bool,
+}
+
+#[derive(Clone, Debug)]
+struct ParsedPart {
+    function: &'static Function,
+    subject: Option<ParsedSubject>,
+    /// What of its derivatives is asked for, and by what it is differentiated.
+    derivative: Option<(DerivativeKind, Vec<Word>)>,
+}
+
+/// Where a request stands in a module: whether it is the catalogue's, its parts, whether it is given sines and cosines.
+pub type Place = (bool, Vec<PartPlace>, bool);
+
+/// The same of a part: its place in the catalogue, its frames, what it is differentiated by.
+pub(in crate::functions) type PartPlace = (
+    usize,
+    Option<(Vec<String>, View)>,
+    Option<(DerivativeKind, Vec<String>)>,
+);
+
+impl Parsed {
+    /// Reads a request; the grammar stands in the module `syntax`.
+    ///
+    /// # Errors
+    /// All that is wrong with it, part by part; of how parts go together the first.
+    pub fn read(text: &str) -> Result<Self, Vec<RequestError>> {
+        let sum = syntax::read(text);
+        let sum = sum.map_err(|unexpected| vec![RequestError::syntax(text, unexpected)])?;
+        let parts = sum.parts.iter();
+        let parts = parts.map(|part| ParsedPart::of(text, part).map_err(|fault| vec![fault]));
+        let parts = all_or_faults(parts)?;
+        if let Some(fault) = joined_fault(text, &parts) {
+            return Err(vec![fault]);
+        }
+        Ok(Self {
+            text: text.to_owned(),
+            parts,
+            at_sin_cos: sum.at_sin_cos,
+        })
+    }
+
+    /// The request on the tree of a model.
+    ///
+    /// # Errors
+    /// All frames that the model lacks.
+    pub fn on(&self, tree: &Tree) -> Result<Request, Vec<RequestError>> {
+        self.resolved(Some(tree))
+    }
+
+    /// The request, where it is the same of every model.
+    ///
+    /// # Errors
+    /// A frame, which no system has without a model.
+    pub fn of_any_model(&self) -> Result<Request, RequestError> {
+        let request = self.resolved(None);
+        request.map_err(|mut faults| faults.swap_remove(0))
+    }
+
+    fn resolved(&self, tree: Option<&Tree>) -> Result<Request, Vec<RequestError>> {
+        let parts = self.parts.iter().map(|part| part.on(&self.text, tree));
+        let parts = all_or_faults(parts)?;
+        Ok(Request::new(parts, self.at_sin_cos))
+    }
+
+    /// The functions of the whole system among the parts.
+    pub fn functions(&self) -> impl Iterator<Item = &'static Function> {
+        self.parts.iter().filter_map(ParsedPart::of_system)
+    }
+
+    /// The function of the whole system, where it is one alone.
+    pub fn alone(&self) -> Option<&'static Function> {
+        match &self.parts[..] {
+            [part] if !self.at_sin_cos => part.of_system(),
+            _ => None,
+        }
+    }
+
+    /// As it is asked for, without white space: `mass_matrix+bias(sin_cos)`.
+    pub fn text(&self) -> String {
+        let parts: Vec<String> = self.parts.iter().map(ParsedPart::text).collect();
+        parts.join("+") + if self.at_sin_cos { AT_SIN_COS } else { "" }
+    }
+
+    /// Where it stands in a module: the catalogue's functions in their order, then the others.
+    pub fn place(&self) -> Place {
+        let parts = self.parts.iter().map(ParsedPart::place).collect();
+        (self.alone().is_none(), parts, self.at_sin_cos)
+    }
+}
+
+impl ParsedPart {
+    fn of(text: &str, part: &syntax::Part) -> Result<Self, RequestError> {
+        match &part.kind {
+            Kind::Named { name, of } => Self::named(text, (name, of), part.place.clone()),
+            Kind::Derivative { of, by } => {
+                Self::derivative(text, part, of, (DerivativeKind::Whole, by))
+            }
+            Kind::Packed { of: inner } => match &inner.kind {
+                Kind::Derivative { of, by } => {
+                    Self::derivative(text, part, of, (DerivativeKind::Packed, by))
+                }
+                _ => Err(not_packed(text, inner)),
+            },
+            Kind::Product { name, of, along } => {
+                let kind = match name.text.as_str() {
+                    "jvp" => DerivativeKind::Forward,
+                    "vjp" => DerivativeKind::Reverse,
+                    _ => DerivativeKind::Hessian,
+                };
+                Self::derivative(text, part, of, (kind, along))
+            }
+        }
+    }
+
+    fn derivative(
+        text: &str,
+        part: &syntax::Part,
+        of: &syntax::Part,
+        (kind, by): (DerivativeKind, &[Word]),
+    ) -> Result<Self, RequestError> {
+        let Kind::Named { name, of: frames } = &of.kind else {
+            return Err(no_derivative(text, of, "is a derivative itself"));
+        };
+        let values = Self::named(text, (name, frames), part.place.clone())?;
+        if values.function.is_compact() {
+            return Err(no_derivative(text, of, "has a compact output"));
+        }
+        values.differentiated(text, (kind, by))
+    }
+
+    /// The same, differentiated.
+    fn differentiated(
+        self,
+        text: &str,
+        (kind, by): (DerivativeKind, &[Word]),
+    ) -> Result<Self, RequestError> {
+        let name = self.function.name;
+        for (at, word) in by.iter().enumerate() {
+            if word.text.is_empty() {
+                let place = word.place.clone();
+                let expected = "expected a variable";
+                return Err(RequestError::syntax(text, Unexpected { expected, place }));
+            }
+            if by[..at].iter().any(|known| known.text == word.text) {
+                return Err(RequestError::Repeated {
+                    request: text.to_owned(),
+                    name: word.text.clone(),
+                });
+            }
+            if let Some(Variable::Given(argument)) = Variable::find(None, &word.text)
+                && !self.function.arguments.contains(&argument)
+            {
+                return Err(RequestError::VariableNotTaken {
+                    name: name.to_owned(),
+                    variable: argument.name(),
+                    known: variables(self.function, None, false),
+                    place: word.place.clone(),
+                });
+            }
+        }
+        Ok(Self {
+            derivative: Some((kind, by.to_vec())),
+            ..self
+        })
+    }
+
+    fn named(
+        text: &str,
+        (name, of): (&Word, &[Word]),
+        place: Range<usize>,
+    ) -> Result<Self, RequestError> {
+        let syntax = |expected, place: &Range<usize>| {
+            let place = place.clone();
+            Err(RequestError::syntax(text, Unexpected { expected, place }))
+        };
+        if name.text.is_empty() {
+            return syntax("expected the name of a function", &name.place);
+        }
+        let Some(function) = Function::find(&name.text) else {
+            return Err(RequestError::Unknown {
+                name: name.text.clone(),
+            });
+        };
+        if let Some(empty) = of.iter().find(|word| word.text.is_empty()) {
+            return syntax("expected the name of a frame", &empty.place);
+        }
+        let name = || name.text.clone();
+        let subject = match (function.of, of) {
+            (Of::System, []) => None,
+            (Of::System, [word]) if word.is("sin_cos") => {
+                let expected = "`(sin_cos)` stands last, behind the whole request";
+                return syntax(expected, &word.place);
+            }
+            (Of::System, _) => {
+                return Err(RequestError::FrameNotTaken {
+                    name: name(),
+                    place,
+                });
+            }
+            (Of::Frame(_) | Of::Frames(_), []) => {
+                return Err(RequestError::FrameMissing {
+                    name: name(),
+                    place,
+                });
+            }
+            (Of::Frame(views), [frame, rest @ ..]) => {
+                Some(ParsedSubject::new(function, frame, rest, views)?)
+            }
+            (Of::Frames(views), frames) => Some(ParsedSubject::of_several(frames, views)),
+        };
+        Ok(Self {
+            function,
+            subject,
+            derivative: None,
+        })
+    }
+
+    fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, Vec<RequestError>> {
+        let subject = self.subject.as_ref();
+        let is_forward = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Forward;
+        let is_forward = self.derivative.as_ref().is_some_and(is_forward);
+        let variable = |word: &Word| {
+            let (request, name, place) = (text.to_owned(), word.text.clone(), word.place.clone());
+            match Variable::find(tree, &word.text) {
+                Some(own) if is_forward && own.direction().is_none() => {
+                    Err(vec![RequestError::OneOfDirection {
+                        request,
+                        name,
+                        place,
+                    }])
+                }
+                Some(own) => Ok(own),
+                None => Err(vec![RequestError::UnknownVariable {
+                    request,
+                    function: self.function.name,
+                    name,
+                    known: variables(self.function, tree, is_forward),
+                    place,
+                }]),
+            }
+        };
+        let by = self.derivative.iter().flat_map(|(_, by)| by);
+        let by = all_or_faults(by.map(variable));
+        let subject = subject.map(|subject| subject.on(text, tree)).transpose();
+        let (by, subject) = match (by, subject) {
+            (Ok(by), Ok(subject)) => (by, subject),
+            (by, subject) => {
+                let faults = [by.err(), subject.err()].into_iter().flatten();
+                return Err(faults.flatten().collect());
+            }
+        };
+        Ok(Part {
+            function: self.function,
+            subject,
+            derivative: self
+                .derivative
+                .as_ref()
+                .map(|&(kind, _)| Derivative::new(kind, by)),
+        })
+    }
+
+    /// The function, where it is of the whole system.
+    fn of_system(&self) -> Option<&'static Function> {
+        let is_plain = self.subject.is_none() && self.derivative.is_none();
+        is_plain.then_some(self.function)
+    }
+
+    fn text_of_values(&self) -> String {
+        match &self.subject {
+            None => self.function.name.to_owned(),
+            Some(subject) => text_of(self.function, subject.names(), subject.view),
+        }
+    }
+
+    fn text(&self) -> String {
+        let of = self.text_of_values();
+        let Some((kind, by)) = &self.derivative else {
+            return of;
+        };
+        let by: Vec<String> = by.iter().map(|word| written(&word.text)).collect();
+        Derivative::text(*kind, &of, &by.join(", "))
+    }
+
+    /// True where it is given what no other part can be given beside it.
+    fn has_own_arguments(&self) -> bool {
+        let is_weighted = |(kind, _): &(DerivativeKind, _)| {
+            matches!(kind, DerivativeKind::Reverse | DerivativeKind::Hessian)
+        };
+        let mut arguments = self.function.arguments.iter();
+        self.derivative.as_ref().is_some_and(is_weighted)
+            || arguments.any(|argument| argument.is_of_frame())
+    }
+
+    fn place(&self) -> PartPlace {
+        let mut functions = CATALOGUE.iter().chain(&OF_FRAMES);
+        let position = functions.position(|function| function.name == self.function.name);
+        let subject = self.subject.as_ref();
+        (
+            position.expect("functions: a part is of the catalogue"),
+            subject.map(|subject| (subject.names().map(str::to_owned).collect(), subject.view)),
+            self.derivative.as_ref().map(|(kind, by)| {
+                let by = by.iter().map(|word| word.text.clone());
+                (*kind, by.collect())
+            }),
+        )
+    }
+}
+
+/// What is wrong with parts that are joined.
+fn joined_fault(text: &str, parts: &[ParsedPart]) -> Option<RequestError> {
+    let request = || text.to_owned();
+    let texts: Vec<String> = parts.iter().map(ParsedPart::text).collect();
+    let twice = (1..parts.len()).find(|&at| texts[..at].contains(&texts[at]));
+    if let Some(at) = twice {
+        return Some(RequestError::Repeated {
+            request: request(),
+            name: texts[at].clone(),
+        });
+    }
+    let mut functions = parts.iter().map(|part| part.function);
+    let compact = functions.find(|function| function.is_compact());
+    if let Some(function) = compact.filter(|_| parts.len() > 1) {
+        return Some(RequestError::Compact {
+            request: request(),
+            name: function.name.to_owned(),
+        });
+    }
+    // What is given to one function is the same for its values and its derivatives.
+    let mut own = parts.iter().filter(|part| part.has_own_arguments());
+    let first = own.next().map(ParsedPart::text_of_values);
+    let other = own.find(|part| Some(part.text_of_values()) != first)?;
+    Some(RequestError::OwnArguments {
+        request: request(),
+        name: other.text(),
+    })
+}
+
+/// What `packed` does not take, and what has that name instead.
+fn not_packed(text: &str, part: &syntax::Part) -> RequestError {
+    let place = part.place.clone();
+    let asked = &text[place.clone()];
+    if let Kind::Named { name, .. } = &part.kind {
+        let own = format!("{}_packed", name.text);
+        if Function::find(&own).is_some() {
+            return RequestError::PackedName {
+                part: asked.to_owned(),
+                own: own + &asked[name.place.end - place.start..],
+                place,
+            };
+        }
+    }
+    let expected = "expected `d(PART)/d(VARIABLES)`";
+    RequestError::syntax(text, Unexpected { expected, place })
+}
+
+/// What cannot be differentiated.
+fn no_derivative(text: &str, part: &syntax::Part, why: &'static str) -> RequestError {
+    let place = part.place.clone();
+    RequestError::NoDerivative {
+        part: text[place.clone()].to_owned(),
+        why,
+        place,
+    }
+}
+
+/// By what a function can be differentiated.
+fn variables(function: &Function, tree: Option<&Tree>, is_forward: bool) -> Vec<String> {
+    let arguments = function.variables();
+    let arguments = arguments.map(|argument| argument.name().to_owned());
+    let parameters = tree.map_or(&[][..], |tree| &tree.parameters).iter();
+    let all = parameters
+        .clone()
+        .take(1)
+        .map(|_| variable::PARAMETERS.to_owned());
+    // A direction is one of all values set at run time.
+    let parameters = parameters.filter(|_| !is_forward);
+    let parameters = parameters.map(|parameter| parameter.name.clone());
+    arguments.chain(all).chain(parameters).collect()
+}
+
+impl Request {
+    /// Reads names of the catalogue with `+` between them, and `(sin_cos)` after them where the function is to be given the
+    /// sines and cosines of the angles among the coordinates. What is of a frame needs a model: [`Parsed::on`].
+    ///
+    /// ```
+    /// use kane_codegen::functions::Request;
+    ///
+    /// let request = Request::parse("mass_matrix+bias").unwrap();
+    /// assert_eq!(request.name(), "mass_matrix_and_bias");
+    /// assert_eq!(Request::parse("bias(sin_cos)").unwrap().name(), "bias_at_sin_cos");
+    /// assert!(Request::parse("mass_matrix+mass").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn parse(text: &str) -> Result<Self, RequestError> {
+        let parsed = Parsed::read(text).map_err(|mut faults| faults.swap_remove(0));
+        parsed?.of_any_model()
+    }
+}

@@ -1,0 +1,103 @@
+//! Frames that a request names, and how they are seen: of any model, then on its tree.
+
+use super::{
+    request_error::{RequestError, all_or_faults},
+    syntax::Word,
+};
+use crate::{
+    diagnostic,
+    functions::{
+        function::Function,
+        part::LOCAL,
+        subject::{Subject, SubjectFrame, View},
+    },
+    tree::Tree,
+};
+
+/// Frames that are named, before it is known whether the model has them.
+#[derive(Clone, Debug)]
+pub(in crate::functions) struct ParsedSubject {
+    frames: Vec<Word>,
+    pub(in crate::functions) view: View,
+}
+
+impl ParsedSubject {
+    /// A frame, and what is said behind it of how it is seen.
+    pub(in crate::functions) fn new(
+        function: &Function,
+        frame: &Word,
+        rest: &[Word],
+        views: &[View],
+    ) -> Result<Self, RequestError> {
+        let fault = |word: &Word, expected| {
+            Err(RequestError::View {
+                name: function.name.to_owned(),
+                found: word.text.clone(),
+                expected,
+                place: word.place.clone(),
+            })
+        };
+        let (has_local, has_other) = (views.contains(&View::Local), views.contains(&View::Other));
+        let (frames, view) = match rest {
+            [] => (vec![frame], View::Inertial),
+            [word] if has_local && word.is(LOCAL) => (vec![frame], View::Local),
+            [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
+            [other] if has_other => (vec![frame, other], View::Other),
+            [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
+            [word] => return fault(word, "expected `local`, for the frame's own axes"),
+            [_, word, ..] if has_other => return fault(word, "expected no more than one word"),
+            [_, word, ..] => return fault(word, "expected no more than `local`"),
+        };
+        let frames = frames.into_iter().cloned().collect();
+        Ok(Self { frames, view })
+    }
+
+    /// Frames, and at the end perhaps that their own axes are meant.
+    pub(in crate::functions) fn of_several(words: &[Word], views: &[View]) -> Self {
+        let has_local = views.contains(&View::Local);
+        let (frames, view) = match words {
+            [frames @ .., last] if has_local && last.is(LOCAL) && !frames.is_empty() => {
+                (frames, View::Local)
+            }
+            frames => (frames, View::Inertial),
+        };
+        Self {
+            frames: frames.to_vec(),
+            view,
+        }
+    }
+
+    pub(in crate::functions) fn names(&self) -> impl Iterator<Item = &str> {
+        self.frames.iter().map(|frame| frame.text.as_str())
+    }
+
+    pub(in crate::functions) fn on(
+        &self,
+        text: &str,
+        tree: Option<&Tree>,
+    ) -> Result<Subject, Vec<RequestError>> {
+        let found = |word: &Word| {
+            let frame = tree.and_then(|tree| SubjectFrame::find(tree, &word.text));
+            frame.ok_or_else(|| {
+                vec![RequestError::UnknownFrame {
+                    request: text.to_owned(),
+                    name: word.text.clone(),
+                    known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
+                    place: word.place.clone(),
+                }]
+            })
+        };
+        let frames = all_or_faults(self.frames.iter().map(found))?;
+        Ok(Subject::new(tree, frames, self.view))
+    }
+}
+
+/// The frames of the model, the nearest name first.
+fn nearest_first(tree: &Tree, name: &str) -> Vec<String> {
+    let frames = tree.named_frames();
+    let mut known: Vec<&str> = frames.map(|frame| tree.frame_name(frame)).collect();
+    let nearest = diagnostic::nearest(name, &known);
+    // False sorts before true, and what is equal keeps its order.
+    known.sort_by_key(|known| (Some(*known) != nearest, !known.contains(name)));
+    known.into_iter().map(str::to_owned).collect()
+}

@@ -1,0 +1,243 @@
+//! Why what is asked for cannot be had.
+
+use std::ops::Range;
+
+use super::syntax::Unexpected;
+use crate::functions::names::dictionary::{advice, advice_on_frame, advice_on_variable};
+
+/// Why a function cannot be had.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RequestError {
+    /// A name that the catalogue does not hold.
+    #[error("`{}` is no function; {}", name.escape_debug(), advice(name))]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// A part that is there twice.
+    #[error("`{request}` names `{name}` twice")]
+    Repeated {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+    /// A compact output beside others.
+    #[error("`{request}` joins `{name}` to others, which no function with a compact output can be")]
+    Compact {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+    /// Two parts that are each given something of their own.
+    #[error(
+        "`{name}` and another part of `{request}` are each given a point, force, moment or multiplier of their own; ask for them apart"
+    )]
+    OwnArguments {
+        /// What was asked for.
+        request: String,
+        /// The part.
+        name: String,
+    },
+    /// What is no request at all.
+    #[error("`{}` is no request: {expected}", request.escape_debug())]
+    Syntax {
+        /// What was asked for.
+        request: String,
+        /// What should stand there.
+        expected: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A packed form that is a function of its own.
+    #[error("`packed({part})` is the function `{own}`")]
+    PackedName {
+        /// What was to be packed.
+        part: String,
+        /// How that is asked for.
+        own: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A function of a frame, of none.
+    #[error("`{name}` is of a frame; expected `{name}(FRAME)`")]
+    FrameMissing {
+        /// The function.
+        name: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A function of the whole system, of something.
+    #[error(
+        "`{name}` is of the whole system; expected nothing in brackets after it, or `(sin_cos)`"
+    )]
+    FrameNotTaken {
+        /// The function.
+        name: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// What stands behind the frame is not understood.
+    #[error("`{}` behind the frame of `{name}`: {expected}", found.escape_debug())]
+    View {
+        /// The function.
+        name: String,
+        /// What was found.
+        found: String,
+        /// What should stand there.
+        expected: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A frame that the model lacks.
+    #[error("`{}` is no frame of the model; {}", name.escape_debug(), frames(name, known))]
+    UnknownFrame {
+        /// What was asked for.
+        request: String,
+        /// The frame.
+        name: String,
+        /// The frames that there are, the nearest name first.
+        known: Vec<String>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// What cannot be differentiated.
+    #[error("`{}` {why}, and cannot be differentiated", part.escape_debug())]
+    NoDerivative {
+        /// The part of the request.
+        part: String,
+        /// What it is.
+        why: &'static str,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// A variable that the function is not given.
+    #[error(
+        "`{name}` is not given `{variable}`; it can be differentiated by {}",
+        names(known)
+    )]
+    VariableNotTaken {
+        /// The function.
+        name: String,
+        /// The variable.
+        variable: &'static str,
+        /// By what it can be differentiated.
+        known: Vec<String>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// What is no variable.
+    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(name, known))]
+    UnknownVariable {
+        /// What was asked for.
+        request: String,
+        /// The function.
+        function: &'static str,
+        /// What was found.
+        name: String,
+        /// By what the function can be differentiated.
+        known: Vec<String>,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// One value set at run time as a direction, which only all are.
+    #[error("`{}` alone is no direction; expected `parameters`, of which it is one", name.escape_debug())]
+    OneOfDirection {
+        /// What was asked for.
+        request: String,
+        /// The value.
+        name: String,
+        /// Where in the request.
+        place: Range<usize>,
+    },
+    /// Two functions of one name.
+    #[error("`{first}` and `{second}` would both be called `{name}` in generated code")]
+    SameName {
+        /// The one request.
+        first: String,
+        /// The other one.
+        second: String,
+        /// The name of both.
+        name: String,
+    },
+}
+
+impl RequestError {
+    pub(in crate::functions) fn syntax(request: &str, unexpected: Unexpected) -> Self {
+        let Unexpected { expected, place } = unexpected;
+        Self::Syntax {
+            request: request.to_owned(),
+            expected,
+            place,
+        }
+    }
+
+    /// Where in the request it is, in bytes; `None` where it is about all of it.
+    pub fn place(&self) -> Option<Range<usize>> {
+        match self {
+            Self::Syntax { place, .. }
+            | Self::PackedName { place, .. }
+            | Self::FrameMissing { place, .. }
+            | Self::FrameNotTaken { place, .. }
+            | Self::View { place, .. }
+            | Self::UnknownFrame { place, .. }
+            | Self::NoDerivative { place, .. }
+            | Self::VariableNotTaken { place, .. }
+            | Self::UnknownVariable { place, .. }
+            | Self::OneOfDirection { place, .. } => Some(place.clone()),
+            Self::Unknown { .. }
+            | Self::Repeated { .. }
+            | Self::Compact { .. }
+            | Self::OwnArguments { .. }
+            | Self::SameName { .. } => None,
+        }
+    }
+}
+
+/// The most frames that are listed.
+const MOST_LISTED: usize = 20;
+
+/// What there is instead of a frame.
+fn frames(name: &str, known: &[String]) -> String {
+    if let Some(advice) = advice_on_frame(name) {
+        return advice;
+    }
+    match known.len() {
+        0 => "there are none".to_owned(),
+        count if count > MOST_LISTED => format!("there are {count}, such as {}", names(known)),
+        _ => format!("there are {}", names(known)),
+    }
+}
+
+/// The first of them.
+fn names(known: &[String]) -> String {
+    let names = known.iter().take(MOST_LISTED);
+    let names: Vec<String> = names
+        .map(|name| format!("`{}`", name.escape_debug()))
+        .collect();
+    if names.is_empty() {
+        "nothing".to_owned()
+    } else {
+        names.join(", ")
+    }
+}
+
+/// All of what is found, or all that is wrong.
+pub(in crate::functions) fn all_or_faults<T>(
+    results: impl Iterator<Item = Result<T, Vec<RequestError>>>,
+) -> Result<Vec<T>, Vec<RequestError>> {
+    let (mut found, mut faults) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(one) => found.push(one),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if faults.is_empty() {
+        Ok(found)
+    } else {
+        Err(faults)
+    }
+}

@@ -1,0 +1,44 @@
+//! Accelerations of some speeds for given forces, and forces of the others for given accelerations: the plan's solver on the
+//! plan's links, along the axes that it takes.
+
+use std::collections::BTreeSet;
+
+use super::{articulated, exchange};
+use crate::{
+    expr::{Expr, ExprGraph},
+    given::{Accelerations, Loads, mechanics},
+    id::SpeedId,
+    recursive::{
+        forces::inverse_dynamics,
+        links::linkage::Linkage,
+        matrices::composite,
+        plan::{Plan, Technique},
+    },
+    solve::{self, Partitioned},
+    tree::Tree,
+};
+
+/// `u_dot` of the free speeds and `tau` of the prescribed ones with `M u_dot + bias = tau`, and the loads' generalized forces
+/// beside `tau` where there are any; `tau` is less what springs, dampers and rotors of prescribed speeds take.
+pub fn hybrid_dynamics(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    mut tau: Vec<Expr>,
+    prescribed: &BTreeSet<SpeedId>,
+    loads: Loads,
+) -> Partitioned {
+    let linkage = Linkage::of_solution(graph, tree, plan, prescribed);
+    exchange::forces(graph, &linkage, &mut tau);
+    let mut solution = if plan.uses(Technique::Articulated) {
+        articulated::solution(graph, &linkage, tau, prescribed, loads)
+    } else {
+        let given = Accelerations::GivenOf(prescribed);
+        let needed = inverse_dynamics::forces(graph, &linkage, given, loads);
+        let mut matrix = composite::matrix(graph, &linkage);
+        mechanics::add_rotors(graph, tree, &mut matrix);
+        solve::partitioned(graph, tree, matrix, prescribed, tau, &needed)
+    };
+    exchange::accelerations(graph, &linkage, &mut solution.accelerations);
+    solution
+}

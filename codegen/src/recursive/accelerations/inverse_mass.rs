@@ -1,0 +1,91 @@
+//! The inverse of the mass matrix, and what it makes of forces: the plan's solver on a system at rest without weight.
+
+use super::{articulated, carriers, exchange, gains};
+use crate::{
+    expr::{Expr, ExprGraph, LANES},
+    given::mechanics,
+    recursive::{
+        links::linkage::Linkage,
+        matrices::composite,
+        plan::{Plan, Technique},
+    },
+    solve::{self, Carriers, Factors, Inversion, SpeedMatrix},
+    tree::Tree,
+};
+
+/// The `u_dot` with `M u_dot = tau`.
+pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Expr>) -> Vec<Expr> {
+    let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
+    exchange::forces(graph, &linkage, &mut tau);
+    let mut solution = if plan.uses(Technique::Articulated) {
+        let mut solutions = articulated::solutions_at_rest(graph, &linkage, &[tau]);
+        solutions.remove(0)
+    } else {
+        let matrix = matrix(graph, &linkage);
+        solve::factorise(graph, tree, matrix).solve(graph, tau)
+    };
+    exchange::accelerations(graph, &linkage, &mut solution);
+    solution
+}
+
+/// `M^-1`.
+pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    let linkage = Linkage::of_solution_without_weight(graph, tree, plan);
+    let is_articulated = plan.uses(Technique::Articulated);
+    let mut inverse = if is_articulated && !plan.uses(Technique::Carriers) {
+        by_articulated_bodies(graph, &linkage)
+    } else {
+        let carriers = carriers::carriers(graph, &linkage);
+        let factors = if is_articulated {
+            gains::factors(graph, &linkage)
+        } else {
+            of_composite_bodies(graph, &linkage, &carriers)
+        };
+        let how = Inversion {
+            carriers: &carriers,
+            left_out: &[],
+            // No lane stays empty.
+            in_lockstep: plan.uses(Technique::Lockstep).then_some(LANES),
+        };
+        factors.inverse(graph, tree, how)
+    };
+    exchange::compliance(graph, &linkage, &mut inverse);
+    inverse
+}
+
+/// The factors, which branches have by their carriers.
+fn of_composite_bodies(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+    carriers: &Carriers,
+) -> Factors {
+    let matrix = matrix(graph, linkage);
+    solve::factorise_on_carriers(graph, linkage.tree, matrix, carriers)
+}
+
+fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatrix {
+    let mut matrix = composite::matrix(graph, linkage);
+    mechanics::add_rotors(graph, linkage.tree, &mut matrix);
+    matrix
+}
+
+/// Column by column, each the accelerations for a unit force. Of two entries that are the same that one is taken whose force
+/// acts farther out: its column needs the accelerations on its own branch, and those of lower-numbered bodies.
+fn by_articulated_bodies(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatrix {
+    let order = solve::elimination(linkage.tree);
+    let unit = |graph: &mut ExprGraph, speed: usize| {
+        let mut tau = vec![graph.zero(); order.len()];
+        tau[speed] = graph.one();
+        tau
+    };
+    let forces: Vec<Vec<Expr>> = order.iter().map(|speed| unit(graph, *speed)).collect();
+    let columns = articulated::solutions_at_rest(graph, linkage, &forces);
+    let mut inverse = vec![vec![graph.zero(); order.len()]; order.len()];
+    for (place, (&own, column)) in order.iter().zip(&columns).enumerate() {
+        for &other in &order[place..] {
+            inverse[own][other] = column[other];
+            inverse[other][own] = column[other];
+        }
+    }
+    inverse
+}

@@ -1,0 +1,182 @@
+//! The mass centre of all bodies and how it moves: masses and first moments pass inward with their rates as they are seen from
+//! the link that has been reached, and arrive in inertial components. They are divided by all mass there, for a changed mass is to
+//! change nothing of bodies that are not on its path.
+
+use crate::{
+    expr::{Expr, ExprGraph, Purpose, Vector},
+    given::{self, Accelerations},
+    id::{BodyId, BodyMap},
+    kane::center::Momentum,
+    recursive::{
+        links::{
+            link::{self, Link},
+            link_motion,
+            link_velocity::rates,
+            linkage::Linkage,
+            passage::{Drive, Passenger},
+            root,
+            rotation::Turn,
+        },
+        plan::Plan,
+    },
+    tree::{Motion, Tree},
+};
+
+/// From the inertial origin, inertial components; the origin itself where no body has mass.
+pub fn position(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
+    let links = link::links(graph, tree, &root::kept_whole(tree, plan));
+    let first = BodyId::new(0);
+    if given::inverse_total_mass(graph, tree).is_none() {
+        return graph.zero_vector();
+    }
+    let from_first = from_first(graph, tree, &links);
+    let origin = root::origin(graph, tree, &links[first], first);
+    graph.enter(None);
+    graph.add_vectors(origin, from_first)
+}
+
+/// Its velocity, inertial components; zero where no body has mass.
+pub fn velocity(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
+    let links = link::links(graph, tree, plan);
+    let rate = moment_rate(graph, tree, &links);
+    given::over_total_mass(graph, tree, rate)
+}
+
+/// The rates of linear and angular momentum about it for `y_dot = 0`: resultants of what links need where there is no weight.
+pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Momentum {
+    let plan = root::kept_whole(tree, plan);
+    let linkage = Linkage::weightless(graph, tree, &plan);
+    let center = from_first(graph, tree, &linkage.links);
+    let mut wrenches = link_motion::inertial_wrenches(graph, &linkage, Accelerations::Zero);
+    let mut sum = Momentum::zero(graph);
+    graph.begin(Purpose::Momentum);
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let mut passing = wrenches[body];
+        graph.name_vector(passing.force, "f");
+        graph.name_vector(passing.moment, "n");
+        linkage.passages[body].inward(graph, &mut passing);
+        graph.enter(tree.lower(body));
+        if let Some(lower) = tree.lower(body) {
+            wrenches[lower] = wrenches[lower].plus(graph, &passing);
+            continue;
+        }
+        let origin = root::from_first(graph, tree, &linkage.links, body);
+        graph.enter(None);
+        let from_center = graph.sub_vectors(origin, center);
+        let about_center = passing.moved(graph, from_center);
+        let own = Momentum {
+            linear: about_center.force,
+            angular: about_center.moment,
+        };
+        sum = sum.plus(graph, &own);
+    }
+    sum
+}
+
+/// Its acceleration for `y_dot = 0`, inertial components; zero where no body has mass.
+pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
+    let rates = momentum_matrix_dot_u(graph, tree, plan);
+    given::over_total_mass(graph, tree, rates.linear)
+}
+
+/// The rate of the first moment of all bodies, which is their linear momentum: inertial components.
+pub(in crate::recursive) fn moment_rate(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+) -> Vector {
+    whole(graph, tree, links).rate
+}
+
+/// From the origin of the first link on the inertial frame to the mass centre, inertial components; zero where no body has
+/// mass.
+pub(in crate::recursive) fn from_first(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    links: &BodyMap<Link>,
+) -> Vector {
+    let moment = whole(graph, tree, links).moment;
+    given::over_total_mass(graph, tree, moment)
+}
+
+/// Mass with first moment and its rate, about the origin and in the axes that have been reached.
+#[derive(Clone, Copy, Debug)]
+struct Weight {
+    mass: Expr,
+    /// Mass times the position of its centre.
+    moment: Vector,
+    /// How that changes as it is seen from there.
+    rate: Vector,
+}
+
+/// All of it, about the origin of the first link on the inertial frame, inertial components.
+fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Weight {
+    graph.begin(Purpose::Momentum);
+    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| Weight {
+        mass: links[body].inertia.mass,
+        moment: links[body].inertia.moment,
+        rate: graph.zero_vector(),
+    });
+    let mut all = Weight::none(graph);
+    for body in tree.body_ids().rev() {
+        graph.enter(body);
+        let mut passing = weights[body];
+        graph.name_vector(passing.moment, "composite");
+        graph.name_vector(passing.rate, "composite_dot");
+        links[body].passage.inward(graph, &mut passing);
+        // The lower link's own is zero: what arrives first would else bear its name.
+        graph.enter(body);
+        graph.name_vector(passing.rate, "composite_dot_below");
+        graph.enter(tree.lower(body));
+        if let Some(lower) = tree.lower(body) {
+            weights[lower] = weights[lower].plus(graph, &passing);
+            continue;
+        }
+        let origin = root::from_first(graph, tree, links, body);
+        graph.enter(None);
+        passing.shift(graph, body, origin);
+        all = all.plus(graph, &passing);
+    }
+    all
+}
+
+impl Weight {
+    fn none(graph: &mut ExprGraph) -> Self {
+        Self {
+            mass: graph.zero(),
+            moment: graph.zero_vector(),
+            rate: graph.zero_vector(),
+        }
+    }
+
+    /// Both together, about the same point.
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            mass: graph.add(self.mass, other.mass),
+            moment: graph.add_vectors(self.moment, other.moment),
+            rate: graph.add_vectors(self.rate, other.rate),
+        }
+    }
+}
+
+impl Passenger for Weight {
+    fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
+        let shift = graph.scale(self.mass, offset);
+        self.moment = graph.add_vectors(self.moment, shift);
+    }
+
+    fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
+        let rates = rates(graph, drive.motions());
+        let swept = graph.cross(rates, self.moment);
+        self.rate = graph.add_vectors(self.rate, swept);
+        self.moment = rotation.backward(graph, self.moment);
+        self.rate = rotation.backward(graph, self.rate);
+    }
+
+    fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
+        let rates = rates(graph, motions);
+        let moved = graph.scale(self.mass, rates);
+        self.rate = graph.add_vectors(self.rate, moved);
+    }
+}
