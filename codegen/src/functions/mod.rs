@@ -14,7 +14,7 @@ mod function;
 mod multiplier;
 mod names;
 mod packed;
-mod parse;
+pub mod parse;
 mod part;
 mod request;
 mod shape;
@@ -40,7 +40,7 @@ pub use packed::{ELIMINATION, Packed};
 pub use parse::{
     parsed::{Parsed, Place},
     request_error::RequestError,
-    syntax::{split, written},
+    syntax::split,
 };
 pub use part::{Part, Rows};
 pub use request::Request;

@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use kane_codegen::functions::syntax::{Kind, Sum, Unexpected, read, written};
+use kane_codegen::functions::parse::syntax::{Kind, Sum, Unexpected, read, written};
 use kane_codegen::functions::{Parsed, TRAITS, split};
 
 fn expected(text: &str) -> (&'static str, Range<usize>) {

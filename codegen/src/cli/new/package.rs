@@ -3,7 +3,7 @@
 use kane_codegen::{
     companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
-    functions::written,
+    functions::parse::syntax::written,
     tree::Tree,
 };
 

@@ -3,4 +3,4 @@
 pub(super) mod parsed;
 pub(super) mod parsed_subject;
 pub(super) mod request_error;
-pub(super) mod syntax;
+pub mod syntax;

@@ -17,11 +17,11 @@ use std::ops::Range;
 use crate::limits;
 
 /// What stands after a request whose function is given sines and cosines.
-pub(in crate::functions) const AT_SIN_COS: &str = "(sin_cos)";
+pub const AT_SIN_COS: &str = "(sin_cos)";
 
 /// A request.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::functions) struct Sum {
+pub struct Sum {
     /// What is asked for together, in order.
     pub parts: Vec<Part>,
     /// True where the function is given sines and cosines.
@@ -30,7 +30,7 @@ pub(in crate::functions) struct Sum {
 
 /// A part of a request, and the place where it is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::functions) struct Part {
+pub struct Part {
     /// What it asks for.
     pub kind: Kind,
     /// Its bytes in the request.
@@ -39,7 +39,8 @@ pub(in crate::functions) struct Part {
 
 /// What a part asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::functions) enum Kind {
+#[expect(missing_docs, reason = "the examples say what each field is")]
+pub enum Kind {
     /// `rotation`, or `pose(tool0)`.
     Named { name: Word, of: Vec<Word> },
     /// `d(bias)/d(q, u)`.
@@ -56,7 +57,7 @@ pub(in crate::functions) enum Kind {
 
 /// A name, without its quotes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::functions) struct Word {
+pub struct Word {
     /// Its characters.
     pub text: String,
     /// Its bytes in the request, quotes included.
@@ -66,14 +67,14 @@ pub(in crate::functions) struct Word {
 
 impl Word {
     /// True for this word without quotes, which is then no name.
-    pub(in crate::functions) fn is(&self, word: &str) -> bool {
+    pub fn is(&self, word: &str) -> bool {
         !self.is_quoted && self.text == word
     }
 }
 
 /// What the grammar does not allow, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::functions) struct Unexpected {
+pub struct Unexpected {
     /// What is allowed there, in words.
     pub expected: &'static str,
     /// The bytes of the request that stand there instead; none at its end.
@@ -84,7 +85,7 @@ pub(in crate::functions) struct Unexpected {
 ///
 /// # Errors
 /// The first place that the grammar does not allow.
-pub(in crate::functions) fn read(text: &str) -> Result<Sum, Unexpected> {
+pub fn read(text: &str) -> Result<Sum, Unexpected> {
     let mut reader = Reader {
         text,
         at: 0,

@@ -93,9 +93,9 @@ fn square_by(graph: &mut ExprGraph, tensor: &Symmetric, w: Vector) -> Expr {
     let mut sum = graph.zero();
     for a in Axis::ALL.map(Axis::index) {
         let mut row = graph.mul(tensor.entry(a, a), w[a]);
-        for b in a + 1..w.len() {
+        for (b, other) in w.into_iter().enumerate().skip(a + 1) {
             let twice = graph.mul(two, tensor.entry(a, b));
-            let term = graph.mul(twice, w[b]);
+            let term = graph.mul(twice, other);
             row = graph.add(row, term);
         }
         let own = graph.mul(w[a], row);
