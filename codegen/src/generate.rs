@@ -65,6 +65,8 @@ pub fn generate(
     let asked_of_frames = of_frames
         .map(|emittable| (emittable.function.text(), emittable.operations))
         .collect();
+    let mut warnings = checked.warnings;
+    warnings.extend(compile::warnings(tree, &compiled));
     let origin = Origin::new(tree, shown_path, options);
     let module = Module::new(tree, origin, &compiled);
     let given = Given {
@@ -78,7 +80,7 @@ pub fn generate(
         functions,
         asked_of_frames,
         description,
-        warnings: checked.warnings,
+        warnings,
     })
 }
 

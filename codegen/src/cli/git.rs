@@ -7,7 +7,7 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
-use kane_codegen::{error::Error, input};
+use kane_codegen::{config::clean_path, error::Error, input};
 
 use super::{Failures, paths};
 
@@ -42,9 +42,8 @@ impl Revision {
             file.to_owned()
         };
         let path = Path::new(prefix.trim_end_matches(['\n', '\r'])).join(from_here);
-        let parts = paths::normal(&path);
-        let is_below = matches!(parts.first(), Some(Component::Normal(_)));
-        let path: PathBuf = parts.iter().collect();
+        let path = clean_path(&path);
+        let is_below = matches!(path.components().next(), Some(Component::Normal(_)));
         let path = paths::with_slashes(&path).filter(|_| is_below);
         let path = path.ok_or_else(|| {
             let file = file.to_string_lossy();
@@ -102,8 +101,8 @@ impl Revision {
     pub(super) fn beside(&self, path: &str) -> io::Result<Vec<u8>> {
         let joined = paths::parent(Path::new(&self.path)).join(path);
         let from_here = self.path.starts_with('.');
-        let joined: PathBuf = paths::normal(&joined).iter().collect();
-        let joined = paths::with_slashes(&joined).ok_or(io::ErrorKind::InvalidInput)?;
+        let joined =
+            paths::with_slashes(&clean_path(&joined)).ok_or(io::ErrorKind::InvalidInput)?;
         let beside = Self {
             name: self.name.clone(),
             path: if from_here {

@@ -10,7 +10,7 @@ use std::{
 };
 
 use kane_codegen::{
-    config::{self, Config, System},
+    config::{self, Config, System, clean_path},
     diagnostic::Source,
 };
 
@@ -76,13 +76,8 @@ impl Listed {
     }
 
     pub(super) fn job(&self, system: &System) -> Result<Job, Failures> {
-        let place = |text: &str| {
-            self.shown_root
-                .join(paths::normal(Path::new(text)).iter().collect::<PathBuf>())
-        };
-        let relative: PathBuf = paths::normal(Path::new(&system.model.value))
-            .iter()
-            .collect();
+        let place = |text: &str| self.shown_root.join(clean_path(Path::new(text)));
+        let relative = clean_path(Path::new(&system.model.value));
         let model = place(&system.model.value);
         let shown = paths::with_slashes(&relative).ok_or_else(|| cannot_be_shown(&model))?;
         Ok(Job {

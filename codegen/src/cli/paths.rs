@@ -8,7 +8,7 @@ use std::{
     path::{Component, Path, PathBuf},
 };
 
-use kane_codegen::error::Error;
+use kane_codegen::{config::clean_path, error::Error};
 
 /// The name of the file that lists a repository's systems.
 pub(crate) const CONFIG: &str = "kane.toml";
@@ -51,7 +51,8 @@ pub(crate) fn config_above(folder: &Path) -> Option<PathBuf> {
 /// The path from one folder to a file or folder; both are absolute. `None` where no way leads there, as between two
 /// drives.
 pub(crate) fn relative(from: &Path, to: &Path) -> Option<PathBuf> {
-    let (from, to) = (normal(from), normal(to));
+    let [from, to] = [from, to].map(clean_path);
+    let [from, to] = [&from, &to].map(|path| path.components().collect::<Vec<_>>());
     let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
     let up = from[common..].iter().map(|_| Component::ParentDir);
     let down = to[common..].iter().copied();
@@ -68,19 +69,4 @@ pub(crate) fn with_slashes(path: &Path) -> Option<String> {
     let parts: Option<Vec<&str>> = path.iter().map(|part| part.to_str()).collect();
     let text = parts?.join("/");
     (!text.is_empty() && !text.chars().any(char::is_control)).then_some(text)
-}
-
-/// The parts of a path, where `.` and `folder/..` make no difference.
-pub(crate) fn normal(path: &Path) -> Vec<Component<'_>> {
-    let mut parts = Vec::new();
-    for part in path.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir if matches!(parts.last(), Some(Component::Normal(_))) => {
-                parts.pop();
-            }
-            _ => parts.push(part),
-        }
-    }
-    parts
 }

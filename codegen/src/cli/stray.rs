@@ -12,7 +12,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::{error::Error, signs};
+use kane_codegen::{config::clean_path, error::Error, signs};
 
 use super::{Failures, job::Job, paths};
 
@@ -31,7 +31,7 @@ pub(crate) fn find(jobs: &[Job], root: &Path) -> Result<Vec<PathBuf>, Failures> 
     let mut folders = BTreeMap::new();
     for job in jobs {
         for path in job.files() {
-            produced.insert(paths::normal(&path).iter().collect::<PathBuf>());
+            produced.insert(clean_path(&path));
             let (folder, kind) = folder(&path, root);
             folders.insert(folder, kind);
         }
@@ -49,10 +49,9 @@ fn folder(file: &Path, root: &Path) -> (PathBuf, FolderKind) {
     let own = paths::parent(file);
     let below_root = own.strip_prefix(root).unwrap_or(own);
     let is_generated = |folder: &&Path| folder.file_name() == Some(OsStr::new("generated"));
-    let clean = |folder: &Path| paths::normal(folder).iter().collect();
     match below_root.ancestors().filter(is_generated).last() {
-        Some(folder) => (clean(&root.join(folder)), FolderKind::Generated),
-        None => (clean(own), FolderKind::Mixed),
+        Some(folder) => (clean_path(&root.join(folder)), FolderKind::Generated),
+        None => (clean_path(own), FolderKind::Mixed),
     }
 }
 

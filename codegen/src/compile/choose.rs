@@ -60,7 +60,7 @@ pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
     }
 }
 
-/// True where the notes' values are long, and need more operations alone than this: their derivatives then do too.
+/// True where the notes' values are long, and need more operations alone than this: their derivatives hardly ever need fewer.
 fn values_cost_more(tree: &Tree, function: &Request, count: usize) -> bool {
     let values = function.values();
     let values = values.derive(tree, Formulation::Notes, &Plan::plain(tree));

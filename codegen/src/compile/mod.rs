@@ -6,6 +6,7 @@
 mod branches;
 mod candidate;
 mod choose;
+mod empty;
 mod option_check;
 mod search;
 mod size_check;
@@ -13,6 +14,7 @@ mod sweeps;
 
 pub use candidate::{candidate, operations};
 pub use choose::{Choice, choose, of_formulation};
+pub(crate) use empty::warnings;
 pub(crate) use option_check::check as check_options;
 pub use search::cheapest;
 pub use size_check::check as check_size;

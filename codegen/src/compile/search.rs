@@ -53,8 +53,7 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
     let forward = cheapest_values(tree, &function.values(), without)
         .with(Technique::Composite, false)
         .with(Technique::Reverse, false);
-    let recursive = Formulation::Recursive;
-    let mut plans = sweeps::ways(tree, function, recursive, without, &forward);
+    let mut plans = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
     if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
         // Most of what they cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("search: the catalogue has it");
@@ -70,7 +69,7 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
             plans.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
         }
     }
-    let best = sweeps::cheapest_of(tree, function, recursive, plans);
+    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, plans);
     if best.uses(Technique::Composite) {
         in_lockstep(tree, function, without, best)
     } else {

@@ -66,12 +66,13 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         bound(&what, n_solved, "numbers of solutions", limits::SOLVED)?;
     }
     if options.formulation == Formulation::Notes {
-        let slopes = if request.differentiates() { SLOPES } else { 1 };
+        let is_product = request.arguments().into_iter().any(Argument::is_of_product);
+        let slopes = if is_product { SLOPES } else { 1 };
         bound(
             &format!("the notes' sums for `{name}` have"),
-            slopes * terms,
+            terms,
             "terms",
-            limits::TERMS,
+            limits::TERMS / slopes,
         )?;
     }
     bound(

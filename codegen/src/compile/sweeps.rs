@@ -1,7 +1,7 @@
 //! The ways in which derivatives may be swept for: from inputs to outputs, or back.
 //!
-//! In: a tree, a function, a plan for its values. Out: the plan by each way that has a chance, or by the one with the fewest
-//! operations. Afterwards: at least one way is left.
+//! In: a tree, a function, a plan for its values. Out: the plan by each way that has a chance, one at least; the one of several
+//! plans with the fewest operations.
 
 use std::collections::BTreeSet;
 

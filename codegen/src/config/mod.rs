@@ -13,6 +13,7 @@ mod prescribed;
 mod system;
 
 pub use functions::Named;
+pub use path::clean_path;
 pub use prescribed::Prescribed;
 pub use system::System;
 

@@ -77,7 +77,7 @@ impl Output {
 pub(super) fn check(reader: &mut Reader, outputs: &[Output]) {
     let mut first: BTreeMap<PathBuf, &Spanned<String>> = BTreeMap::new();
     for Output { module, files, .. } in outputs {
-        let known = |file: &PathBuf| Some((file.clone(), *first.get(&path::clean(file))?));
+        let known = |file: &PathBuf| Some((file.clone(), *first.get(&path::clean_path(file))?));
         if let Some((file, first)) = files.iter().find_map(known) {
             let fault = Diagnostic::error(format!("two systems write `{}`", file.display()));
             reader.faults.push(
@@ -86,6 +86,6 @@ pub(super) fn check(reader: &mut Reader, outputs: &[Output]) {
                     .at(first.span, "the first one"),
             );
         }
-        first.extend(files.iter().map(|file| (path::clean(file), module)));
+        first.extend(files.iter().map(|file| (path::clean_path(file), module)));
     }
 }

@@ -41,23 +41,17 @@ pub(super) fn read(reader: &mut Reader, item: &Item<'_>, what: &str) -> Option<S
     }
 }
 
-/// The path, where `./` and `folder/../` make no difference.
-pub(super) fn clean(path: &Path) -> PathBuf {
-    let mut clean = PathBuf::new();
+/// The path, where `.` and `folder/..` make no difference.
+pub fn clean_path(path: &Path) -> PathBuf {
+    let mut parts = Vec::new();
     for part in path.components() {
-        let is_below = || {
-            clean
-                .components()
-                .next_back()
-                .is_some_and(|last| last != Component::ParentDir)
-        };
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir if is_below() => {
-                clean.pop();
+        match (part, parts.last()) {
+            (Component::CurDir, _) | (Component::ParentDir, Some(Component::RootDir)) => {}
+            (Component::ParentDir, Some(Component::Normal(_))) => {
+                parts.pop();
             }
-            part => clean.push(part),
+            _ => parts.push(part),
         }
     }
-    clean
+    parts.into_iter().collect()
 }

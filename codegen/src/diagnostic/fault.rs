@@ -65,6 +65,11 @@ impl Diagnostic {
         }
     }
 
+    /// The main place.
+    pub(super) fn place(&self) -> Option<Span> {
+        self.labels.first().map(|(span, _)| *span)
+    }
+
     /// The same with one more place; the first is the main one.
     #[must_use]
     pub fn at(mut self, span: Span, label: impl Into<String>) -> Self {

@@ -66,8 +66,14 @@ pub struct Diagnostics {
 impl Diagnostics {
     /// The faults of `source`, put into the order of their main places; those without a place come first.
     pub fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
-        list.sort_by_key(|diagnostic| diagnostic.labels.first().map(|(span, _)| *span));
+        list.sort_by_key(Diagnostic::place);
         Self { source, list }
+    }
+
+    /// Adds faults, put into the order of places too.
+    pub fn extend(&mut self, more: impl IntoIterator<Item = Diagnostic>) {
+        self.list.extend(more);
+        self.list.sort_by_key(Diagnostic::place);
     }
 
     /// The source that they are about.

@@ -311,12 +311,11 @@ impl Part {
         lines.map(line).collect()
     }
 
-    /// How many terms the notes' sums have at least; where they are differentiated, about so many for every variable.
+    /// How many terms the notes' sums have at least; where they are differentiated, about so many for every row that is swept.
     pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
         let terms = self.function.literal_terms(tree);
-        let is_swept = self.is_whole_derivative() || self.is_second_derivative();
-        let columns = if is_swept { self.n_variables(tree) } else { 0 };
-        terms * columns.max(1)
+        let Rows { forward, reverse } = self.swept_rows(tree);
+        terms * forward.min(reverse).max(1)
     }
 
     /// How many entries the variables have together.

@@ -36,6 +36,14 @@ fn unknown_frame_is_pointed_at_in_kane_toml() {
 }
 
 #[test]
+fn derivatives_by_values_that_are_not_there_are_told() {
+    let project = with_functions(r#"["d(bias)/d(q, parameters)", "d(bias)/d(u)"]"#);
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.code, 0);
+    insta::assert_snapshot!(ran.err, @"");
+}
+
+#[test]
 fn all_unknown_frames_are_told_at_once() {
     let project = with_functions(r#"["pose(foer) + velocity(hand)", "imu(tool)"]"#);
     let ran = project.kane(&["generate"]);

@@ -21,9 +21,9 @@ fn chain(n: usize) -> Tree {
     for k in 1..=n {
         write!(
             text,
-            "[[body]]\nname = \"b{k}\"\nmass = {k}.5\nmass_center = [0.1{k}, 0.2{k}, 0.3{k}]\n\
-             inertia = {{ xx = 1.1{k}, yy = 1.2{k}, zz = 1.3{k}, xy = 0.01{k}, xz = 0.02{k}, yz = 0.03{k} }}\n\
-             attachment = [0.4{k}, 0.5{k}, 0.6{k}]\njoint = \"free\"\n"
+            "[[body]]\nname = \"b{k}\"\nmass = {k}.5\nmass_center = [0.1{k:02}, 0.2{k:02}, 0.3{k:02}]\n\
+             inertia = {{ xx = 1.1{k:02}, yy = 1.2{k:02}, zz = 1.3{k:02}, xy = 0.01{k:02}, xz = 0.02{k:02}, yz = 0.03{k:02} }}\n\
+             attachment = [0.4{k:02}, 0.5{k:02}, 0.6{k:02}]\njoint = \"free\"\n"
         )
         .unwrap();
     }

@@ -199,6 +199,7 @@ fn all_ways_give_the_same_second_derivatives() {
             let plan = Plan::full(&tree);
             let ways = [
                 (Formulation::Notes, plan.with(Technique::Reverse, false)),
+                (Formulation::Notes, plan.with(Technique::Reverse, true)),
                 (Formulation::Recursive, plan.with(Technique::Reverse, false)),
                 (Formulation::Recursive, plan.with(Technique::Reverse, true)),
             ];

@@ -29,7 +29,7 @@ pub struct Sparsity {
 
 impl Sparsity {
     /// That of a first derivative with so many columns.
-    pub(in crate::functions) fn of_first(rows: &[BTreeSet<usize>], n_columns: usize) -> Self {
+    pub(super) fn of_first(rows: &[BTreeSet<usize>], n_columns: usize) -> Self {
         let rows = rows.iter().enumerate();
         let places = rows.flat_map(|(row, columns)| columns.iter().map(move |&at| [row, at]));
         let places: Vec<[usize; 2]> = places.collect();
@@ -40,7 +40,7 @@ impl Sparsity {
     }
 
     /// That of a second derivative, whose rows may be given from either side.
-    pub(in crate::functions) fn of_second(rows: &[BTreeSet<usize>]) -> Self {
+    pub(super) fn of_second(rows: &[BTreeSet<usize>]) -> Self {
         let rows = rows.iter().enumerate();
         let places = rows.flat_map(|(row, columns)| {
             let ordered = move |&at: &usize| [row.max(at), row.min(at)];
@@ -58,11 +58,11 @@ impl Sparsity {
 
 /// A sparsity, once it is asked for. Copies share it, and all are equal: it follows from what they are kept with.
 #[derive(Clone, Debug, Default)]
-pub(in crate::functions) struct LazySparsity(Arc<OnceLock<Sparsity>>);
+pub(super) struct LazySparsity(Arc<OnceLock<Sparsity>>);
 
 impl LazySparsity {
     /// The one that is known, or what `find` finds.
-    pub(in crate::functions) fn get_or_find(&self, find: impl FnOnce() -> Sparsity) -> &Sparsity {
+    pub(super) fn get_or_find(&self, find: impl FnOnce() -> Sparsity) -> &Sparsity {
         self.0.get_or_init(find)
     }
 }
@@ -76,7 +76,7 @@ impl PartialEq for LazySparsity {
 impl Eq for LazySparsity {}
 
 /// For each root the columns of the variables on which it depends.
-pub(in crate::functions) fn dependences(
+pub(super) fn dependences(
     graph: &ExprGraph,
     roots: &[Expr],
     (tree, seeds): (&Tree, &Seeds),

@@ -154,7 +154,7 @@ impl Needed<'_> {
         let mut early = solver.solve(graph, &early).into_iter();
         let u_dot = early
             .next()
-            .expect("derivatives: accelerations are solved for");
+            .expect("accelerations: accelerations are solved for");
         factors.name_accelerations(graph, &u_dot);
         let how = Inversion {
             carriers: &none,

@@ -54,7 +54,7 @@ fn of_forces(
 }
 
 /// Adds how springs, dampers, rotors and what lifts bodies change.
-pub(in crate::functions) fn add_mechanics(
+pub(super) fn add_mechanics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,

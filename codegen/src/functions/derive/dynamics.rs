@@ -13,18 +13,14 @@ use crate::{
     tree::Tree,
 };
 
-pub(in crate::functions) fn with_rotors(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    mut a: SpeedMatrix,
-) -> SpeedMatrix {
+pub(super) fn with_rotors(graph: &mut ExprGraph, tree: &Tree, mut a: SpeedMatrix) -> SpeedMatrix {
     mechanics::add_rotors(graph, tree, &mut a);
     a
 }
 
 /// With what is needed beside the motion of bodies: for springs, dampers and rotors, less what lifts bodies, which is found by the
 /// notes' equations where there is no plan.
-pub(in crate::functions) fn with_forces(
+pub(super) fn with_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: Option<&Plan>,
@@ -159,11 +155,7 @@ pub(in crate::functions) fn forward_dynamics(graph: &mut ExprGraph, tree: &Tree)
 }
 
 /// The accelerations by what is left of `tau` beside what a motion without any needs.
-pub(in crate::functions) fn accelerated(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    needed: &[Expr],
-) -> Vec<Expr> {
+pub(super) fn accelerated(graph: &mut ExprGraph, tree: &Tree, needed: &[Expr]) -> Vec<Expr> {
     let factors = factors(graph, tree);
     let mut net = applied(graph, tree);
     solve::subtract(graph, tree, &mut net, needed);
@@ -178,7 +170,7 @@ pub(in crate::functions) fn forward_dynamics_recursive(
     accelerated_recursive(graph, tree, plan, Loads::Absent)
 }
 
-pub(in crate::functions) fn accelerated_recursive(
+pub(super) fn accelerated_recursive(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
@@ -208,11 +200,7 @@ pub(in crate::functions) fn factors(graph: &mut ExprGraph, tree: &Tree) -> Facto
     solve::factorise(graph, tree, a)
 }
 
-pub(in crate::functions) fn factors_recursive(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> Factors {
+pub(super) fn factors_recursive(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Factors {
     let a = matrix_recursive(graph, tree, plan);
     solve::factorise(graph, tree, a)
 }

@@ -69,7 +69,7 @@ pub(in crate::functions) fn rotations(
 }
 
 /// Relative transformation matrices between internal axes: between the user's.
-pub(in crate::functions) fn relative_rotations(
+pub(super) fn relative_rotations(
     graph: &mut ExprGraph,
     tree: &Tree,
     relative: &BodyMap<Matrix>,
@@ -100,7 +100,7 @@ pub(in crate::functions) fn origins(
 }
 
 /// Velocities of the internal origins, lower-body internal axes: of the user's origins, lower-body user axes.
-pub(in crate::functions) fn origin_velocities(
+pub(super) fn origin_velocities(
     graph: &mut ExprGraph,
     tree: &Tree,
     rotational: &Rotational,
@@ -120,7 +120,7 @@ pub(in crate::functions) fn origin_velocities(
 }
 
 /// Partial velocities of the internal origins, lower-body internal axes: of the user's origins, lower-body user axes.
-pub(in crate::functions) fn origin_rows(
+pub(super) fn origin_rows(
     graph: &mut ExprGraph,
     tree: &Tree,
     relative: &BodyMap<Matrix>,
@@ -133,7 +133,7 @@ pub(in crate::functions) fn origin_rows(
 }
 
 /// The same for the time derivatives: `d/dt (R^T X) = R^T (X_dot + w_rel × X)` with `X = W × o`.
-pub(in crate::functions) fn origin_rows_dot(
+pub(super) fn origin_rows_dot(
     graph: &mut ExprGraph,
     tree: &Tree,
     rotational: &Rotational,

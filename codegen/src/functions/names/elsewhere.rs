@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(in crate::functions) const REQUESTS: [(&str, &[&str]); 29] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
     (
         "inverse_dynamics",
         &["rnea", "id", "newtoneuler", "mjinverse"],
@@ -176,7 +176,7 @@ pub(in crate::functions) const REQUESTS: [(&str, &[&str]); 29] = [
 ];
 
 /// How derivatives of a function `F` by variables `X` are asked for.
-pub(in crate::functions) const OPERATORS: [(&str, &[&str]); 5] = [
+pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
     (
         "d(F)/d(X)",
         &["d", "derivative", "derivatives", "jacfwd", "jacrev"],
@@ -188,7 +188,7 @@ pub(in crate::functions) const OPERATORS: [(&str, &[&str]); 5] = [
 ];
 
 /// What the runtime crate does, for every system.
-pub(in crate::functions) const RUNTIME: [(&str, &[&str]); 4] = [
+pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
     ("kane::inverse_kinematics", &["inversekinematics", "ik"]),
     ("kane::manifold::q_plus", &["integrate", "mjintegratepos"]),
     (

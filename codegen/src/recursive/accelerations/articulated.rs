@@ -65,7 +65,7 @@ pub(in crate::recursive) fn solution(
 }
 
 /// Accelerations with `M u_dot = tau` for several `tau`, of the linkage's motions: all are at rest, without weight.
-pub(in crate::recursive) fn solutions_at_rest(
+pub(super) fn solutions_at_rest(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     taus: &[Vec<Expr>],
@@ -97,7 +97,7 @@ fn solutions(
 }
 
 /// What resists each motion, and what it takes from the acceleration of the lower link, turned to where it enters.
-pub(in crate::recursive) fn gains(
+pub(super) fn gains(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
 ) -> BTreeMap<SpeedId, (Expr, [Expr; 6])> {

@@ -116,7 +116,7 @@ fn of_angular_velocity(
     [first, second, third]: Vector,
 ) -> Vector {
     let angles = tree.body(body).joint.angles();
-    let angles = angles.expect("axes: rates are those of angles");
+    let angles = angles.expect("exchange: rates are those of angles");
     let t = orientation::trigonometry(graph, tree, angles);
     let (s3, c3) = (t.sines[2], t.cosines[2]);
     let shared = graph.mul(t.sines[1], third);

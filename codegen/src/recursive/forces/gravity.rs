@@ -58,7 +58,7 @@ pub fn lifting_forces(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vec<Ex
 }
 
 /// What lifts each body, about its link's origin; `None` where nothing does.
-pub(in crate::recursive) fn lifts(
+pub(super) fn lifts(
     graph: &mut ExprGraph,
     tree: &Tree,
     links: &BodyMap<Link>,

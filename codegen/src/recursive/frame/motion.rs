@@ -11,8 +11,8 @@ use crate::{
     recursive::{
         links::{
             link::{self, Link},
-            link_velocity::{LinkVelocity, rates},
-            passage::{Drive, Passenger},
+            link_velocity::LinkVelocity,
+            passage::{Drive, Passenger, speeds},
             rotation::Turn,
         },
         plan::Plan,
@@ -190,7 +190,7 @@ impl Moving {
 
     /// What the rates of a rotation add, and theirs: `a + w_dot × p + w × (2 v + w × p)`, `alpha + w_dot + w × w'`.
     fn turned(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let rates = rates(graph, motions);
+        let rates = speeds(graph, motions);
         let before = self.velocity;
         let swept = graph.cross(rates, self.position);
         self.velocity.linear = graph.add_vectors(before.linear, swept);
@@ -226,7 +226,7 @@ impl Passenger for Moving {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let rates = rates(graph, motions);
+        let rates = speeds(graph, motions);
         self.velocity.linear = graph.add_vectors(self.velocity.linear, rates);
         if let Some(accelerations) = self.accelerations {
             let second = accelerated_by(graph, motions, accelerations);
@@ -265,7 +265,7 @@ impl Passenger for Thrown {
         for vector in [linear, &mut *angular, &mut self.angular] {
             *vector = rotation.forward(graph, *vector);
         }
-        let rates = rates(graph, drive.motions());
+        let rates = speeds(graph, drive.motions());
         let second = accelerated_by(graph, drive.motions(), self.accelerations);
         let convected = graph.cross(self.angular, rates);
         for term in [second, convected] {
@@ -275,7 +275,7 @@ impl Passenger for Thrown {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let rates = rates(graph, motions);
+        let rates = speeds(graph, motions);
         let two = graph.number(2.0);
         let twice = graph.scale(two, rates);
         let convected = graph.cross(self.angular, twice);

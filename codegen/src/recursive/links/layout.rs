@@ -18,7 +18,7 @@ use crate::{
 
 /// A link's frame.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::recursive) struct Layout {
+pub(super) struct Layout {
     /// From the lower link's axes to those of the joint's coordinates.
     pub(in crate::recursive) constant: Rotation,
     /// From the lower link's origin to where the joint's translations start, lower-link components.
@@ -32,11 +32,7 @@ pub(in crate::recursive) struct Layout {
 }
 
 /// The layout of every link.
-pub(in crate::recursive) fn layouts(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    plan: &Plan,
-) -> BodyMap<Layout> {
+pub(super) fn layouts(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> BodyMap<Layout> {
     BodyMap::outward(tree.bodies.len(), |body, layouts: &BodyMap<Layout>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| layouts[lower]);

@@ -2,12 +2,11 @@
 
 use super::{
     link::Link,
-    passage::{Drive, Passenger},
+    passage::{Drive, Passenger, speeds},
     rotation::Turn,
 };
 use crate::{
     expr::{ExprGraph, Vector},
-    given,
     id::{BodyId, BodyMap},
     tree::{Motion, Tree},
 };
@@ -63,17 +62,12 @@ impl Passenger for LinkVelocity {
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         self.linear = rotation.forward(graph, self.linear);
         self.angular = rotation.forward(graph, self.angular);
-        let rates = rates(graph, drive.motions());
+        let rates = speeds(graph, drive.motions());
         self.angular = graph.add_vectors(self.angular, rates);
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let rates = rates(graph, motions);
+        let rates = speeds(graph, motions);
         self.linear = graph.add_vectors(self.linear, rates);
     }
-}
-
-/// The speeds of three motions; zero where there is none.
-pub(in crate::recursive) fn rates(graph: &mut ExprGraph, motions: [Option<Motion>; 3]) -> Vector {
-    motions.map(|motion| given::speed(graph, motion))
 }

@@ -20,7 +20,7 @@ use crate::{
 
 /// A rotation about a joint's axis, and the angle that it is by.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::recursive) struct AngleRotation {
+pub(super) struct AngleRotation {
     rotation: AxisRotation,
     angle: Angle,
 }
@@ -40,11 +40,7 @@ pub fn parallel_axes(tree: &Tree, plan: &Plan) -> Vec<BodyId> {
 }
 
 /// For every body whether its link does not turn: where the plan says so, and it can be.
-pub(in crate::recursive) fn unturned(
-    tree: &Tree,
-    plan: &Plan,
-    layouts: &BodyMap<Layout>,
-) -> BodyMap<bool> {
+pub(super) fn unturned(tree: &Tree, plan: &Plan, layouts: &BodyMap<Layout>) -> BodyMap<bool> {
     BodyMap::outward(tree.bodies.len(), |body, _| {
         plan.parallel(body) && carries_parallel_axes(tree, body, layouts)
     })
@@ -70,7 +66,7 @@ fn carries_parallel_axes(tree: &Tree, body: BodyId, layouts: &BodyMap<Layout>) -
 
 /// A link's passage, turned by the angles of the links below that do not turn as well, of which `below` is the last; and its
 /// rotation, if it turns about one axis alone.
-pub(in crate::recursive) fn merged(
+pub(super) fn merged(
     graph: &mut ExprGraph,
     joint: &Joint,
     layout: &Layout,
@@ -123,11 +119,7 @@ impl AngleRotation {
     }
 
     /// The same, further by a constant angle.
-    pub(in crate::recursive) fn with_phase(
-        &self,
-        graph: &mut ExprGraph,
-        phase: f64,
-    ) -> AxisRotation {
+    pub(super) fn with_phase(&self, graph: &mut ExprGraph, phase: f64) -> AxisRotation {
         let Angle {
             coordinates,
             phase: own,

@@ -138,7 +138,7 @@ impl Motions {
 
 /// From a lower link's axes to the joint's, and to the link's origin: of the whole way what does not turn.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::recursive) struct Arm {
+pub(super) struct Arm {
     offset: Vector,
     constant: ConstantRotation,
 }
@@ -155,7 +155,7 @@ impl Arm {
 
 impl Passage {
     /// The way through a body's joint, its motions as the speeds are.
-    pub(in crate::recursive) fn new(
+    pub(super) fn new(
         graph: &mut ExprGraph,
         tree: &Tree,
         body: BodyId,
@@ -173,7 +173,7 @@ impl Passage {
     }
 
     /// The same way with motions along other axes.
-    pub(in crate::recursive) fn with_axes(self, joint: &Joint, axes: LinkAxes) -> Self {
+    pub(super) fn with_axes(self, joint: &Joint, axes: LinkAxes) -> Self {
         Self {
             motions: Motions::new(joint, axes),
             ..self
@@ -181,11 +181,7 @@ impl Passage {
     }
 
     /// The same way from a lower link whose axes do not follow its own `rotation`.
-    pub(in crate::recursive) fn on_unturned(
-        self,
-        graph: &mut ExprGraph,
-        rotation: &AxisRotation,
-    ) -> Self {
+    pub(super) fn on_unturned(self, graph: &mut ExprGraph, rotation: &AxisRotation) -> Self {
         Self {
             offset: rotation.backward(graph, self.offset),
             ..self
@@ -201,7 +197,7 @@ impl Passage {
     }
 
     /// The same way with another rotation about its axis, where the joint has angles.
-    pub(in crate::recursive) fn with_rotation(self, rotation: AxisRotation) -> Self {
+    pub(super) fn with_rotation(self, rotation: AxisRotation) -> Self {
         let turning = match self.turning {
             Turning::Angles(mut rotations) => {
                 rotations[rotation.axis.index()] = rotation;

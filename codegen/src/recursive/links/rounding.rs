@@ -8,11 +8,7 @@ use crate::expr::{Expr, ExprGraph, Vector};
 const CRUMB: f64 = 4.0 * f64::EPSILON;
 
 /// A difference with those numbers made zero that rounding alone has left.
-pub(in crate::recursive) fn without_crumbs(
-    graph: &mut ExprGraph,
-    difference: Vector,
-    of: Vector,
-) -> Vector {
+pub(super) fn without_crumbs(graph: &mut ExprGraph, difference: Vector, of: Vector) -> Vector {
     let numbers = of.map(|component| graph.as_number(component));
     let [Some(x), Some(y), Some(z)] = numbers else {
         return difference;
@@ -25,7 +21,7 @@ pub(in crate::recursive) fn without_crumbs(
 }
 
 /// A row of a rotation with those entries made zero that rounding alone has left, and one that then stands alone.
-pub(in crate::recursive) fn exact(row: [f64; 3]) -> [f64; 3] {
+pub(super) fn exact(row: [f64; 3]) -> [f64; 3] {
     let rest = row.map(|entry| if entry.abs() <= CRUMB { 0.0 } else { entry });
     let n_left = rest.iter().filter(|entry| **entry != 0.0).count();
     if n_left == 1 {
@@ -36,7 +32,7 @@ pub(in crate::recursive) fn exact(row: [f64; 3]) -> [f64; 3] {
 }
 
 /// The same of expressions, where all of them are numbers.
-pub(in crate::recursive) fn exact_row(graph: &mut ExprGraph, row: Vector) -> Vector {
+pub(super) fn exact_row(graph: &mut ExprGraph, row: Vector) -> Vector {
     match row.map(|entry| graph.as_number(entry)) {
         [Some(x), Some(y), Some(z)] => exact([x, y, z]).map(|entry| graph.number(entry)),
         _ => row,

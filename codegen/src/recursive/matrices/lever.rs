@@ -69,7 +69,7 @@ impl Levered {
     }
 
     /// Makes the moment one about the origin.
-    pub(in crate::recursive) fn settle(&mut self, graph: &mut ExprGraph) {
+    fn settle(&mut self, graph: &mut ExprGraph) {
         self.add_lever(graph, self.lever, &[0, 1, 2]);
         self.lever = graph.zero_vector();
     }

@@ -11,9 +11,8 @@ use crate::{
         links::{
             link::{self, Link},
             link_motion,
-            link_velocity::rates,
             linkage::Linkage,
-            passage::{Drive, Passenger},
+            passage::{Drive, Passenger, speeds},
             root,
             rotation::Turn,
         },
@@ -81,21 +80,13 @@ pub fn jacobian_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector
 }
 
 /// The rate of the first moment of all bodies, which is their linear momentum: inertial components.
-pub(in crate::recursive) fn moment_rate(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    links: &BodyMap<Link>,
-) -> Vector {
+pub(super) fn moment_rate(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {
     whole(graph, tree, links).rate
 }
 
 /// From the origin of the first link on the inertial frame to the mass centre, inertial components; zero where no body has
 /// mass.
-pub(in crate::recursive) fn from_first(
-    graph: &mut ExprGraph,
-    tree: &Tree,
-    links: &BodyMap<Link>,
-) -> Vector {
+pub(super) fn from_first(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Vector {
     let moment = whole(graph, tree, links).moment;
     given::over_total_mass(graph, tree, moment)
 }
@@ -167,7 +158,7 @@ impl Passenger for Weight {
     }
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
-        let rates = rates(graph, drive.motions());
+        let rates = speeds(graph, drive.motions());
         let swept = graph.cross(rates, self.moment);
         self.rate = graph.add_vectors(self.rate, swept);
         self.moment = rotation.backward(graph, self.moment);
@@ -175,7 +166,7 @@ impl Passenger for Weight {
     }
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
-        let rates = rates(graph, motions);
+        let rates = speeds(graph, motions);
         let moved = graph.scale(self.mass, rates);
         self.rate = graph.add_vectors(self.rate, moved);
     }

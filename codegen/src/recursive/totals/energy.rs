@@ -1,5 +1,4 @@
-//! Energies of the whole system. For the sum over bodies alone, links need not keep their own inertia: regrouped, and without
-//! what a joint on the inertial frame does not move, it stores the same.
+//! Energies of the whole system. For the sum over bodies alone, links need not keep their own inertia: regrouped, it is the same.
 
 use crate::{
     expr::{Axis, Expr, ExprGraph, Purpose, Symmetric, Vector},

@@ -1,6 +1,6 @@
 //! Sums over all bodies: their mass centre, momentum and energies.
 //!
-//! In: links. Out: components along the inertial axes; of energies, also one number a body.
+//! In: links. Out: vectors along the inertial axes; energies, of all or body by body.
 
 pub mod body_energies;
 pub mod center;

@@ -193,7 +193,8 @@ fn stands(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Option<Stand>
             let passage = &links[body].passage;
             let (below, origin) = match tree.lower(body) {
                 Some(lower) => {
-                    let stand: Stand = stands[lower].expect("momentum: a lower link carries more");
+                    let stand: Stand =
+                        stands[lower].expect("momentum matrix: a lower link carries more");
                     graph.enter(body);
                     let back = transpose(&stand.rotation);
                     let offset = graph.mul_vector(&back, passage.offset);
