@@ -32,6 +32,7 @@ mod rounded_angles;
 mod selection;
 mod state;
 mod stray;
+mod unique;
 mod voice;
 
 use std::io::Write;

@@ -13,7 +13,9 @@ use kane_codegen::{
     passes::sines,
     tree::Tree,
 };
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, error::Category};
+
+use super::unique::Unique;
 
 /// The values of inputs.
 pub(crate) type State = BTreeMap<Input, f64>;
@@ -31,8 +33,8 @@ pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<S
         faults: Faults::default(),
     };
     match serde_json::from_str(source.text()) {
-        Ok(Value::Object(file)) => reader.file(&file, function),
-        Ok(other) => reader.fault(format!(
+        Ok(Unique(Value::Object(file))) => reader.file(&file, function),
+        Ok(Unique(other)) => reader.fault(format!(
             "the file holds {}; expected an object such as {{\"q\": [...]}}",
             described(&other)
         )),
@@ -320,7 +322,11 @@ fn not_json(source: &Source, error: &serde_json::Error) -> Diagnostic {
     let text = error.to_string();
     let place = format!(" at line {line} column {column}");
     let reason = text.strip_suffix(&place).unwrap_or(&text);
-    Diagnostic::error(format!("not valid JSON: {reason}")).at((start..start + 1).into(), "here")
+    let message = match error.classify() {
+        Category::Data => reason.to_owned(),
+        _ => format!("not valid JSON: {reason}"),
+    };
+    Diagnostic::error(message).at((start..start + 1).into(), "here")
 }
 
 /// What a value is, in words.

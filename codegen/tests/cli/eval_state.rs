@@ -50,6 +50,22 @@ fn state_that_is_not_json_is_shown_with_its_line() {
 }
 
 #[test]
+fn key_that_stands_twice_is_shown_with_its_line() {
+    let ran = arm(
+        "rotation",
+        "{\"parameters\": {\"q\": 1},\n \"q\": [0, 0, 0],\n \"q\": [1, 0, 0]}",
+    );
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @r#"
+    error: the key `q` stands twice
+     --> state.json:3:4
+      |
+    3 |  "q": [1, 0, 0]}
+      |    ^ here
+    "#);
+}
+
+#[test]
 fn state_that_ends_early_is_shown_at_its_end() {
     let ran = arm("rotation", "");
     assert_eq!(ran.code, 2);

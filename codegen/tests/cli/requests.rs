@@ -40,7 +40,7 @@ fn derivatives_by_values_that_are_not_there_are_told() {
     let project = with_functions(r#"["d(bias)/d(q, parameters)", "d(bias)/d(u)"]"#);
     let ran = project.kane(&["generate"]);
     assert_eq!(ran.code, 0);
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err.lines().next().unwrap(), @"warning: models/arm.toml: `d(bias)/d(q, parameters)` has no column for `parameters`: the model sets no value at run time; write `{ runtime = 1.2 }` for a number of a model in TOML; `kane convert` makes one of any model");
 }
 
 #[test]
