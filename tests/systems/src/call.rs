@@ -59,6 +59,10 @@ together! {
         InverseDynamics,
         ForwardDynamics,
         ForwardDynamicsPivots,
+        KineticEnergy,
+        PotentialEnergy,
+        LinearMomentum,
+        AngularMomentum,
 }
 
 /// The state's arrays in a system's own types.
@@ -110,7 +114,8 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
         loads,
         ..
     } = Arguments::<R, S>::new(state);
-    let mut out = S::U::filled(R::from_f64(f64::NAN));
+    let nan = R::from_f64(f64::NAN);
+    let (mut out, mut vector, mut number) = (S::U::filled(nan), [nan; 3], nan);
     match function {
         "mass_matrix" => {
             let mut m = S::Matrix::filled(out);
@@ -118,7 +123,7 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
             return rows(m.as_ref());
         }
         "mass_matrix_packed" => {
-            let mut entries = S::Entries::filled(R::from_f64(f64::NAN));
+            let mut entries = S::Entries::filled(nan);
             system.mass_matrix_packed(&q, &mut entries);
             return numbers(entries.as_ref());
         }
@@ -129,9 +134,17 @@ pub fn dynamics<R: Real + Into<f64>, S: Dynamics<R>>(
         "inverse_dynamics" => system.inverse_dynamics(&q, &u, &u_dot, &mut out),
         "forward_dynamics" => system.forward_dynamics(&q, &u, &tau, &mut out),
         "forward_dynamics_pivots" => system.forward_dynamics_pivots(&q, &mut out),
+        "kinetic_energy" => system.kinetic_energy(&q, &u, &mut number),
+        "potential_energy" => system.potential_energy(&q, &mut number),
+        "linear_momentum" => system.linear_momentum(&q, &u, &mut vector),
+        "angular_momentum" => system.angular_momentum(&q, &u, &mut vector),
         _ => unreachable!("`{function}` has no two formulations"),
     }
-    numbers(out.as_ref())
+    match function {
+        "kinetic_energy" | "potential_energy" => numbers(&[number]),
+        "linear_momentum" | "angular_momentum" => numbers(&vector),
+        _ => numbers(out.as_ref()),
+    }
 }
 
 fn rows<R: Real + Into<f64>, Row: Array<R>>(rows: &[Row]) -> Vec<f64> {
@@ -187,10 +200,6 @@ together! {
         PartialVelocityDot,
         MassCenterAcceleration,
         Singularity,
-        KineticEnergy,
-        PotentialEnergy,
-        LinearMomentum,
-        AngularMomentum,
 }
 
 /// Any function but the further ones.
@@ -203,43 +212,31 @@ pub fn all<R: Real + Into<f64>, S: All<R>, const NU: usize>(
     state: &State,
 ) -> Vec<f64> {
     let arguments = Arguments::<R, S>::new(state);
-    per_system(system, function, &arguments)
+    of_coordinates(system, function, &arguments)
         .or_else(|| per_body(system, function, &arguments))
         .or_else(|| partial::<R, S, NU>(system, function, &arguments))
         .unwrap_or_else(|| dynamics(system, function, state))
 }
 
-fn per_system<R: Real + Into<f64>, S: All<R>>(
+fn of_coordinates<R: Real + Into<f64>, S: All<R>>(
     system: &S,
     function: &str,
     arguments: &Arguments<R, S>,
 ) -> Option<Vec<f64>> {
     let Arguments { q, u, .. } = arguments;
-    let nan = R::from_f64(f64::NAN);
-    let (mut number, mut vector) = (nan, [nan; 3]);
     match function {
         "q_dot" => {
-            let mut q_dot = S::Q::filled(nan);
+            let mut q_dot = S::Q::filled(R::from_f64(f64::NAN));
             system.q_dot(q, u, &mut q_dot);
-            return Some(numbers(q_dot.as_ref()));
+            Some(numbers(q_dot.as_ref()))
         }
         "normalize" => {
             let mut q = S::Q::from_fn(|place| q.as_ref()[place]);
             system.normalize(&mut q);
-            return Some(numbers(q.as_ref()));
+            Some(numbers(q.as_ref()))
         }
-        "linear_momentum" => system.linear_momentum(q, u, &mut vector),
-        "angular_momentum" => system.angular_momentum(q, u, &mut vector),
-        "kinetic_energy" => system.kinetic_energy(q, u, &mut number),
-        "potential_energy" => system.potential_energy(q, &mut number),
-        _ => return None,
+        _ => None,
     }
-    let is_vector = function.ends_with("momentum");
-    Some(if is_vector {
-        numbers(&vector)
-    } else {
-        numbers(&[number])
-    })
 }
 
 fn per_body<R: Real + Into<f64>, S: All<R>>(
