@@ -295,7 +295,7 @@ fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }
 
-const ENERGIES: [&str; 9] = [
+const ENERGIES: [&str; 10] = [
     "kinetic_energy",
     "potential_energy",
     "linear_momentum",
@@ -303,6 +303,7 @@ const ENERGIES: [&str; 9] = [
     "d(kinetic_energy)/d(q, u)",
     "d(potential_energy)/d(q)",
     "vjp(angular_momentum; q, u)",
+    "d(gravity_forces)/d(q)",
     "hessian(potential_energy; q)",
     "vjp(center_of_mass; q)",
 ];

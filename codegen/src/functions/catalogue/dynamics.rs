@@ -95,6 +95,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
+    derivatives: Some(derive::derivatives::gravity_forces),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",

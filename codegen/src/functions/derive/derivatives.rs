@@ -2,16 +2,17 @@
 
 use super::dynamics;
 use crate::{
-    differentiate::{Seeds, forward},
+    differentiate::{Row, Seeds, forward, reverse},
     expr::ExprGraph,
     functions::{argument::Argument, function::Told, variable::Variable},
     given::{Accelerations, Loads},
     recursive::{
         Plan,
         derivatives::{self, Wanted},
+        totals::energy,
     },
     solve::SpeedMatrix,
-    tree::Tree,
+    tree::{Orientation, Tree},
 };
 
 pub(in crate::functions) fn of_inverse_dynamics(
@@ -32,6 +33,51 @@ pub(in crate::functions) fn loaded_inverse_dynamics(
 
 pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
     of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Absent))
+}
+
+/// Weights have a potential: its second derivatives are symmetric but along turns about axes of one body, whose order matters.
+pub(in crate::functions) fn gravity_forces(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Told {
+    let potential = energy::of_weights(graph, tree, plan);
+    let mut seeds = Seeds::new();
+    Variable::Given(Argument::Q).seed(graph, tree, 0, &mut seeds);
+    let gradient = reverse(graph, &[potential], &seeds);
+    let forces = dense(graph, tree, gradient).concat();
+    let rows = forward(graph, &forces, &seeds);
+    let mut by_q = dense(graph, tree, rows);
+    let mut turned = vec![None; tree.n_speeds];
+    for body in tree.body_ids() {
+        if let Orientation::AngularVelocity { speeds, .. } = tree.body(body).joint.orientation {
+            for speed in speeds {
+                turned[speed.index()] = Some(body);
+            }
+        }
+    }
+    for row in 0..tree.n_speeds {
+        for column in 0..row {
+            if turned[row].is_none() || turned[row] != turned[column] {
+                by_q[column][row] = by_q[row][column];
+            }
+        }
+    }
+    Told {
+        by: vec![(Argument::Q, by_q)],
+        values: Some(forces),
+    }
+}
+
+/// Rows with a place for each speed.
+fn dense(graph: &mut ExprGraph, tree: &Tree, rows: Vec<Row>) -> SpeedMatrix {
+    let mut matrix = vec![vec![graph.zero(); tree.n_speeds]; rows.len()];
+    for (all, row) in matrix.iter_mut().zip(rows) {
+        for (place, entry) in row {
+            all[place] = entry;
+        }
+    }
+    matrix
 }
 
 fn of_forces(

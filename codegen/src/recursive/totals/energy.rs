@@ -36,8 +36,15 @@ pub fn kinetic(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
     graph.add(of_bodies, of_rotors)
 }
 
-/// `-g · h` of all first moments, less what is lifted, zero at the inertial origin, and that of the springs, J.
+/// That of all weights and of the springs, J.
 pub fn potential(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
+    let of_weights = of_weights(graph, tree, plan);
+    let of_springs = mechanics::potential(graph, tree);
+    graph.add(of_weights, of_springs)
+}
+
+/// `-g · h` of all first moments, less what is lifted, zero at the inertial origin, J.
+pub fn of_weights(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
     // Below links on the inertial frame is none that could have their weight.
     let links = link::links(graph, tree, &root::kept_whole(tree, plan));
     graph.begin(Purpose::Weight);
@@ -63,9 +70,7 @@ pub fn potential(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
     graph.begin(Purpose::Energy);
     graph.enter(None);
     let gravity = given::acting_gravity(graph, tree);
-    let of_weights = -graph.dot(gravity, moment);
-    let of_springs = mechanics::potential(graph, tree);
-    graph.add(of_weights, of_springs)
+    -graph.dot(gravity, moment)
 }
 
 /// `m v · v + 2 h · (v × w) + w · I w`, about a point with velocity `v`.
