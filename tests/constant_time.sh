@@ -8,6 +8,7 @@
 #        tests/constant_time.sh robots       those of tests/robots
 #        tests/constant_time.sh trees [50]   so many random ones
 #        tests/constant_time.sh FILE...      generated modules
+# KANE=PATH says which command generates; without, `cargo kane` compiles one.
 # Without valgrind nothing is counted, and a line says so; with KANE_NO_SKIP=1 that is a failure.
 set -euo pipefail
 modules=()
@@ -19,6 +20,8 @@ if ! command -v valgrind > /dev/null; then
     exit
 fi
 states=1000
+kane=(cargo kane)
+[[ -z ${KANE:-} ]] || kane=("$KANE")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -128,7 +131,7 @@ measure() {
 
 # generate NAME OPTION...: the module of a robot.
 generate() {
-    cargo kane generate "tests/robots/$1/$1.urdf" --output "$work/$1.rs" "${@:2}" 2> "$work/$1.log" || { cat "$work/$1.log"; exit 1; }
+    "${kane[@]}" generate "tests/robots/$1/$1.urdf" --output "$work/$1.rs" "${@:2}" 2> "$work/$1.log" || { cat "$work/$1.log"; exit 1; }
     modules+=("$work/$1.rs")
 }
 

@@ -13,6 +13,9 @@ use crate::{
     tree::Tree,
 };
 
+/// How many nodes may be built to compare candidates whatever they promise: a tenth of a second's work.
+pub(super) const MOST_NODES: usize = 400_000;
+
 /// The function in this formulation by this plan, as it would be emitted: its sums factored, and sines and cosines inputs
 /// where they are to be given.
 pub fn candidate(

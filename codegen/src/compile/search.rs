@@ -5,7 +5,7 @@
 //! factoring. Choices link by link are tried until `MOST_NODES` were built. The same choices are tried in the same order on
 //! every machine.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{
     expr::{Binding, Node, NodeId},
@@ -16,12 +16,9 @@ use crate::{
 };
 
 use super::{
-    candidate::{candidate, given_sines, operations, text},
+    candidate::{MOST_NODES, candidate, given_sines, operations, text},
     sweeps,
 };
-
-/// How many nodes may be built to try other choices link by link: a tenth of a second's work.
-const MOST_NODES: usize = 400_000;
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;
@@ -112,7 +109,8 @@ fn in_lockstep(tree: &Tree, function: &Request, without: &BTreeSet<Technique>, p
 
 /// The same, where nothing is differentiated.
 fn cheapest_values(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
-    let mut best: Option<Search<'_>> = None;
+    let mut counts = Counts::new();
+    let mut best: Option<Found> = None;
     // Which way inertias are best regrouped depends most on these two.
     let starts: [&[Technique]; 4] = [
         &[],
@@ -121,10 +119,10 @@ fn cheapest_values(tree: &Tree, function: &Request, without: &BTreeSet<Technique
         &[Technique::Balance, Technique::Slide],
     ];
     for left_out in starts {
-        let search = from(tree, function, without, left_out);
-        let is_small = search.n_first <= MOST_STARTS;
-        if best.as_ref().is_none_or(|best| search.least < best.least) {
-            best = Some(search);
+        let found = from(tree, function, without, left_out, &mut counts);
+        let is_small = found.n_first <= MOST_STARTS;
+        if best.as_ref().is_none_or(|best| found.least < best.least) {
+            best = Some(found);
         }
         if !is_small {
             break;
@@ -133,13 +131,32 @@ fn cheapest_values(tree: &Tree, function: &Request, without: &BTreeSet<Technique
     best.expect("search: one start is made").plan
 }
 
+/// What a search found.
+struct Found {
+    plan: Plan,
+    /// Its count.
+    least: usize,
+    /// How many nodes were built for the first plan.
+    n_first: usize,
+}
+
+/// What was counted, by plan and by whether it was [exact](Search::is_exact): searches come to the same plans again.
+type Counts = BTreeMap<(bool, Plan), Count>;
+
+#[derive(Clone, Copy)]
+struct Count {
+    operations: usize,
+    n_nodes: usize,
+}
+
 /// The search that starts with all techniques but those of `left_out`.
-fn from<'a>(
-    tree: &'a Tree,
-    function: &'a Request,
+fn from(
+    tree: &Tree,
+    function: &Request,
     without: &BTreeSet<Technique>,
     left_out: &[Technique],
-) -> Search<'a> {
+    counts: &mut Counts,
+) -> Found {
     let mut plan = Plan::full(tree).with_parallel(None, false);
     plan.set(Technique::Lockstep, false);
     for &technique in without.iter().chain(left_out) {
@@ -148,6 +165,7 @@ fn from<'a>(
     let mut search = Search {
         tree,
         function,
+        counts,
         least: usize::MAX,
         plan: plan.clone(),
         n_nodes: 0,
@@ -170,16 +188,21 @@ fn from<'a>(
         // What is merged may pay only without what was left out since.
         search.try_parallel_axes();
     }
-    search
+    Found {
+        plan: search.plan,
+        least: search.least,
+        n_first: search.n_first,
+    }
 }
 
 struct Search<'a> {
     tree: &'a Tree,
     function: &'a Request,
+    counts: &'a mut Counts,
     /// The count of `plan`.
     least: usize,
     plan: Plan,
-    /// How many nodes were built, for all plans and for the first.
+    /// How many nodes were built, for all plans and for the first; those of a plan that comes again, again.
     n_nodes: usize,
     n_first: usize,
     /// True while plans are compared by what is left after factoring.
@@ -213,19 +236,36 @@ impl Search<'_> {
     }
 
     fn count(&mut self, plan: &Plan) -> usize {
+        let key = (self.is_exact, plan.clone());
+        let known = self.counts.get(&key).copied();
+        let count = known.unwrap_or_else(|| {
+            let count = self.counted(plan);
+            self.counts.insert(key, count);
+            count
+        });
+        self.n_nodes += count.n_nodes;
+        self.is_exact &= count.n_nodes <= MOST_EXACT;
+        count.operations
+    }
+
+    fn counted(&self, plan: &Plan) -> Count {
         if self.is_exact {
             let derived = candidate(self.tree, self.function, Formulation::Recursive, plan);
-            self.n_nodes += derived.graph.len();
-            self.is_exact = derived.graph.len() <= MOST_EXACT;
             let operations = operations(&derived);
-            operations.total() + self.sine * operations.trig
+            Count {
+                operations: operations.total() + self.sine * operations.trig,
+                n_nodes: derived.graph.len(),
+            }
         } else {
             let derived = self
                 .function
                 .derive(self.tree, Formulation::Recursive, plan);
-            self.n_nodes += derived.graph.len();
+            let n_nodes = derived.graph.len();
             let derived = given_sines(self.tree, self.function, derived);
-            self.cost(&derived)
+            Count {
+                operations: self.cost(&derived),
+                n_nodes,
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 //! In: a tree, a function, a plan for its values. Out: the plan by each way that has a chance, one at least; the one of several
 //! plans with the fewest operations.
 
-use std::collections::BTreeSet;
+use std::{cell::LazyCell, collections::BTreeSet};
 
 use crate::{
     functions::{Formulation, Request, Rows},
@@ -11,12 +11,9 @@ use crate::{
     tree::Tree,
 };
 
-use super::candidate::{candidate, operations};
+use super::candidate::{MOST_NODES, candidate, operations};
 
-/// About how many nodes a sweep may build to be tried whatever the other one builds: a tenth of a second's work.
-const MOST_NODES: usize = 400_000;
-
-/// How many times as much as the other it may build beyond: what entries have in common never makes up for more.
+/// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
 
 /// The plan by each way that has a chance to be the cheaper one, forward first.
@@ -36,10 +33,15 @@ pub(super) fn ways(
         forward: of_forward,
         reverse: of_reverse,
     } = function.swept_rows(tree);
-    let values = function.values().derive(tree, formulation, plan);
-    let has_chance = |own: usize, other: usize| {
-        own * values.graph.len() <= MOST_NODES || own <= MOST_TIMES * other
-    };
+    let n_nodes = LazyCell::new(|| {
+        function
+            .values()
+            .derive(tree, formulation, plan)
+            .graph
+            .len()
+    });
+    let has_chance =
+        |own: usize, other: usize| own <= MOST_TIMES * other || own * *n_nodes <= MOST_NODES;
     let mut plans = Vec::with_capacity(2);
     if has_chance(of_forward, of_reverse) {
         plans.push(forward);

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use rustc_hash::{FxBuildHasher, FxHashMap};
+use rustc_hash::FxHashMap;
 
 use super::{
     lockstep::{Lockstep, Met},
     node::{Binding, Expr, Input, Label, Node, NodeId},
+    nodes::Nodes,
     purpose::Purpose,
 };
 use crate::{
@@ -20,7 +21,7 @@ use crate::{
 /// output come from these, so they follow the structure of the system and not the order of its nodes.
 #[derive(Clone, Debug, Default)]
 pub struct ExprGraph {
-    nodes: Vec<Node>,
+    pub(super) nodes: Nodes,
     bindings: Vec<Binding>,
     scopes: Vec<Option<BodyId>>,
     purposes: Vec<Purpose>,
@@ -29,8 +30,6 @@ pub struct ExprGraph {
     written_negative: Vec<bool>,
     /// How far folding may have left numbers from the exact ones, where that is more than [`Self::DIGITS_LOST`].
     lost: FxHashMap<NodeId, f64>,
-    // Only ever looked up, so that nothing depends on hash order.
-    pub(super) known: FxHashMap<Node, NodeId>,
     /// Helpers and their calls, by number.
     pub(super) locksteps: BTreeMap<u16, Lockstep<Self>>,
     scope: Option<BodyId>,
@@ -47,13 +46,12 @@ impl ExprGraph {
     /// An empty graph with room for so many nodes, which then need not be moved.
     pub fn with_capacity(n_nodes: usize) -> Self {
         Self {
-            nodes: Vec::with_capacity(n_nodes),
+            nodes: Nodes::with_capacity(n_nodes),
             bindings: Vec::with_capacity(n_nodes),
             scopes: Vec::with_capacity(n_nodes),
             purposes: Vec::with_capacity(n_nodes),
             labels: Vec::with_capacity(n_nodes),
             written_negative: Vec::with_capacity(n_nodes),
-            known: FxHashMap::with_capacity_and_hasher(n_nodes, FxBuildHasher),
             ..Self::default()
         }
     }
@@ -81,12 +79,12 @@ impl ExprGraph {
 
     /// True for a graph without nodes.
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.len() == 0
     }
 
     /// The node with this id.
     pub fn node(&self, id: NodeId) -> Node {
-        self.nodes[id.index()]
+        self.nodes.get(id)
     }
 
     /// The nodes in order of creation, operands first.
@@ -469,10 +467,10 @@ impl ExprGraph {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
-        if let Some(&id) = self.known.get(&node) {
-            return id;
-        }
-        let id = NodeId(u32::try_from(self.nodes.len()).expect("expr: fewer than 2^32 nodes"));
+        let hash = match self.nodes.find(&node) {
+            Ok(id) => return id,
+            Err(hash) => hash,
+        };
         let binding = match node {
             Node::Number(_) => Binding::Number,
             Node::Input(Input::Parameter(_) | Input::Prepared(_)) => Binding::Parameters,
@@ -483,7 +481,6 @@ impl ExprGraph {
                 .max()
                 .unwrap_or(Binding::Number),
         };
-        self.nodes.push(node);
         self.bindings.push(binding);
         let scope = self.innermost_scope(node);
         self.labels.push(if scope == self.scope {
@@ -494,7 +491,6 @@ impl ExprGraph {
         self.scopes.push(scope);
         self.purposes.push(self.purpose);
         self.written_negative.push(false);
-        self.known.insert(node, id);
-        id
+        self.nodes.add(node, hash)
     }
 }

@@ -4,7 +4,7 @@ use super::{Expr, ExprGraph, Node};
 
 impl ExprGraph {
     fn known(&self, node: Node) -> Option<Expr> {
-        self.known.get(&node).copied().map(Expr::of)
+        self.nodes.find(&node).ok().map(Expr::of)
     }
 
     /// `sin(a)`, if it is there.

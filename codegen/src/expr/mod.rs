@@ -14,6 +14,7 @@ mod graph;
 mod lockstep;
 mod lookup;
 mod node;
+mod nodes;
 mod outline;
 mod purpose;
 mod shared;

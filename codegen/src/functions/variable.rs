@@ -5,7 +5,7 @@
 
 use super::{
     argument::Argument,
-    derive,
+    roots,
     shape::{Dimension, Shape},
 };
 use crate::{
@@ -171,7 +171,7 @@ impl Variable {
 
 /// By how much each coordinate's rate changes with every speed: the motion of that speed alone.
 fn rates(graph: &mut ExprGraph, tree: &Tree) -> Vec<Vec<(usize, Expr)>> {
-    let q_dot = derive::coordinates::q_dot(graph, tree);
+    let q_dot = roots::coordinates::q_dot(graph, tree);
     let one = graph.one();
     let speeds = 0..tree.n_speeds;
     let seeds = speeds.map(|place| (Input::U(SpeedId::new(place)), vec![(place, one)]));

@@ -81,7 +81,7 @@ impl Technique {
 }
 
 /// Which techniques are used, and how, link by link. A technique that is not [possible](Technique::is_possible) is never used.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Plan {
     possible: BTreeSet<Technique>,
     used: BTreeSet<Technique>,
@@ -92,7 +92,7 @@ pub struct Plan {
 
 /// How much second moment along its axis a link gives its lower link, with all mass and first moment along it: so much that
 /// one of its own numbers becomes zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Regroup {
     /// It gives nothing at all.
     None,

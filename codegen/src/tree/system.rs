@@ -143,6 +143,19 @@ impl Tree {
         pairs
     }
 
+    /// The pairs of speeds whose motions depend on which comes first, `[row, column]` with
+    /// `column < row`: turns about axes of one body.
+    pub fn ordered_turns(&self) -> BTreeSet<[usize; 2]> {
+        let mut pairs = BTreeSet::new();
+        for body in &self.bodies {
+            if let Orientation::AngularVelocity { speeds, .. } = body.joint.orientation {
+                let [a, b, c] = speeds.map(SpeedId::index);
+                pairs.extend([[a, b], [a, c], [b, c]].map(|[i, j]| [i.max(j), i.min(j)]));
+            }
+        }
+        pairs
+    }
+
     /// How many bodies it has with all that is fixed to them.
     pub fn n_parts(&self) -> usize {
         self.bodies.iter().map(|body| body.parts.len()).sum()

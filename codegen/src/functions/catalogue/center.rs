@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN},
+    roots,
     shape::Shape,
     terms,
 };
@@ -19,8 +19,8 @@ pub(super) const CENTER_OF_MASS: Function = Function {
         "Mass that is fixed to the inertial frame does not count. Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.",
     ],
     candidates: &[
-        Candidate::plain(derive::center::center_of_mass),
-        Candidate::planned(derive::center::center_of_mass_recursive),
+        Candidate::plain(roots::center::center_of_mass),
+        Candidate::planned(roots::center::center_of_mass_recursive),
     ],
     ..PLAIN
 };
@@ -35,8 +35,8 @@ pub(super) const CENTER_OF_MASS_VELOCITY: Function = Function {
         "Masses that are zero at run time alone give NaN.",
     ],
     candidates: &[
-        Candidate::plain(derive::center::center_of_mass_velocity),
-        Candidate::planned(derive::center::center_of_mass_velocity_recursive),
+        Candidate::plain(roots::center::center_of_mass_velocity),
+        Candidate::planned(roots::center::center_of_mass_velocity_recursive),
     ],
     ..PLAIN
 };
@@ -51,8 +51,8 @@ pub(super) const CENTER_OF_MASS_JACOBIAN: Function = Function {
         "Also known as com Jacobian. Zero where no body has mass; masses that are zero at run time alone give NaN.",
     ],
     candidates: &[
-        Candidate::plain(derive::center::center_of_mass_jacobian).with_terms(terms::of_vector),
-        Candidate::planned(derive::center::center_of_mass_jacobian_recursive),
+        Candidate::plain(roots::center::center_of_mass_jacobian).with_terms(terms::of_vector),
+        Candidate::planned(roots::center::center_of_mass_jacobian_recursive),
     ],
     ..PLAIN
 };
@@ -68,8 +68,8 @@ pub(super) const CENTER_OF_MASS_JACOBIAN_DOT_U: Function = Function {
         "time alone give NaN.",
     ],
     candidates: &[
-        Candidate::plain(derive::center::center_of_mass_jacobian_dot_u),
-        Candidate::planned(derive::center::center_of_mass_jacobian_dot_u_recursive),
+        Candidate::plain(roots::center::center_of_mass_jacobian_dot_u),
+        Candidate::planned(roots::center::center_of_mass_jacobian_dot_u_recursive),
     ],
     ..PLAIN
 };
@@ -88,8 +88,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX: Function = Function {
         "Where no body has mass there is linear momentum of none; masses that are zero at run time alone give NaN.",
     ],
     candidates: &[
-        Candidate::plain(derive::center::centroidal_momentum_matrix).with_terms(terms::of_vector),
-        Candidate::planned(derive::center::centroidal_momentum_matrix_recursive),
+        Candidate::plain(roots::center::centroidal_momentum_matrix).with_terms(terms::of_vector),
+        Candidate::planned(roots::center::centroidal_momentum_matrix_recursive),
     ],
     ..PLAIN
 };
@@ -107,8 +107,8 @@ pub(super) const CENTROIDAL_MOMENTUM_MATRIX_DOT_U: Function = Function {
         "With the centroidal momentum matrix `A_G`, their rates are `A_G u_dot` and this. Also known as `A_G_dot u`, centroidal bias, hdot drift.",
     ],
     candidates: &[
-        Candidate::plain(derive::center::centroidal_momentum_matrix_dot_u),
-        Candidate::planned(derive::center::centroidal_momentum_matrix_dot_u_recursive),
+        Candidate::plain(roots::center::centroidal_momentum_matrix_dot_u),
+        Candidate::planned(roots::center::centroidal_momentum_matrix_dot_u_recursive),
     ],
     ..PLAIN
 };

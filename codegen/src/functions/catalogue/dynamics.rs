@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN, Unknown},
+    roots,
     shape::Shape,
     terms,
 };
@@ -19,8 +19,8 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::generalized_forces).with_terms(terms::of_vector),
-        Candidate::planned(derive::dynamics::generalized_forces_recursive),
+        Candidate::plain(roots::dynamics::generalized_forces).with_terms(terms::of_vector),
+        Candidate::planned(roots::dynamics::generalized_forces_recursive),
     ],
     ..PLAIN
 };
@@ -35,8 +35,8 @@ pub(super) const MASS_MATRIX: Function = Function {
         "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::mass_matrix).with_terms(terms::of_matrix),
-        Candidate::planned(derive::dynamics::mass_matrix_recursive),
+        Candidate::plain(roots::dynamics::mass_matrix).with_terms(terms::of_matrix),
+        Candidate::planned(roots::dynamics::mass_matrix_recursive),
     ],
     ..PLAIN
 };
@@ -51,8 +51,8 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
         "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::mass_matrix_packed).with_terms(terms::of_matrix),
-        Candidate::planned(derive::dynamics::mass_matrix_packed_recursive),
+        Candidate::plain(roots::dynamics::mass_matrix_packed).with_terms(terms::of_matrix),
+        Candidate::planned(roots::dynamics::mass_matrix_packed_recursive),
     ],
     ..PLAIN
 };
@@ -66,8 +66,8 @@ pub(super) const FORCING: Function = Function {
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::forcing).with_terms(terms::of_vector),
-        Candidate::planned(derive::dynamics::forcing_recursive),
+        Candidate::plain(roots::dynamics::forcing).with_terms(terms::of_vector),
+        Candidate::planned(roots::dynamics::forcing_recursive),
     ],
     ..PLAIN
 };
@@ -78,14 +78,14 @@ pub(super) const BIAS: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("bias", Shape::SPEEDS)],
     is_default: true,
-    derivatives: Some(derive::derivatives::bias),
+    derivatives: Some(roots::derivatives::bias),
     doc: &[
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::bias).with_terms(terms::of_vector),
-        Candidate::planned(derive::dynamics::bias_recursive),
+        Candidate::plain(roots::dynamics::bias).with_terms(terms::of_vector),
+        Candidate::planned(roots::dynamics::bias_recursive),
     ],
     ..PLAIN
 };
@@ -95,14 +95,14 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
-    derivatives: Some(derive::derivatives::gravity_forces),
+    derivatives: Some(roots::derivatives::gravity_forces),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::gravity_forces),
-        Candidate::planned(derive::dynamics::gravity_forces_recursive),
+        Candidate::plain(roots::dynamics::gravity_forces),
+        Candidate::planned(roots::dynamics::gravity_forces_recursive),
     ],
     ..PLAIN
 };
@@ -113,14 +113,14 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     is_default: true,
-    derivatives: Some(derive::derivatives::of_inverse_dynamics),
+    derivatives: Some(roots::derivatives::of_inverse_dynamics),
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::inverse_dynamics).with_terms(terms::of_vector),
-        Candidate::planned(derive::dynamics::inverse_dynamics_recursive),
+        Candidate::plain(roots::dynamics::inverse_dynamics).with_terms(terms::of_vector),
+        Candidate::planned(roots::dynamics::inverse_dynamics_recursive),
     ],
     ..PLAIN
 };
@@ -132,15 +132,15 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
     solves_for: Some(Unknown::Accelerations),
-    derivatives: Some(derive::accelerations::forward_dynamics),
-    needed: Some(derive::dynamics::inverse_dynamics_recursive),
+    derivatives: Some(roots::accelerations::forward_dynamics),
+    needed: Some(roots::dynamics::inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::forward_dynamics).with_terms(terms::of_matrix),
-        Candidate::planned(derive::dynamics::forward_dynamics_recursive),
+        Candidate::plain(roots::dynamics::forward_dynamics).with_terms(terms::of_matrix),
+        Candidate::planned(roots::dynamics::forward_dynamics_recursive),
     ],
     ..PLAIN
 };
@@ -154,10 +154,10 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],
     candidates: &[
-        Candidate::plain(derive::dynamics::pivots)
+        Candidate::plain(roots::dynamics::pivots)
             .with_terms(terms::of_matrix)
             .factorising(),
-        Candidate::planned(derive::dynamics::pivots_recursive).factorising(),
+        Candidate::planned(roots::dynamics::pivots_recursive).factorising(),
     ],
     ..PLAIN
 };

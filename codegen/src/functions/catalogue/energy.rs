@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN},
+    roots,
     shape::Shape,
 };
 
@@ -16,8 +16,8 @@ pub(super) const KINETIC_ENERGY: Function = Function {
     is_default: true,
     doc: &["Kinetic energy in the inertial frame, J."],
     candidates: &[
-        Candidate::plain(derive::energy::kinetic_energy),
-        Candidate::planned(derive::energy::kinetic_energy_recursive),
+        Candidate::plain(roots::energy::kinetic_energy),
+        Candidate::planned(roots::energy::kinetic_energy_recursive),
     ],
     ..PLAIN
 };
@@ -32,8 +32,8 @@ pub(super) const POTENTIAL_ENERGY: Function = Function {
         "Potential energy, J: of weight, zero for a mass at the inertial origin, and of springs, zero at rest.",
     ],
     candidates: &[
-        Candidate::plain(derive::energy::potential_energy),
-        Candidate::planned(derive::energy::potential_energy_recursive),
+        Candidate::plain(roots::energy::potential_energy),
+        Candidate::planned(roots::energy::potential_energy_recursive),
     ],
     ..PLAIN
 };
@@ -45,8 +45,8 @@ pub(super) const LINEAR_MOMENTUM: Function = Function {
     outputs: &[Output::new("momentum", Shape::VECTOR)],
     doc: &["Linear momentum of all bodies: inertial components, kg m/s."],
     candidates: &[
-        Candidate::plain(derive::energy::linear_momentum),
-        Candidate::planned(derive::energy::linear_momentum_recursive),
+        Candidate::plain(roots::energy::linear_momentum),
+        Candidate::planned(roots::energy::linear_momentum_recursive),
     ],
     ..PLAIN
 };
@@ -60,8 +60,8 @@ pub(super) const ANGULAR_MOMENTUM: Function = Function {
         "Angular momentum of all bodies about the inertial origin: inertial components, kg m^2/s.",
     ],
     candidates: &[
-        Candidate::plain(derive::energy::angular_momentum),
-        Candidate::planned(derive::energy::angular_momentum_recursive),
+        Candidate::plain(roots::energy::angular_momentum),
+        Candidate::planned(roots::energy::angular_momentum_recursive),
     ],
     ..PLAIN
 };
@@ -75,8 +75,8 @@ pub(super) const KINETIC_ENERGIES: Function = Function {
         "Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, J: `kinetic_energy` by bodies.",
     ],
     candidates: &[
-        Candidate::plain(derive::energy::kinetic_energies),
-        Candidate::planned(derive::energy::kinetic_energies_recursive),
+        Candidate::plain(roots::energy::kinetic_energies),
+        Candidate::planned(roots::energy::kinetic_energies_recursive),
     ],
     ..PLAIN
 };
@@ -91,8 +91,8 @@ pub(super) const POTENTIAL_ENERGIES: Function = Function {
         "mass at the inertial origin, that of a spring at rest.",
     ],
     candidates: &[
-        Candidate::plain(derive::energy::potential_energies),
-        Candidate::planned(derive::energy::potential_energies_recursive),
+        Candidate::plain(roots::energy::potential_energies),
+        Candidate::planned(roots::energy::potential_energies_recursive),
     ],
     ..PLAIN
 };

@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN, Unknown},
+    roots,
     shape::Shape,
     terms,
 };
@@ -27,8 +27,8 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
     candidates: &[
-        Candidate::plain(derive::hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
-        Candidate::planned(derive::hybrid::hybrid_dynamics_recursive),
+        Candidate::plain(roots::hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
+        Candidate::planned(roots::hybrid::hybrid_dynamics_recursive),
     ],
     ..PLAIN
 };

@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN},
+    roots,
     shape::Shape,
 };
 
@@ -16,7 +16,7 @@ pub(super) const RELATIVE_ROTATION: Function = Function {
     doc: &[
         "Relative transformation matrices `JR_K`, Eq. (4): components in the lower body's axes to components in the body's, by rows.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::relative_rotation)],
+    candidates: &[Candidate::plain(roots::kinematics::relative_rotation)],
     ..PLAIN
 };
 
@@ -30,7 +30,7 @@ pub(super) const ROTATION: Function = Function {
         "Transformation matrices `R_K`, Eqs. (2)-(5): inertial components to components in the body's axes, by rows.",
         "The transposed matrix maps body components to inertial ones.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::rotation)],
+    candidates: &[Candidate::plain(roots::kinematics::rotation)],
     ..PLAIN
 };
 
@@ -43,7 +43,7 @@ pub(super) const RELATIVE_ANGULAR_VELOCITY: Function = Function {
         "Angular velocity of each body relative to its lower body, Eq. (8): body components, rad/s.",
     ],
     candidates: &[Candidate::plain(
-        derive::kinematics::relative_angular_velocity,
+        roots::kinematics::relative_angular_velocity,
     )],
     ..PLAIN
 };
@@ -56,7 +56,7 @@ pub(super) const ANGULAR_VELOCITY: Function = Function {
     doc: &[
         "Angular velocity of each body in the inertial frame, Eq. (11): body components, rad/s.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::angular_velocity)],
+    candidates: &[Candidate::plain(roots::kinematics::angular_velocity)],
     ..PLAIN
 };
 
@@ -68,7 +68,7 @@ pub(super) const ANGULAR_ACCELERATION: Function = Function {
     doc: &[
         "Angular acceleration of each body in the inertial frame, below Eq. (19): body components, rad/s^2.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::angular_acceleration)],
+    candidates: &[Candidate::plain(roots::kinematics::angular_acceleration)],
     ..PLAIN
 };
 
@@ -82,7 +82,7 @@ pub(super) const PARTIAL_ANGULAR_VELOCITY: Function = Function {
         "`PARTIAL_ANGULAR_VELOCITY_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(
-        derive::kinematics::partial_angular_velocity,
+        roots::kinematics::partial_angular_velocity,
     )],
     ..PLAIN
 };
@@ -97,7 +97,7 @@ pub(super) const PARTIAL_ANGULAR_VELOCITY_DOT: Function = Function {
         "`PARTIAL_ANGULAR_VELOCITY_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(
-        derive::kinematics::partial_angular_velocity_dot,
+        roots::kinematics::partial_angular_velocity_dot,
     )],
     ..PLAIN
 };
@@ -110,7 +110,7 @@ pub(super) const ORIGIN_POSITION: Function = Function {
     doc: &[
         "Position of each body's origin `O_K` from the inertial origin, Eq. (22): body components, m.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::origin_position)],
+    candidates: &[Candidate::plain(roots::kinematics::origin_position)],
     ..PLAIN
 };
 
@@ -123,7 +123,7 @@ pub(super) const MASS_CENTER_POSITION: Function = Function {
     doc: &[
         "Position of each body's mass centre `G_K` from the inertial origin, Eq. (23): body components, m.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::mass_center_position)],
+    candidates: &[Candidate::plain(roots::kinematics::mass_center_position)],
     ..PLAIN
 };
 
@@ -135,7 +135,7 @@ pub(super) const ORIGIN_VELOCITY: Function = Function {
     doc: &[
         "Velocity of each body's origin in the inertial frame, Eq. (25): lower-body components, m/s.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::origin_velocity)],
+    candidates: &[Candidate::plain(roots::kinematics::origin_velocity)],
     ..PLAIN
 };
 
@@ -147,7 +147,7 @@ pub(super) const MASS_CENTER_VELOCITY: Function = Function {
     doc: &[
         "Velocity of each body's mass centre in the inertial frame, Eq. (27): body components, m/s.",
     ],
-    candidates: &[Candidate::plain(derive::kinematics::mass_center_velocity)],
+    candidates: &[Candidate::plain(roots::kinematics::mass_center_velocity)],
     ..PLAIN
 };
 
@@ -161,7 +161,7 @@ pub(super) const PARTIAL_VELOCITY_ORIGIN: Function = Function {
         "`PARTIAL_VELOCITY_ORIGIN_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(
-        derive::kinematics::partial_velocity_origin,
+        roots::kinematics::partial_velocity_origin,
     )],
     ..PLAIN
 };
@@ -176,7 +176,7 @@ pub(super) const PARTIAL_VELOCITY_ORIGIN_DOT: Function = Function {
         "`PARTIAL_VELOCITY_ORIGIN_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
     candidates: &[Candidate::columns(
-        derive::kinematics::partial_velocity_origin_dot,
+        roots::kinematics::partial_velocity_origin_dot,
     )],
     ..PLAIN
 };
@@ -190,7 +190,7 @@ pub(super) const PARTIAL_VELOCITY: Function = Function {
         "Partial velocities of the mass centres `V_G_K`, Eq. (32): body components, compact; m for an angle's speed, 1 for a translation's.",
         "`PARTIAL_VELOCITY_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(derive::kinematics::partial_velocity)],
+    candidates: &[Candidate::columns(roots::kinematics::partial_velocity)],
     ..PLAIN
 };
 
@@ -203,7 +203,7 @@ pub(super) const PARTIAL_VELOCITY_DOT: Function = Function {
         "Time derivatives of the partial velocities of the mass centres, Eq. (33): of the body components, compact.",
         "`PARTIAL_VELOCITY_DOT_BLOCKS` says which body and speeds each column belongs to.",
     ],
-    candidates: &[Candidate::columns(derive::kinematics::partial_velocity_dot)],
+    candidates: &[Candidate::columns(roots::kinematics::partial_velocity_dot)],
     ..PLAIN
 };
 
@@ -216,7 +216,7 @@ pub(super) const MASS_CENTER_ACCELERATION: Function = Function {
         "Acceleration of each body's mass centre in the inertial frame, before Eq. (33): body components, m/s^2; gravity is no part of it.",
     ],
     candidates: &[Candidate::plain(
-        derive::kinematics::mass_center_acceleration,
+        roots::kinematics::mass_center_acceleration,
     )],
     ..PLAIN
 };

@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN, Unknown},
+    roots,
     shape::Shape,
     terms,
 };
@@ -14,15 +14,15 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     trait_name: Some("LoadedInverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
-    derivatives: Some(derive::derivatives::loaded_inverse_dynamics),
+    derivatives: Some(roots::derivatives::loaded_inverse_dynamics),
     doc: &[
         "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
         "A load is the resultant force at the mass centre and the resultant moment, body components; weight is none.",
     ],
     candidates: &[
-        Candidate::plain(derive::loaded::loaded_inverse_dynamics).with_terms(terms::of_vector),
-        Candidate::planned(derive::loaded::loaded_inverse_dynamics_recursive),
+        Candidate::plain(roots::loaded::loaded_inverse_dynamics).with_terms(terms::of_vector),
+        Candidate::planned(roots::loaded::loaded_inverse_dynamics_recursive),
     ],
     ..PLAIN
 };
@@ -33,16 +33,16 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
-    derivatives: Some(derive::accelerations::loaded_forward_dynamics),
-    needed: Some(derive::loaded::loaded_inverse_dynamics_recursive),
+    derivatives: Some(roots::accelerations::loaded_forward_dynamics),
+    needed: Some(roots::loaded::loaded_inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
     candidates: &[
-        Candidate::plain(derive::loaded::loaded_forward_dynamics).with_terms(terms::of_matrix),
-        Candidate::planned(derive::loaded::loaded_forward_dynamics_recursive),
+        Candidate::plain(roots::loaded::loaded_forward_dynamics).with_terms(terms::of_matrix),
+        Candidate::planned(roots::loaded::loaded_forward_dynamics_recursive),
     ],
     ..PLAIN
 };
@@ -64,8 +64,8 @@ pub(super) const JOINT_WRENCHES: Function = Function {
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
     candidates: &[
-        Candidate::plain(derive::loaded::joint_wrenches),
-        Candidate::planned(derive::loaded::joint_wrenches_recursive),
+        Candidate::plain(roots::loaded::joint_wrenches),
+        Candidate::planned(roots::loaded::joint_wrenches_recursive),
     ],
     ..PLAIN
 };

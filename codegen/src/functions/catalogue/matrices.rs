@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN, Unknown},
+    roots,
     shape::Shape,
     terms,
 };
@@ -19,8 +19,8 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
         "N m for an angle's speed, N for a translation's. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
     ],
     candidates: &[
-        Candidate::plain(derive::matrices::product).with_terms(terms::of_vector),
-        Candidate::planned(derive::matrices::product_recursive),
+        Candidate::plain(roots::matrices::product).with_terms(terms::of_vector),
+        Candidate::planned(roots::matrices::product_recursive),
     ],
     ..PLAIN
 };
@@ -37,8 +37,8 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
     candidates: &[
-        Candidate::plain(derive::matrices::solution).with_terms(terms::of_matrix),
-        Candidate::planned(derive::matrices::solution_recursive),
+        Candidate::plain(roots::matrices::solution).with_terms(terms::of_matrix),
+        Candidate::planned(roots::matrices::solution_recursive),
     ],
     ..PLAIN
 };
@@ -55,8 +55,8 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
     candidates: &[
-        Candidate::plain(derive::matrices::inverse).with_terms(terms::of_matrix),
-        Candidate::planned(derive::matrices::inverse_recursive),
+        Candidate::plain(roots::matrices::inverse).with_terms(terms::of_matrix),
+        Candidate::planned(roots::matrices::inverse_recursive),
     ],
     ..PLAIN
 };
@@ -72,8 +72,8 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
         "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
     candidates: &[
-        Candidate::plain(derive::matrices::inverse_packed).with_terms(terms::of_matrix),
-        Candidate::planned(derive::matrices::inverse_packed_recursive),
+        Candidate::plain(roots::matrices::inverse_packed).with_terms(terms::of_matrix),
+        Candidate::planned(roots::matrices::inverse_packed_recursive),
     ],
     ..PLAIN
 };
@@ -90,10 +90,10 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
         "`MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.",
     ],
     candidates: &[
-        Candidate::plain(derive::matrices::mass_matrix_factors)
+        Candidate::plain(roots::matrices::mass_matrix_factors)
             .with_terms(terms::of_matrix)
             .factorising(),
-        Candidate::planned(derive::matrices::mass_matrix_factors_recursive).factorising(),
+        Candidate::planned(roots::matrices::mass_matrix_factors_recursive).factorising(),
     ],
     ..PLAIN
 };
@@ -109,8 +109,8 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
         "with angular velocities as speeds that which bodies have. Also known as centrifugal and Coriolis matrix, computeCoriolisMatrix, `C(q, q_dot)`.",
     ],
     candidates: &[
-        Candidate::plain(derive::coriolis::coriolis_matrix).with_terms(terms::of_matrix),
-        Candidate::planned(derive::coriolis::coriolis_matrix_recursive),
+        Candidate::plain(roots::coriolis::coriolis_matrix).with_terms(terms::of_matrix),
+        Candidate::planned(roots::coriolis::coriolis_matrix_recursive),
     ],
     ..PLAIN
 };
@@ -124,8 +124,8 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],
     candidates: &[
-        Candidate::plain(derive::coriolis::mass_matrix_dot).with_terms(terms::of_matrix),
-        Candidate::planned(derive::coriolis::mass_matrix_dot_recursive),
+        Candidate::plain(roots::coriolis::mass_matrix_dot).with_terms(terms::of_matrix),
+        Candidate::planned(roots::coriolis::mass_matrix_dot_recursive),
     ],
     ..PLAIN
 };

@@ -3,8 +3,8 @@
 use crate::functions::{
     argument::Argument,
     candidate::Candidate,
-    derive,
     function::{Function, Output, PLAIN},
+    roots,
     shape::Shape,
     terms,
 };
@@ -21,8 +21,8 @@ pub(super) const REGRESSOR: Function = Function {
         "`I_xy` is the tensor's component. The model's own values are not read. Also known as joint torque regressor, identification matrix.",
     ],
     candidates: &[
-        Candidate::plain(derive::regressor::regressor).with_terms(terms::of_vector),
-        Candidate::planned(derive::regressor::regressor_recursive),
+        Candidate::plain(roots::regressor::regressor).with_terms(terms::of_vector),
+        Candidate::planned(roots::regressor::regressor_recursive),
     ],
     ..PLAIN
 };
@@ -38,8 +38,8 @@ pub(super) const REGRESSOR_PACKED: Function = Function {
         "`REGRESSOR_PACKED_PLACES` says in which column, ten times the body and the parameter, and for which speed each stands, column after column.",
     ],
     candidates: &[
-        Candidate::plain(derive::regressor::regressor_packed).with_terms(terms::of_vector),
-        Candidate::planned(derive::regressor::regressor_packed_recursive),
+        Candidate::plain(roots::regressor::regressor_packed).with_terms(terms::of_vector),
+        Candidate::planned(roots::regressor::regressor_packed_recursive),
     ],
     ..PLAIN
 };
@@ -57,8 +57,8 @@ pub(super) const BASE_REGRESSOR: Function = Function {
         "Also known as minimal or reduced regressor, minimal inertial parameters.",
     ],
     candidates: &[
-        Candidate::plain(derive::regressor::base_regressor).with_terms(terms::of_vector),
-        Candidate::planned(derive::regressor::base_regressor_recursive),
+        Candidate::plain(roots::regressor::base_regressor).with_terms(terms::of_vector),
+        Candidate::planned(roots::regressor::base_regressor_recursive),
     ],
     ..PLAIN
 };
@@ -75,6 +75,6 @@ pub(super) const JOINT_REGRESSOR: Function = Function {
         "A coefficient is what the speed feels of all joints that it moves: dampers and rotors of joints that follow times their multiplier",
         "squared, friction times its magnitude. Also known as friction regressor.",
     ],
-    candidates: &[Candidate::plain(derive::regressor::joint_regressor)],
+    candidates: &[Candidate::plain(roots::regressor::joint_regressor)],
     ..PLAIN
 };

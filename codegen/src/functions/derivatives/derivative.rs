@@ -10,7 +10,7 @@ use crate::{
         argument::Argument, derived::Derived, function::Output, multiplier::Multiplier,
         shape::Shape, variable::Variable,
     },
-    tree::{Orientation, Tree},
+    tree::Tree,
 };
 
 /// The seeds of the numbers of which structural zeros are found: what is zero for one choice of rotations alone is none.
@@ -295,24 +295,16 @@ impl Derivative {
         (seeds, columns)
     }
 
-    /// The rows and columns of second derivatives, lower triangle, along motions whose order matters: turns about axes of one body.
+    /// The rows and columns of second derivatives, lower triangle, along motions whose order matters.
     /// At constant speeds both are done at once, which to second order is the mean of one after the other and the other way round.
     fn mixing(&self, tree: &Tree, columns: &[Range<usize>]) -> BTreeSet<[usize; 2]> {
-        let mut pairs = BTreeSet::new();
-        for (variable, columns) in self.by.iter().zip(columns) {
-            let turning = tree.bodies.iter().filter(|_| variable.is_motion());
-            for body in turning {
-                if let Orientation::AngularVelocity { speeds, .. } = body.joint.orientation {
-                    let places = speeds.map(|speed| columns.start + speed.index());
-                    let pair = |(a, b): (usize, usize)| {
-                        let (a, b) = (places[a], places[b]);
-                        [a.max(b), a.min(b)]
-                    };
-                    pairs.extend([(0, 1), (0, 2), (1, 2)].map(pair));
-                }
-            }
-        }
-        pairs
+        let of_variables = self.by.iter().zip(columns);
+        let of_motions = of_variables.filter(|(variable, _)| variable.is_motion());
+        let pairs = of_motions.flat_map(|(_, columns)| {
+            let pairs = tree.ordered_turns().into_iter();
+            pairs.map(|pair| pair.map(|speed| columns.start + speed))
+        });
+        pairs.collect()
     }
 
     /// How inputs change along the direction.
@@ -359,10 +351,7 @@ pub(in crate::functions) fn gradient(
 ) -> Vec<Expr> {
     let weighted = weighted(graph, tree, multipliers, values);
     let rows = reverse(graph, &[weighted], seeds);
-    let columns = 0..n_columns;
-    columns
-        .map(|column| entry(graph, &rows[0], column))
-        .collect()
+    entries(graph, &rows[0], 0..n_columns)
 }
 
 /// The entry of a row in a column, zero where it has none.
@@ -371,10 +360,19 @@ pub(in crate::functions) fn entry(graph: &mut ExprGraph, row: &Row, column: usiz
     place.map_or_else(|_| graph.zero(), |place| row[place].1)
 }
 
+/// The entries of a row in these columns, zeros among them.
+pub(in crate::functions) fn entries(
+    graph: &mut ExprGraph,
+    row: &Row,
+    columns: Range<usize>,
+) -> Vec<Expr> {
+    columns.map(|column| entry(graph, row, column)).collect()
+}
+
 impl Derived {
-    /// Adds the entries of a row in these columns, zeros among them.
+    /// Adds the entries of a row in these columns.
     fn extend_by(&mut self, row: &Row, columns: Range<usize>) {
-        let entries = columns.map(|column| entry(&mut self.graph, row, column));
+        let entries = entries(&mut self.graph, row, columns);
         self.roots.extend(entries);
     }
 }

@@ -57,13 +57,13 @@ impl Part {
     }
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, and
-    /// of forces by what that way does not know. Of accelerations that is solved for.
+    /// of forces by what that way does not know. Accelerations are solved for by that too.
     pub(in crate::functions) fn is_swept_beside_dynamics(&self) -> bool {
         let is_solved_for = self.function.needed.is_some();
-        let is_told =
-            |by: &Vec<Variable>| self.has_own_way() && (is_solved_for || by.iter().all(is_known));
-        let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| !is_told(&derivative.by))
+        let is_swept = |derivative: &Derivative| {
+            !self.has_own_way() || !is_solved_for && !derivative.by.iter().all(is_known)
+        };
+        self.derivative.as_ref().is_some_and(is_swept)
     }
 
     /// Those by other variables, beside what is told.

@@ -12,7 +12,7 @@ use super::{
 use crate::{
     differentiate::forward,
     expr::{Expr, ExprGraph, Input},
-    functions::{argument::Argument, derive, derived::Derived, function::Needed},
+    functions::{argument::Argument, derived::Derived, function::Needed, roots},
     recursive::{Plan, accelerations::inverse_mass},
     solve::{self, SpeedMatrix},
     tree::Tree,
@@ -91,7 +91,7 @@ fn lacking(
     (needed, u_dot): (Needed, &[Expr]),
 ) -> (Vec<Expr>, BTreeMap<Input, Expr>) {
     graph.enter(None);
-    let mut lacking = derive::dynamics::applied(graph, tree);
+    let mut lacking = roots::dynamics::applied(graph, tree);
     let needed = needed(graph, tree, plan);
     solve::subtract(graph, tree, &mut lacking, &needed);
     let accelerations = Argument::UDot.inputs(tree);

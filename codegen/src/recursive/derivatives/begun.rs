@@ -177,7 +177,7 @@ impl Hinge {
         let known = [wrench(0), wrench(2)];
         graph.enter(start.body);
         Column {
-            carrying: Carrying::of_known_turn(graph, start.body, (motion, axis), known, vector(4)),
+            carrying: Carrying::known(graph, start.body, (motion, axis), known, vector(4)),
             displaced: Levered::new(graph, wrench(5)),
         }
     }

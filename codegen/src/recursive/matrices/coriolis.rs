@@ -152,18 +152,18 @@ pub(in crate::recursive) struct Masses<'a> {
 }
 
 impl Column {
-    /// That of a turn, where it is known: what is needed, momentum and couple.
-    pub(in crate::recursive) fn of_known_turn(
+    /// That of a motion, by its place among the six, where what is needed, momentum and couple are known.
+    pub(in crate::recursive) fn known(
         graph: &mut ExprGraph,
         body: BodyId,
-        (motion, axis): (Motion, usize),
+        (motion, place): (Motion, usize),
         [needed, momentum]: [Wrench; 2],
         couple: Vector,
     ) -> Self {
         Self {
             body,
             motion,
-            place: axis,
+            place,
             needed: Levered::new(graph, needed),
             momentum: Levered::new(graph, momentum),
             couple,
@@ -200,14 +200,8 @@ impl Column {
             moment: graph.sub_vectors(seen, turned),
             force: graph.add_vectors(moving, turning),
         };
-        Self {
-            body,
-            motion,
-            place: axis,
-            needed: Levered::new(graph, needed),
-            momentum: Levered::new(graph, own),
-            couple: graph.add_vectors(couple, carried),
-        }
+        let couple = graph.add_vectors(couple, carried);
+        Self::known(graph, body, (motion, axis), [needed, own], couple)
     }
 
     /// That of a translation along an axis.
@@ -236,14 +230,8 @@ impl Column {
         };
         let whole = graph.add_vectors(rates.first, carried);
         let whole = graph.add_vectors(whole, turned);
-        Self {
-            body,
-            motion,
-            place: 3 + axis,
-            needed: Levered::new(graph, needed),
-            momentum: Levered::new(graph, own),
-            couple: graph.cross(whole, unit),
-        }
+        let couple = graph.cross(whole, unit);
+        Self::known(graph, body, (motion, 3 + axis), [needed, own], couple)
     }
 
     /// Of another column's motion with the numbers of this one.

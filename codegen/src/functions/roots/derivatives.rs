@@ -4,7 +4,9 @@ use super::dynamics;
 use crate::{
     differentiate::{Row, Seeds, forward, reverse},
     expr::ExprGraph,
-    functions::{argument::Argument, function::Told, variable::Variable},
+    functions::{
+        argument::Argument, derivatives::derivative::entries, function::Told, variable::Variable,
+    },
     given::{Accelerations, Loads},
     recursive::{
         Plan,
@@ -12,7 +14,7 @@ use crate::{
         totals::energy,
     },
     solve::SpeedMatrix,
-    tree::{Orientation, Tree},
+    tree::Tree,
 };
 
 pub(in crate::functions) fn of_inverse_dynamics(
@@ -45,23 +47,13 @@ pub(in crate::functions) fn gravity_forces(
     let mut seeds = Seeds::new();
     Variable::Given(Argument::Q).seed(graph, tree, 0, &mut seeds);
     let gradient = reverse(graph, &[potential], &seeds);
-    let forces = dense(graph, tree, gradient).concat();
+    let forces = dense(graph, tree, &gradient).concat();
     let rows = forward(graph, &forces, &seeds);
-    let mut by_q = dense(graph, tree, rows);
-    let mut turned = vec![None; tree.n_speeds];
-    for body in tree.body_ids() {
-        if let Orientation::AngularVelocity { speeds, .. } = tree.body(body).joint.orientation {
-            for speed in speeds {
-                turned[speed.index()] = Some(body);
-            }
-        }
-    }
-    for row in 0..tree.n_speeds {
-        for column in 0..row {
-            if turned[row].is_none() || turned[row] != turned[column] {
-                by_q[column][row] = by_q[row][column];
-            }
-        }
+    let mut by_q = dense(graph, tree, &rows);
+    let ordered = tree.ordered_turns();
+    let pairs = (0..tree.n_speeds).flat_map(|row| (0..row).map(move |column| [row, column]));
+    for [row, column] in pairs.filter(|pair| !ordered.contains(pair)) {
+        by_q[column][row] = by_q[row][column];
     }
     Told {
         by: vec![(Argument::Q, by_q)],
@@ -70,14 +62,10 @@ pub(in crate::functions) fn gravity_forces(
 }
 
 /// Rows with a place for each speed.
-fn dense(graph: &mut ExprGraph, tree: &Tree, rows: Vec<Row>) -> SpeedMatrix {
-    let mut matrix = vec![vec![graph.zero(); tree.n_speeds]; rows.len()];
-    for (all, row) in matrix.iter_mut().zip(rows) {
-        for (place, entry) in row {
-            all[place] = entry;
-        }
-    }
-    matrix
+fn dense(graph: &mut ExprGraph, tree: &Tree, rows: &[Row]) -> SpeedMatrix {
+    let rows = rows.iter();
+    rows.map(|row| entries(graph, row, 0..tree.n_speeds))
+        .collect()
 }
 
 fn of_forces(
