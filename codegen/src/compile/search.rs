@@ -143,9 +143,11 @@ struct Found {
 /// What was counted, by plan and by whether it was [exact](Search::is_exact): searches come to the same plans again.
 type Counts = BTreeMap<(bool, Plan), Count>;
 
+/// What a plan costs.
 #[derive(Clone, Copy)]
 struct Count {
     operations: usize,
+    /// How many nodes were built to count it.
     n_nodes: usize,
 }
 

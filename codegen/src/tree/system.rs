@@ -145,7 +145,7 @@ impl Tree {
 
     /// The pairs of speeds whose motions depend on which comes first, `[row, column]` with
     /// `column < row`: turns about axes of one body.
-    pub fn ordered_turns(&self) -> BTreeSet<[usize; 2]> {
+    pub fn order_dependent_turns(&self) -> BTreeSet<[usize; 2]> {
         let mut pairs = BTreeSet::new();
         for body in &self.bodies {
             if let Orientation::AngularVelocity { speeds, .. } = body.joint.orientation {

@@ -301,7 +301,7 @@ impl Derivative {
         let of_variables = self.by.iter().zip(columns);
         let of_motions = of_variables.filter(|(variable, _)| variable.is_motion());
         let pairs = of_motions.flat_map(|(_, columns)| {
-            let pairs = tree.ordered_turns().into_iter();
+            let pairs = tree.order_dependent_turns().into_iter();
             pairs.map(|pair| pair.map(|speed| columns.start + speed))
         });
         pairs.collect()

@@ -57,7 +57,7 @@ impl Part {
     }
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, and
-    /// of forces by what that way does not know. Accelerations are solved for by that too.
+    /// of forces by what that way does not know. By that, accelerations are solved for.
     pub(in crate::functions) fn is_swept_beside_dynamics(&self) -> bool {
         let is_solved_for = self.function.needed.is_some();
         let is_swept = |derivative: &Derivative| {

@@ -50,9 +50,9 @@ pub(in crate::functions) fn gravity_forces(
     let forces = dense(graph, tree, &gradient).concat();
     let rows = forward(graph, &forces, &seeds);
     let mut by_q = dense(graph, tree, &rows);
-    let ordered = tree.ordered_turns();
+    let kept = tree.order_dependent_turns();
     let pairs = (0..tree.n_speeds).flat_map(|row| (0..row).map(move |column| [row, column]));
-    for [row, column] in pairs.filter(|pair| !ordered.contains(pair)) {
+    for [row, column] in pairs.filter(|pair| !kept.contains(pair)) {
         by_q[column][row] = by_q[row][column];
     }
     Told {
