@@ -60,9 +60,9 @@
 //! | [`CenterOfMassJacobianDotU`] | `center_of_mass_jacobian_dot_u(q, u, acceleration)` | `[R; 3]` | before (33) |
 //! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
 //! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
-//! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Matrix` | (36), (43) |
+//! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Row`, `Rows` | (36), (43) |
 //! | [`RegressorPacked`] | `regressor_packed(q, u, u_dot, y)` | `Entries`, `PLACES` | (36), (43) |
-//! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Matrix`, `NAMES`, `TERMS` | (36), (43) |
+//! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Rows`, `NAMES`, `TERMS` | (36), (43) |
 //! | [`JointRegressor`] | `joint_regressor(q, u, u_dot, y)` | `Terms` | |
 //! | [`Pose`] of a frame | `pose(q, rotation, position)` | `[[R; 3]; 3]`, `[R; 3]` | (3), (22) |
 //! | [`Velocity`] of a frame | `velocity(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (25), (11) |
@@ -72,11 +72,12 @@
 //! | [`PointJacobian`] of a frame | `point_jacobian(q, point, linear, angular)` | `[U; 3]`, `[U; 3]`, `SPEEDS` | (28), (15) |
 //! | [`JacobianDotU`] of a frame | `jacobian_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | (34), (20) |
 //! | [`GeneralizedForce`] of a frame | `generalized_force(q, force, moment, tau)` | `U` | (36) |
-//! | [`OperationalInverseInertia`] of frames | `operational_inverse_inertia(q, inverse_inertia)` | `Matrix` | `J M⁻¹ Jᵀ` |
+//! | [`OperationalInverseInertia`] of frames | `operational_inverse_inertia(q, inverse_inertia)` | `Row`, `Rows` | `J M⁻¹ Jᵀ` |
 //! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
 //! Derivatives of forward and inverse dynamics have traits too: [`ForwardDynamicsDerivatives`] (by `q`, `u`, `tau`), `..AndDerivatives`,
 //! `..ByParameters`, `..Jvp`, `..Vjp`, `..ParametersJvp`, `..ParametersVjp`, and the same of inverse dynamics. Each names its request.
+//! Those with `Parameters` in their names ask for a [`Parametric`](crate::Parametric) system, which makes systems of arrays of values.
 //!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};
@@ -239,8 +240,6 @@ function_traits! {
     message = "`{Self}` was generated without `mass_matrix`; name it in `functions` and generate again"
 )]
 pub trait MassMatrix<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrix`].
     fn mass_matrix(&self, q: &Self::Q, m: &mut Self::Matrix);
 }

@@ -85,7 +85,8 @@ mod lanes;
 mod load;
 mod store;
 
-// A system as generic code sees it.
+// A system as generic code sees it; its values that are set at run time.
+mod parametric;
 mod system;
 
 // Its functions, a trait each.
@@ -168,6 +169,7 @@ pub use cost::Cost;
 pub use joint::{Chart, Frame, Joint};
 pub use lanes::Lanes;
 pub use load::Load;
+pub use parametric::Parametric;
 pub use real::Real;
 pub use store::store;
 pub use system::System;

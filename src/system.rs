@@ -16,6 +16,8 @@ pub trait System<R: Real> {
     /// `[R; NU]`: generalized speeds, their derivatives and generalized forces, in the order of
     /// [`Self::SPEED_NAMES`].
     type U: Array<R>;
+    /// `[[R; NU]; NU]`: one number for each pair of speeds, row by row.
+    type Matrix: Array<Self::U>;
     /// `[Load<R>; NB]`: one load a body.
     type Loads: Array<Load<R>>;
     /// `[R; NB]`: one number a body.

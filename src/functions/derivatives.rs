@@ -6,9 +6,9 @@
 //! Rows are entries of the output, columns those of the variable: `du_dot_dq[i][j]`. A column of `q` belongs to a speed: the derivative while
 //! that speed alone moves the system, per unit of its integral over time; in every chart the direction `d` of
 //! [`q_plus`](crate::manifold::q_plus). Units are those of the output over those of the variable. Directions and gradients of `q` are over
-//! speeds likewise. Parameters are in the order of `PARAMETER_NAMES`, each in the model's unit.
+//! speeds likewise. Parameters are in the order of [`Parametric::PARAMETER_NAMES`], each in the model's unit.
 
-use crate::{Array, Real, System};
+use crate::{Parametric, Real, System};
 
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics), `u_dot` by `q`, `u` and `tau`: `"d(forward_dynamics)/d(q, u, tau)"`.
 ///
@@ -17,8 +17,6 @@ use crate::{Array, Real, System};
     message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last three arguments; meaning and units are those of [`ForwardDynamicsDerivatives`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn d_forward_dynamics_d_q_u_tau(
@@ -38,8 +36,6 @@ pub trait ForwardDynamicsDerivatives<R: Real>: System<R> {
     message = "`{Self}` was generated without `forward_dynamics+d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
 )]
 pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsAndDerivatives`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
@@ -58,13 +54,7 @@ pub trait ForwardDynamicsAndDerivatives<R: Real>: System<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `d(forward_dynamics)/d(parameters)`; name it in `functions` and generate again"
 )]
-pub trait ForwardDynamicsByParameters<R: Real>: System<R> {
-    /// `[R; n]`: one number for each value set at run time.
-    type Values: Array<R>;
-    /// `[[R; n]; NU]`, row by row.
-    type ByParameters: Array<Self::Values>;
-    /// The names of the columns.
-    const PARAMETER_NAMES: &'static [&'static str];
+pub trait ForwardDynamicsByParameters<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsByParameters`].
     fn d_forward_dynamics_d_parameters(
         &self,
@@ -100,11 +90,7 @@ pub trait ForwardDynamicsJvp<R: Real>: System<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
 )]
-pub trait ForwardDynamicsParametersJvp<R: Real>: System<R> {
-    /// `[R; n]`: one number for each value set at run time.
-    type Values: Array<R>;
-    /// Their names.
-    const PARAMETER_NAMES: &'static [&'static str];
+pub trait ForwardDynamicsParametersJvp<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`ForwardDynamicsParametersJvp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn jvp_forward_dynamics_q_u_tau_parameters(
@@ -145,11 +131,7 @@ pub trait ForwardDynamicsVjp<R: Real>: System<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
 )]
-pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
-    /// `[R; n]`: one number for each value set at run time.
-    type Values: Array<R>;
-    /// Their names.
-    const PARAMETER_NAMES: &'static [&'static str];
+pub trait ForwardDynamicsParametersVjp<R: Real>: Parametric<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`ForwardDynamicsParametersVjp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn vjp_forward_dynamics_q_u_tau_parameters(
@@ -172,8 +154,6 @@ pub trait ForwardDynamicsParametersVjp<R: Real>: System<R> {
     message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last three arguments; meaning and units are those of [`InverseDynamicsDerivatives`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn d_inverse_dynamics_d_q_u_u_dot(
@@ -193,8 +173,6 @@ pub trait InverseDynamicsDerivatives<R: Real>: System<R> {
     message = "`{Self}` was generated without `inverse_dynamics+d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
 )]
 pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsAndDerivatives`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn inverse_dynamics_and_d_inverse_dynamics_d_q_u_u_dot(
@@ -213,13 +191,7 @@ pub trait InverseDynamicsAndDerivatives<R: Real>: System<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `d(inverse_dynamics)/d(parameters)`; name it in `functions` and generate again"
 )]
-pub trait InverseDynamicsByParameters<R: Real>: System<R> {
-    /// `[R; n]`: one number for each value set at run time.
-    type Values: Array<R>;
-    /// `[[R; n]; NU]`, row by row.
-    type ByParameters: Array<Self::Values>;
-    /// The names of the columns.
-    const PARAMETER_NAMES: &'static [&'static str];
+pub trait InverseDynamicsByParameters<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsByParameters`].
     fn d_inverse_dynamics_d_parameters(
         &self,
@@ -255,11 +227,7 @@ pub trait InverseDynamicsJvp<R: Real>: System<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
 )]
-pub trait InverseDynamicsParametersJvp<R: Real>: System<R> {
-    /// `[R; n]`: one number for each value set at run time.
-    type Values: Array<R>;
-    /// Their names.
-    const PARAMETER_NAMES: &'static [&'static str];
+pub trait InverseDynamicsParametersJvp<R: Real>: Parametric<R> {
     /// Overwrites the last argument; meaning and units are those of [`InverseDynamicsParametersJvp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn jvp_inverse_dynamics_q_u_u_dot_parameters(
@@ -300,11 +268,7 @@ pub trait InverseDynamicsVjp<R: Real>: System<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
 )]
-pub trait InverseDynamicsParametersVjp<R: Real>: System<R> {
-    /// `[R; n]`: one number for each value set at run time.
-    type Values: Array<R>;
-    /// Their names.
-    const PARAMETER_NAMES: &'static [&'static str];
+pub trait InverseDynamicsParametersVjp<R: Real>: Parametric<R> {
     /// Overwrites the last four arguments; meaning and units are those of [`InverseDynamicsParametersVjp`].
     #[allow(clippy::too_many_arguments, reason = "the generated function's own")]
     fn vjp_inverse_dynamics_q_u_u_dot_parameters(

@@ -144,9 +144,9 @@ pub trait OperationalInverseInertia<R: Real, F>: System<R> {
     /// `[R; 6]`, or `[R; 6 n]` for `n` frames.
     type Row: Array<R>;
     /// As many of these rows.
-    type Matrix: Array<Self::Row>;
+    type Rows: Array<Self::Row>;
     /// Writes the matrix at `q`, whole.
-    fn operational_inverse_inertia(&self, q: &Self::Q, inverse_inertia: &mut Self::Matrix);
+    fn operational_inverse_inertia(&self, q: &Self::Q, inverse_inertia: &mut Self::Rows);
 }
 
 /// What an inertial measurement unit at the frame `F` reads.

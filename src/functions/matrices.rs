@@ -24,8 +24,6 @@ function_traits! {
     message = "`{Self}` was generated without `mass_matrix_inverse`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixInverse<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixInverse`].
     fn mass_matrix_inverse(&self, q: &Self::Q, inverse: &mut Self::Matrix);
 }
@@ -73,8 +71,6 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
     message = "`{Self}` was generated without `coriolis_matrix`; name it in `functions` and generate again"
 )]
 pub trait CoriolisMatrix<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`CoriolisMatrix`].
     fn coriolis_matrix(&self, q: &Self::Q, u: &Self::U, c: &mut Self::Matrix);
 }
@@ -85,8 +81,6 @@ pub trait CoriolisMatrix<R: Real>: System<R> {
     message = "`{Self}` was generated without `mass_matrix_dot`; name it in `functions` and generate again"
 )]
 pub trait MassMatrixDot<R: Real>: System<R> {
-    /// `[[R; NU]; NU]`, row by row.
-    type Matrix: Array<Self::U>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`MassMatrixDot`].
     fn mass_matrix_dot(&self, q: &Self::Q, u: &Self::U, m_dot: &mut Self::Matrix);
 }

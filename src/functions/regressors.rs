@@ -15,9 +15,9 @@ pub trait Regressor<R: Real>: System<R> {
     /// `[[R; 10]; NB]`: of one speed.
     type Row: Array<[R; 10]>;
     /// `[[[R; 10]; NB]; NU]`.
-    type Matrix: Array<Self::Row>;
+    type Rows: Array<Self::Row>;
     /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
-    fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
+    fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Rows);
 }
 
 /// The entries of the [`Regressor`] that the tree does not make zero, column after column. A body has entries for the speeds that
@@ -58,13 +58,13 @@ pub trait BaseRegressor<R: Real>: System<R> {
     /// `[R; BASE_PARAMETERS_LEN]`: of one speed.
     type Row: Array<R>;
     /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
-    type Matrix: Array<Self::Row>;
+    type Rows: Array<Self::Row>;
     /// The base parameters in words, one a column: `mcx(upper) + 0.32 m(fore)`.
     const NAMES: &'static [&'static str];
     /// What the base parameters are made of, one after the other; the factors hold for the nominal parameters.
     const TERMS: &'static [crate::BaseTerm];
     /// Overwrites the last argument; meaning, frame and unit are those of [`BaseRegressor`].
-    fn base_regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Matrix);
+    fn base_regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Rows);
 }
 
 /// Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of its

@@ -17,6 +17,7 @@ struct Tool;
 impl System<f64> for Gantry {
     type Q = [f64; 3];
     type U = [f64; 3];
+    type Matrix = [[f64; 3]; 3];
     type Loads = [Load<f64>; 1];
     type Scalars = [f64; 1];
     type Vectors = [[f64; 3]; 1];

@@ -7,7 +7,7 @@ use crate::tree::changes::Changes;
 use crate::tree::joints::{self, ResolvedJoint};
 use crate::tree::rotations::{ConstantRotations, Snapped, exact};
 use crate::tree::system::Tree;
-use crate::tree::{crumbs, inertia, massless, mobility, names, numbering};
+use crate::tree::{crumbs, inertia, massless, mobility, names, numbering, units};
 
 /// What rounding alone leaves of a zero in a rotation.
 const ROUNDING: f64 = 1e-15;
@@ -68,6 +68,7 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
     let (rotations, snapped) = exact(description, changes.snap);
     let joints = joints_that_stand(description, &rotations, changes, &mut findings);
     let bodies_stand = inertia::check(description, &mut findings);
+    units::check(description, &mut findings);
     let tree = outward.as_ref().zip(joints.as_deref());
     let tree = tree.and_then(|(outward, joints)| {
         let settled = Settled {

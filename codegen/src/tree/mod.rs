@@ -35,6 +35,7 @@ mod names;
 mod negligible;
 mod numbering;
 mod rotations;
+mod units;
 mod values;
 
 // What is read off a tree, or marked in it.

@@ -200,6 +200,7 @@ mod urdf_file {
         limit_without_range
         missing_limit
         repeated_elements
+        rpy_in_degrees
         unknown_attributes
         unknown_elements
         xacro_leftovers
@@ -244,6 +245,8 @@ mod urdf_file {
         indefinite_product_of_inertia
         inertia_breaks_the_triangle_inequality
         limit_of_no_range
+        limits_in_degrees
+        millimetres
     }
 
     #[test]

@@ -24,4 +24,5 @@ mod rotations;
 mod snapping;
 mod toml;
 mod tree;
+mod units;
 mod urdf;

@@ -24,7 +24,7 @@ pub fn stack<A: Arm>(arm: &A, states: &[State<A>], scale: &A::U) -> DMatrix<f64>
     let (joints, base) = (A::SPEED_NAMES.len(), base_parameters::<A>());
     let mut w = DMatrix::zeros(joints * states.len(), columns::<A>());
     let mut of_bodies =
-        <A as BaseRegressor<f64>>::Matrix::filled(<A as BaseRegressor<f64>>::Row::filled(0.0));
+        <A as BaseRegressor<f64>>::Rows::filled(<A as BaseRegressor<f64>>::Row::filled(0.0));
     let mut of_drives = <A as JointRegressor<f64>>::Terms::filled([0.0; COEFFICIENTS]);
     for (k, State { q, u, u_dot }) in states.iter().enumerate() {
         arm.base_regressor(q, u, u_dot, &mut of_bodies);

@@ -1,6 +1,5 @@
 //! Generic code holds derivatives by their traits, and what these give belongs together.
 
-use kane::Array;
 use kane::functions::{
     ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters, ForwardDynamicsDerivatives,
     ForwardDynamicsJvp, ForwardDynamicsParametersJvp, ForwardDynamicsParametersVjp,
@@ -8,6 +7,7 @@ use kane::functions::{
     InverseDynamicsDerivatives, InverseDynamicsJvp, InverseDynamicsParametersJvp,
     InverseDynamicsParametersVjp, InverseDynamicsVjp,
 };
+use kane::{Array, Parametric};
 use kane_optimal::cart_pole;
 use kane_test_support::compare::{Tolerance, assert_close};
 
@@ -15,13 +15,13 @@ use kane_test_support::compare::{Tolerance, assert_close};
 const ROUNDED: Tolerance = Tolerance::absolute(1e-12);
 
 /// Of one function: by `q`, by `u` and by the third argument, by parameters; joined; and products.
-struct Found<U, M, P, V> {
-    whole: [M; 3],
-    joined: [M; 3],
-    by_parameters: P,
-    along: [U; 2],
-    back: [[U; 3]; 2],
-    parameters_back: V,
+struct Found<S: Parametric<f64>> {
+    whole: [S::Matrix; 3],
+    joined: [S::Matrix; 3],
+    by_parameters: S::ByParameters,
+    along: [S::U; 2],
+    back: [[S::U; 3]; 2],
+    parameters_back: S::Values,
 }
 
 fn zero<A: Array<f64>>() -> A {
@@ -38,21 +38,11 @@ fn given<A: Array<f64>>(seed: u8) -> A {
     A::from_fn(|place| kane::Real::sin_cos(number(place)).0)
 }
 
-type Of<S, M, P, V> = Found<<S as kane::System<f64>>::U, M, P, V>;
-
 /// Everything of forward dynamics, for a system of which nothing else is known.
-#[allow(clippy::type_complexity, reason = "a type by each trait")]
-fn forward<S>(
-    system: &S,
-) -> Of<
-    S,
-    <S as ForwardDynamicsDerivatives<f64>>::Matrix,
-    <S as ForwardDynamicsByParameters<f64>>::ByParameters,
-    <S as ForwardDynamicsParametersVjp<f64>>::Values,
->
+fn forward<S>(system: &S) -> Found<S>
 where
     S: ForwardDynamicsDerivatives<f64>
-        + ForwardDynamicsAndDerivatives<f64, Matrix = <S as ForwardDynamicsDerivatives<f64>>::Matrix>
+        + ForwardDynamicsAndDerivatives<f64>
         + ForwardDynamicsByParameters<f64>
         + ForwardDynamicsJvp<f64>
         + ForwardDynamicsParametersJvp<f64>
@@ -87,18 +77,10 @@ where
 }
 
 /// Everything of inverse dynamics.
-#[allow(clippy::type_complexity, reason = "a type by each trait")]
-fn inverse<S>(
-    system: &S,
-) -> Of<
-    S,
-    <S as InverseDynamicsDerivatives<f64>>::Matrix,
-    <S as InverseDynamicsByParameters<f64>>::ByParameters,
-    <S as InverseDynamicsParametersVjp<f64>>::Values,
->
+fn inverse<S>(system: &S) -> Found<S>
 where
     S: InverseDynamicsDerivatives<f64>
-        + InverseDynamicsAndDerivatives<f64, Matrix = <S as InverseDynamicsDerivatives<f64>>::Matrix>
+        + InverseDynamicsAndDerivatives<f64>
         + InverseDynamicsByParameters<f64>
         + InverseDynamicsJvp<f64>
         + InverseDynamicsParametersJvp<f64>
@@ -132,11 +114,10 @@ where
     found
 }
 
-/// Of the cart and the pole.
-type OfCart = Found<[f64; 2], [[f64; 2]; 2], [[f64; 1]; 2], [f64; 1]>;
+type CartPole = cart_pole::Prepared<f64>;
 
 /// Holds the products against those with the matrices.
-fn belongs_together(what: &str, found: &OfCart) {
+fn belongs_together(what: &str, found: &Found<CartPole>) {
     let flat = |matrices: &[[[f64; 2]; 2]; 3]| matrices.as_flattened().as_flattened().to_vec();
     assert_close(what, &flat(&found.joined), &flat(&found.whole), ROUNDED);
     let directions: [[f64; 2]; 3] = [given(4), given(5), given(6)];
@@ -164,9 +145,20 @@ fn belongs_together(what: &str, found: &OfCart) {
 
 #[test]
 fn every_trait_is_held_and_products_are_those_with_the_matrices() {
-    let system = cart_pole::Prepared::<f64>::nominal();
+    let system = CartPole::nominal();
     belongs_together("forward", &forward(&system));
     belongs_together("inverse", &inverse(&system));
-    let names = <cart_pole::Prepared<f64> as ForwardDynamicsByParameters<f64>>::PARAMETER_NAMES;
-    assert_eq!(names, ["pole_mass"]);
+}
+
+#[test]
+fn values_as_an_array_make_the_system_that_the_parameters_make() {
+    assert_eq!(
+        <CartPole as Parametric<f64>>::PARAMETER_NAMES,
+        ["pole_mass"]
+    );
+    let nominal = cart_pole::Parameters::<f64>::default();
+    assert_eq!(CartPole::nominal_values(), [nominal.pole_mass]);
+    let heavier = cart_pole::Parameters { pole_mass: 0.7 };
+    assert_eq!(CartPole::with_values(&[0.7]), CartPole::new(&heavier));
+    assert_ne!(CartPole::with_values(&[0.7]), CartPole::nominal());
 }

@@ -90,7 +90,7 @@ impl<S: Regressor<f64>> Identified for S {
     }
 
     fn regressor(&self, q: &[f64], u: &[f64], u_dot: &[f64]) -> Vec<f64> {
-        let mut y = S::Matrix::filled(S::Row::filled([f64::NAN; 10]));
+        let mut y = S::Rows::filled(S::Row::filled([f64::NAN; 10]));
         Regressor::regressor(self, &array(q), &array(u), &array(u_dot), &mut y);
         let rows = y.as_ref().iter().flat_map(AsRef::as_ref);
         rows.flatten().copied().collect()

@@ -14,6 +14,7 @@ pub(crate) struct CartPole<R> {
 impl<R: Real> System<R> for CartPole<R> {
     type Q = [R; 2];
     type U = [R; 2];
+    type Matrix = [[R; 2]; 2];
     type Loads = [Load<R>; 2];
     type Scalars = [R; 2];
     type Vectors = [[R; 3]; 2];
@@ -32,8 +33,6 @@ impl<R: Real> System<R> for CartPole<R> {
 }
 
 impl<R: Real> MassMatrix<R> for CartPole<R> {
-    type Matrix = [[R; 2]; 2];
-
     fn mass_matrix(&self, q: &[R; 2], m: &mut [[R; 2]; 2]) {
         let off = self.mass * q[1].sin_cos().1;
         *m = [[R::from_f64(1.0) + self.mass, off], [off, self.mass]];

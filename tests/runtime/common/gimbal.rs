@@ -10,6 +10,7 @@ pub(crate) struct Gimbal<R> {
 impl<R: Real> System<R> for Gimbal<R> {
     type Q = [R; 4];
     type U = [R; 4];
+    type Matrix = [[R; 4]; 4];
     type Loads = [Load<R>; 2];
     type Scalars = [R; 2];
     type Vectors = [[R; 3]; 2];

@@ -14,6 +14,7 @@ macro_rules! one_coordinate {
         impl<$($generic)*> kane::System<$scalar> for $system {
             type Q = [$scalar; 1];
             type U = [$scalar; 1];
+            type Matrix = [[$scalar; 1]; 1];
             type Loads = [kane::Load<$scalar>; 1];
             type Scalars = [$scalar; 1];
             type Vectors = [[$scalar; 3]; 1];

@@ -6,6 +6,7 @@ pub(crate) struct Turning;
 impl<R: Real> System<R> for Turning {
     type Q = [R; 11];
     type U = [R; 10];
+    type Matrix = [[R; 10]; 10];
     type Loads = [Load<R>; 3];
     type Scalars = [R; 3];
     type Vectors = [[R; 3]; 3];

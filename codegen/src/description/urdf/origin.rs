@@ -5,6 +5,9 @@ use crate::description::{Given, Optional, Rotation, Scalar};
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry;
 
+/// Nobody writes more, rad; beyond `2 pi` for those who round up.
+const ONE_TURN: f64 = 6.3;
+
 /// A frame in another one.
 pub(super) struct OriginElement {
     /// Its origin, in components of the other, m.
@@ -55,6 +58,16 @@ pub(super) fn read(reader: &mut Reader, element: Element<'_>, owner: &str) -> Or
     } else if let Some(rpy) = element.attribute("rpy") {
         let angles: Option<[_; 3]> = reader.numbers(rpy, &format!("`rpy` of {owner}"));
         let angles = angles.map(|angles| angles.map(|angle| angle.value));
+        if angles.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > ONE_TURN)) {
+            let message =
+                format!("an angle in `rpy` of {owner} is more than a turn; are these degrees?");
+            let warning = Diagnostic::warning(message).at(rpy.span, "expected radians");
+            let warning = warning.one_of(
+                "`rpy` have angles of more than a turn, as if in degrees, not radians",
+                owner.clone(),
+            );
+            reader.faults.push(warning);
+        }
         origin.rotation = angles
             .filter(|angles| *angles != [0.0; 3])
             .map(|angles| Spanned::new(rotation(angles), rpy.span));

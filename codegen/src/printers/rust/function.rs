@@ -66,7 +66,6 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
     let output_type = output.map(|output| signature::held(output, "R"));
     let packed = shape.packed().map(|packed| ident(packed.places_constant()));
     match shape {
-        Shape::SPEED_MATRIX => quote!(type Matrix = #output_type;),
         Shape::MASS_MATRIX_PACKED | Shape::INVERSE_PACKED | Shape::REGRESSOR_PACKED => quote! {
             type Entries = #output_type;
             const PLACES: &'static [[usize; 2]] = #packed;
@@ -82,14 +81,14 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
         Shape::SPEED_VECTORS => quote!(type Terms = #output_type;),
         Shape::BODY_PARAMETERS => quote! {
             type Row = [[R; 10]; NB];
-            type Matrix = #output_type;
+            type Rows = #output_type;
         },
         Shape::BASE_PARAMETERS => {
             let (names, terms) = (ident(BASE_PARAMETERS), ident(BASE_PARAMETER_TERMS));
             let row = output.map(|output| signature::held(&output.row(), "R"));
             quote! {
                 type Row = #row;
-                type Matrix = #output_type;
+                type Rows = #output_type;
                 const NAMES: &'static [&'static str] = &#names;
                 const TERMS: &'static [kane::BaseTerm] = &#terms;
             }
@@ -111,7 +110,7 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
         }
         Shape::FRAME_MATRIX => {
             let row = output.map(|output| signature::held(&output.row(), "R"));
-            quote!(type Row = #row; type Matrix = #output_type;)
+            quote!(type Row = #row; type Rows = #output_type;)
         }
         _ => quote!(),
     }

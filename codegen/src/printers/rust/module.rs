@@ -15,6 +15,7 @@ pub(crate) fn source(module: &Module) -> String {
     items.extend(structures::parameters(module));
     items.extend(structures::prepared(module));
     items.push(system::item(facts));
+    items.extend(system::parametric(facts));
     if let Some(sin_cos) = &module.sin_cos {
         items.extend(constants::items(&facts.angle_constants()));
         items.push(structures::sin_cos());

@@ -1,9 +1,13 @@
-//! The trait that every system has.
+//! The trait that every system has, and that of systems with derivatives by their parameters.
 
 use quote::quote;
 use syn::{Item, parse_quote};
 
-use crate::listing::Facts;
+use super::text::ident;
+use crate::{
+    functions::{N_PARAMETERS, PARAMETER_NAMES},
+    listing::Facts,
+};
 
 /// Its implementation by `Prepared`.
 pub(super) fn item(facts: &Facts) -> Item {
@@ -20,6 +24,7 @@ pub(super) fn item(facts: &Facts) -> Item {
         impl<R: kane::Real> kane::System<R> for Prepared<R> {
             type Q = [R; NQ];
             type U = [R; NU];
+            type Matrix = [[R; NU]; NU];
             type Loads = [kane::Load<R>; NB];
             type Scalars = [R; NB];
             type Vectors = [[R; 3]; NB];
@@ -46,4 +51,25 @@ pub(super) fn item(facts: &Facts) -> Item {
             #normalize
         }
     }
+}
+
+/// The values set at run time as an array, in modules with derivatives by them.
+pub(super) fn parametric(facts: &Facts) -> Option<Item> {
+    let length = ident(&facts.sizes.named(N_PARAMETERS)?.name);
+    let names = ident(PARAMETER_NAMES);
+    Some(parse_quote! {
+        impl<R: kane::Real> kane::Parametric<R> for Prepared<R> {
+            type Values = [R; #length];
+            type ByParameters = [[R; #length]; NU];
+            const PARAMETER_NAMES: &'static [&'static str] = &#names;
+            #[inline]
+            fn nominal_values() -> [R; #length] {
+                Parameters::default().to_array()
+            }
+            #[inline]
+            fn with_values(values: &[R; #length]) -> Self {
+                Self::new(&Parameters::from_array(*values))
+            }
+        }
+    })
 }

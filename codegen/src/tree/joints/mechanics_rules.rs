@@ -19,6 +19,7 @@ pub(super) fn mechanics(
     let mut check = Check {
         joint,
         name,
+        called: body.joint_name().map_or(name, |name| &name.value),
         has_axis,
         findings,
     };
@@ -34,6 +35,7 @@ pub(super) fn mechanics(
     check.springs(&written.stiffness);
     check.springs(&written.rest);
     check.isotropic_armature(&written.armature);
+    check.friction(&written.friction);
     for limits in values(&written.limits) {
         check.limits(&limits.value);
     }
@@ -41,7 +43,10 @@ pub(super) fn mechanics(
 
 struct Check<'a> {
     joint: &'a ResolvedJoint,
+    /// The body, as messages have it.
     name: &'a str,
+    /// The joint, as lists of names have it.
+    called: &'a str,
     has_axis: bool,
     findings: &'a mut Vec<Diagnostic>,
 }
@@ -110,9 +115,28 @@ impl Check<'_> {
                     "`damping` of {name} is {found:?}: it adds energy; it is computed as given"
                 );
                 let warning = Diagnostic::warning(message).at(value.span, "negative");
-                let warning = warning.one_of("joints whose damping adds energy", name);
+                let warning = warning.one_of("joints whose damping adds energy", self.called);
                 self.findings.push(warning);
             }
+        }
+    }
+
+    /// Tells that no function has friction: other tools add it.
+    fn friction(&mut self, friction: &PerCoordinate<f64>) {
+        if let Some(value) = values(friction)
+            .into_iter()
+            .find(|value| value.value != 0.0)
+        {
+            let name = self.name;
+            let message = format!(
+                "`friction` of {name} is data, the constant `FRICTION`: no function adds it"
+            );
+            let note = Diagnostic::note(message).at(value.span, "in no equation");
+            let note = note.one_of(
+                "joints have friction, which is data, the constant `FRICTION`: no function adds it",
+                self.called,
+            );
+            self.findings.push(note);
         }
     }
 
@@ -181,7 +205,7 @@ impl Check<'_> {
                 Diagnostic::warning(message)
                     .at(lower.span, "above the upper limit")
                     .at(upper.span, "the upper limit")
-                    .one_of("joints have limits that are no range", self.name),
+                    .one_of("joints have limits that are no range", self.called),
             );
         }
         for (what, limit) in [("velocity", limits.velocity), ("effort", limits.effort)] {

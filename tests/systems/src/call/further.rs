@@ -63,7 +63,7 @@ fn matrices<R: Real + Into<f64>, S: Further<R>>(
     macro_rules! whole {
         ($trait:ident::$method:ident($($argument:ident),+)) => {{
             let nan = S::U::filled(R::from_f64(f64::NAN));
-            let mut m = <S as $trait<R>>::Matrix::filled(nan);
+            let mut m = S::Matrix::filled(nan);
             system.$method($($argument,)+ &mut m);
             rows(m.as_ref())
         }};
@@ -180,7 +180,7 @@ fn regressor<R: Real + Into<f64>, S: Further<R>>(
     match function {
         "regressor" => {
             let row = <S as Regressor<R>>::Row::filled([nan; 10]);
-            let mut y = <S as Regressor<R>>::Matrix::filled(row);
+            let mut y = <S as Regressor<R>>::Rows::filled(row);
             system.regressor(q, u, u_dot, &mut y);
             let rows = y.as_ref().iter();
             let numbers = rows.flat_map(|row| numbers(row.as_ref().as_flattened()));
@@ -193,7 +193,7 @@ fn regressor<R: Real + Into<f64>, S: Further<R>>(
         }
         "base_regressor" => {
             let row = <S as BaseRegressor<R>>::Row::filled(nan);
-            let mut y = <S as BaseRegressor<R>>::Matrix::filled(row);
+            let mut y = <S as BaseRegressor<R>>::Rows::filled(row);
             system.base_regressor(q, u, u_dot, &mut y);
             Some(rows(y.as_ref()))
         }
