@@ -161,6 +161,11 @@ impl ChangesArguments {
         changes
     }
 
+    /// True where it says which joints are locked or removed.
+    pub(crate) fn names_changed(&self) -> bool {
+        !self.lock.is_empty() || !self.remove.is_empty()
+    }
+
     /// The joints that are prescribed.
     pub(crate) fn prescribed(&self) -> &[String] {
         &self.prescribed

@@ -9,7 +9,7 @@ use std::{
 use kane_codegen::{
     budget::{self, Budget, Excess},
     companions,
-    config::{Named, Prescribed},
+    config::{Changed, Named, Prescribed},
     description::{self, Description, Reading},
     diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
@@ -48,6 +48,8 @@ pub(crate) struct Listing {
     pub(crate) functions: Named,
     /// The joints that it prescribes there, unless others are.
     pub(crate) prescribed: Prescribed,
+    /// The joints that it locks and removes there, unless others are.
+    pub(crate) changed: Changed,
 }
 
 /// Where a module goes.
@@ -98,6 +100,27 @@ impl Job {
         failures
     }
 
+    /// What is wrong with the model, and with what is changed of it, at its place where it has one.
+    fn refused(&self, found: Diagnostics) -> Failures {
+        let Some(listing) = &self.listing else {
+            return found.into();
+        };
+        let (mut placed, mut others) = (Vec::new(), Vec::new());
+        for fault in found.list() {
+            match listing.changed.fault(fault) {
+                Some(fault) => placed.push(fault.at(listing.model, "the model")),
+                None => others.push(fault.clone()),
+            }
+        }
+        let mut failures = Failures::default();
+        for (source, faults) in [(found.source(), others), (&listing.config, placed)] {
+            if !faults.is_empty() {
+                failures.add(Diagnostics::new(source.clone(), faults));
+            }
+        }
+        failures
+    }
+
     /// Why joints cannot be prescribed, each at its place where it has one.
     fn not_prescribed(&self, faults: Vec<PrescribedFault>) -> Failures {
         let listing = self.listing.as_ref();
@@ -128,7 +151,8 @@ impl Job {
             ..
         } = &self.options;
         let description = description::read(&source, reading, &include(&self.model));
-        let Checked { tree, .. } = tree::build_with(&description, changes)?;
+        let checked = tree::build_with(&description, changes);
+        let Checked { tree, .. } = checked.map_err(|found| self.refused(found))?;
         let tree = tree::prescribe(&description, tree, prescribed);
         let tree = tree.map_err(|faults| self.not_prescribed(faults))?;
         let requests = self.options.requests(&tree);
@@ -298,6 +322,7 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }
+        Error::Invalid(found) => job.refused(found),
         Error::Requests(faults) => job.not_had(faults),
         Error::Prescribed(faults) => job.not_prescribed(faults),
         error => error.into(),

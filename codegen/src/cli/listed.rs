@@ -90,6 +90,7 @@ impl Listed {
                 model: system.model.span,
                 functions: system.named.clone(),
                 prescribed: system.prescribed.clone(),
+                changed: system.changed.clone(),
             }),
             model,
         })

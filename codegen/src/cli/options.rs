@@ -135,6 +135,11 @@ impl Asked<'_> {
         !self.arguments.changes.prescribed().is_empty()
     }
 
+    /// True where it says which joints are locked or removed.
+    pub(crate) fn names_changed(&self) -> bool {
+        self.arguments.changes.names_changed()
+    }
+
     /// Sets what is asked for, above what was said before.
     pub(crate) fn set(&self, options: &mut Options) {
         let arguments = self.arguments;

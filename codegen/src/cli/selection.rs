@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kane_codegen::{
     companions::{Abi, CompanionKind},
-    config::{Named, Prescribed},
+    config::{Changed, Named, Prescribed},
     error::Error,
     options::Options,
 };
@@ -230,6 +230,9 @@ impl Selection {
             }
             if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_prescribed()) {
                 listing.prescribed = Prescribed::default();
+            }
+            if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_changed()) {
+                listing.changed = Changed::default();
             }
             for (kind, _, given) in self.switches() {
                 match given {

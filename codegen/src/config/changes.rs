@@ -27,18 +27,43 @@ pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
     }
 }
 
-/// What is changed of the model.
-pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> Changes {
+/// The names of what is changed, where they stand, each with the key of its list.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Changed {
+    entries: Vec<(&'static str, Spanned<String>)>,
+}
+
+impl Changed {
+    /// What is wrong with one of them on a model, at its place; `None` where it is about none of them.
+    pub fn fault(&self, fault: &Diagnostic) -> Option<Diagnostic> {
+        let asked = fault.entry.as_ref()?;
+        let mut entries = self.entries.iter();
+        let (_, name) =
+            entries.find(|(list, name)| *list == asked.list && name.value == asked.name)?;
+        Some(fault.clone().at(name.span, "named here"))
+    }
+}
+
+/// What is changed of the model, and where that stands.
+pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> (Changes, Changed) {
     let before = Changes::default();
-    let removed = names(reader, system, "remove").into_iter();
+    let removed = names(reader, system, "remove");
+    let locked = lock(reader, system);
+    let entries = locked.iter().map(|(name, _)| ("lock", name.clone()));
+    let entries = entries.chain(removed.iter().map(|name| ("remove", name.clone())));
+    let changed = Changed {
+        entries: entries.collect(),
+    };
     let massless = system.get("remove_massless");
     let massless = massless.and_then(|item| reader.truth(item, &system.what("remove_massless")));
-    Changes {
+    let locked = locked.into_iter();
+    let changes = Changes {
         snap: snap(reader, system).unwrap_or(before.snap),
-        lock: lock(reader, system),
-        remove: removed.map(|name| name.value).collect(),
+        lock: locked.map(|(name, value)| (name.value, value)).collect(),
+        remove: removed.into_iter().map(|name| name.value).collect(),
         remove_massless: massless.unwrap_or_default(),
-    }
+    };
+    (changes, changed)
 }
 
 fn snap(reader: &mut Reader, system: &Table<'_, '_>) -> Option<f64> {
@@ -57,7 +82,7 @@ fn snap(reader: &mut Reader, system: &Table<'_, '_>) -> Option<f64> {
 }
 
 /// In the order of the names.
-fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(String, f64)> {
+fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(Spanned<String>, f64)> {
     let what = system.what("lock");
     let table = system.get("lock");
     let table = table.and_then(|item| reader.any_table(item, &what));
@@ -65,10 +90,10 @@ fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(String, f64)> {
     let locked = entries.filter_map(|(name, item)| {
         let what = format!("`{}` of {what}", name.value.escape_debug());
         let value = reader.number(item, &what)?;
-        Some((name.value.to_owned(), value.value))
+        Some((Spanned::new(name.value.to_owned(), name.span), value.value))
     });
-    let mut locked: Vec<(String, f64)> = locked.collect();
-    locked.sort_by(|(one, _), (other, _)| one.cmp(other));
+    let mut locked: Vec<_> = locked.collect();
+    locked.sort_by(|(one, _), (other, _)| one.value.cmp(&other.value));
     locked
 }
 

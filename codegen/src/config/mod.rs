@@ -12,6 +12,7 @@ mod path;
 mod prescribed;
 mod system;
 
+pub use changes::Changed;
 pub use functions::Named;
 pub use path::clean_path;
 pub use prescribed::Prescribed;

@@ -11,10 +11,12 @@ use crate::{
         companion::{Abi, CompanionKind},
     },
     recursive::Technique,
+    tree::Changes,
 };
 
 use super::{
-    budget, changes,
+    budget,
+    changes::{self, Changed},
     functions::{self, Named},
     outputs::{self, Output},
     path,
@@ -34,6 +36,8 @@ pub struct System {
     pub named: Named,
     /// The joints that it prescribes, where they stand: what is wrong with one follows from the model.
     pub prescribed: Prescribed,
+    /// The joints that it locks and removes, where they stand: what is wrong with one follows from the model.
+    pub changed: Changed,
     /// How many operations its functions may need.
     pub budget: Vec<Budget>,
 }
@@ -77,10 +81,12 @@ pub(super) fn read(
     let (functions, named) = functions.unzip();
     let budget = budget::read(reader, &table, functions.as_ref());
     let prescribed = prescribed::read(reader, &table);
+    let (changes, changed) = changes::changes(reader, &table);
     let options = options(
         reader,
         &table,
         functions,
+        changes,
         &prescribed,
         companions,
         output.as_ref(),
@@ -92,6 +98,7 @@ pub(super) fn read(
             options: options?,
             named: named?,
             prescribed,
+            changed,
             budget,
         })
     };
@@ -103,12 +110,12 @@ fn options(
     reader: &mut Reader,
     system: &Table<'_, '_>,
     functions: Option<Functions>,
+    changes: Changes,
     prescribed: &Prescribed,
     companions: BTreeSet<CompanionKind>,
     output: Option<&Output>,
 ) -> Option<Options> {
     let reading = changes::reading(reader, system);
-    let changes = changes::changes(reader, system);
     let formulation = formulation(reader, system);
     let fma = truth(reader, system, "fma");
     let without = without(reader, system);

@@ -26,6 +26,17 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// What it and others like it are told as, on one line.
     pub kind: Option<Box<Kind>>,
+    /// What it is about, where that stands beside the source.
+    pub entry: Option<Box<Entry>>,
+}
+
+/// What the user gave beside a source: a name in a list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The list, as `kane.toml` calls it.
+    pub list: &'static str,
+    /// The name.
+    pub name: String,
 }
 
 /// What several diagnostics have in common, and what this one is about.
@@ -46,6 +57,7 @@ impl Diagnostic {
             labels: Vec::new(),
             help: None,
             kind: None,
+            entry: None,
         }
     }
 
@@ -74,6 +86,14 @@ impl Diagnostic {
     #[must_use]
     pub fn at(mut self, span: Span, label: impl Into<String>) -> Self {
         self.labels.push((span, label.into()));
+        self
+    }
+
+    /// The same about a name that was given beside the source.
+    #[must_use]
+    pub fn of_entry(mut self, list: &'static str, name: impl Into<String>) -> Self {
+        let name = name.into();
+        self.entry = Some(Box::new(Entry { list, name }));
         self
     }
 

@@ -14,7 +14,7 @@ mod source;
 mod words;
 
 pub use brief::Brief;
-pub use fault::{Diagnostic, Kind, Severity};
+pub use fault::{Diagnostic, Entry, Kind, Severity};
 pub use list::{Diagnostics, Faults};
 pub use source::{Source, SourceFile, Span, Spanned};
 pub(crate) use words::{backquoted, is_unprintable, shown, shown_name};

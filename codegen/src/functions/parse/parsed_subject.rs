@@ -83,6 +83,7 @@ impl ParsedSubject {
                     request: text.to_owned(),
                     name: word.text.clone(),
                     known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
+                    moved: tree.and_then(|tree| moved_by(tree, &word.text)),
                     place: word.place.clone(),
                 }]
             })
@@ -90,6 +91,13 @@ impl ParsedSubject {
         let frames = all_or_faults(self.frames.iter().map(found))?;
         Ok(Subject::new(tree, frames, self.view))
     }
+}
+
+/// The body that the joint of this name moves.
+fn moved_by(tree: &Tree, joint: &str) -> Option<String> {
+    let mut bodies = tree.bodies.iter();
+    let body = bodies.find(|body| body.joint.is_named && body.joint.name == joint)?;
+    Some(body.name.clone())
 }
 
 /// The frames of the model, the nearest name first.

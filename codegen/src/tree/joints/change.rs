@@ -11,6 +11,10 @@ use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{self, joint_name, joint_named, shown};
 
+/// The lists of names, as `kane.toml` calls them.
+const LOCK: &str = "lock";
+const REMOVE: &str = "remove";
+
 /// The joints with what the user locks and removes held.
 pub(crate) fn change(
     description: &Description,
@@ -165,17 +169,20 @@ fn meant(
             "`lock` names `{}`; no free coordinate is called so",
             name.escape_debug()
         );
-        let fault = Diagnostic::error(fault);
+        let fault = Diagnostic::error(fault).of_entry(LOCK, name);
         return Err(with_known(fault, name, &known, "the free coordinates"));
     };
     match meant.find(|other| other.motion != motion) {
         None => Ok(motion),
-        Some(other) => Err(Diagnostic::error(format!(
-            "what `{}` locks is not clear: a coordinate of {}, or one of {}",
-            name.escape_debug(),
-            shown(description, motion.0),
-            shown(description, other.motion.0)
-        ))),
+        Some(other) => {
+            let fault = format!(
+                "what `{}` locks is not clear: a coordinate of {}, or one of {}",
+                name.escape_debug(),
+                shown(description, motion.0),
+                shown(description, other.motion.0)
+            );
+            Err(Diagnostic::error(fault).of_entry(LOCK, name))
+        }
     }
 }
 
@@ -195,7 +202,7 @@ fn removed(
             name.escape_debug()
         );
         findings.push(with_known(
-            Diagnostic::error(fault),
+            Diagnostic::error(fault).of_entry(REMOVE, name),
             name,
             &known,
             "the joints",
@@ -204,9 +211,8 @@ fn removed(
     };
     let shown = shown(description, body);
     if locked.keys().any(|(of, _)| *of == body) {
-        findings.push(Diagnostic::error(format!(
-            "the joint of {shown} is both locked and removed"
-        )));
+        let fault = format!("the joint of {shown} is both locked and removed");
+        findings.push(Diagnostic::error(fault).of_entry(REMOVE, name));
     }
     let note = format!("the joint of {shown} is removed: it is fixed");
     findings.push(Diagnostic::note(note).one_of("joints are removed: they are fixed", shown));
