@@ -85,9 +85,11 @@ mod lanes;
 mod load;
 mod store;
 
-// A system as generic code sees it; its values that are set at run time.
-mod parametric;
+// A system as generic code sees it.
 mod system;
+
+// Its values that are set at run time.
+mod parametric;
 
 // Its functions, a trait each.
 pub mod functions;

@@ -1,6 +1,6 @@
 //! The arguments that say how a model is read and what is changed of it.
 
-use super::project::Project;
+use super::project::{Project, system};
 
 const COMMANDS: [&[&str]; 4] = [
     &["generate", "models/arm.toml", "--output", "-"],
@@ -262,4 +262,51 @@ fn what_an_mjcf_leaves_out_is_warned_of_and_stands_in_the_banner() {
     assert_eq!(ran.code, 2);
     let fault = "error: what is left out can be chosen for an MJCF alone: ";
     assert!(ran.err.contains(fault), "{}", ran.err);
+}
+
+/// A project whose `kane.toml` has these lines more.
+fn project(more: &str) -> Project {
+    let project = Project::arm();
+    let config = system("models/arm.toml", "generated/arm.rs");
+    project.write("kane.toml", &format!("{}\n{more}\n", config.trim_end()));
+    project
+}
+
+#[test]
+fn unknown_joints_are_pointed_at_in_kane_toml() {
+    let project = project("lock = { foer = 0.1, upper = 0.2 }\nremove = [\"hand\", \"upper\"]");
+    let ran = project.kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err);
+    // The same of one model, and of what is up to date.
+    assert_eq!(project.kane(&["generate", "models/arm.toml"]).err, ran.err);
+    assert_eq!(project.kane(&["check"]).err, ran.err);
+}
+
+#[test]
+fn unknown_joint_of_the_command_line_has_no_place_in_kane_toml() {
+    let project = project("remove = [\"hand\"]");
+    let ran = project.kane(&["generate", "models/arm.toml", "--remove", "hand"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    assert!(!ran.err.contains("kane.toml"), "{}", ran.err);
+    assert!(
+        ran.err
+            .starts_with("error: `remove` names `hand`; no joint is called so"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn faults_of_the_model_and_of_kane_toml_are_told_together() {
+    let project = project("remove = [\"hand\"]");
+    let model = project
+        .read("models/arm.toml")
+        .replacen("mass = 2.0", "mass = -2.0", 1);
+    project.write("models/arm.toml", &model);
+    let ran = project.kane(&["generate"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    for fault in ["`mass` of body `upper` is -2.0", "`remove` names `hand`"] {
+        assert_eq!(ran.err.matches(fault).count(), 1, "{}", ran.err);
+    }
 }

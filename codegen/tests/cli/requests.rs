@@ -115,6 +115,15 @@ fn unknown_frame_of_the_command_line_has_no_place_in_kane_toml() {
 }
 
 #[test]
+fn joint_that_is_asked_for_as_a_frame_is_told_what_it_moves() {
+    let project = with_functions(r#"["pose(elbow)"]"#);
+    let named = model("arm", "2.0") + "joint_name = \"elbow\"\n";
+    project.write("models/arm.toml", &named);
+    let ran = project.kane(&["generate"]);
+    insta::assert_snapshot!(ran.err);
+}
+
+#[test]
 fn functions_of_one_name_are_pointed_at_in_kane_toml() {
     let project = with_functions(r#"["pose(upper)+pose(fore)", "pose(upper_pose_and_fore)"]"#);
     let frame = "[[frame]]\nname = \"upper_pose_and_fore\"\nbody = \"fore\"\n";
