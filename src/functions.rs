@@ -77,7 +77,7 @@
 //!
 //! Derivatives of forward and inverse dynamics have traits too: [`ForwardDynamicsDerivatives`] (by `q`, `u`, `tau`), `..AndDerivatives`,
 //! `..ByParameters`, `..Jvp`, `..Vjp`, `..ParametersJvp`, `..ParametersVjp`, and the same of inverse dynamics. Each names its request.
-//! Those with `Parameters` in their names ask for a [`Parametric`](crate::Parametric) system, which makes systems of arrays of values.
+//! Those with `Parameters` in their names ask for a [`Parametric`](crate::Parametric) system, which makes systems from arrays of values.
 //!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};

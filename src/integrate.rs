@@ -40,8 +40,7 @@ pub fn rk4_step<R: Real, S: ForwardDynamics<R>>(
     rk4_step_with(system, dt, q, u, |_, _, held| *held = *tau);
 }
 
-/// As [`rk4_step`], with `tau` a function of the state: `control(q, u, tau)` overwrites `tau`, which it
-/// finds as it left it (zero the first time).
+/// As [`rk4_step`], with `tau` a function of the state: `control(q, u, tau)` overwrites `tau`, which it finds zero.
 ///
 /// Called four times a step, at the states of the four stages. For whatever acts continuously (springs,
 /// dampers, a fast inner loop); a discontinuous law lowers the order.
@@ -53,10 +52,10 @@ pub fn rk4_step_with<R: Real, S: ForwardDynamics<R>>(
     mut control: impl FnMut(&S::Q, &S::U, &mut S::U),
 ) {
     let zero = R::from_f64(0.0);
-    let mut tau = S::U::filled(zero);
     let mut derivative = |q: &S::Q, u: &S::U| {
         let mut q_dot = S::Q::filled(zero);
         let mut u_dot = S::U::filled(zero);
+        let mut tau = S::U::filled(zero);
         control(q, u, &mut tau);
         system.q_dot(q, u, &mut q_dot);
         system.forward_dynamics(q, u, &tau, &mut u_dot);

@@ -55,10 +55,10 @@ const LEAST_FACTOR: f64 = 0.125;
 pub struct InverseKinematics<R, const NQ: usize> {
     /// What the coordinates may be.
     pub limits: Limits<R, NQ>,
-    /// [`Self::solve`] ends where no component is further off than this, m and rad; 1e-6 at first.
+    /// [`Self::solve`] ends where no component is further off than this, m and rad: 1e-6 at first, 1e-5 in single precision.
     pub tolerance: R,
     /// The least damping `λ`, which is left at the goal. It bounds steps where the Jacobian is singular, and is to be far
-    /// above the rounding of its squared entries: 1e-12 at first, for `f64`; for `f32` 1e-4 does.
+    /// above the rounding of its squared entries: 1e-12 at first, 1e-4 in single precision.
     pub least_damping: R,
 }
 
@@ -75,10 +75,17 @@ pub struct Step<R, const NU: usize> {
 impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// A solver that keeps to the limits.
     pub fn new(limits: Limits<R, NQ>) -> Self {
+        // Of single precision nothing is left of it.
+        let is_double = R::from_f64(1.0 + 1e-9) > R::from_f64(1.0);
+        let (tolerance, least_damping) = if is_double {
+            (1e-6, 1e-12)
+        } else {
+            (1e-5, 1e-4)
+        };
         Self {
             limits,
-            tolerance: R::from_f64(1e-6),
-            least_damping: R::from_f64(1e-12),
+            tolerance: R::from_f64(tolerance),
+            least_damping: R::from_f64(least_damping),
         }
     }
 

@@ -114,6 +114,7 @@ fn a_law_of_the_state_is_called_at_every_stage() {
     let free = Oscillator { stiffness: 0.0 };
     rk4_step_with(&free, 0.1, &mut q, &mut u, |q, _, tau| {
         calls += 1;
+        assert_eq!(*tau, [0.0]);
         tau[0] = -4.0 * q[0];
     });
     let (expected_q, expected_u) = run(&Oscillator { stiffness: 4.0 }, [1.0], [0.0], 0.1, 1);

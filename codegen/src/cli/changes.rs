@@ -2,6 +2,7 @@
 
 use clap::Args;
 use kane_codegen::{
+    config::Changed,
     description::{Base, Chart, Reading},
     tree::Changes,
 };
@@ -161,9 +162,14 @@ impl ChangesArguments {
         changes
     }
 
-    /// True where it says which joints are locked or removed.
-    pub(crate) fn names_changed(&self) -> bool {
-        !self.lock.is_empty() || !self.remove.is_empty()
+    /// Leaves out the lists in whose place there are others.
+    pub(crate) fn forget(&self, changed: &mut Changed) {
+        if !self.lock.is_empty() {
+            changed.forget("lock");
+        }
+        if !self.remove.is_empty() {
+            changed.forget("remove");
+        }
     }
 
     /// The joints that are prescribed.

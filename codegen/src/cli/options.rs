@@ -6,6 +6,7 @@ use std::{mem, path::Path};
 
 use clap::Args;
 use kane_codegen::{
+    config::Changed,
     error::Error,
     functions::{Parsed, split},
     options::{ALL, Formulation, Functions, Options, is_in_all, is_set},
@@ -135,9 +136,9 @@ impl Asked<'_> {
         !self.arguments.changes.prescribed().is_empty()
     }
 
-    /// True where it says which joints are locked or removed.
-    pub(crate) fn names_changed(&self) -> bool {
-        self.arguments.changes.names_changed()
+    /// Leaves out the joints of `kane.toml` in whose place it names others.
+    pub(crate) fn forget_changed(&self, changed: &mut Changed) {
+        self.arguments.changes.forget(changed);
     }
 
     /// Sets what is asked for, above what was said before.

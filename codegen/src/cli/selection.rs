@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kane_codegen::{
     companions::{Abi, CompanionKind},
-    config::{Changed, Named, Prescribed},
+    config::{Named, Prescribed},
     error::Error,
     options::Options,
 };
@@ -231,8 +231,8 @@ impl Selection {
             if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_prescribed()) {
                 listing.prescribed = Prescribed::default();
             }
-            if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_changed()) {
-                listing.changed = Changed::default();
+            if let Some(listing) = job.listing.as_mut() {
+                asked.forget_changed(&mut listing.changed);
             }
             for (kind, _, given) in self.switches() {
                 match given {

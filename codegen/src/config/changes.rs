@@ -34,6 +34,11 @@ pub struct Changed {
 }
 
 impl Changed {
+    /// Those that are left where this list is given elsewhere.
+    pub fn forget(&mut self, list: &str) {
+        self.entries.retain(|(own, _)| *own != list);
+    }
+
     /// What is wrong with one of them on a model, at its place; `None` where it is about none of them.
     pub fn fault(&self, fault: &Diagnostic) -> Option<Diagnostic> {
         let asked = fault.entry.as_ref()?;

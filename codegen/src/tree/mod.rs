@@ -26,6 +26,7 @@ mod assembly;
 mod build;
 mod changes;
 mod crumbs;
+mod friction;
 mod inertia;
 mod joints;
 mod lifted;

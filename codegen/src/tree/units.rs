@@ -2,7 +2,7 @@
 //!
 //! In: a description. Out: warnings; everything is computed as given.
 
-use crate::description::{Description, JointKind, PerCoordinate, WrittenBody};
+use crate::description::{Description, JointKind, Limits, PerCoordinate, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span, Spanned};
 use crate::tree::names::shown;
 
@@ -14,77 +14,148 @@ const MOST_DEGREES: f64 = 720.0;
 const DEGREES: f64 = 5.0;
 /// Multiples of this often stand for no limit.
 const ROUND: f64 = 50.0;
-/// Bodies of small systems are not that far apart, m.
+/// Most lengths of a small system are below, m.
 const FAR: f64 = 20.0;
 /// The mass of all bodies of a small system, kg.
 const SMALL: f64 = 1000.0;
 
-/// Warns of limits that look like degrees, and of distances that look like millimetres.
+/// Warns of limits that look like degrees, and of lengths that look like millimetres.
 pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
-    let masses = description.bodies.iter();
-    let masses = masses.filter_map(|body| body.mass.map(|mass| mass.value.nominal()));
-    let mass: f64 = masses.sum();
-    for (place, body) in description.bodies.iter().enumerate() {
-        let name = shown(description, place);
-        findings.extend(limit_in_degrees(body, &name));
-        // How far from the origin of the inertial frame a system starts says nothing.
-        if mass < SMALL && has_lower_body(description, place) {
-            findings.extend(distance_in_millimetres(body, &name, mass));
+    limits(description, findings);
+    findings.extend(lengths(description));
+}
+
+/// All limits of a file have one unit: where one looks like degrees, all that are too large for radians do.
+fn limits(description: &Description, findings: &mut Vec<Diagnostic>) {
+    let bodies = description.bodies.iter().enumerate();
+    let large = bodies.filter_map(|(place, body)| {
+        let limits = angular_limits(body).into_iter();
+        let ends = limits.flat_map(|limits| [limits.lower, limits.upper]);
+        let mut large = ends.flatten().filter(|end| is_large(end.value));
+        let limit = large.next()?;
+        let looks = std::iter::once(limit)
+            .chain(large)
+            .any(|end| is_round(end.value));
+        Some((place, body, limit, looks))
+    });
+    let large: Vec<_> = large.collect();
+    if !large.iter().any(|(.., looks)| *looks) {
+        return;
+    }
+    for (place, body, limit, _) in large {
+        let name = joint(description, body, place);
+        let message = format!(
+            "a limit of {name} is {:?} rad; is it in degrees?",
+            limit.value
+        );
+        let warning = Diagnostic::warning(message).at(limit.span, "expected radians");
+        findings.push(warning.one_of(
+            "joints have limits that look like degrees, not radians",
+            name,
+        ));
+    }
+}
+
+/// The limits of angles.
+fn angular_limits(body: &WrittenBody) -> Vec<&Limits> {
+    let is_angular = |kind: &JointKind| match kind {
+        JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Universal
+        | JointKind::Spherical => true,
+        JointKind::List(names) => names.iter().all(|name| name.value.is_angle()),
+        _ => false,
+    };
+    match &body.joint.limits {
+        PerCoordinate::Absent => Vec::new(),
+        PerCoordinate::Same(limits) => {
+            let kind = body.joint.kind.as_ref();
+            let is_angular = kind.is_some_and(|kind| is_angular(&kind.value));
+            is_angular.then_some(&limits.value).into_iter().collect()
+        }
+        PerCoordinate::Each(limits) => {
+            let angles = limits.iter().filter(|(name, _)| name.value.is_angle());
+            angles.map(|(_, limits)| &limits.value).collect()
         }
     }
 }
 
-fn has_lower_body(description: &Description, place: usize) -> bool {
-    let lower_bodies = description.lower_bodies.as_ref();
-    let lower = lower_bodies.and_then(|all| all.value.get(place).copied().flatten());
-    lower.is_some_and(|lower| lower.value != 0)
+fn is_large(limit: f64) -> bool {
+    limit.abs() > TWO_TURNS && limit.abs() <= MOST_DEGREES
 }
 
-fn limit_in_degrees(body: &WrittenBody, name: &str) -> Option<Diagnostic> {
-    let kind = &body.joint.kind.as_ref()?.value;
-    let PerCoordinate::Same(Spanned { value: limits, .. }) = &body.joint.limits else {
-        return None;
-    };
-    if !matches!(kind, JointKind::Revolute | JointKind::Continuous) {
-        return None;
+fn is_round(limit: f64) -> bool {
+    limit % DEGREES == 0.0 && limit % ROUND != 0.0
+}
+
+/// The joint by its own name, or by its body's.
+fn joint(description: &Description, body: &WrittenBody, place: usize) -> String {
+    match &body.joint.name {
+        Some(name) => format!("joint `{}`", name.value.escape_debug()),
+        None => shown(description, place),
     }
-    let both = [limits.lower, limits.upper];
-    let limit = both.into_iter().flatten();
-    let limit = limit.into_iter().find(|limit| is_degrees(limit.value))?;
-    let message = format!(
-        "a limit of {name} is {:?} rad; are these degrees?",
-        limit.value
-    );
-    let warning = Diagnostic::warning(message).at(limit.span, "expected radians");
-    let called = body.joint_name().map_or(name, |name| &name.value);
-    Some(warning.one_of(
-        "joints have limits that look like degrees, not radians",
-        called,
-    ))
 }
 
-fn is_degrees(limit: f64) -> bool {
-    let size = limit.abs();
-    size > TWO_TURNS && size <= MOST_DEGREES && size % DEGREES == 0.0 && size % ROUND != 0.0
+/// One warning, at the longest: a long part among short ones is a boom or a tether.
+fn lengths(description: &Description) -> Option<Diagnostic> {
+    let bodies = &description.bodies;
+    let masses = bodies.iter().filter_map(|body| body.mass);
+    let mass: f64 = masses.map(|mass| mass.value.nominal()).sum();
+    let of_bodies = bodies.iter().enumerate();
+    let of_bodies = of_bodies.flat_map(|(place, body)| {
+        // How far from the inertial frame something stands says nothing.
+        let attachment = (!stands(description, place)).then_some(body.joint.attachment);
+        let mass_center = (!is_fixed(body)).then_some(body.mass_center);
+        attachment.into_iter().chain(mass_center)
+    });
+    let mut lengths: Vec<(f64, Span)> = of_bodies
+        .filter_map(|parts| {
+            let [Some(x), Some(y), Some(z)] = parts else {
+                return None;
+            };
+            let square: f64 = [x, y, z]
+                .iter()
+                .map(|part| part.value.nominal().powi(2))
+                .sum();
+            let span = Span::from(x.span.start..z.span.end.max(x.span.end));
+            (square > 0.0).then_some((square.sqrt(), span))
+        })
+        .collect();
+    lengths.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    let (median, _) = *lengths.get(lengths.len().checked_sub(1)? / 2)?;
+    let (longest, span) = *lengths.last()?;
+    (mass < SMALL && median > FAR).then(|| {
+        let message = format!(
+            "most distances of joints and mass centres are beyond {FAR} m, up to {longest:.1} m, of bodies of {mass:?} kg altogether; are they in millimetres?"
+        );
+        Diagnostic::warning(message).at(span, "expected metres")
+    })
 }
 
-fn distance_in_millimetres(body: &WrittenBody, name: &str, mass: f64) -> Option<Diagnostic> {
-    let [Some(x), Some(y), Some(z)] = body.joint.attachment else {
-        return None;
+/// True where only what is fixed lies between the inertial frame and a joint.
+fn stands(description: &Description, body: usize) -> bool {
+    let Some(lower_bodies) = &description.lower_bodies else {
+        return true;
     };
-    let parts = [x, y, z].map(|part| part.value.nominal());
-    let square: f64 = parts.iter().map(|part| part * part).sum();
-    if square <= FAR * FAR {
-        return None;
+    let lower = |body: usize| {
+        let lower: Spanned<i64> = lower_bodies.value.get(body).copied().flatten()?;
+        usize::try_from(lower.value).ok()?.checked_sub(1)
+    };
+    // As many steps as there are bodies, for what is read may be a cycle.
+    let mut body = body;
+    for _ in &description.bodies {
+        match lower(body) {
+            None => return true,
+            Some(lower) => body = lower,
+        }
+        if !description.bodies.get(body).is_some_and(is_fixed) {
+            return false;
+        }
     }
-    let distance = square.sqrt();
-    let message = format!(
-        "{name} is attached {distance:.1} m from the origin of its lower body, and all bodies together have {mass:.1} kg; are these millimetres?"
-    );
-    let span = Span::from(x.span.start..z.span.end.max(x.span.end));
-    let warning = Diagnostic::warning(message).at(span, "expected metres");
-    Some(warning.one_of(
-        "bodies are so far from their lower bodies that it looks like millimetres, not metres",
-        name,
-    ))
+    true
+}
+
+fn is_fixed(body: &WrittenBody) -> bool {
+    let kind = body.joint.kind.as_ref();
+    kind.is_some_and(|kind| kind.value == JointKind::Fixed)
 }

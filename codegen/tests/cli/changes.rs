@@ -298,6 +298,15 @@ fn unknown_joint_of_the_command_line_has_no_place_in_kane_toml() {
 }
 
 #[test]
+fn list_of_the_command_line_leaves_the_places_of_the_other() {
+    let project = project("lock = { foer = 0.1 }\nremove = [\"hand\"]");
+    let ran = project.kane(&["generate", "models/arm.toml", "--lock", "fore"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    assert!(ran.err.contains("--> kane.toml:6:11"), "{}", ran.err);
+    assert!(!ran.err.contains("foer"), "{}", ran.err);
+}
+
+#[test]
 fn faults_of_the_model_and_of_kane_toml_are_told_together() {
     let project = project("remove = [\"hand\"]");
     let model = project

@@ -79,7 +79,7 @@ fn all_unknown_frames_are_told_at_once() {
     ];
     insta::assert_snapshot!(
         project.kane(&arguments).err,
-        @"error: `LOCAL` is no frame of the model; the frame's own axes are asked for behind it: `(FRAME, local)`"
+        @"error: `LOCAL` is no frame of the model; for the frame's own axes write `local` after the frame: `(FRAME, local)`"
     );
 }
 

@@ -1,5 +1,6 @@
 //! Numbers that look as if they had another unit, and what is no part of any function.
 
+use kane_codegen::diagnostic::{Diagnostic, Severity};
 use kane_test_support::models::{build, system};
 
 /// One body on another, both with hinges about one axis; what is added is of the second's joint.
@@ -8,10 +9,22 @@ fn arm() -> String {
     system("[0, 1]", &[("upper", hinge), ("fore", hinge)])
 }
 
+/// The same with this of the first body's joint, too.
+fn with(mechanics: &str) -> String {
+    let second = "\n[[body]]\nname = \"fore\"";
+    arm().replace(second, &format!("{mechanics}{second}"))
+}
+
+fn warnings(text: &str) -> Vec<Diagnostic> {
+    let told = build(text).unwrap().warnings;
+    let warnings = told.list().iter();
+    let warnings = warnings.filter(|one| one.severity == Severity::Warning);
+    warnings.cloned().collect()
+}
+
 #[track_caller]
 fn is_accepted(text: &str) {
-    let warnings = build(text).unwrap().warnings;
-    assert!(warnings.is_empty(), "{warnings}");
+    assert_eq!(warnings(text), []);
 }
 
 #[test]
@@ -37,7 +50,7 @@ fn limits_of_turns_and_those_that_stand_for_none_are_accepted() {
 fn one_limit_in_degrees_is_a_warning() {
     let text = arm() + "limits = { lower = 0.0, upper = 145.0 }\n";
     insta::assert_snapshot!(build(&text).unwrap().warnings, @r"
-    warning: a limit of body `fore` is 145.0 rad; are these degrees?
+    warning: a limit of body `fore` is 145.0 rad; is it in degrees?
       --> model.toml:21:33
        |
     21 | limits = { lower = 0.0, upper = 145.0 }
@@ -46,26 +59,84 @@ fn one_limit_in_degrees_is_a_warning() {
 }
 
 #[test]
-fn long_systems_are_accepted_where_they_are_heavy_or_stand_far_away() {
-    let (near, far) = (
-        "attachment = [0.0, 0.1, 0.3]",
-        "attachment = [0.0, 0.1, 40.0]",
-    );
-    let long = arm().replace(near, far);
-    assert_eq!(build(&long).unwrap().warnings.list().len(), 1);
-    is_accepted(&long.replacen("mass = 2.0", "mass = 4000.0", 1));
-    is_accepted(&arm().replacen(near, far, 1));
+fn all_limits_of_a_model_in_degrees_are_told() {
+    let round = "limits = { lower = -150.0, upper = 150.0 }\n";
+    // By themselves they stand for none.
+    is_accepted(&(arm() + round));
+    let text = with(round) + "limits = { lower = -145.0, upper = 145.0 }\n";
+    insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
 }
 
 #[test]
-fn friction_is_told_to_be_data() {
-    is_accepted(&(arm() + "friction = 0.0\n"));
-    let text = arm() + "friction = 0.2\n";
-    insta::assert_snapshot!(build(&text).unwrap().warnings, @r"
-    note: `friction` of body `fore` is data, the constant `FRICTION`: no function adds it
-      --> model.toml:21:12
-       |
-    21 | friction = 0.2
-       |            ^^^ in no equation
-    ");
+fn limits_of_coordinates_are_looked_at_too() {
+    let of_list = arm().replace("\"revolute\"\naxis = [0, 1, 0]", "[\"theta2\"]");
+    let limits = "limits = { lower = 0.0, upper = 145.0 }\n";
+    assert_eq!(warnings(&(of_list.clone() + limits)).len(), 1);
+    let of_one = "limits = { theta2 = { lower = 0.0, upper = 145.0 } }\n";
+    assert_eq!(warnings(&(of_list.clone() + of_one)).len(), 1);
+    // Of a translation they are metres.
+    let with_slide = of_list.replace("[\"theta2\"]", "[\"theta2\", \"s1\"]");
+    let of_slide = "limits = { s1 = { lower = 0.0, upper = 145.0 } }\n";
+    is_accepted(&(with_slide + of_slide));
+}
+
+/// With all its lengths a thousand times as long.
+fn in_millimetres(text: &str) -> String {
+    let text = text.replace("[0.01, 0.02, -0.5]", "[10.0, 20.0, -500.0]");
+    text.replace("[0.0, 0.1, 0.3]", "[0.0, 100.0, 300.0]")
+}
+
+#[test]
+fn lengths_in_millimetres_are_a_warning() {
+    insta::assert_snapshot!(build(&in_millimetres(&arm())).unwrap().warnings);
+}
+
+#[test]
+fn long_systems_are_accepted_where_they_are_heavy_or_stand_far_away() {
+    is_accepted(&in_millimetres(&arm()).replace("mass = 2.0", "mass = 4000.0"));
+    // One long part, and a system far from the inertial frame's origin, on what is fixed there.
+    let near = "attachment = [0.0, 0.1, 0.3]";
+    let far = "attachment = [0.0, 0.1, 5000.0]";
+    is_accepted(&arm().replace(near, far));
+    let hinge = "\"revolute\"\naxis = [0, 1, 0]";
+    let standing = system(
+        "[0, 1, 2]",
+        &[
+            ("world", "\"fixed\""),
+            ("base", "\"fixed\""),
+            ("arm", hinge),
+        ],
+    );
+    is_accepted(
+        &standing
+            .replace(near, far)
+            .replace("[0.01, 0.02, -0.5]", "[0.0, 0.0, 0.0]"),
+    );
+}
+
+/// What is told of friction.
+fn told(text: &str) -> String {
+    let warnings = build(text).unwrap().warnings;
+    let told = warnings.list().iter().map(|one| one.message.clone());
+    let told: Vec<String> = told
+        .filter(|message| message.contains("friction"))
+        .collect();
+    told.join("\n")
+}
+
+#[test]
+fn friction_is_told_to_be_in_no_equation() {
+    assert_eq!(told(&(arm() + "friction = 0.0\n")), "");
+    let both = with("friction = 0.1\n") + "friction = 0.2\n";
+    insta::assert_snapshot!(build(&both).unwrap().warnings.brief().lines[0].1);
+    insta::assert_snapshot!(told(&(arm() + "friction = 0.2\n")), @"the friction of `fore` is in no equation of motion; the constant `FRICTION` holds it, for your program to add");
+    // What is fixed has none.
+    let fixed = system(
+        "[0, 1]",
+        &[
+            ("upper", "\"revolute\"\naxis = [0, 1, 0]"),
+            ("fore", "\"fixed\""),
+        ],
+    );
+    assert_eq!(told(&(fixed + "friction = 0.2\n")), "");
 }

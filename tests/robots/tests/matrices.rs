@@ -31,8 +31,8 @@ fn array<A: Array<f64>>(numbers: &[f64]) -> A {
     A::from_fn(|place| numbers[place])
 }
 
-fn whole<S: System<f64>, M: Array<S::U>>(write: impl FnOnce(&mut M)) -> Matrix {
-    let mut m = M::filled(S::U::filled(f64::NAN));
+fn whole<S: System<f64>>(write: impl FnOnce(&mut S::Matrix)) -> Matrix {
+    let mut m = S::Matrix::filled(S::U::filled(f64::NAN));
     write(&mut m);
     let entries = m.as_ref().iter().flat_map(AsRef::as_ref);
     Matrix::new(S::U::LEN, entries.copied().collect())
@@ -66,8 +66,8 @@ where
         let v = sample.numbers("v");
         let motion = Motion::new(S::JOINTS, reference.joints(), sample, &v);
         let (q, u): (S::Q, S::U) = (array(&motion.q), array(&motion.u));
-        let m = whole::<S, _>(|m: &mut <S as MassMatrix<f64>>::Matrix| system.mass_matrix(&q, m));
-        let inverse = whole::<S, _>(|h: &mut <S as MassMatrixInverse<f64>>::Matrix| {
+        let m = whole::<S>(|m| system.mass_matrix(&q, m));
+        let inverse = whole::<S>(|h| {
             system.mass_matrix_inverse(&q, h);
         });
         if let Some(expected) = sample.optional("ddq_dtau") {
@@ -80,7 +80,7 @@ where
             continue;
         };
         n_coriolis += 1;
-        let c = whole::<S, _>(|c: &mut <S as CoriolisMatrix<f64>>::Matrix| {
+        let c = whole::<S>(|c| {
             system.coriolis_matrix(&q, &u, c);
         });
         let t_dot = motion.t_dot.as_ref().expect("the base has a quaternion");
@@ -91,7 +91,7 @@ where
         errors.add("coriolis_matrix", error, EXACT);
 
         let expected = Matrix::new(c.n, expected);
-        let m_dot = whole::<S, _>(|m_dot: &mut <S as MassMatrixDot<f64>>::Matrix| {
+        let m_dot = whole::<S>(|m_dot| {
             system.mass_matrix_dot(&q, &u, m_dot);
         });
         let turning = sum(&moving, &transposed(&moving));
@@ -118,7 +118,7 @@ where
     for sample in reference.samples() {
         let motion = Motion::new(S::JOINTS, reference.joints(), sample, &sample.numbers("v"));
         let (q, x): (S::Q, S::U) = (array(&motion.q), array(&motion.u));
-        let m = whole::<S, _>(|m: &mut <S as MassMatrix<f64>>::Matrix| system.mass_matrix(&q, m));
+        let m = whole::<S>(|m| system.mass_matrix(&q, m));
         let mut tau = S::U::filled(f64::NAN);
         system.mass_matrix_product(&q, &x, &mut tau);
         let error = relative(tau.as_ref(), &m.times(x.as_ref()));
@@ -137,7 +137,7 @@ where
         let error = relative(solved.as_ref(), x.as_ref());
         errors.add("solve_factored", error, tolerance);
 
-        let inverse = whole::<S, _>(|h: &mut <S as MassMatrixInverse<f64>>::Matrix| {
+        let inverse = whole::<S>(|h| {
             system.mass_matrix_inverse(&q, h);
         });
         let error = relative(&inverse.times(tau.as_ref()), x.as_ref());

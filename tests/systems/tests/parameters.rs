@@ -84,11 +84,12 @@ where
             f64,
             Q = A::Q,
             U = A::U,
+            Matrix = A::Matrix,
             Loads = A::Loads,
             Scalars = A::Scalars,
             Vectors = A::Vectors,
             Rotations = A::Rotations,
-        > + MassMatrix<f64, Matrix = A::Matrix>
+        > + MassMatrix<f64>
         + PartialAngularVelocity<
             f64,
             PartialAngularVelocityColumns = A::PartialAngularVelocityColumns,

@@ -60,10 +60,10 @@ pub(super) fn read(reader: &mut Reader, element: Element<'_>, owner: &str) -> Or
         let angles = angles.map(|angles| angles.map(|angle| angle.value));
         if angles.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > ONE_TURN)) {
             let message =
-                format!("an angle in `rpy` of {owner} is more than a turn; are these degrees?");
+                format!("an angle in `rpy` of {owner} is more than a turn; is it in degrees?");
             let warning = Diagnostic::warning(message).at(rpy.span, "expected radians");
             let warning = warning.one_of(
-                "`rpy` have angles of more than a turn, as if in degrees, not radians",
+                "`rpy` attributes have angles of more than a turn, as if in degrees, not radians",
                 owner.clone(),
             );
             reader.faults.push(warning);

@@ -80,9 +80,9 @@ fn of_frames() -> Vec<&'static str> {
 /// What to do about a name that is no frame, if it is known to be something else.
 pub(in crate::functions) fn advice_on_frame(name: &str) -> Option<String> {
     match &*plain(name) {
-        "local" => {
-            Some("the frame's own axes are asked for behind it: `(FRAME, local)`".to_owned())
-        }
+        "local" => Some(
+            "for the frame's own axes write `local` after the frame: `(FRAME, local)`".to_owned(),
+        ),
         "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
         _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {
             Some("derivatives are written `d(F)/d(X)`".to_owned())

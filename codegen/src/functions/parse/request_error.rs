@@ -204,7 +204,10 @@ const MOST_LISTED: usize = 20;
 /// What there is instead of a frame.
 fn frames(name: &str, moved: Option<&str>, known: &[String]) -> String {
     if let Some(body) = moved {
-        return format!("it is a joint, and moves `{}`", body.escape_debug());
+        return format!(
+            "it is a joint; ask for the body that it moves, `{}`",
+            body.escape_debug()
+        );
     }
     if let Some(advice) = advice_on_frame(name) {
         return advice;

@@ -20,7 +20,7 @@ pub(super) fn parameters(module: &Module) -> Vec<Item> {
     let allow = allow_unused();
     let parameters = &module.facts.parameters;
     if parameters.is_empty() {
-        return vec![
+        let mut items = vec![
             parse_quote! {
                 /// Values set at run time: this model has none.
                 #allow
@@ -38,6 +38,8 @@ pub(super) fn parameters(module: &Module) -> Vec<Item> {
                 }
             },
         ];
+        items.extend(as_array(&module.facts));
+        return items;
     }
     let names = parameters.iter().map(|parameter| ident(&parameter.name));
     let names: Vec<_> = names.collect();
@@ -75,6 +77,11 @@ fn as_array(facts: &Facts) -> Option<Item> {
     let names = facts.parameters.iter();
     let names: Vec<_> = names.map(|parameter| ident(&parameter.name)).collect();
     let allow = allow_unused();
+    let given = if names.is_empty() {
+        quote!(scalar: core::marker::PhantomData)
+    } else {
+        quote!(#(#names),*)
+    };
     Some(parse_quote! {
         impl<R> Parameters<R> {
             /// These values, in the order of `PARAMETER_NAMES`.
@@ -82,7 +89,7 @@ fn as_array(facts: &Facts) -> Option<Item> {
             #[inline]
             pub fn from_array(values: [R; #length]) -> Self {
                 let [#(#names),*] = values;
-                Self { #(#names),* }
+                Self { #given }
             }
 
             /// The values, in the order of `PARAMETER_NAMES`.

@@ -12,6 +12,7 @@ use crate::tree::assembly::placing::place;
 use crate::tree::assembly::settled::Settled;
 use crate::tree::base_parameter::BaseParameters;
 use crate::tree::frames::note_merged;
+use crate::tree::friction;
 use crate::tree::joints::ResolvedJoint;
 use crate::tree::lifted;
 use crate::tree::names;
@@ -67,6 +68,7 @@ pub(crate) fn assemble(settled: Settled<'_>, findings: &mut Vec<Diagnostic>) -> 
     };
     names::check_coordinates(&tree, findings);
     names::note_order(&tree, findings);
+    friction::note(&tree, findings);
     Some(tree)
 }
 

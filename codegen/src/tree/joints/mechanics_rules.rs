@@ -35,7 +35,6 @@ pub(super) fn mechanics(
     check.springs(&written.stiffness);
     check.springs(&written.rest);
     check.isotropic_armature(&written.armature);
-    check.friction(&written.friction);
     for limits in values(&written.limits) {
         check.limits(&limits.value);
     }
@@ -118,25 +117,6 @@ impl Check<'_> {
                 let warning = warning.one_of("joints whose damping adds energy", self.called);
                 self.findings.push(warning);
             }
-        }
-    }
-
-    /// Tells that no function has friction: other tools add it.
-    fn friction(&mut self, friction: &PerCoordinate<f64>) {
-        if let Some(value) = values(friction)
-            .into_iter()
-            .find(|value| value.value != 0.0)
-        {
-            let name = self.name;
-            let message = format!(
-                "`friction` of {name} is data, the constant `FRICTION`: no function adds it"
-            );
-            let note = Diagnostic::note(message).at(value.span, "in no equation");
-            let note = note.one_of(
-                "joints have friction, which is data, the constant `FRICTION`: no function adds it",
-                self.called,
-            );
-            self.findings.push(note);
         }
     }
 

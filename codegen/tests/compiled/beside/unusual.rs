@@ -174,3 +174,14 @@ fn a_frame_that_is_turned_at_run_time() {
     let tested = Tested::with(&format!("{ZEROS}{TURNED_FRAME}"), &requests);
     tested.passes("the module as it is");
 }
+
+/// It has none, and its derivatives by them have no columns.
+#[test]
+fn a_chain_and_its_derivatives_by_values_at_run_time() {
+    let chain = chain([2.0, 1.0, 0.5], 0.5, "");
+    let requests = [
+        "d(inverse_dynamics)/d(parameters)",
+        "vjp(forward_dynamics; q, u, tau, parameters)",
+    ];
+    assert!(Tested::with(&chain, &requests).passes("without values at run time") > 0);
+}
