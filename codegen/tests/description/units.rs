@@ -16,7 +16,7 @@ fn with(mechanics: &str) -> String {
 }
 
 fn warnings(text: &str) -> Vec<Diagnostic> {
-    let told = build(text).unwrap().warnings;
+    let told = build(text).expect("only warnings").warnings;
     let warnings = told.list().iter();
     let warnings = warnings.filter(|one| one.severity == Severity::Warning);
     warnings.cloned().collect()
@@ -116,7 +116,7 @@ fn long_systems_are_accepted_where_they_are_heavy_or_stand_far_away() {
 
 /// What is told of friction.
 fn told(text: &str) -> String {
-    let warnings = build(text).unwrap().warnings;
+    let warnings = build(text).expect("only warnings").warnings;
     let told = warnings.list().iter().map(|one| one.message.clone());
     let told: Vec<String> = told
         .filter(|message| message.contains("friction"))
