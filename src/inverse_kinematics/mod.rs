@@ -75,7 +75,7 @@ pub struct Step<R, const NU: usize> {
 impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// A solver that keeps to the limits.
     pub fn new(limits: Limits<R, NQ>) -> Self {
-        // Of single precision nothing is left of it.
+        // In single precision the sum is one.
         let is_double = R::from_f64(1.0 + 1e-9) > R::from_f64(1.0);
         let (tolerance, least_damping) = if is_double {
             (1e-6, 1e-12)

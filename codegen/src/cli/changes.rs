@@ -165,10 +165,10 @@ impl ChangesArguments {
     /// Leaves out the lists in whose place there are others.
     pub(crate) fn forget(&self, changed: &mut Changed) {
         if !self.lock.is_empty() {
-            changed.forget("lock");
+            changed.forget(Changes::LOCK);
         }
         if !self.remove.is_empty() {
-            changed.forget("remove");
+            changed.forget(Changes::REMOVE);
         }
     }
 

@@ -6,7 +6,7 @@ use std::{mem, path::Path};
 
 use clap::Args;
 use kane_codegen::{
-    config::Changed,
+    config::{Named, Prescribed},
     error::Error,
     functions::{Parsed, split},
     options::{ALL, Formulation, Functions, Options, is_in_all, is_set},
@@ -16,7 +16,7 @@ use kane_codegen::{
 use super::{
     Failures,
     changes::ChangesArguments,
-    job,
+    job::{self, Listing},
     parse::{name_of, one_of},
 };
 
@@ -126,19 +126,20 @@ impl OptionsArguments {
 }
 
 impl Asked<'_> {
-    /// True where it says which functions.
-    pub(crate) fn names_functions(&self) -> bool {
-        self.functions.is_some()
-    }
-
     /// True where it says which joints are prescribed.
-    pub(crate) fn names_prescribed(&self) -> bool {
+    fn names_prescribed(&self) -> bool {
         !self.arguments.changes.prescribed().is_empty()
     }
 
-    /// Leaves out the joints of `kane.toml` in whose place it names others.
-    pub(crate) fn forget_changed(&self, changed: &mut Changed) {
-        self.arguments.changes.forget(changed);
+    /// Leaves out what `kane.toml` names and it names others for.
+    pub(crate) fn replace(&self, listing: &mut Listing) {
+        if self.functions.is_some() {
+            listing.functions = Named::default();
+        }
+        if self.names_prescribed() {
+            listing.prescribed = Prescribed::default();
+        }
+        self.arguments.changes.forget(&mut listing.changed);
     }
 
     /// Sets what is asked for, above what was said before.

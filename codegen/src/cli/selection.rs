@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kane_codegen::{
     companions::{Abi, CompanionKind},
-    config::{Named, Prescribed},
     error::Error,
     options::Options,
 };
@@ -225,14 +224,8 @@ impl Selection {
             model.clone_into(&mut job.model);
             let options = &mut job.options;
             asked.set(options);
-            if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_functions()) {
-                listing.functions = Named::default();
-            }
-            if let Some(listing) = job.listing.as_mut().filter(|_| asked.names_prescribed()) {
-                listing.prescribed = Prescribed::default();
-            }
-            if let Some(listing) = job.listing.as_mut() {
-                asked.forget_changed(&mut listing.changed);
+            if let Some(listing) = &mut job.listing {
+                asked.replace(listing);
             }
             for (kind, _, given) in self.switches() {
                 match given {

@@ -52,10 +52,10 @@ impl Changed {
 /// What is changed of the model, and where that stands.
 pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> (Changes, Changed) {
     let before = Changes::default();
-    let removed = names(reader, system, "remove");
+    let removed = names(reader, system, Changes::REMOVE);
     let locked = lock(reader, system);
-    let entries = locked.iter().map(|(name, _)| ("lock", name.clone()));
-    let entries = entries.chain(removed.iter().map(|name| ("remove", name.clone())));
+    let entries = locked.iter().map(|(name, _)| (Changes::LOCK, name.clone()));
+    let entries = entries.chain(removed.iter().map(|name| (Changes::REMOVE, name.clone())));
     let changed = Changed {
         entries: entries.collect(),
     };
@@ -88,8 +88,8 @@ fn snap(reader: &mut Reader, system: &Table<'_, '_>) -> Option<f64> {
 
 /// In the order of the names.
 fn lock(reader: &mut Reader, system: &Table<'_, '_>) -> Vec<(Spanned<String>, f64)> {
-    let what = system.what("lock");
-    let table = system.get("lock");
+    let what = system.what(Changes::LOCK);
+    let table = system.get(Changes::LOCK);
     let table = table.and_then(|item| reader.any_table(item, &what));
     let entries = table.iter().flat_map(Table::entries);
     let locked = entries.filter_map(|(name, item)| {

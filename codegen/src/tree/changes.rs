@@ -13,6 +13,13 @@ pub struct Changes {
     pub remove_massless: bool,
 }
 
+impl Changes {
+    /// What the list of [`lock`](Self::lock) is called in `kane.toml`, and by faults.
+    pub const LOCK: &str = "lock";
+    /// The same of [`remove`](Self::remove).
+    pub const REMOVE: &str = "remove";
+}
+
 impl Default for Changes {
     /// Snapping at 1e-9, which covers right angles written with ten digits; nothing locked, nothing removed.
     fn default() -> Self {

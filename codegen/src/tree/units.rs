@@ -3,7 +3,7 @@
 //! In: a description. Out: warnings; everything is computed as given.
 
 use crate::description::{Description, JointKind, Limits, PerCoordinate, WrittenBody};
-use crate::diagnostic::{Diagnostic, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::names::shown;
 
 /// Limits up to two turns, rad, are not looked at.
@@ -99,12 +99,13 @@ fn joint(description: &Description, body: &WrittenBody, place: usize) -> String 
 /// One warning, at the longest: a long part among short ones is a boom or a tether.
 fn lengths(description: &Description) -> Option<Diagnostic> {
     let bodies = &description.bodies;
+    let stands = standing(description);
     let masses = bodies.iter().filter_map(|body| body.mass);
     let mass: f64 = masses.map(|mass| mass.value.nominal()).sum();
     let of_bodies = bodies.iter().enumerate();
     let of_bodies = of_bodies.flat_map(|(place, body)| {
         // How far from the inertial frame something stands says nothing.
-        let attachment = (!stands(description, place)).then_some(body.joint.attachment);
+        let attachment = (!stands[place]).then_some(body.joint.attachment);
         let mass_center = (!is_fixed(body)).then_some(body.mass_center);
         attachment.into_iter().chain(mass_center)
     });
@@ -126,33 +127,35 @@ fn lengths(description: &Description) -> Option<Diagnostic> {
     let (longest, span) = *lengths.last()?;
     (mass < SMALL && median > FAR).then(|| {
         let message = format!(
-            "most distances of joints and mass centres are beyond {FAR} m, up to {longest:.1} m, of bodies of {mass:?} kg altogether; are they in millimetres?"
+            "most lengths are above {FAR} m, the longest is {longest:.1} m, and all bodies together have {mass:?} kg; are the lengths in millimetres?"
         );
         Diagnostic::warning(message).at(span, "expected metres")
     })
 }
 
-/// True where only what is fixed lies between the inertial frame and a joint.
-fn stands(description: &Description, body: usize) -> bool {
-    let Some(lower_bodies) = &description.lower_bodies else {
-        return true;
-    };
-    let lower = |body: usize| {
-        let lower: Spanned<i64> = lower_bodies.value.get(body).copied().flatten()?;
+/// For each body whether its joint sits on the inertial frame, or on what is fixed there.
+fn standing(description: &Description) -> Vec<bool> {
+    let bodies = &description.bodies;
+    let lower_bodies = description.lower_bodies.as_ref();
+    let lower = |body: usize| -> Option<usize> {
+        let lower = lower_bodies?.value.get(body).copied().flatten()?;
         usize::try_from(lower.value).ok()?.checked_sub(1)
     };
-    // As many steps as there are bodies, for what is read may be a cycle.
-    let mut body = body;
-    for _ in &description.bodies {
-        match lower(body) {
-            None => return true,
-            Some(lower) => body = lower,
-        }
-        if !description.bodies.get(body).is_some_and(is_fixed) {
-            return false;
+    let (mut above, mut reached) = (vec![Vec::new(); bodies.len()], Vec::new());
+    for body in 0..bodies.len() {
+        match lower(body).and_then(|lower| above.get_mut(lower)) {
+            Some(above) => above.push(body),
+            None => reached.push(body),
         }
     }
-    true
+    let mut stands = vec![false; bodies.len()];
+    while let Some(body) = reached.pop() {
+        stands[body] = true;
+        if is_fixed(&bodies[body]) {
+            reached.append(&mut above[body]);
+        }
+    }
+    stands
 }
 
 fn is_fixed(body: &WrittenBody) -> bool {

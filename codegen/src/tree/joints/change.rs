@@ -11,10 +11,6 @@ use crate::tree::changes::Changes;
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{self, joint_name, joint_named, shown};
 
-/// The lists of names, as `kane.toml` calls them.
-const LOCK: &str = "lock";
-const REMOVE: &str = "remove";
-
 /// The joints with what the user locks and removes held.
 pub(crate) fn change(
     description: &Description,
@@ -169,7 +165,7 @@ fn meant(
             "`lock` names `{}`; no free coordinate is called so",
             name.escape_debug()
         );
-        let fault = Diagnostic::error(fault).of_entry(LOCK, name);
+        let fault = Diagnostic::error(fault).of_entry(Changes::LOCK, name);
         return Err(with_known(fault, name, &known, "the free coordinates"));
     };
     match meant.find(|other| other.motion != motion) {
@@ -181,7 +177,7 @@ fn meant(
                 shown(description, motion.0),
                 shown(description, other.motion.0)
             );
-            Err(Diagnostic::error(fault).of_entry(LOCK, name))
+            Err(Diagnostic::error(fault).of_entry(Changes::LOCK, name))
         }
     }
 }
@@ -202,7 +198,7 @@ fn removed(
             name.escape_debug()
         );
         findings.push(with_known(
-            Diagnostic::error(fault).of_entry(REMOVE, name),
+            Diagnostic::error(fault).of_entry(Changes::REMOVE, name),
             name,
             &known,
             "the joints",
@@ -212,7 +208,7 @@ fn removed(
     let shown = shown(description, body);
     if locked.keys().any(|(of, _)| *of == body) {
         let fault = format!("the joint of {shown} is both locked and removed");
-        findings.push(Diagnostic::error(fault).of_entry(REMOVE, name));
+        findings.push(Diagnostic::error(fault).of_entry(Changes::REMOVE, name));
     }
     let note = format!("the joint of {shown} is removed: it is fixed");
     findings.push(Diagnostic::note(note).one_of("joints are removed: they are fixed", shown));
