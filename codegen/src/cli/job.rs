@@ -100,6 +100,16 @@ impl Job {
         failures
     }
 
+    /// Why nothing can be generated, each fault at its place where it has one.
+    pub(crate) fn explained(&self, error: Error) -> Failures {
+        match error {
+            Error::Invalid(found) => self.refused(found),
+            Error::Requests(faults) => self.not_had(faults),
+            Error::Prescribed(faults) => self.not_prescribed(faults),
+            error => error.into(),
+        }
+    }
+
     /// What is wrong with the model, and with what is changed of it, at its place where it has one.
     fn refused(&self, found: Diagnostics) -> Failures {
         let Some(listing) = &self.listing else {
@@ -322,9 +332,6 @@ fn generate_one(job: &Job) -> Result<Generated, Failures> {
         Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
             Failures::message(format!("`{}`: {error}", job.model.display()))
         }
-        Error::Invalid(found) => job.refused(found),
-        Error::Requests(faults) => job.not_had(faults),
-        Error::Prescribed(faults) => job.not_prescribed(faults),
-        error => error.into(),
+        error => job.explained(error),
     })
 }

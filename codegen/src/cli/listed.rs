@@ -54,12 +54,8 @@ impl Listed {
         Err(failures)
     }
 
-    /// Reads a text that stands, or would stand, at this path.
-    pub(super) fn parse(path: &Path, text: &str) -> Result<Self, Failures> {
-        Self::of(path, Source::new(path.to_string_lossy(), text))
-    }
-
-    fn of(path: &Path, source: Source) -> Result<Self, Failures> {
+    /// Reads a text that stands at this path, among the files or in a revision.
+    pub(super) fn of(path: &Path, source: Source) -> Result<Self, Failures> {
         let config = config::parse(&source)?;
         Self::new(path, source, config)
     }

@@ -261,3 +261,23 @@ fn revision_that_cannot_be_read_is_said() {
         ran.err
     );
 }
+
+#[test]
+fn faults_of_kane_toml_are_pointed_at_in_each_revision() {
+    let project = history();
+    let functions = "functions = [\"mass_matrix\"]";
+    let faulty = "functions = [\"pose(foer)\"]\nremove = [\"hand\"]";
+    let config = project.read("kane.toml").replacen(functions, faulty, 1);
+    project.write("kane.toml", &config);
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err);
+    project.commit();
+    project.write(
+        "kane.toml",
+        &config.replace("foer", "fore").replace("hand", "hund"),
+    );
+    let ran = project.kane(&["diff", "HEAD"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    insta::assert_snapshot!(ran.err);
+}

@@ -169,7 +169,7 @@ fn pair(
             let options = options(arguments, asked, [&new, &old])?;
             // The path in the banner, which is no difference.
             let shown = new.file_name();
-            [&old, &new].map(|side| side.of_model(&shown, &options))
+            [&old, &new].map(|side| side.of_model(&shown, &options, Failures::from))
         }
         _ => {
             return Err(Failures::message(

@@ -97,8 +97,13 @@ impl Side {
         })
     }
 
-    /// What is known of a model; `shown` is its path in the banner.
-    pub(super) fn of_model(&self, shown: &str, options: &Options) -> Result<Described, Failures> {
+    /// What is known of a model; `shown` is its path in the banner, and `explained` tells why nothing can be generated.
+    pub(super) fn of_model(
+        &self,
+        shown: &str,
+        options: &Options,
+        explained: impl FnOnce(Error) -> Failures,
+    ) -> Result<Described, Failures> {
         let include = |path: &str| self.include(path);
         // What is beside a module says nothing that it does not say.
         let mut options = options.clone();
@@ -108,7 +113,7 @@ impl Side {
             Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
                 Failures::message(format!("`{}`: {error}", self.name()))
             }
-            error => error.into(),
+            error => explained(error),
         })?;
         let description = &generated.description;
         let checked = tree::build_with(description, &options.changes)?;

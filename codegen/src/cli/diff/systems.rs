@@ -5,6 +5,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use kane_codegen::diagnostic::Source;
+
 use super::{report::Report, side::Side};
 use crate::cli::{
     Failures,
@@ -66,13 +68,16 @@ impl Snapshot {
                 if !revision.exists() {
                     return Ok(None);
                 }
-                Listed::parse(config, &revision.read()?)?
+                Listed::of(config, Source::new(revision.to_string(), revision.read()?))?
             }
             Self::Files => Listed::read(config)?,
         };
         let jobs = listed.config.systems.iter().map(|system| {
             let mut job = listed.job(system)?;
             asked.set(&mut job.options);
+            if let Some(listing) = &mut job.listing {
+                asked.replace(listing);
+            }
             Ok(job)
         });
         jobs.collect::<Result<_, _>>().map(Some)
@@ -155,9 +160,9 @@ fn report(snapshots: [&Snapshot; 2], jobs: [&Job; 2]) -> Result<Report, Failures
     let mut failures = Failures::default();
     let mut read = |place: usize| {
         let (snapshot, job): (&Snapshot, &Job) = (snapshots[place], jobs[place]);
-        let known = snapshot
-            .model(&job.model)
-            .and_then(|model| model.of_model(&job.shown, &job.options));
+        let known = snapshot.model(&job.model).and_then(|model| {
+            model.of_model(&job.shown, &job.options, |error| job.explained(error))
+        });
         failures.keep(known)
     };
     let (Some(old), Some(new)) = (read(0), read(1)) else {
