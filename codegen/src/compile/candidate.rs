@@ -5,16 +5,37 @@
 
 use super::branches;
 use crate::{
-    expr::{Expr, ExprGraph},
     functions::{Derived, Formulation, Request},
     passes::{factor, hoist, hoist::Preparation, sines},
-    program::{self, Operations, Program},
+    program::Operations,
     recursive::{Plan, Technique},
     tree::Tree,
 };
 
 /// How many nodes may be built to compare candidates whatever they promise: a tenth of a second's work.
 pub(super) const MOST_NODES: usize = 400_000;
+
+/// A plan, and the function by it, as it would be emitted.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// The plan.
+    pub plan: Plan,
+    /// The function's expressions.
+    pub derived: Derived,
+}
+
+impl Candidate {
+    /// The function in this formulation by this plan.
+    pub(super) fn new(
+        tree: &Tree,
+        function: &Request,
+        formulation: Formulation,
+        plan: Plan,
+    ) -> Self {
+        let derived = candidate(tree, function, formulation, &plan);
+        Self { plan, derived }
+    }
+}
 
 /// The function in this formulation by this plan, as it would be emitted: its sums factored, and sines and cosines inputs
 /// where they are to be given.
@@ -24,26 +45,25 @@ pub fn candidate(
     formulation: Formulation,
     plan: &Plan,
 ) -> Derived {
-    let mut derived = function.derive(tree, formulation, plan);
-    if plan.uses(Technique::Factor) {
-        derived = factored(function, derived);
-    }
-    given_sines(tree, function, derived)
+    let derived = function.derive(tree, formulation, plan);
+    finished(tree, function, plan, derived)
 }
 
-/// A function with its sums factored.
-fn factored(function: &Request, derived: Derived) -> Derived {
-    let (graph, roots) = if function.compact().is_some() {
-        // The pattern of a compact output follows from the tree: nothing to factor across columns.
-        (derived.graph, derived.roots)
+/// What was derived by a plan, as it would be emitted.
+pub(super) fn finished(tree: &Tree, function: &Request, plan: &Plan, derived: Derived) -> Derived {
+    // The pattern of a compact output follows from the tree: nothing to factor across columns.
+    let is_factored = plan.uses(Technique::Factor) && function.compact().is_none();
+    let derived = if is_factored {
+        let (graph, roots) = factor::run(derived.graph, derived.roots);
+        Derived {
+            graph,
+            roots,
+            blocks: derived.blocks,
+        }
     } else {
-        factor::run(&derived.graph, &derived.roots)
+        derived
     };
-    Derived {
-        graph,
-        roots,
-        blocks: derived.blocks,
-    }
+    given_sines(tree, function, derived)
 }
 
 /// A function with sines and cosines as inputs where they are to be given.
@@ -61,21 +81,12 @@ pub(super) fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> 
 
 /// The operations that are left in the loop.
 pub fn operations(derived: &Derived) -> Operations {
-    in_loop(derived).operations()
+    Operations::of(&derived.graph, &derived.roots)
 }
 
 /// As many of them as are written down: what several columns or branches go through alike once.
 pub(super) fn text(tree: &Tree, function: &Request, derived: &Derived) -> usize {
-    let (graph, roots) = hoisted(derived);
-    branches::flattened(tree, &function.arguments(), &graph, &roots).written()
-}
-
-fn in_loop(derived: &Derived) -> Program {
-    let (graph, roots) = hoisted(derived);
-    program::flatten(&graph, &roots)
-}
-
-fn hoisted(derived: &Derived) -> (ExprGraph, Vec<Expr>) {
     let mut preparation = Preparation::default();
-    hoist::run(&derived.graph, &derived.roots, "", &mut preparation)
+    let (graph, roots) = hoist::run(&derived.graph, &derived.roots, "", &mut preparation);
+    branches::flattened(tree, &function.arguments(), &graph, &roots).written()
 }

@@ -12,10 +12,7 @@ use crate::{
     tree::Tree,
 };
 
-use super::{
-    candidate::{candidate, operations},
-    search, sweeps,
-};
+use super::{candidate::operations, search, sweeps};
 
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
@@ -74,7 +71,7 @@ pub fn of_formulation(
     formulation: Formulation,
     without: &BTreeSet<Technique>,
 ) -> Choice {
-    let plan = if function.takes_plan(formulation) {
+    let best = if function.takes_plan(formulation) {
         search::cheapest(tree, function, without)
     } else {
         let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));
@@ -87,6 +84,6 @@ pub fn of_formulation(
     };
     Choice {
         formulation,
-        derived: candidate(tree, function, formulation, &plan),
+        derived: best.derived,
     }
 }

@@ -12,7 +12,7 @@ mod search;
 mod size_check;
 mod sweeps;
 
-pub use candidate::{candidate, operations};
+pub use candidate::{Candidate, candidate, operations};
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use empty::warnings;
 pub(crate) use option_check::check as check_options;

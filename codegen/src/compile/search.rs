@@ -16,7 +16,7 @@ use crate::{
 };
 
 use super::{
-    candidate::{MOST_NODES, candidate, given_sines, operations, text},
+    candidate::{Candidate, MOST_NODES, candidate, given_sines, operations, text},
     sweeps,
 };
 
@@ -35,16 +35,17 @@ const SINE_OF_SEVERAL: usize = 1_000_000;
 /// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
 const MOST_STARTS: usize = 1_500;
 
-/// The cheapest plan that was found for the function, without the techniques in `without`.
+/// The cheapest plan that was found for the function, without the techniques in `without`, and what it derives.
 ///
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Candidate {
     if !function.differentiates() {
         let plan = cheapest_values(tree, function, without);
+        let best = Candidate::new(tree, function, Formulation::Recursive, plan);
         return if function.inverts() {
-            in_lockstep(tree, function, without, plan)
+            in_lockstep(tree, function, without, best)
         } else {
-            plan
+            best
         };
     }
     let forward = cheapest_values(tree, &function.values(), without)
@@ -67,7 +68,7 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
         }
     }
     let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, plans);
-    if best.uses(Technique::Composite) {
+    if best.plan.uses(Technique::Composite) {
         in_lockstep(tree, function, without, best)
     } else {
         best
@@ -75,32 +76,34 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
 }
 
 /// The plan with columns in lockstep where that makes the text of a long function shorter, or as it is.
-fn in_lockstep(tree: &Tree, function: &Request, without: &BTreeSet<Technique>, plan: Plan) -> Plan {
-    let derived = |plan: &Plan| candidate(tree, function, Formulation::Recursive, plan);
+fn in_lockstep(
+    tree: &Tree,
+    function: &Request,
+    without: &BTreeSet<Technique>,
+    one_by_one: Candidate,
+) -> Candidate {
     if without.contains(&Technique::Lockstep) {
-        return plan;
+        return one_by_one;
     }
-    let one_by_one = derived(&plan);
-    let least = operations(&one_by_one).total();
+    let least = operations(&one_by_one.derived).total();
     if least <= MOST_CACHED {
-        return plan;
+        return one_by_one;
     }
+    let derived = |plan| Candidate::new(tree, function, Formulation::Recursive, plan);
     // A tenth more operations at most.
-    let may = |derived: &Derived| 10 * operations(derived).total() <= 11 * least;
-    let text = |derived: &Derived| text(tree, function, derived);
-    let lockstep = plan.with(Technique::Lockstep, true);
-    let solved = derived(&lockstep);
-    let of_solved = text(&solved);
+    let may = |of: &Candidate| 10 * operations(&of.derived).total() <= 11 * least;
+    let text = |of: &Candidate| text(tree, function, &of.derived);
+    let lockstep = derived(one_by_one.plan.with(Technique::Lockstep, true));
+    let of_lockstep = text(&lockstep);
     // For a text that is a fifth shorter at least.
-    if !may(&solved) || 5 * of_solved > 4 * text(&one_by_one) {
-        return plan;
+    if !may(&lockstep) || 5 * of_lockstep > 4 * text(&one_by_one) {
+        return one_by_one;
     }
     if !function.differentiates_accelerations() {
         return lockstep;
     }
-    let twice = lockstep.with_calls_twice(true);
-    let passing = derived(&twice);
-    if may(&passing) && text(&passing) < of_solved {
+    let twice = derived(lockstep.plan.with_calls_twice(true));
+    if may(&twice) && text(&twice) < of_lockstep {
         twice
     } else {
         lockstep
@@ -256,7 +259,7 @@ impl Search<'_> {
             let operations = operations(&derived);
             Count {
                 operations: operations.total() + self.sine * operations.trig,
-                n_nodes: derived.graph.len(),
+                n_nodes: derived.graph.n_needed(&derived.roots),
             }
         } else {
             let derived = self

@@ -11,10 +11,13 @@ use crate::{
     tree::Tree,
 };
 
-use super::candidate::{MOST_NODES, candidate, operations};
+use super::candidate::{Candidate, MOST_NODES, finished, operations};
 
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
+
+/// How many times as much as the cheapest a way may need before its sums are factored: that hardly ever halves a count.
+const MOST_FACTORED: usize = 2;
 
 /// The plan by each way that has a chance to be the cheaper one, forward first.
 pub(super) fn ways(
@@ -52,17 +55,30 @@ pub(super) fn ways(
     plans
 }
 
-/// The first of the plans with the fewest operations.
+/// The first of the plans with the fewest operations, and what it derives.
 pub(super) fn cheapest_of(
     tree: &Tree,
     function: &Request,
     formulation: Formulation,
     plans: Vec<Plan>,
-) -> Plan {
-    if let [_] = plans[..] {
-        return plans.into_iter().next().expect("sweeps: there is one");
+) -> Candidate {
+    let mut best: Option<(usize, Candidate)> = None;
+    // The last is the most promising.
+    for plan in plans.into_iter().rev() {
+        let Some((least, _)) = &best else {
+            let first = Candidate::new(tree, function, formulation, plan);
+            best = Some((operations(&first.derived).total(), first));
+            continue;
+        };
+        let derived = function.derive(tree, formulation, &plan);
+        if operations(&derived).total() > MOST_FACTORED * least {
+            continue;
+        }
+        let derived = finished(tree, function, &plan, derived);
+        let count = operations(&derived).total();
+        if count <= *least {
+            best = Some((count, Candidate { plan, derived }));
+        }
     }
-    let count = |plan: &Plan| operations(&candidate(tree, function, formulation, plan)).total();
-    let best = plans.into_iter().min_by_key(count);
-    best.expect("sweeps: one way is left")
+    best.expect("sweeps: one way is left").1
 }

@@ -35,6 +35,12 @@ impl ExprGraph {
         Some(self.known(sum)?.signed(negative))
     }
 
+    /// How many nodes these need, themselves among them.
+    pub fn n_needed(&self, roots: &[Expr]) -> usize {
+        let needed = self.reachable(roots);
+        needed.into_iter().filter(|needed| *needed).count()
+    }
+
     /// How many operations these need.
     pub fn n_operations(&self, roots: &[Expr]) -> usize {
         let needed = self.reachable(roots);

@@ -8,35 +8,35 @@ use super::rebuild::Rebuilt;
 use crate::expr::{Binding, Expr, ExprGraph, Node, NodeId};
 
 /// The graph with its sums factored, and its roots.
-pub fn run(graph: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>) {
-    let (mut graph, mut roots, mut changed) = once(graph, roots);
+pub fn run(mut graph: ExprGraph, mut roots: Vec<Expr>) -> (ExprGraph, Vec<Expr>) {
     // What was pulled out of a sum can leave another sum behind. Each round lowers the count in the loop, so the rounds end.
-    while changed {
-        (graph, roots, changed) = once(&graph, &roots);
+    while let Some(next) = once(&graph, &roots) {
+        (graph, roots) = next;
     }
     (graph, roots)
 }
 
-/// One round, and whether it found anything.
-fn once(old: &ExprGraph, roots: &[Expr]) -> (ExprGraph, Vec<Expr>, bool) {
+/// One round; `None` where there is nothing to factor.
+fn once(old: &ExprGraph, roots: &[Expr]) -> Option<(ExprGraph, Vec<Expr>)> {
     let sums = Sums::new(old, roots);
+    let factored = sums.all_factored();
+    if factored.is_empty() {
+        return None;
+    }
+    let mut factored = factored.into_iter().peekable();
     let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(old);
-    let mut changed = false;
     for id in old.ids().filter(|id| sums.uses[id.index()] > 0) {
         graph.enter_like(old, id);
-        let is_head = sums.is_local_sum(id) && !sums.absorbed[id.index()];
-        let terms = if is_head { sums.factored(id) } else { None };
-        changed |= terms.is_some();
-        let expr = match terms {
+        let expr = match factored.next_if(|(head, _)| *head == id) {
             None => rebuilt.copy(&mut graph, old, id),
-            Some(terms) => build_sum(&mut graph, &rebuilt, &terms),
+            Some((_, terms)) => build_sum(&mut graph, &rebuilt, &terms),
         };
         graph.name_like(expr, old, Expr::of(id));
         rebuilt.set(id, expr);
     }
     let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();
-    (graph, roots, changed)
+    Some((graph, roots))
 }
 
 /// A term of a sum.
@@ -99,6 +99,17 @@ impl<'a> Sums<'a> {
         };
         let node = self.graph.node(id);
         matches!(node, Node::Add(..)) && !node.operands().any(foreign)
+    }
+
+    /// The sums in which there is something to factor, in order, with their terms afterwards.
+    fn all_factored(&self) -> Vec<(NodeId, Vec<Term>)> {
+        let is_head = |id: &NodeId| {
+            self.uses[id.index()] > 0 && !self.absorbed[id.index()] && self.is_local_sum(*id)
+        };
+        let heads = self.graph.ids().filter(is_head);
+        heads
+            .filter_map(|id| Some((id, self.factored(id)?)))
+            .collect()
     }
 
     /// The terms of a sum after factoring; `None` where there is nothing to factor.

@@ -1,8 +1,13 @@
 //! Operation counts: what users compare and continuous integration pins.
 
-use std::{fmt, ops::AddAssign};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fmt,
+    ops::AddAssign,
+};
 
 use super::{Instruction, Operation, Program};
+use crate::expr::{Binding, Expr, ExprGraph, Input, Node, NodeId};
 
 /// How many operations of each kind a program performs. Signs, absolute values, copies and stores count nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,6 +23,39 @@ pub struct Operations {
 }
 
 impl Operations {
+    /// What a program of these roots would perform in the loop, counted without making it.
+    pub fn of(graph: &ExprGraph, roots: &[Expr]) -> Self {
+        let needed = graph.reachable(roots);
+        let mut operations = Self::default();
+        let mut angles = BTreeSet::new();
+        let mut calls = BTreeSet::new();
+        let is_in_loop = |id: &NodeId| needed[id.index()] && graph.binding(*id) == Binding::State;
+        for id in graph.ids().filter(is_in_loop) {
+            match graph.node(id) {
+                Node::Add(..) => operations.add += 1,
+                Node::Mul(..) => operations.mul += 1,
+                Node::Div(..) => operations.div += 1,
+                Node::Sin(angle) | Node::Cos(angle) => _ = angles.insert(angle),
+                Node::Input(Input::Solved(solved)) => {
+                    calls.insert((solved.lockstep, solved.call));
+                }
+                Node::Number(_) | Node::Input(_) | Node::Abs(_) => {}
+            }
+        }
+        operations.trig = 2 * angles.len();
+        let mut helpers = BTreeMap::new();
+        for (lockstep, call) in calls {
+            let of = graph.lockstep(lockstep);
+            let helper = of.calls[&call].helper;
+            let own = helpers.entry((lockstep, helper));
+            let helper = &of.helpers[helper];
+            let own = own.or_insert_with(|| Self::of(&helper.graph, &helper.roots));
+            // All lanes count, those without a column too.
+            (0..helper.lanes).for_each(|_| operations += *own);
+        }
+        operations
+    }
+
     /// All operations.
     pub fn total(self) -> usize {
         self.mul + self.add + self.div + self.trig

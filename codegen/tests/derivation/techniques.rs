@@ -329,7 +329,7 @@ fn no_technique_raises_a_count_that_it_is_meant_to_lower() {
         let tree = systems::tree(&system.toml()).unwrap();
         for function in FUNCTIONS {
             let request = request(function);
-            let best = compile::cheapest(&tree, &request, &BTreeSet::new());
+            let best = compile::cheapest(&tree, &request, &BTreeSet::new()).plan;
             let count = |plan: &Plan| {
                 let derived = compile::candidate(&tree, &request, Formulation::Recursive, plan);
                 compile::operations(&derived).total()
