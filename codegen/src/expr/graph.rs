@@ -255,12 +255,13 @@ impl ExprGraph {
     /// `a + b`.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
         match (self.as_number(a), self.as_number(b)) {
+            (Some(0.0), Some(0.0)) => return a.abs_sign(),
+            (Some(0.0), _) => return b,
+            (_, Some(0.0)) => return a,
             (Some(x), Some(y)) => {
                 let sum = self.rounded(a.node(), x) + self.rounded(b.node(), y);
                 return self.folded(sum);
             }
-            (Some(0.0), None) => return b,
-            (None, Some(0.0)) => return a,
             _ => {}
         }
         if a.node() == b.node() {
@@ -293,14 +294,14 @@ impl ExprGraph {
         let negative = a.is_negative() ^ b.is_negative();
         let (a, b) = (a.abs_sign(), b.abs_sign());
         match (self.as_number(a), self.as_number(b)) {
+            (Some(0.0), y) if y.is_none_or(f64::is_finite) => return a,
+            (x, Some(0.0)) if x.is_none_or(f64::is_finite) => return b,
+            (Some(1.0), _) => return b.signed(negative),
+            (_, Some(1.0)) => return a.signed(negative),
             (Some(x), Some(y)) => {
                 let product = self.rounded(a.node(), x) * self.rounded(b.node(), y);
                 return self.folded(product).signed(negative);
             }
-            (Some(0.0), None) => return a,
-            (None, Some(0.0)) => return b,
-            (Some(1.0), None) => return b.signed(negative),
-            (None, Some(1.0)) => return a.signed(negative),
             _ => {}
         }
         if let Some(merged) = self
@@ -467,9 +468,9 @@ impl ExprGraph {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
-        let hash = match self.nodes.find(&node) {
+        let vacant = match self.nodes.find(&node) {
             Ok(id) => return id,
-            Err(hash) => hash,
+            Err(vacant) => vacant,
         };
         let binding = match node {
             Node::Number(_) => Binding::Number,
@@ -491,6 +492,6 @@ impl ExprGraph {
         self.scopes.push(scope);
         self.purposes.push(self.purpose);
         self.written_negative.push(false);
-        self.nodes.add(node, hash)
+        self.nodes.add(node, vacant)
     }
 }
