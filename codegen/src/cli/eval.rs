@@ -8,7 +8,8 @@ use std::{
 
 use clap::Args;
 use kane_codegen::{
-    base_parameters, compile,
+    base_parameters,
+    compile::{self, Plans},
     diagnostic::Source,
     error::Error,
     expr::Input,
@@ -117,7 +118,8 @@ pub(crate) fn run(
         ..Options::default()
     };
     compile::check_size(tree, slice::from_ref(&function), &options)?;
-    let derived = compile::choose(tree, &function, &options).derived;
+    let plans = Plans::new(tree, &options.without);
+    let derived = compile::choose(&plans, &function, options.formulation).derived;
     let numbers = derived.graph.evaluate(&derived.roots, |input| {
         *inputs.get(&input).unwrap_or_else(|| {
             unreachable!(

@@ -1,18 +1,16 @@
 //! The formulation in which a function is emitted.
 //!
-//! In: a tree, a function, options. Out: a [`Choice`]. Afterwards: it is the formulation that was asked for, where the
+//! In: a function, a formulation or none. Out: a [`Choice`]. Afterwards: it is the formulation that was asked for, where the
 //! function has it, or the one with fewer operations; of equals the notes'.
-
-use std::collections::BTreeSet;
 
 use crate::{
     functions::{Derived, Formulation, Request},
-    options::{self, Options},
+    options,
     recursive::{Plan, Technique},
     tree::Tree,
 };
 
-use super::{candidate::operations, search, sweeps};
+use super::{candidate::operations, plans::Plans, search, sweeps};
 
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
@@ -28,10 +26,10 @@ pub struct Choice {
 
 /// The function in the formulation that is wanted, where it has it, else in that with the fewest operations: what is
 /// emitted.
-pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
+pub fn choose(plans: &Plans<'_>, function: &Request, wanted: options::Formulation) -> Choice {
     let formulations = function.formulations();
-    let of = |formulation| of_formulation(tree, function, formulation, &options.without);
-    let wanted = match options.formulation {
+    let of = |formulation| of_formulation(plans, function, formulation);
+    let wanted = match wanted {
         options::Formulation::Cheapest => None,
         options::Formulation::Notes => Some(Formulation::Notes),
         options::Formulation::Recursive => Some(Formulation::Recursive),
@@ -43,9 +41,9 @@ pub fn choose(tree: &Tree, function: &Request, options: &Options) -> Choice {
     let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
     // On a large tree the literal sums alone would take longer than all the rest, and so would second derivatives of them.
-    if count < function.literal_terms(tree)
+    if count < function.literal_terms(plans.tree)
         || function.is_second_derivative()
-        || function.differentiates() && values_cost_more(tree, function, count)
+        || function.differentiates() && values_cost_more(plans.tree, function, count)
     {
         return recursive;
     }
@@ -64,23 +62,19 @@ fn values_cost_more(tree: &Tree, function: &Request, count: usize) -> bool {
     values.graph.len() > LONG && operations(&values).total() > count
 }
 
-/// The function in this formulation, by its cheapest plan without some techniques.
-pub fn of_formulation(
-    tree: &Tree,
-    function: &Request,
-    formulation: Formulation,
-    without: &BTreeSet<Technique>,
-) -> Choice {
+/// The function in this formulation, by its cheapest plan.
+pub fn of_formulation(plans: &Plans<'_>, function: &Request, formulation: Formulation) -> Choice {
+    let &Plans { tree, without, .. } = plans;
     let best = if function.takes_plan(formulation) {
-        search::cheapest(tree, function, without)
+        search::cheapest(plans, function)
     } else {
         let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));
-        let plans = if function.differentiates() {
+        let ways = if function.differentiates() {
             sweeps::ways(tree, function, formulation, without, &plan)
         } else {
             vec![plan]
         };
-        sweeps::cheapest_of(tree, function, formulation, plans)
+        sweeps::cheapest_of(tree, function, formulation, ways)
     };
     Choice {
         formulation,

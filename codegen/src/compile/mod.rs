@@ -8,6 +8,7 @@ mod candidate;
 mod choose;
 mod empty;
 mod option_check;
+mod plans;
 mod search;
 mod size_check;
 mod sweeps;
@@ -16,6 +17,7 @@ pub use candidate::{Candidate, candidate, operations};
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use empty::warnings;
 pub(crate) use option_check::check as check_options;
+pub use plans::Plans;
 pub use search::cheapest;
 pub use size_check::check as check_size;
 
@@ -74,7 +76,10 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     let mut functions = Vec::new();
     let requests = options.requests(tree).map_err(Error::Requests)?;
     check_size(tree, &requests, options)?;
-    let choices = threads::map(&requests, |function| choose(tree, function, options));
+    let plans = Plans::new(tree, &options.without);
+    let choices = threads::map(&requests, |function| {
+        choose(&plans, function, options.formulation)
+    });
     for (function, choice) in requests.into_iter().zip(choices) {
         let Choice {
             formulation,

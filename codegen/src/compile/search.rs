@@ -17,6 +17,7 @@ use crate::{
 
 use super::{
     candidate::{Candidate, MOST_NODES, candidate, given_sines, operations, text},
+    plans::Plans,
     sweeps,
 };
 
@@ -35,12 +36,13 @@ const SINE_OF_SEVERAL: usize = 1_000_000;
 /// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
 const MOST_STARTS: usize = 1_500;
 
-/// The cheapest plan that was found for the function, without the techniques in `without`, and what it derives.
+/// The cheapest plan that was found for the function, and what it derives.
 ///
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Candidate {
+pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Candidate {
+    let &Plans { tree, without, .. } = plans;
     if !function.differentiates() {
-        let plan = cheapest_values(tree, function, without);
+        let plan = plans.of_values(function);
         let best = Candidate::new(tree, function, Formulation::Recursive, plan);
         return if function.inverts() {
             in_lockstep(tree, function, without, best)
@@ -48,26 +50,27 @@ pub fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) 
             best
         };
     }
-    let forward = cheapest_values(tree, &function.values(), without)
+    let forward = plans
+        .of_values(&function.values())
         .with(Technique::Composite, false)
         .with(Technique::Reverse, false);
-    let mut plans = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
+    let mut ways = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
     if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
         // Most of what they cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("search: the catalogue has it");
-        let columns = cheapest_values(tree, &columns, without);
+        let columns = plans.of_values(&columns);
         let swept = if function.sweeps_beside_dynamics() {
-            plans.clone()
+            ways.clone()
         } else {
             vec![forward.clone()]
         };
         for way in swept {
             let is_reverse = way.uses(Technique::Reverse);
             let columns = columns.with(Technique::Reverse, is_reverse);
-            plans.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
+            ways.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
         }
     }
-    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, plans);
+    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways);
     if best.plan.uses(Technique::Composite) {
         in_lockstep(tree, function, without, best)
     } else {
@@ -110,8 +113,12 @@ fn in_lockstep(
     }
 }
 
-/// The same, where nothing is differentiated.
-fn cheapest_values(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+/// The cheapest plan that was found for a function that differentiates nothing, without the techniques in `without`.
+pub(super) fn cheapest_values(
+    tree: &Tree,
+    function: &Request,
+    without: &BTreeSet<Technique>,
+) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
     // Which way inertias are best regrouped depends most on these two.

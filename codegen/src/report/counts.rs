@@ -3,11 +3,12 @@
 use std::{collections::BTreeSet, slice};
 
 use crate::{
-    compile,
+    compile::{self, Plans},
     functions::{Formulation, Request},
     options::{self, Options},
     program::Operations,
     recursive::Technique,
+    threads,
     tree::Tree,
 };
 
@@ -23,8 +24,20 @@ pub struct Counts {
     pub cheapest: Option<Formulation>,
 }
 
-/// Counts the operations of one function in those of its formulations in which it would not be too large.
-pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> Counts {
+/// Counts the operations of functions in those of their formulations in which they would not be too large.
+pub fn count(tree: &Tree, functions: &[Request], without: &BTreeSet<Technique>) -> Vec<Counts> {
+    let plans = Plans::new(tree, without);
+    threads::map(functions, |function| {
+        of_one(tree, function, &plans, without)
+    })
+}
+
+fn of_one(
+    tree: &Tree,
+    function: &Request,
+    plans: &Plans<'_>,
+    without: &BTreeSet<Technique>,
+) -> Counts {
     let is_choice = function.formulations().len() > 1;
     let formulations: Vec<_> = function
         .formulations()
@@ -38,10 +51,10 @@ pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> C
                 without: without.clone(),
                 ..Options::default()
             };
-            compile::check_size(tree, slice::from_ref(&function), &options).is_ok()
+            compile::check_size(tree, slice::from_ref(function), &options).is_ok()
         })
         .map(|&formulation| {
-            let choice = compile::of_formulation(tree, &function, formulation, without);
+            let choice = compile::of_formulation(plans, function, formulation);
             (formulation, compile::operations(&choice.derived))
         })
         .collect();
@@ -51,7 +64,7 @@ pub fn count(tree: &Tree, function: Request, without: &BTreeSet<Technique>) -> C
         .min_by_key(|(_, operations)| operations.total())
         .map(|(formulation, _)| *formulation);
     Counts {
-        function,
+        function: function.clone(),
         formulations,
         cheapest,
     }

@@ -108,7 +108,7 @@ fn flat(tree: &Tree, function: &'static Function, formulation: Formulation, plan
     let (graph, roots) = if function.is_compact() {
         (derived.graph, derived.roots)
     } else {
-        factor::run(&derived.graph, &derived.roots)
+        factor::run(derived.graph, derived.roots)
     };
     let (graph, roots, prepared) = hoisted(tree, &graph, &roots);
     Flat {

@@ -1,14 +1,19 @@
 //! Functions of frames: against the functions of bodies, against what other software computed, and by differences.
 
-use std::{collections::BTreeMap, ops::RangeInclusive, path::Path};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ops::RangeInclusive,
+    path::Path,
+};
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile::{self, Plans},
     description::{self, Reading, no_includes},
     diagnostic::Source,
     expr::Input,
     functions::{Argument, Formulation, Function, OF_FRAMES, Of, Parsed, Request, View},
     id::ParameterId,
+    options,
     recursive::Plan,
     tree::{self, Changes, Tree},
 };
@@ -328,6 +333,8 @@ fn robots_are_where_pinocchio_sees_them() {
             serde_json::from_str(&text("reference.json")).expect("it is JSON");
         let links = reference["links"].as_array().expect("it lists links");
         let mut n_velocities = 0;
+        let none = BTreeSet::new();
+        let plans = Plans::new(&tree, &none);
         let mut chosen = BTreeMap::new();
         for sample in reference["samples"].as_array().expect("it lists samples") {
             let mut inputs = BTreeMap::new();
@@ -337,7 +344,7 @@ fn robots_are_where_pinocchio_sees_them() {
             let mut evaluate = |text: String| {
                 let derived = chosen.entry(text).or_insert_with_key(|text: &String| {
                     let request = request(&tree, text);
-                    compile::choose(&tree, &request, &Options::default()).derived
+                    compile::choose(&plans, &request, options::Formulation::Cheapest).derived
                 });
                 let graph = &derived.graph;
                 graph.evaluate(&derived.roots, |given| inputs[&given])

@@ -3,11 +3,12 @@
 use std::{collections::BTreeSet, fmt::Write as _};
 
 use kane_codegen::{
-    compile::{self, Options},
+    compile::{self, Plans},
     description::{Base, Reading},
     expr::Input,
     functions::{Formulation, Function, Request},
     id::SpeedId,
+    options,
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -254,7 +255,9 @@ fn accelerations_and_forces_that_are_found_are_not_read() {
 /// The operations of a function as it is emitted.
 fn count(tree: &Tree, name: &str) -> usize {
     let request = Request::from(function(name));
-    let choice = compile::choose(tree, &request, &Options::default());
+    let none = BTreeSet::new();
+    let plans = Plans::new(tree, &none);
+    let choice = compile::choose(&plans, &request, options::Formulation::Cheapest);
     compile::operations(&choice.derived).total()
 }
 

@@ -14,7 +14,7 @@ use kane_codegen::{
     functions::{CATALOGUE, Formulation, Function},
     geometry::IDENTITY,
     passes::factor,
-    program,
+    program::{self, Operations},
     recursive::{Plan, Regroup, Technique},
     tree::{Body, ChartCoordinates, Coordinate, Mechanics, Orientation, Tree, Value},
 };
@@ -289,7 +289,7 @@ fn passes_keep_the_values_of_every_function() {
                     })
                 };
                 let plain = of(&derived.graph, &derived.roots, &[]);
-                let (graph, roots) = factor::run(&derived.graph, &derived.roots);
+                let (graph, roots) = factor::run(derived.graph.clone(), derived.roots.clone());
                 let factored = of(&graph, &roots, &[]);
                 let error = match function.name {
                     "forward_dynamics_pivots" => pivot_error(&m, &factored, &plain),
@@ -303,10 +303,12 @@ fn passes_keep_the_values_of_every_function() {
                     _ => relative_to(larger(largest(&plain), 1.0), &factored, &plain),
                 };
                 most = larger(most, assert_within(format!("{at}, factored"), error, EXACT));
+                let counted = Operations::of(&graph, &roots);
                 let (graph, roots, prepared) = hoisted(tree, &graph, &roots);
                 let inside = of(&graph, &roots, &prepared);
                 assert_same_bits(&inside, &factored, &format!("{at}, hoisted"));
                 let program = program::flatten(&graph, &roots);
+                assert_eq!(program.operations(), counted, "{at}");
                 let flat = program.evaluate(|given| match given {
                     Input::Prepared(place) => prepared[place],
                     given => input(tree, &state, given),

@@ -79,6 +79,11 @@ fn columns_in_lockstep_are_those_one_by_one() {
                 // The same rows of factors, some of them before and some after what lies between was eliminated.
                 assert_within(&what, relative(&found, &expected), INVERTED);
                 let (program, prepared) = emitted(&tree, &lockstep);
+                assert_eq!(
+                    program.operations(),
+                    compile::operations(&lockstep),
+                    "{what}"
+                );
                 n_with_calls[way][place] += usize::from(n_calls(&program) > 0);
                 for program in [program.clone(), program::fuse(program)] {
                     assert_eq!(program::verify(&program), Ok(()), "{what}");

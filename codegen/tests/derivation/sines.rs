@@ -265,7 +265,8 @@ fn counts_are_those_of_what_is_generated() {
     for tree in [followers(-1.0, 0.3), own("models/cart_pole.toml")] {
         for function in FUNCTIONS {
             let [_, given] = both(function);
-            let counts = report::count(&tree, Request::parse(&given).unwrap(), &BTreeSet::new());
+            let counted = [Request::parse(&given).unwrap()];
+            let counts = &report::count(&tree, &counted, &BTreeSet::new())[0];
             let found = &compiled(&tree, &[&given])[&given].0;
             let stated = counts.formulations.iter();
             let (_, stated) = stated

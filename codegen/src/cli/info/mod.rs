@@ -157,8 +157,5 @@ fn counts(tree: &Tree, options: &Options) -> Result<Vec<Counts>, Failures> {
         requests.extend(failures.keep(named.on(tree).map_err(Error::Requests)));
     }
     failures.none()?;
-    let counts = requests.into_iter();
-    Ok(counts
-        .map(|request| report::count(tree, request, &options.without))
-        .collect())
+    Ok(report::count(tree, &requests, &options.without))
 }
