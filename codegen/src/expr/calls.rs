@@ -92,25 +92,20 @@ impl ExprGraph {
     /// What calls read that compute some of these nodes, each once.
     pub fn called(&self, is_needed: impl Fn(NodeId) -> bool) -> Vec<Expr> {
         let mut met = Met::default();
-        let needed = self.ids().filter(|id| is_needed(*id));
-        let calls = needed.filter_map(|id| self.call_of(id, &mut met));
+        let solved = self.ids().filter_map(|id| match self.node(id) {
+            Node::Input(Input::Solved(solved)) if is_needed(id) => Some(solved),
+            _ => None,
+        });
+        let calls = solved.filter_map(|solved| self.newly_called(solved, &mut met));
         calls.flatten().collect()
     }
 
-    /// What the call reads that computes a node, where none met before has the same call.
-    pub(super) fn read_by_call(
+    /// What the call reads that computes a number; `None` where it was met before.
+    pub(super) fn newly_called(
         &self,
-        id: NodeId,
+        Solved { lockstep, call, .. }: Solved,
         met: &mut Met,
-    ) -> impl Iterator<Item = NodeId> + use<'_> {
-        let read = self.call_of(id, met).into_iter().flatten();
-        read.map(Expr::node)
-    }
-
-    fn call_of(&self, id: NodeId, met: &mut Met) -> Option<impl Iterator<Item = Expr> + use<'_>> {
-        let Node::Input(Input::Solved(Solved { lockstep, call, .. })) = self.node(id) else {
-            return None;
-        };
+    ) -> Option<impl Iterator<Item = Expr> + use<'_>> {
         if !met.calls.insert((lockstep, call)) {
             return None;
         }

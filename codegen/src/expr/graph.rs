@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use rustc_hash::FxHashMap;
 
 use super::{
-    lockstep::{Lockstep, Met},
+    lockstep::Lockstep,
     node::{Binding, Expr, Input, Label, Node, NodeId},
     nodes::Nodes,
     purpose::Purpose,
@@ -90,29 +90,6 @@ impl ExprGraph {
     /// The nodes in order of creation, operands first.
     pub fn ids(&self) -> impl DoubleEndedIterator<Item = NodeId> + use<> {
         (0..u32::try_from(self.nodes.len()).expect("node ids are u32")).map(NodeId)
-    }
-
-    /// How often each node is used: by the nodes that `roots` need, and by the roots themselves; zero for a dead node.
-    pub fn uses(&self, roots: &[Expr]) -> Vec<u32> {
-        let mut uses = vec![0; self.len()];
-        for root in roots {
-            uses[root.node().index()] += 1;
-        }
-        let mut met = Met::default();
-        for id in self.ids().rev() {
-            if uses[id.index()] > 0 {
-                let read = self.read_by_call(id, &mut met);
-                for operand in self.node(id).operands().chain(read) {
-                    uses[operand.index()] += 1;
-                }
-            }
-        }
-        uses
-    }
-
-    /// For each node, whether `roots` need it.
-    pub fn reachable(&self, roots: &[Expr]) -> Vec<bool> {
-        self.uses(roots).into_iter().map(|uses| uses > 0).collect()
     }
 
     /// The body in whose scope the node was built.

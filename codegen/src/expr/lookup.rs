@@ -1,4 +1,4 @@
-//! Nodes that are in the graph already, and how many; nothing is built.
+//! Nodes that are in the graph already; nothing is built.
 
 use super::{Expr, ExprGraph, Node};
 
@@ -33,19 +33,5 @@ impl ExprGraph {
         let negative = first.is_negative();
         let sum = Node::Add(first.signed(negative), second.signed(negative));
         Some(self.known(sum)?.signed(negative))
-    }
-
-    /// How many nodes these need, themselves among them.
-    pub fn n_needed(&self, roots: &[Expr]) -> usize {
-        let needed = self.reachable(roots);
-        needed.into_iter().filter(|needed| *needed).count()
-    }
-
-    /// How many operations these need.
-    pub fn n_operations(&self, roots: &[Expr]) -> usize {
-        let needed = self.reachable(roots);
-        let needed = self.ids().filter(|id| needed[id.index()]);
-        let operations = needed.filter(|id| self.node(*id).operands().next().is_some());
-        operations.count()
     }
 }

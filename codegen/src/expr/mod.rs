@@ -13,6 +13,7 @@ mod evaluate;
 mod graph;
 mod lockstep;
 mod lookup;
+mod needed;
 mod node;
 mod nodes;
 mod outline;
