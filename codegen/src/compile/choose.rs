@@ -47,12 +47,7 @@ pub fn choose(plans: &Plans<'_>, function: &Request, wanted: options::Formulatio
     {
         return recursive;
     }
-    let notes = of(Formulation::Notes);
-    if operations(&notes.derived).total() <= count {
-        notes
-    } else {
-        recursive
-    }
+    of_at_most(plans, function, Formulation::Notes, count).unwrap_or(recursive)
 }
 
 /// True where the notes' values are long, and need more operations alone than this: their derivatives hardly ever need fewer.
@@ -64,9 +59,21 @@ fn values_cost_more(tree: &Tree, function: &Request, count: usize) -> bool {
 
 /// The function in this formulation, by its cheapest plan.
 pub fn of_formulation(plans: &Plans<'_>, function: &Request, formulation: Formulation) -> Choice {
+    let choice = of_at_most(plans, function, formulation, usize::MAX);
+    choice.expect("choose: some plan is the cheapest")
+}
+
+/// The same; `None` where it needs more operations.
+fn of_at_most(
+    plans: &Plans<'_>,
+    function: &Request,
+    formulation: Formulation,
+    most: usize,
+) -> Option<Choice> {
     let &Plans { tree, without, .. } = plans;
     let best = if function.takes_plan(formulation) {
-        search::cheapest(plans, function)
+        let best = search::cheapest(plans, function);
+        (operations(&best.derived).total() <= most).then_some(best)
     } else {
         let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));
         let ways = if function.differentiates() {
@@ -74,10 +81,10 @@ pub fn of_formulation(plans: &Plans<'_>, function: &Request, formulation: Formul
         } else {
             vec![plan]
         };
-        sweeps::cheapest_of(tree, function, formulation, ways)
+        sweeps::cheapest_of(tree, function, formulation, ways, most)
     };
-    Choice {
+    best.map(|best| Choice {
         formulation,
         derived: best.derived,
-    }
+    })
 }

@@ -70,7 +70,8 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Candidate {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
         }
     }
-    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways);
+    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways, usize::MAX);
+    let best = best.expect("search: some way is the cheapest");
     if best.plan.uses(Technique::Composite) {
         in_lockstep(tree, function, without, best)
     } else {

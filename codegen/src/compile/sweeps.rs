@@ -16,7 +16,7 @@ use super::candidate::{Candidate, MOST_NODES, finished, operations};
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
 
-/// How many times as much as the cheapest a way may need before its sums are factored: that hardly ever halves a count.
+/// How many times as much as the cheapest a way may need before its sums are factored, which hardly ever halves a count.
 const MOST_FACTORED: usize = 2;
 
 /// The plan by each way that has a chance to be the cheaper one, forward first.
@@ -55,30 +55,28 @@ pub(super) fn ways(
     plans
 }
 
-/// The first of the plans with the fewest operations, and what it derives.
+/// The first of the plans with the fewest operations, and what it derives; `None` where each needs more than `most`.
 pub(super) fn cheapest_of(
     tree: &Tree,
     function: &Request,
     formulation: Formulation,
     plans: Vec<Plan>,
-) -> Candidate {
-    let mut best: Option<(usize, Candidate)> = None;
+    most: usize,
+) -> Option<Candidate> {
+    let mut least = most;
+    let mut best = None;
     // The last is the most promising.
     for plan in plans.into_iter().rev() {
-        let Some((least, _)) = &best else {
-            let first = Candidate::new(tree, function, formulation, plan);
-            best = Some((operations(&first.derived).total(), first));
-            continue;
-        };
         let derived = function.derive(tree, formulation, &plan);
-        if operations(&derived).total() > MOST_FACTORED * least {
+        if operations(&derived).total() > least.saturating_mul(MOST_FACTORED) {
             continue;
         }
         let derived = finished(tree, function, &plan, derived);
         let count = operations(&derived).total();
-        if count <= *least {
-            best = Some((count, Candidate { plan, derived }));
+        if count <= least {
+            least = count;
+            best = Some(Candidate { plan, derived });
         }
     }
-    best.expect("sweeps: one way is left").1
+    best
 }

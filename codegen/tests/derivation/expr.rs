@@ -23,6 +23,26 @@ fn equal_expressions_are_one_node() {
 }
 
 #[test]
+fn every_node_of_a_long_graph_is_found_again() {
+    let mut graph = ExprGraph::default();
+    let build = |graph: &mut ExprGraph| {
+        let mut pool = vec![q(graph, 0), q(graph, 1)];
+        for place in 0..5_000 {
+            let [last, other] = [pool[pool.len() - 1], pool[place / 2]];
+            let (product, sum) = (graph.mul(last, other), graph.add(last, -other));
+            let (quotient, number) = (graph.div(sum, product), graph.number(0.1 + place as f64));
+            pool.extend([product, sum, quotient, number]);
+        }
+        pool
+    };
+    let first = build(&mut graph);
+    let n_nodes = graph.len();
+    assert!(n_nodes > 15_000, "{n_nodes} nodes");
+    assert_eq!(build(&mut graph), first);
+    assert_eq!(graph.len(), n_nodes);
+}
+
+#[test]
 fn signs_stand_on_references() {
     let mut graph = ExprGraph::default();
     let (a, b) = (q(&mut graph, 0), q(&mut graph, 1));
@@ -50,6 +70,18 @@ fn zeros_and_ones_vanish() {
     assert_eq!(graph.sub(a, a), zero);
     assert_eq!(graph.div(a, a), one);
     assert_eq!(graph.number(-0.0), zero);
+}
+
+#[test]
+fn a_zero_does_not_hide_an_overflow() {
+    let mut graph = ExprGraph::default();
+    let (zero, infinite) = (graph.zero(), graph.number(f64::INFINITY));
+    for product in [graph.mul(zero, infinite), graph.mul(infinite, zero)] {
+        assert!(graph.as_number(product).is_some_and(f64::is_nan));
+    }
+    let sum = graph.add(zero, infinite);
+    assert_eq!(graph.as_number(sum), Some(f64::INFINITY));
+    assert!(graph.overflowed());
 }
 
 #[test]
