@@ -10,7 +10,7 @@ use crate::{
     tree::Tree,
 };
 
-use super::{candidate::operations, plans::Plans, search, sweeps};
+use super::{candidate::operations, cheapest::cheapest, plans::Plans, sweeps};
 
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
@@ -72,7 +72,7 @@ fn of_at_most(
 ) -> Option<Choice> {
     let &Plans { tree, without, .. } = plans;
     let best = if function.takes_plan(formulation) {
-        let best = search::cheapest(plans, function);
+        let best = cheapest(plans, function);
         (operations(&best.derived).total() <= most).then_some(best)
     } else {
         let plan = Plan::plain(tree).with(Technique::Factor, !without.contains(&Technique::Factor));

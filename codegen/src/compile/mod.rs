@@ -5,6 +5,7 @@
 
 mod branches;
 mod candidate;
+mod cheapest;
 mod choose;
 mod empty;
 mod option_check;
@@ -14,11 +15,11 @@ mod size_check;
 mod sweeps;
 
 pub use candidate::{Candidate, candidate, operations};
+pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use empty::warnings;
 pub(crate) use option_check::check as check_options;
 pub use plans::Plans;
-pub use search::cheapest;
 pub use size_check::check as check_size;
 
 pub use crate::options::Options;

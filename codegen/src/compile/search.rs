@@ -1,4 +1,4 @@
-//! The cheapest plan of the recursion, by count.
+//! The cheapest plan of the recursion for a function that differentiates nothing, by count.
 //!
 //! In: a tree, a function, the techniques that may be used. Out: a [`Plan`]. Afterwards: for a function of up to
 //! `MOST_EXACT` nodes no single technique left out would lower the count; of larger ones each was tried once, before
@@ -15,17 +15,10 @@ use crate::{
     tree::Tree,
 };
 
-use super::{
-    candidate::{Candidate, MOST_NODES, candidate, given_sines, operations, text},
-    plans::Plans,
-    sweeps,
-};
+use super::candidate::{MOST_NODES, candidate, given_sines, operations};
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;
-
-/// The operations of a function whose machine code fits into a processor's first cache, of 32 kB. Beyond, time goes by bytes of code.
-const MOST_CACHED: usize = 3_500;
 
 /// What a sine costs above other operations: a plan that needs one angle more must save that much.
 const SINE: usize = 10;
@@ -36,90 +29,8 @@ const SINE_OF_SEVERAL: usize = 1_000_000;
 /// Up to this many nodes the search starts several times: what is sparse and small has more than one local optimum.
 const MOST_STARTS: usize = 1_500;
 
-/// The cheapest plan that was found for the function, and what it derives.
-///
-/// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Candidate {
-    let &Plans { tree, without, .. } = plans;
-    if !function.differentiates() {
-        let plan = plans.of_values(function);
-        let best = Candidate::new(tree, function, Formulation::Recursive, plan);
-        return if function.inverts() {
-            in_lockstep(tree, function, without, best)
-        } else {
-            best
-        };
-    }
-    let forward = plans
-        .of_values(&function.values())
-        .with(Technique::Composite, false)
-        .with(Technique::Reverse, false);
-    let mut ways = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
-    if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
-        // Most of what they cost are columns such as those of the Coriolis matrix.
-        let columns = Request::parse("coriolis_matrix").expect("search: the catalogue has it");
-        let columns = plans.of_values(&columns);
-        let swept = if function.sweeps_beside_dynamics() {
-            ways.clone()
-        } else {
-            vec![forward.clone()]
-        };
-        for way in swept {
-            let is_reverse = way.uses(Technique::Reverse);
-            let columns = columns.with(Technique::Reverse, is_reverse);
-            ways.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
-        }
-    }
-    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways, usize::MAX);
-    let best = best.expect("search: some way is the cheapest");
-    if best.plan.uses(Technique::Composite) {
-        in_lockstep(tree, function, without, best)
-    } else {
-        best
-    }
-}
-
-/// The plan with columns in lockstep where that makes the text of a long function shorter, or as it is.
-fn in_lockstep(
-    tree: &Tree,
-    function: &Request,
-    without: &BTreeSet<Technique>,
-    one_by_one: Candidate,
-) -> Candidate {
-    if without.contains(&Technique::Lockstep) {
-        return one_by_one;
-    }
-    let least = operations(&one_by_one.derived).total();
-    if least <= MOST_CACHED {
-        return one_by_one;
-    }
-    let derived = |plan| Candidate::new(tree, function, Formulation::Recursive, plan);
-    // A tenth more operations at most.
-    let may = |of: &Candidate| 10 * operations(&of.derived).total() <= 11 * least;
-    let text = |of: &Candidate| text(tree, function, &of.derived);
-    let lockstep = derived(one_by_one.plan.with(Technique::Lockstep, true));
-    let of_lockstep = text(&lockstep);
-    // For a text that is a fifth shorter at least.
-    if !may(&lockstep) || 5 * of_lockstep > 4 * text(&one_by_one) {
-        return one_by_one;
-    }
-    if !function.differentiates_accelerations() {
-        return lockstep;
-    }
-    let twice = derived(lockstep.plan.with_calls_twice(true));
-    if may(&twice) && text(&twice) < of_lockstep {
-        twice
-    } else {
-        lockstep
-    }
-}
-
-/// The cheapest plan that was found for a function that differentiates nothing, without the techniques in `without`.
-pub(super) fn cheapest_values(
-    tree: &Tree,
-    function: &Request,
-    without: &BTreeSet<Technique>,
-) -> Plan {
+/// The cheapest plan that was found for the function, without the techniques in `without`.
+pub(super) fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
     // Which way inertias are best regrouped depends most on these two.

@@ -1,0 +1,91 @@
+//! The cheapest plan of any function: that of its values, and the cheapest way to differentiate these.
+//!
+//! In: the plans of values, a function. Out: a [`Candidate`] of the recursion. Columns of what is long go in lockstep.
+
+use crate::{
+    functions::{Formulation, Request},
+    recursive::Technique,
+};
+
+use super::{
+    candidate::{Candidate, operations, text},
+    plans::Plans,
+    sweeps,
+};
+
+/// The operations of a function whose machine code fits into a processor's first cache, of 32 kB. Beyond, time goes by bytes of code.
+const MOST_CACHED: usize = 3_500;
+
+/// The cheapest plan that was found for the function, and what it derives.
+///
+/// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
+pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Candidate {
+    let &Plans { tree, without, .. } = plans;
+    if !function.differentiates() {
+        let plan = plans.of_values(function);
+        let best = Candidate::new(tree, function, Formulation::Recursive, plan);
+        return if function.inverts() {
+            in_lockstep(plans, function, best)
+        } else {
+            best
+        };
+    }
+    let forward = plans
+        .of_values(&function.values())
+        .with(Technique::Composite, false)
+        .with(Technique::Reverse, false);
+    let mut ways = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
+    if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
+        // Most of what they cost are columns such as those of the Coriolis matrix.
+        let columns = Request::parse("coriolis_matrix").expect("cheapest: the catalogue has it");
+        let columns = plans.of_values(&columns);
+        let swept = if function.sweeps_beside_dynamics() {
+            ways.clone()
+        } else {
+            vec![forward.clone()]
+        };
+        for way in swept {
+            let is_reverse = way.uses(Technique::Reverse);
+            let columns = columns.with(Technique::Reverse, is_reverse);
+            ways.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
+        }
+    }
+    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways, usize::MAX);
+    let best = best.expect("cheapest: one way has the least");
+    if best.plan.uses(Technique::Composite) {
+        in_lockstep(plans, function, best)
+    } else {
+        best
+    }
+}
+
+/// The plan with columns in lockstep where that makes the text of a long function shorter, or as it is.
+fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Candidate) -> Candidate {
+    let &Plans { tree, without, .. } = plans;
+    if without.contains(&Technique::Lockstep) {
+        return one_by_one;
+    }
+    let least = operations(&one_by_one.derived).total();
+    if least <= MOST_CACHED {
+        return one_by_one;
+    }
+    let derived = |plan| Candidate::new(tree, function, Formulation::Recursive, plan);
+    // A tenth more operations at most.
+    let may = |of: &Candidate| 10 * operations(&of.derived).total() <= 11 * least;
+    let text = |of: &Candidate| text(tree, function, &of.derived);
+    let lockstep = derived(one_by_one.plan.with(Technique::Lockstep, true));
+    let of_lockstep = text(&lockstep);
+    // For a text that is a fifth shorter at least.
+    if !may(&lockstep) || 5 * of_lockstep > 4 * text(&one_by_one) {
+        return one_by_one;
+    }
+    if !function.differentiates_accelerations() {
+        return lockstep;
+    }
+    let twice = derived(lockstep.plan.with_calls_twice(true));
+    if may(&twice) && text(&twice) < of_lockstep {
+        twice
+    } else {
+        lockstep
+    }
+}
