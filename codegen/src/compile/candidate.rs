@@ -50,33 +50,26 @@ pub fn candidate(
 }
 
 /// What was derived by a plan, as it would be emitted.
-pub(super) fn finished(tree: &Tree, function: &Request, plan: &Plan, derived: Derived) -> Derived {
+pub(super) fn finished(
+    tree: &Tree,
+    function: &Request,
+    plan: &Plan,
+    mut derived: Derived,
+) -> Derived {
     // The pattern of a compact output follows from the tree: nothing to factor across columns.
-    let is_factored = plan.uses(Technique::Factor) && function.compact().is_none();
-    let derived = if is_factored {
-        let (graph, roots) = factor::run(derived.graph, derived.roots);
-        Derived {
-            graph,
-            roots,
-            blocks: derived.blocks,
-        }
-    } else {
-        derived
-    };
+    if plan.uses(Technique::Factor) && function.compact().is_none() {
+        (derived.graph, derived.roots) = factor::run(derived.graph, derived.roots);
+    }
     given_sines(tree, function, derived)
 }
 
 /// A function with sines and cosines as inputs where they are to be given.
-pub(super) fn given_sines(tree: &Tree, function: &Request, derived: Derived) -> Derived {
-    if !function.is_at_sin_cos() {
-        return derived;
+pub(super) fn given_sines(tree: &Tree, function: &Request, mut derived: Derived) -> Derived {
+    if function.is_at_sin_cos() {
+        let angles = sines::angles(tree);
+        (derived.graph, derived.roots) = sines::run(&derived.graph, &derived.roots, &angles);
     }
-    let (graph, roots) = sines::run(&derived.graph, &derived.roots, &sines::angles(tree));
-    Derived {
-        graph,
-        roots,
-        blocks: derived.blocks,
-    }
+    derived
 }
 
 /// The operations that are left in the loop.

@@ -63,7 +63,7 @@ pub fn of_formulation(plans: &Plans<'_>, function: &Request, formulation: Formul
     choice.expect("choose: some plan is the cheapest")
 }
 
-/// The same; `None` where it needs more operations.
+/// The same; `None` where it needs more than `most` operations.
 fn of_at_most(
     plans: &Plans<'_>,
     function: &Request,

@@ -19,8 +19,10 @@ use super::search;
 /// The plans that were found for a tree without some techniques.
 #[derive(Debug)]
 pub struct Plans<'a> {
-    pub(super) tree: &'a Tree,
-    pub(super) without: &'a BTreeSet<Technique>,
+    /// The tree.
+    pub tree: &'a Tree,
+    /// The techniques that are left out.
+    pub without: &'a BTreeSet<Technique>,
     /// By functions as they are asked for. What one thread searches for another waits for.
     found: Mutex<BTreeMap<String, Arc<OnceLock<Plan>>>>,
 }

@@ -8,14 +8,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{
-    expr::{Binding, Node, NodeId},
-    functions::{Derived, Formulation, Request},
+    functions::{Formulation, Request},
     id::BodyId,
     recursive::{self, Plan, Regroup, Technique},
     tree::Tree,
 };
 
-use super::candidate::{MOST_NODES, candidate, given_sines, operations};
+use super::candidate::{MOST_NODES, finished, given_sines, operations};
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;
@@ -173,23 +172,20 @@ impl Search<'_> {
     }
 
     fn counted(&self, plan: &Plan) -> Count {
-        if self.is_exact {
-            let derived = candidate(self.tree, self.function, Formulation::Recursive, plan);
-            let operations = operations(&derived);
-            Count {
-                operations: operations.total() + self.sine * operations.trig,
-                n_nodes: derived.graph.n_needed(&derived.roots),
-            }
+        let &Self { tree, function, .. } = self;
+        let derived = function.derive(tree, Formulation::Recursive, plan);
+        let (derived, n_nodes) = if self.is_exact {
+            let derived = finished(tree, function, plan, derived);
+            let n_nodes = derived.graph.n_needed(&derived.roots);
+            (derived, n_nodes)
         } else {
-            let derived = self
-                .function
-                .derive(self.tree, Formulation::Recursive, plan);
             let n_nodes = derived.graph.len();
-            let derived = given_sines(self.tree, self.function, derived);
-            Count {
-                operations: self.cost(&derived),
-                n_nodes,
-            }
+            (given_sines(tree, function, derived), n_nodes)
+        };
+        let operations = operations(&derived);
+        Count {
+            operations: operations.total() + self.sine * operations.trig,
+            n_nodes,
         }
     }
 
@@ -294,18 +290,5 @@ impl Search<'_> {
     /// Where something is solved for, and `L^T D L` would not alone need twice as much.
     fn factors_have_a_chance(&self) -> bool {
         self.function.solves() && self.function.factorising(self.tree) <= 2 * self.least
-    }
-
-    /// What the operations in the loop cost before factoring.
-    fn cost(&self, derived: &Derived) -> usize {
-        let graph = &derived.graph;
-        let uses = graph.uses(&derived.roots);
-        let in_loop = |id: &_| uses[NodeId::index(*id)] > 0 && graph.binding(*id) == Binding::State;
-        let of_node = |id| match graph.node(id) {
-            Node::Number(_) | Node::Input(_) | Node::Abs(_) => 0,
-            Node::Add(..) | Node::Mul(..) | Node::Div(..) => 1,
-            Node::Sin(_) | Node::Cos(_) => 1 + self.sine,
-        };
-        graph.ids().filter(in_loop).map(of_node).sum()
     }
 }

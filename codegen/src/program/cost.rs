@@ -50,10 +50,14 @@ impl Operations {
             let own = helpers.entry((lockstep, helper));
             let helper = &of.helpers[helper];
             let own = own.or_insert_with(|| Self::of(&helper.graph, &helper.roots));
-            // All lanes count, those without a column too.
-            (0..helper.lanes).for_each(|_| operations += *own);
+            operations.add_lanes(helper.lanes, *own);
         }
         operations
+    }
+
+    /// Adds what a call performs: all lanes count, those without a column too.
+    fn add_lanes(&mut self, lanes: usize, own: Self) {
+        (0..lanes).for_each(|_| *self += own);
     }
 
     /// All operations.
@@ -105,10 +109,9 @@ impl Program {
                     Operation::Abs(_) | Operation::Neg(_) => {}
                 },
                 Instruction::Share { .. } => {}
-                // All lanes count, those without a column too.
                 Instruction::Call { helper, .. } => {
-                    let own = self.helpers[*helper].operations();
-                    (0..self.helpers[*helper].lanes).for_each(|_| operations += own);
+                    let helper = &self.helpers[*helper];
+                    operations.add_lanes(helper.lanes, helper.operations());
                 }
             }
         }

@@ -27,17 +27,10 @@ pub struct Counts {
 /// Counts the operations of functions in those of their formulations in which they would not be too large.
 pub fn count(tree: &Tree, functions: &[Request], without: &BTreeSet<Technique>) -> Vec<Counts> {
     let plans = Plans::new(tree, without);
-    threads::map(functions, |function| {
-        of_one(tree, function, &plans, without)
-    })
+    threads::map(functions, |function| of_one(&plans, function))
 }
 
-fn of_one(
-    tree: &Tree,
-    function: &Request,
-    plans: &Plans<'_>,
-    without: &BTreeSet<Technique>,
-) -> Counts {
+fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
     let is_choice = function.formulations().len() > 1;
     let formulations: Vec<_> = function
         .formulations()
@@ -48,10 +41,10 @@ fn of_one(
                     Formulation::Notes if is_choice => options::Formulation::Notes,
                     _ => options::Formulation::Cheapest,
                 },
-                without: without.clone(),
+                without: plans.without.clone(),
                 ..Options::default()
             };
-            compile::check_size(tree, slice::from_ref(function), &options).is_ok()
+            compile::check_size(plans.tree, slice::from_ref(function), &options).is_ok()
         })
         .map(|&formulation| {
             let choice = compile::of_formulation(plans, function, formulation);

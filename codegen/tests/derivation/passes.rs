@@ -210,7 +210,7 @@ fn a_common_factor_is_pulled_out_of_a_long_sum() {
         let product = graph.mul(x, y);
         sum = graph.add(sum, product);
     }
-    let (factored, roots) = factor::run(graph.clone(), vec![sum]);
+    let (factored, roots) = factor::run(graph, vec![sum]);
     let mut text = factored.dump(roots[0]);
     for (i, name) in ["a", "b", "c", "d"].into_iter().enumerate() {
         text = text.replace(&format!("Q(CoordinateId({i}))"), name);
@@ -231,7 +231,7 @@ fn numbers_of_a_long_sum_are_added_up() {
     assert_eq!(operations(&gathered, &roots).add, 2);
     // Part of the sum is used elsewhere, and stays.
     let inner = graph.add(a, one);
-    let (gathered, roots) = factor::run(graph.clone(), vec![sum, inner]);
+    let (gathered, roots) = factor::run(graph, vec![sum, inner]);
     assert_eq!(operations(&gathered, &roots).add, 3);
 }
 
@@ -245,7 +245,7 @@ fn a_sum_of_parameters_stays() {
         sum = graph.add(sum, term);
     }
     let product = graph.mul(sum, position);
-    let (same, roots) = factor::run(graph.clone(), vec![product]);
+    let (same, roots) = factor::run(graph, vec![product]);
     assert_eq!(operations(&same, &roots).add, 2);
 }
 
@@ -255,7 +255,7 @@ fn a_product_that_is_used_elsewhere_is_not_factored() {
     let [a, b, c] = [0, 1, 2].map(|i| graph.input(Input::Q(CoordinateId::new(i))));
     let (first, second) = (graph.mul(a, b), graph.mul(a, c));
     let sum = graph.add(first, second);
-    let (factored, roots) = factor::run(graph.clone(), vec![sum, first]);
+    let (factored, roots) = factor::run(graph, vec![sum, first]);
     assert_eq!(
         operations(&factored, &roots),
         Operations {
