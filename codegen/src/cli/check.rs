@@ -12,7 +12,6 @@ use kane_codegen::{
     report::{self, Comparison},
     signs,
 };
-use similar::TextDiff;
 
 use super::{
     Failures, Outcome, Voice,
@@ -21,6 +20,7 @@ use super::{
     operations,
     selection::Selection,
     stray,
+    text_diff::TextDiff,
 };
 
 /// Tell whether generated files are what their models say; write nothing
@@ -173,7 +173,7 @@ fn write_file(
             "{path} has line ends CR LF; expected LF: write `* text=auto eol=lf` into .gitattributes"
         )?,
         Found::Differs(old) => {
-            let diff = TextDiff::from_lines(old.as_str(), file.new);
+            let diff = TextDiff::new(old, file.new);
             let changed = ChangedLines::of(&diff, old, file.new);
             writeln!(out, "{path} differs: {changed}")?;
             if lines {
@@ -210,15 +210,11 @@ fn find(path: &Path, text: &str) -> Result<Found, Failures> {
     })
 }
 
-fn write_diff(out: &mut dyn Write, path: &Path, diff: &TextDiff<'_, '_, str>) -> io::Result<()> {
+fn write_diff(out: &mut dyn Write, path: &Path, diff: &TextDiff<'_>) -> io::Result<()> {
     let path = path.display();
     // A tab ends the name, so that `patch` reads it right.
-    let mut diff = diff.unified_diff();
-    diff.header(
-        &format!("{path}\tas it is"),
-        &format!("{path}\tas generated"),
-    );
-    write!(out, "{diff}")
+    let names = ["as it is", "as generated"].map(|side| format!("{path}\t{side}"));
+    write!(out, "{}", diff.unified([&names[0], &names[1]]))
 }
 
 fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::Result<()> {

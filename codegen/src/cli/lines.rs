@@ -3,7 +3,8 @@
 use std::{collections::BTreeSet, fmt};
 
 use kane_codegen::diagnostic::{count, first_few};
-use similar::{ChangeTag, TextDiff};
+
+use super::text_diff::TextDiff;
 
 /// What changed between two texts.
 pub(super) struct ChangedLines {
@@ -18,28 +19,20 @@ pub(super) struct ChangedLines {
 }
 
 impl ChangedLines {
-    /// What a diff of these texts holds, line by line.
-    pub(super) fn of(diff: &TextDiff<'_, '_, str>, old: &str, new: &str) -> Self {
+    /// What a diff of these texts holds.
+    pub(super) fn of(diff: &TextDiff<'_>, old: &str, new: &str) -> Self {
         let (old_owners, new_owners) = (owners(old), owners(new));
-        let (mut removed, mut added) = (0, 0);
-        let mut changed = BTreeSet::new();
-        for change in diff.iter_all_changes() {
-            let (count, owner) = match change.tag() {
-                ChangeTag::Equal => continue,
-                ChangeTag::Delete => (&mut removed, owner(&old_owners, change.old_index())),
-                ChangeTag::Insert => (&mut added, owner(&new_owners, change.new_index())),
-            };
-            *count += 1;
-            changed.extend(owner);
-        }
+        let removed = diff.removed().map(|line| old_owners[line].as_deref());
+        let added = diff.added().map(|line| new_owners[line].as_deref());
+        let mut changed: BTreeSet<&str> = removed.chain(added).flatten().collect();
         let has_functions = new_owners.iter().any(Option::is_some);
         let mut functions: Vec<String> = new_owners.iter().flatten().cloned().collect();
         functions.dedup();
         functions.retain(|name| changed.remove(name.as_str()));
         functions.extend(changed.into_iter().map(str::to_owned));
         Self {
-            removed,
-            added,
+            removed: diff.removed().count(),
+            added: diff.added().count(),
             functions,
             has_functions,
             are_numbers: without_numbers(old) == without_numbers(new),
@@ -62,10 +55,6 @@ impl fmt::Display for ChangedLines {
         }
         Ok(())
     }
-}
-
-fn owner(owners: &[Option<String>], line: Option<usize>) -> Option<&str> {
-    owners.get(line?)?.as_deref()
 }
 
 /// The function to which each line belongs, with its documentation and attributes.

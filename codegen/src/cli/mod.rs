@@ -32,6 +32,7 @@ mod rounded_angles;
 mod selection;
 mod state;
 mod stray;
+mod text_diff;
 mod unique;
 mod voice;
 

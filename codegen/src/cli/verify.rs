@@ -67,7 +67,7 @@ enum Format {
 
 /// Compiles and reads.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
-    debug_assert!(arguments.object, "clap: it is required");
+    assert!(arguments.object, "clap: it is required");
     let options = Options {
         scalar: arguments.scalar,
         opt_level: arguments.opt_level,

@@ -33,7 +33,7 @@ impl ExprGraph {
             calls: BTreeMap::new(),
         };
         let known = self.locksteps.insert(number, lockstep);
-        debug_assert!(known.is_none(), "expr: lockstep {number} is there already");
+        assert!(known.is_none(), "expr: lockstep {number} is there already");
     }
 
     /// Calls a helper on columns. The number of the call.

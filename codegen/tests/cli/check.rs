@@ -30,6 +30,21 @@ fn changed_lines_are_told_by_number_and_place_and_shown_where_asked_for() {
 }
 
 #[test]
+fn lines_that_are_shown_turn_what_is_there_into_what_is_generated() {
+    let project = Project::generated().committed();
+    let generated = project.read("generated/arm.rs");
+    let half = &generated[..generated.len() / 2];
+    let doubled = generated.replace("];\n", "];\n];\n");
+    for found in ["", "x", generated.trim_end(), half, &doubled] {
+        project.write("generated/arm.rs", found);
+        let ran = project.kane(&["check", "--lines"]);
+        project.write("lines.diff", &ran.out);
+        project.git(&["apply", "-p0", "lines.diff"]);
+        assert_eq!(project.read("generated/arm.rs"), generated, "{}", ran.out);
+    }
+}
+
+#[test]
 fn change_of_the_model_is_shown_as_a_diff_and_as_operations() {
     let project = Project::generated();
     // A mass centre on an axis saves operations.

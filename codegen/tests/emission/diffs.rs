@@ -17,7 +17,6 @@ use kane_codegen::{
     generate::generate,
     recursive::Technique::{Articulated, Carriers, Lockstep},
 };
-use similar::ChangeTag;
 
 use crate::names::{Names, as_assignment};
 
@@ -136,7 +135,7 @@ fn without_place(statement: &str) -> String {
 }
 
 /// The statements that stand in one text alone, function by function, with a mark for which.
-fn changes(old: &str, new: &str) -> Vec<(ChangeTag, String)> {
+fn changes(old: &str, new: &str) -> Vec<(char, String)> {
     let counted = |text: &str| {
         let mut counts: BTreeMap<(String, String), i64> = BTreeMap::new();
         let mut function = String::new();
@@ -153,12 +152,8 @@ fn changes(old: &str, new: &str) -> Vec<(ChangeTag, String)> {
     let keys: BTreeSet<_> = old.keys().chain(new.keys()).collect();
     let change = |key| {
         let more = new.get(key).unwrap_or(&0) - old.get(key).unwrap_or(&0);
-        let tag = if more > 0 {
-            ChangeTag::Insert
-        } else {
-            ChangeTag::Delete
-        };
-        (more != 0).then(|| (tag, key.1.clone()))
+        let mark = if more > 0 { '+' } else { '-' };
+        (more != 0).then(|| (mark, key.1.clone()))
     };
     keys.into_iter().filter_map(change).collect()
 }
@@ -196,15 +191,15 @@ fn assert_only_bodies_change(old: &str, new: &str, path: &[&str]) {
     let allowed: BTreeSet<&str> = path.iter().copied().chain(["system"]).collect();
     let changes = changes(old, new);
     let mut strays = Vec::new();
-    for (tag, statement) in &changes {
+    for (mark, statement) in &changes {
         let statement = &as_assignment(statement);
         let of_path = names
             .body_of(statement)
             .is_some_and(|body| allowed.contains(body));
         // Columns are stored body after body: new ones are the new body's, though it may share values with a sibling.
-        let is_new_column = *tag == ChangeTag::Insert && statement.starts_with("columns[");
+        let is_new_column = *mark == '+' && statement.starts_with("columns[");
         if !(of_path || is_new_column || is_size_or_table(statement)) {
-            strays.push(format!("{tag}{statement}"));
+            strays.push(format!("{mark}{statement}"));
         }
     }
     assert!(

@@ -1,10 +1,9 @@
 //! What differs between two models or modules, and between what.
 
 use kane_codegen::report::{self, Comparison, Differences};
-use similar::TextDiff;
 
 use super::side::Described;
-use crate::cli::{Failures, lines::ChangedLines};
+use crate::cli::{Failures, lines::ChangedLines, text_diff::TextDiff};
 
 /// What differs, and between what.
 pub(super) struct Report {
@@ -24,17 +23,11 @@ impl Report {
         let [old_name, new_name] = names;
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let texts = [old, new].map(|known| known.text.as_str());
-        let diff = TextDiff::from_lines(texts[0], texts[1]);
+        let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
         let lines = (!is_same).then(|| ChangedLines::of(&diff, texts[0], texts[1]));
         // A tab ends the name, so that `patch` reads it right.
-        let mut diff = diff.unified_diff();
-        diff.header(&format!("{old_name}\told"), &format!("{new_name}\tnew"));
-        let diff = if is_same {
-            String::new()
-        } else {
-            diff.to_string()
-        };
+        let diff = diff.unified([&format!("{old_name}\told"), &format!("{new_name}\tnew")]);
         Ok(Self {
             names: names.map(str::to_owned),
             fingerprints: [old, new].map(|known| known.outline.fingerprint),
