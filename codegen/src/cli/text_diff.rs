@@ -1,100 +1,97 @@
 //! What differs between two texts, line by line.
 
-use std::{fmt, ops::Range};
+use std::ops::Range;
 
-use imara_diff::{
-    Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter,
-};
+use imara_diff::{Algorithm, Diff, InternedInput, Token};
 
 /// The lines that one text has and the other lacks.
 pub(super) struct TextDiff<'a> {
     lines: InternedInput<&'a str>,
-    diff: Diff,
+    changes: Vec<Change>,
 }
+
+/// Lines from 0: those of the old text, and what stands for them in the new one.
+struct Change {
+    old: Range<usize>,
+    new: Range<usize>,
+}
+
+/// So many lines that are the same are shown on both sides of a change.
+const CONTEXT: usize = 3;
 
 impl<'a> TextDiff<'a> {
     pub(super) fn new(old: &'a str, new: &'a str) -> Self {
         let lines = InternedInput::new(old, new);
         let mut diff = Diff::compute(Algorithm::Histogram, &lines);
         diff.postprocess_lines(&lines);
-        Self { lines, diff }
+        let places = |lines: Range<u32>| lines.start as usize..lines.end as usize;
+        let changes = diff.hunks().map(|hunk| Change {
+            old: places(hunk.before),
+            new: places(hunk.after),
+        });
+        let changes = changes.collect();
+        Self { lines, changes }
     }
 
     /// The lines of the old text that are gone, from 0.
     pub(super) fn removed(&self) -> impl Iterator<Item = usize> {
-        self.diff.hunks().flat_map(|hunk| indices(hunk.before))
+        self.changes.iter().flat_map(|change| change.old.clone())
     }
 
     /// The lines of the new text that the old one lacks, from 0.
     pub(super) fn added(&self) -> impl Iterator<Item = usize> {
-        self.diff.hunks().flat_map(|hunk| indices(hunk.after))
+        self.changes.iter().flat_map(|change| change.new.clone())
     }
 
     /// The unified diff of the texts, which `patch` reads; empty where they are the same.
     pub(super) fn unified(&self, [old, new]: [&str; 2]) -> String {
-        let printer = Printer(&self.lines.interner);
-        let hunks = self
-            .diff
-            .unified_diff(&printer, UnifiedDiffConfig::default(), &self.lines);
-        let hunks = hunks.to_string();
+        let is_near = |a: &Change, b: &Change| b.old.start - a.old.end <= 2 * CONTEXT;
+        let hunks = self.changes.chunk_by(is_near);
+        let hunks: String = hunks.map(|changes| self.hunk(changes)).collect();
         if hunks.is_empty() {
             hunks
         } else {
             format!("--- {old}\n+++ {new}\n{hunks}")
         }
     }
-}
 
-fn indices(lines: Range<u32>) -> Range<usize> {
-    lines.start as usize..lines.end as usize
-}
-
-/// Writes hunks as `diff -u` does: an empty side begins one line before, and a last line without its end says so.
-struct Printer<'a>(&'a Interner<&'a str>);
-
-impl Printer<'_> {
-    fn line(&self, mut out: impl fmt::Write, mark: char, line: Token) -> fmt::Result {
-        let line = self.0[line];
-        let end = if line.ends_with('\n') {
-            ""
-        } else {
-            "\n\\ No newline at end of file\n"
-        };
-        write!(out, "{mark}{line}{end}")
-    }
-}
-
-impl UnifiedDiffPrinter for Printer<'_> {
-    fn display_header(
-        &self,
-        mut out: impl fmt::Write,
-        old: u32,
-        new: u32,
-        old_lines: u32,
-        new_lines: u32,
-    ) -> fmt::Result {
-        let side = |start: u32, lines: u32| {
-            let start = start + u32::from(lines > 0);
-            if lines == 1 {
-                start.to_string()
-            } else {
-                format!("{start},{lines}")
-            }
-        };
-        let (old, new) = (side(old, old_lines), side(new, new_lines));
-        writeln!(out, "@@ -{old} +{new} @@")
+    /// Changes that are near one another, with the lines between and beside them.
+    fn hunk(&self, changes: &[Change]) -> String {
+        let (old, new) = (&self.lines.before, &self.lines.after);
+        let (first, last) = (&changes[0], &changes[changes.len() - 1]);
+        let above = CONTEXT.min(first.old.start);
+        let below = CONTEXT.min(old.len() - last.old.end);
+        let mut text = String::new();
+        let mut at = first.old.start - above;
+        for change in changes {
+            self.write(&mut text, ' ', &old[at..change.old.start]);
+            self.write(&mut text, '-', &old[change.old.clone()]);
+            self.write(&mut text, '+', &new[change.new.clone()]);
+            at = change.old.end;
+        }
+        self.write(&mut text, ' ', &old[at..at + below]);
+        let old = side(first.old.start - above..last.old.end + below);
+        let new = side(first.new.start - above..last.new.end + below);
+        format!("@@ -{old} +{new} @@\n{text}")
     }
 
-    fn display_context_token(&self, out: impl fmt::Write, line: Token) -> fmt::Result {
-        self.line(out, ' ', line)
-    }
-
-    fn display_hunk(&self, mut out: impl fmt::Write, old: &[Token], new: &[Token]) -> fmt::Result {
-        for (mark, lines) in [('-', old), ('+', new)] {
-            for line in lines {
-                self.line(&mut out, mark, *line)?;
+    fn write(&self, text: &mut String, mark: char, lines: &[Token]) {
+        for &line in lines {
+            let line = self.lines.interner[line];
+            text.push(mark);
+            text.push_str(line);
+            if !line.ends_with('\n') {
+                text.push_str("\n\\ No newline at end of file\n");
             }
         }
-        Ok(())
+    }
+}
+
+/// Where a hunk begins, from 1, and how many lines it has if it is not one; one of no lines begins after the line of its number.
+fn side(lines: Range<usize>) -> String {
+    match lines.len() {
+        0 => format!("{},0", lines.start),
+        1 => (lines.start + 1).to_string(),
+        length => format!("{},{length}", lines.start + 1),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::{fs, process::Stdio};
 
-use super::project::{Project, model, system};
+use super::project::{Project, Ran, model, system};
 
 #[test]
 fn file_that_is_up_to_date_is_the_same() {
@@ -35,11 +35,17 @@ fn lines_that_are_shown_turn_what_is_there_into_what_is_generated() {
     let generated = project.read("generated/arm.rs");
     let half = &generated[..generated.len() / 2];
     let doubled = generated.replace("];\n", "];\n];\n");
-    for found in ["", "x", generated.trim_end(), half, &doubled] {
-        project.write("generated/arm.rs", found);
+    let lines: Vec<&str> = generated.lines().collect();
+    let edited = (0..12).map(|line| generated.replacen(lines[line], "edited", 1));
+    let apart = edited.clone().map(|text| text.replacen(lines[12], "", 1));
+    let found = ["", "x", generated.trim_end(), half, &doubled].map(str::to_owned);
+    for found in found.into_iter().chain(edited).chain(apart) {
+        project.write("generated/arm.rs", &found);
         let ran = project.kane(&["check", "--lines"]);
         project.write("lines.diff", &ran.out);
-        project.git(&["apply", "-p0", "lines.diff"]);
+        let mut apply = project.git_command(&["apply", "--verbose", "-p0", "lines.diff"]);
+        let applied: Ran = apply.output().unwrap().into();
+        assert!(!applied.err.contains("offset"), "{}", applied.err);
         assert_eq!(project.read("generated/arm.rs"), generated, "{}", ran.out);
     }
 }
