@@ -35,41 +35,55 @@ fn related(
     is_given: impl Fn(usize, bool) -> bool,
 ) -> Vec<Relation> {
     let mut relations = vec![Relation::Left; columns.len()];
+    // All that are left: where joints follow others, two branches may move alike.
+    let mut left = Span::default();
     for body in tree.body_ids() {
-        let mut span = Span::default();
-        for place in relatives(tree, body, &relations) {
-            let column = columns.at(place);
-            let projected = span.project(column);
-            if column.is_known && !projected.is_within(column) {
-                span.add(place, column, &projected);
-            }
-        }
+        let mut near = of_lower(tree, columns, body, &relations);
         for place in ORDER.map(|own| body.index() * N_INERTIAL + own) {
             let column = columns.at(place);
             if !column.is_known {
                 continue;
             }
-            let projected = span.project(column);
-            let is_within = projected.is_within(column);
+            let by_near = near.project(column);
+            let is_far = tree.has_followers() && !by_near.is_within(column);
+            let by_left = is_far.then(|| left.project(column));
+            let is_within = by_left.as_ref().unwrap_or(&by_near).is_within(column);
             if is_given(place, is_within) {
-                relations[place] = Relation::Given(span.terms(column, &projected));
+                let terms = match &by_left {
+                    Some(by_left) => left.terms(column, by_left),
+                    None => near.terms(column, &by_near),
+                };
+                relations[place] = Relation::Given(terms);
             } else if !is_within {
-                span.add(place, column, &projected);
+                near.add(place, column, &by_near);
+                if let Some(by_left) = &by_left {
+                    left.add(place, column, by_left);
+                }
             }
         }
     }
     relations
 }
 
-/// The columns that may give those of a body: of its lower body, those that are left before those that are given. Where joints
-/// follow others, two branches may move alike: then also of all bodies before it.
-fn relatives(tree: &Tree, body: BodyId, relations: &[Relation]) -> Vec<usize> {
-    let of = |body: BodyId| (0..N_INERTIAL).map(move |own| body.index() * N_INERTIAL + own);
+/// What the columns of a body's lower body span: first those that are left, then those that are given.
+fn of_lower<'a>(
+    tree: &Tree,
+    columns: &'a Columns,
+    body: BodyId,
+    relations: &[Relation],
+) -> Span<'a> {
+    let lower = tree.lower(body).into_iter();
+    let places =
+        lower.flat_map(|lower| (0..N_INERTIAL).map(move |own| lower.index() * N_INERTIAL + own));
     let is_left = |place: &usize| relations[*place] == Relation::Left;
-    let lower = tree.lower(body);
-    let (left, given): (Vec<usize>, Vec<usize>) = lower.into_iter().flat_map(of).partition(is_left);
-    let others = (0..body.index()).map(BodyId::new);
-    let others = others.filter(|other| tree.has_followers() && Some(*other) != lower);
-    let others: Vec<usize> = others.flat_map(of).filter(is_left).collect();
-    [left, given, others].concat()
+    let (left, given): (Vec<usize>, Vec<usize>) = places.partition(is_left);
+    let mut span = Span::default();
+    for place in [left, given].concat() {
+        let column = columns.at(place);
+        let projected = span.project(column);
+        if column.is_known && !projected.is_within(column) {
+            span.add(place, column, &projected);
+        }
+    }
+    span
 }

@@ -7,7 +7,6 @@
 use kane_codegen::{
     base_parameters,
     functions::Formulation,
-    recursive::Plan,
     tree::{N_INERTIAL, Tree},
 };
 use kane_test_support::{
@@ -116,7 +115,7 @@ fn factors_hold_whatever_gravity_is_set_to() {
 /// Those robots whose regressors are small, for the seconds of elimination.
 fn robots(formulation: Formulation) -> impl Iterator<Item = Evaluator> {
     let names = ["double_pendulum", "ur5", "panda"].into_iter();
-    names.map(move |name| Evaluator::of(name, &written(name), formulation, Plan::full))
+    names.map(move |name| Evaluator::of(name, &written(name), formulation))
 }
 
 /// The columns that are not zero, over their lengths.

@@ -97,15 +97,15 @@ fn all_ways_give_the_same_derivatives() {
     }
 }
 
-/// What a function gives in the state that lies `t` away along an entry of a variable.
+/// What a function, derived once, gives in the state that lies `t` away along an entry of a variable.
 pub(crate) fn moved(
     tree: &Tree,
     request: &Request,
     state: &State,
-    (variable, entry): (&str, usize),
-) -> impl Fn(f64) -> Vec<f64> {
+    variable: &str,
+) -> impl Fn(usize, f64) -> Vec<f64> {
     let derived = request.derive(tree, Formulation::Recursive, &Plan::full(tree));
-    move |t| {
+    move |entry, t| {
         let mut state = state.clone();
         match variable {
             "q" => state = state.displaced(tree, entry, t),
@@ -164,9 +164,9 @@ fn every_function_changes_as_its_derivatives_say() {
                 let found = values(&tree, &request(&tree, &text), &Plan::full(&tree), &state);
                 let n = n_entries(&tree, &variable);
                 assert_eq!(found.len(), at.len() * n, "{text}");
+                let along = moved(&tree, &whole, &state, &variable);
                 for entry in 0..n {
-                    let along = moved(&tree, &whole, &state, (&variable, entry));
-                    let expected = derivative(along);
+                    let expected = derivative(|t| along(entry, t));
                     let own: Vec<f64> = found.chunks(n).map(|row| row[entry]).collect();
                     let scale = larger(larger(largest(&at), largest(&expected)), 1.0);
                     let error = relative_to(scale, &own, &expected);

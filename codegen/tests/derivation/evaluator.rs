@@ -25,7 +25,7 @@ use kane_test_support::{
 /// A system, evaluated through the programs of one formulation.
 pub(crate) struct Evaluator {
     name: String,
-    composition: Composition,
+    composition: Arc<Composition>,
     formulation: Formulation,
     plan: Plan,
     functions: Mutex<BTreeMap<&'static str, Arc<Flat>>>,
@@ -41,30 +41,28 @@ struct Flat {
 impl Evaluator {
     /// With every technique where the formulation has any.
     pub(crate) fn new(system: &RandomSystem, formulation: Formulation) -> Self {
-        Self::planned(system, formulation, Plan::full)
-    }
-
-    pub(crate) fn planned(
-        system: &RandomSystem,
-        formulation: Formulation,
-        plan: impl FnOnce(&Tree) -> Plan,
-    ) -> Self {
-        Self::of(&system.name, &system.toml(), formulation, plan)
+        Self::of(&system.name, &system.toml(), formulation)
     }
 
     /// A description that is accepted, in our own format.
-    pub(crate) fn of(
-        name: &str,
-        text: &str,
-        formulation: Formulation,
-        plan: impl FnOnce(&Tree) -> Plan,
-    ) -> Self {
+    pub(crate) fn of(name: &str, text: &str, formulation: Formulation) -> Self {
         let tree = tree(text).expect("the description is accepted");
         Self {
             name: format!("{name} in formulation {}", formulation.name()),
-            plan: plan(&tree),
-            composition: Composition::new(text, &tree),
+            plan: Plan::full(&tree),
+            composition: Arc::new(Composition::new(text, &tree)),
             formulation,
+            functions: Mutex::default(),
+        }
+    }
+
+    /// The same system by another formulation or plan.
+    pub(crate) fn otherwise(&self, formulation: Formulation, plan: Plan) -> Self {
+        Self {
+            name: format!("{} and in {}", self.name, formulation.name()),
+            composition: Arc::clone(&self.composition),
+            formulation,
+            plan,
             functions: Mutex::default(),
         }
     }

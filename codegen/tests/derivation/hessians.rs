@@ -48,9 +48,9 @@ fn differenced(tree: &Tree, name: &str, variable: &str, state: &State) -> Vec<f6
     let gradient = request(tree, &format!("vjp({name}; {variable})"));
     // Inverses are of sums of masses that may be little larger than a whole step.
     let size = if variable == "parameters" { 0.1 } else { 1.0 };
+    let along = moved(tree, &gradient, state, variable);
     let columns = (0..n).map(|entry| {
-        let along = moved(tree, &gradient, state, (variable, entry));
-        let column = derivative(|t| along(size * t)).into_iter();
+        let column = derivative(|t| along(entry, size * t)).into_iter();
         column.map(|entry| entry / size).collect()
     });
     let columns: Vec<Vec<f64>> = columns.collect();
