@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use crate::{
     drawn::with_unit_quaternions,
     expr::{ExprGraph, Input},
-    id::{CoordinateId, ParameterId, SpeedId},
+    id::{BodyId, CoordinateId, ParameterId, SpeedId},
     number::Rounded,
     random::Random,
     recursive::{Plan, regressor},
-    tree::{N_INERTIAL, Tree},
+    tree::{InertialParameter, N_INERTIAL, Tree},
 };
 
 /// States for each body that a speed moves: enough for twice the columns that are compared.
@@ -81,6 +81,19 @@ impl Column {
             error: if length > error { error / length } else { 0.0 },
             is_known,
         }
+    }
+}
+
+/// Where the column of a body's own parameter stands.
+pub(super) fn place(body: BodyId, own: usize) -> usize {
+    body.index() * N_INERTIAL + own
+}
+
+/// The parameter of the column at a place.
+pub(super) fn parameter(place: usize) -> InertialParameter {
+    InertialParameter {
+        body: BodyId::new(place / N_INERTIAL),
+        place: place % N_INERTIAL,
     }
 }
 

@@ -16,8 +16,7 @@ use std::collections::BTreeMap;
 
 use crate::{
     drawn::parameters,
-    id::BodyId,
-    tree::{BaseParameter, InertialParameter, N_INERTIAL, Tree, Value},
+    tree::{BaseParameter, InertialParameter, Tree, Value},
 };
 use columns::Columns;
 use relations::Relation;
@@ -85,7 +84,7 @@ fn combined(relations: &[Relation]) -> Vec<BaseParameter> {
     for (column, share) in shares.iter().enumerate() {
         for (&left, &factor) in share.iter().filter(|(_, factor)| **factor != 0.0) {
             let own = terms.entry(left).or_default();
-            let term = (parameter(column), factor);
+            let term = (columns::parameter(column), factor);
             if column == left {
                 own.insert(0, term);
             } else {
@@ -95,12 +94,4 @@ fn combined(relations: &[Relation]) -> Vec<BaseParameter> {
     }
     let terms = terms.into_values();
     terms.map(|terms| BaseParameter { terms }).collect()
-}
-
-/// The parameter of a column, counted body by body.
-fn parameter(column: usize) -> InertialParameter {
-    InertialParameter {
-        body: BodyId::new(column / N_INERTIAL),
-        place: column % N_INERTIAL,
-    }
 }

@@ -1,6 +1,9 @@
 //! Which columns others give.
 
-use super::{columns::Columns, span::Span};
+use super::{
+    columns::{self, Columns},
+    span::Span,
+};
 use crate::{
     id::BodyId,
     tree::{N_INERTIAL, Tree},
@@ -39,7 +42,7 @@ fn related(
     let mut left = Span::default();
     for body in tree.body_ids() {
         let mut near = of_lower(tree, columns, body, &relations);
-        for place in ORDER.map(|own| body.index() * N_INERTIAL + own) {
+        for place in ORDER.map(|own| columns::place(body, own)) {
             let column = columns.at(place);
             if !column.is_known {
                 continue;
@@ -73,8 +76,7 @@ fn of_lower<'a>(
     relations: &[Relation],
 ) -> Span<'a> {
     let lower = tree.lower(body).into_iter();
-    let places =
-        lower.flat_map(|lower| (0..N_INERTIAL).map(move |own| lower.index() * N_INERTIAL + own));
+    let places = lower.flat_map(|lower| (0..N_INERTIAL).map(move |own| columns::place(lower, own)));
     let is_left = |place: &usize| relations[*place] == Relation::Left;
     let (left, given): (Vec<usize>, Vec<usize>) = places.partition(is_left);
     let mut span = Span::default();

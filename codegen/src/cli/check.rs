@@ -177,7 +177,9 @@ fn write_file(
             let changed = ChangedLines::of(&diff, old, file.new);
             writeln!(out, "{path} differs: {changed}")?;
             if lines {
-                write_diff(out, &file.path, &diff)?;
+                let path = path.to_string();
+                let sides = ["as it is", "as generated"].map(|side| (path.as_str(), side));
+                write!(out, "{}", diff.unified(sides))?;
             }
             if report::differs_in_layout_only(old, file.new) {
                 writeln!(
@@ -208,13 +210,6 @@ fn find(path: &Path, text: &str) -> Result<Found, Failures> {
             }
         }
     })
-}
-
-fn write_diff(out: &mut dyn Write, path: &Path, diff: &TextDiff<'_>) -> io::Result<()> {
-    let path = path.display();
-    // A tab ends the name, so that `patch` reads it right.
-    let names = ["as it is", "as generated"].map(|side| format!("{path}\t{side}"));
-    write!(out, "{}", diff.unified([&names[0], &names[1]]))
 }
 
 fn write_comparison(out: &mut dyn Write, file: &Compared<'_>, old: &str) -> io::Result<()> {

@@ -43,14 +43,16 @@ impl<'a> TextDiff<'a> {
         self.changes.iter().flat_map(|change| change.new.clone())
     }
 
-    /// The unified diff of the texts, which `patch` reads; empty where they are the same.
-    pub(super) fn unified(&self, [old, new]: [&str; 2]) -> String {
+    /// The unified diff of the texts, which `patch` reads, under their names and what each is; empty where they are the same.
+    pub(super) fn unified(&self, [old, new]: [(&str, &str); 2]) -> String {
         let is_near = |a: &Change, b: &Change| b.old.start - a.old.end <= 2 * CONTEXT;
         let hunks = self.changes.chunk_by(is_near);
         let hunks: String = hunks.map(|changes| self.hunk(changes)).collect();
         if hunks.is_empty() {
             hunks
         } else {
+            // A tab ends a name, so that `patch` reads it right.
+            let [old, new] = [old, new].map(|(name, what)| format!("{name}\t{what}"));
             format!("--- {old}\n+++ {new}\n{hunks}")
         }
     }

@@ -17,6 +17,8 @@ pub struct Frame {
     pub name: String,
     /// The Rust identifier that stands for the name in generated code: unique among bodies and frames.
     pub identifier: String,
+    /// The name of the joint that fixes it, where there is one and it has a name of its own.
+    pub joint: Option<String>,
     /// The body of which it is part; `None` is the inertial frame.
     pub body: Option<BodyId>,
     /// From the user's axes of that body to the frame's; at the nominal values.
@@ -49,6 +51,7 @@ impl Frame {
         Self {
             name,
             identifier,
+            joint: None,
             body,
             rotation: snapped(&geometry::then(&back, &pose.rotation), snap).0,
             position: geometry::apply(&base.rotation, from.nominal(parameters)),

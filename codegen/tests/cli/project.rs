@@ -148,6 +148,8 @@ impl Project {
         let mut command = Command::new("git");
         command.current_dir(self.path("")).args(arguments);
         for (name, value) in [
+            // What it says is English.
+            ("LC_ALL", "C"),
             ("GIT_CONFIG_GLOBAL", "/dev/null"),
             ("GIT_CONFIG_NOSYSTEM", "1"),
             ("GIT_AUTHOR_NAME", "author"),

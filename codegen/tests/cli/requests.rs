@@ -115,10 +115,21 @@ fn unknown_frame_of_the_command_line_has_no_place_in_kane_toml() {
 }
 
 #[test]
-fn joint_that_is_asked_for_as_a_frame_is_told_what_it_moves() {
-    let project = with_functions(r#"["pose(elbow)"]"#);
-    let named = model("arm", "2.0") + "joint_name = \"elbow\"\n";
-    project.write("models/arm.toml", &named);
+fn joint_that_is_asked_for_as_a_frame_is_told_its_body() {
+    let project = with_functions(r#"["pose(elbow)", "pose(flange)"]"#);
+    let arm = model("arm", "2.0").replace("[0, 1]", "[0, 1, 2]");
+    let tool = r#"joint_name = "elbow"
+
+[[body]]
+name = "tool"
+mass = 0.5
+mass_center = [0.0, 0.0, 0.0]
+inertia = { xx = 0.1, yy = 0.1, zz = 0.1, xy = 0.0, xz = 0.0, yz = 0.0 }
+attachment = [0.0, 0.0, -1.0]
+joint_name = "flange"
+joint = []
+"#;
+    project.write("models/arm.toml", &(arm + tool));
     let ran = project.kane(&["generate"]);
     insta::assert_snapshot!(ran.err);
 }

@@ -20,14 +20,12 @@ pub(super) struct Report {
 
 impl Report {
     pub(super) fn new(names: [&str; 2], [old, new]: [&Described; 2]) -> Result<Self, Failures> {
-        let [old_name, new_name] = names;
         let functions = report::compare(&old.text, &new.text).map_err(Failures::message)?;
         let texts = [old, new].map(|known| known.text.as_str());
         let diff = TextDiff::new(texts[0], texts[1]);
         let is_same = texts[0] == texts[1];
         let lines = (!is_same).then(|| ChangedLines::of(&diff, texts[0], texts[1]));
-        // A tab ends the name, so that `patch` reads it right.
-        let diff = diff.unified([&format!("{old_name}\told"), &format!("{new_name}\tnew")]);
+        let diff = diff.unified([(names[0], "old"), (names[1], "new")]);
         Ok(Self {
             names: names.map(str::to_owned),
             fingerprints: [old, new].map(|known| known.outline.fingerprint),

@@ -83,7 +83,7 @@ impl ParsedSubject {
                     request: text.to_owned(),
                     name: word.text.clone(),
                     known: tree.map_or_else(Vec::new, |tree| nearest_first(tree, &word.text)),
-                    moved: tree.and_then(|tree| moved_by(tree, &word.text)),
+                    jointed: tree.and_then(|tree| jointed_by(tree, &word.text)),
                     place: word.place.clone(),
                 }]
             })
@@ -93,11 +93,14 @@ impl ParsedSubject {
     }
 }
 
-/// The body that the joint of this name moves.
-fn moved_by(tree: &Tree, joint: &str) -> Option<String> {
-    let mut bodies = tree.bodies.iter();
-    let body = bodies.find(|body| body.joint.is_named && body.joint.name == joint)?;
-    Some(body.name.clone())
+/// The body that the joint of this name moves or fixes.
+fn jointed_by(tree: &Tree, joint: &str) -> Option<String> {
+    let moved = tree.bodies.iter().filter(|body| body.joint.is_named);
+    let moved = moved.map(|body| (&body.joint.name, &body.name));
+    let fixed = tree.frames.iter();
+    let fixed = fixed.filter_map(|frame| Some((frame.joint.as_ref()?, &frame.name)));
+    let (_, body) = moved.chain(fixed).find(|(name, _)| *name == joint)?;
+    Some(body.clone())
 }
 
 /// The frames of the model, the nearest name first.

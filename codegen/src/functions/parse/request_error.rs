@@ -92,7 +92,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// A frame that the model lacks.
-    #[error("`{}` is no frame of the model; {}", name.escape_debug(), frames(name, moved.as_deref(), known))]
+    #[error("`{}` is no frame of the model; {}", name.escape_debug(), frames(name, jointed.as_deref(), known))]
     UnknownFrame {
         /// What was asked for.
         request: String,
@@ -100,8 +100,8 @@ pub enum RequestError {
         name: String,
         /// The frames that there are, the nearest name first.
         known: Vec<String>,
-        /// The body that it moves, where it is a joint.
-        moved: Option<String>,
+        /// The body that it moves or fixes, where it is a joint.
+        jointed: Option<String>,
         /// Where in the request.
         place: Range<usize>,
     },
@@ -202,10 +202,10 @@ impl RequestError {
 const MOST_LISTED: usize = 20;
 
 /// What there is instead of a frame.
-fn frames(name: &str, moved: Option<&str>, known: &[String]) -> String {
-    if let Some(body) = moved {
+fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
+    if let Some(body) = jointed {
         return format!(
-            "it is a joint; ask for the body that it moves, `{}`",
+            "it is the joint of body `{}`; ask for that",
             body.escape_debug()
         );
     }

@@ -43,7 +43,10 @@ impl Pieces<'_> {
                 name: self.names[written].value.clone(),
                 identifier: self.identifiers[written].clone(),
             };
-            Frame::new(name, host, poses, parameters, self.settled.snap)
+            Frame {
+                joint: self.joint_name(written).map(|name| name.value.clone()),
+                ..Frame::new(name, host, poses, parameters, self.settled.snap)
+            }
         };
         merged.fixed.iter().map(frame).collect()
     }
@@ -65,7 +68,7 @@ impl Pieces<'_> {
 
     fn joint(&self, written: usize, coordinates: JointCoordinates) -> Joint {
         let place = self.settled.outward.places[written];
-        let own_name = self.settled.description.bodies[place].joint.name.as_ref();
+        let own_name = self.joint_name(written);
         let seat = &self.placed[written].seat;
         Joint {
             name: own_name.unwrap_or(&self.names[written]).value.clone(),
@@ -77,5 +80,11 @@ impl Pieces<'_> {
             translations: coordinates.translations,
             mechanics: self.values[written].mechanics,
         }
+    }
+
+    /// The name of a written body's joint, where it has one of its own.
+    fn joint_name(&self, written: usize) -> Option<&Spanned<String>> {
+        let place = self.settled.outward.places[written];
+        self.settled.description.bodies[place].joint.name.as_ref()
     }
 }
