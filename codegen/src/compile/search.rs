@@ -39,7 +39,9 @@ pub(super) fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Techn
         &[Technique::Slide],
         &[Technique::Balance, Technique::Slide],
     ];
-    for left_out in starts {
+    let says_something =
+        |start: &&[Technique]| function.reads_inertias() || !start.contains(&Technique::Balance);
+    for left_out in starts.into_iter().filter(says_something) {
         let found = from(tree, function, without, left_out, &mut counts);
         let is_small = found.n_first <= MOST_STARTS;
         if best.as_ref().is_none_or(|best| found.least < best.least) {
@@ -191,7 +193,7 @@ impl Search<'_> {
 
     /// The plan, with each way to regroup all links.
     fn try_all(&mut self, plan: &Plan) {
-        let choices = if plan.uses(Technique::Regroup) {
+        let choices = if self.regroups(plan) {
             &Regroup::ALL[..]
         } else {
             &[Regroup::None]
@@ -245,7 +247,7 @@ impl Search<'_> {
     /// Other choices for single links: where neither the link's numbers nor those of its lower link have zeros, there is
     /// nothing that regrouping could fill.
     fn try_regrouping(&mut self) {
-        if !self.plan.uses(Technique::Regroup) {
+        if !self.regroups(&self.plan) {
             return;
         }
         let sparse = recursive::sparse_inertias(self.tree);
@@ -271,20 +273,36 @@ impl Search<'_> {
         while self.least < before && (self.is_exact || before == usize::MAX) {
             before = self.least;
             for (_, technique) in Technique::ALL {
-                let says_something = match technique {
-                    Technique::Articulated => self.factors_have_a_chance(),
-                    Technique::LinkAxes | Technique::Fall => self.function.solves(),
-                    Technique::Carriers => self.function.inverts(),
-                    Technique::Inward => self.function.is_of_frames(),
-                    Technique::Composite | Technique::Reverse | Technique::Lockstep => false,
-                    _ => true,
-                };
-                if says_something && !without.contains(&technique) {
+                if self.says_something(technique) && !without.contains(&technique) {
                     let used = self.plan.uses(technique);
                     self.try_one(self.plan.with(technique, !used));
                 }
             }
         }
+    }
+
+    /// True where the count may depend on whether the technique is used.
+    fn says_something(&self, technique: Technique) -> bool {
+        match technique {
+            Technique::Regroup | Technique::Balance | Technique::SecondMoments => {
+                self.function.reads_inertias()
+            }
+            Technique::Articulated => self.factors_have_a_chance(),
+            Technique::LinkAxes | Technique::Fall => self.function.solves(),
+            Technique::Carriers => self.function.inverts(),
+            Technique::Inward => self.function.is_of_frames(),
+            Technique::Composite | Technique::Reverse | Technique::Lockstep => false,
+            Technique::Slide
+            | Technique::Turn
+            | Technique::Parallel
+            | Technique::Shortcut
+            | Technique::Factor => true,
+        }
+    }
+
+    /// True where the count depends on how a plan regroups inertias.
+    fn regroups(&self, plan: &Plan) -> bool {
+        self.function.reads_inertias() && plan.uses(Technique::Regroup)
     }
 
     /// Where something is solved for, and `L^T D L` would not alone need twice as much.

@@ -120,6 +120,12 @@ impl Candidate {
         }
     }
 
+    /// True where inertias have a say in which plan is cheapest.
+    pub(super) fn reads_inertias(&self) -> bool {
+        let moves_only = matches!(self.rule, Rule::OfFrame(_)) && !self.factorises;
+        self.takes_plan() && !moves_only
+    }
+
     /// Adds the entries to what was derived before.
     pub(super) fn derive_in(
         &self,

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use super::{
     argument::Argument,
-    candidate::Formulation,
+    candidate::{Candidate, Formulation},
     derived::Derived,
     function::{Function, Output, Unknown},
     packed::Packed,
@@ -53,6 +53,12 @@ impl Request {
     pub fn is_of_frames(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(|part| part.subject.is_some())
+    }
+
+    /// True where a plan may choose how inertias are regrouped.
+    pub fn reads_inertias(&self) -> bool {
+        let mut candidates = self.functions().flat_map(|function| function.candidates);
+        candidates.any(Candidate::reads_inertias)
     }
 
     /// The function of a compact output.

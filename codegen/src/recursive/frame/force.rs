@@ -25,7 +25,7 @@ pub fn generalized_force(
     plan: &Plan,
     frame: NamedFrame,
 ) -> Vec<Expr> {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::FrameForce);
     let path = path(tree, frame);
     let mut coming = Coming {
@@ -59,7 +59,7 @@ pub fn local_generalized_force(
     plan: &Plan,
     frame: NamedFrame,
 ) -> Vec<Expr> {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::FrameForce);
     let Reach { axes, position } = Reach::of(graph, tree, &links, frame);
     let back = transpose(&axes);

@@ -22,7 +22,7 @@ use crate::{
 
 /// Velocity in the inertial frame, inertial components.
 pub fn velocity(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, frame: NamedFrame) -> FrameMotion {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let mut seen = Moving::of(graph, tree, &links, frame, None);
     seen.walk(graph, tree, &links, frame);
@@ -37,7 +37,7 @@ pub fn acceleration(
     frame: NamedFrame,
     accelerations: Accelerations<'static>,
 ) -> FrameMotion {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let mut seen = Moving::of(graph, tree, &links, frame, Some(accelerations));
     seen.walk(graph, tree, &links, frame);
@@ -51,7 +51,7 @@ pub fn local_velocity(
     plan: &Plan,
     frame: NamedFrame,
 ) -> FrameMotion {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let mut carried = LinkVelocity::zero(graph);
     for body in path(tree, frame).into_iter().rev() {
@@ -105,7 +105,7 @@ fn accelerated(
     frame: NamedFrame,
     (accelerations, base): (Accelerations<'static>, Vector),
 ) -> Accelerated {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let mut carried = Thrown {
         accelerations,

@@ -34,7 +34,7 @@ pub fn pose(
     if from.is_some() || !plan.uses(Technique::Inward) {
         return seen::pose(graph, tree, plan, frame, from);
     }
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let mut carried = Carried::of(graph, tree, &links, frame);
     for (place, body) in path(tree, frame).into_iter().enumerate() {

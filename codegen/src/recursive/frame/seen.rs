@@ -29,7 +29,7 @@ pub(super) fn pose(
     frame: NamedFrame,
     from: Option<NamedFrame>,
 ) -> FramePose {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let Seen { axes, way } = Seen::of(graph, tree, &links, frame, from);
     FramePose {
@@ -47,7 +47,7 @@ pub fn jacobian(
     (frame, point): (NamedFrame, Option<Vector>),
     from: Option<NamedFrame>,
 ) -> Vec<(SpeedId, FrameMotion)> {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let Seen { axes, mut way } = Seen::of(graph, tree, &links, frame, from);
     if let Some(point) = point {
@@ -67,7 +67,7 @@ pub fn local_jacobian(
     plan: &Plan,
     (frame, point): (NamedFrame, Option<Vector>),
 ) -> Vec<(SpeedId, FrameMotion)> {
-    let links = link::links(graph, tree, plan);
+    let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
     let mut walk = Walk::begin(graph, tree, &links, Some(frame));
     for body in path(tree, frame) {

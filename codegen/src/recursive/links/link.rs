@@ -51,10 +51,26 @@ pub(in crate::recursive) fn links(
     tree: &Tree,
     plan: &Plan,
 ) -> BodyMap<Link> {
+    of_inertias(graph, tree, plan, own_inertia)
+}
+
+/// The links of a plan for what moves without forces: their inertias are zero.
+pub(in crate::recursive) fn massless(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> BodyMap<Link> {
+    of_inertias(graph, tree, plan, |graph, _, _| Composite::zero(graph))
+}
+
+/// A body's inertia about the origin of its link.
+type OwnInertia = fn(&mut ExprGraph, &Body, &Layout) -> Composite;
+
+fn of_inertias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, own: OwnInertia) -> BodyMap<Link> {
     graph.begin(Purpose::Joint);
     let layouts = layout::layouts(graph, tree, plan);
     let alone = BodyMap::outward(tree.bodies.len(), |body, _| {
-        alone(graph, tree, body, &layouts[body])
+        alone(graph, tree, body, &layouts[body], own)
     });
     let (passages, inertias) = alone.unzip();
     let inertias = regroup::regrouped(graph, tree, plan, &passages, inertias);
@@ -100,10 +116,11 @@ fn alone(
     tree: &Tree,
     body: BodyId,
     layout: &Layout,
+    own: OwnInertia,
 ) -> (Passage, LinkInertia) {
     graph.enter(body);
     let arm = Arm::new(graph, &tree.body(body).joint, layout);
-    let inertia = own_inertia(graph, tree.body(body), layout);
+    let inertia = own(graph, tree.body(body), layout);
     let passage = Passage::new(graph, tree, body, layout, arm);
     (passage, LinkInertia::new(graph, inertia))
 }
