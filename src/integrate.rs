@@ -2,7 +2,8 @@
 //!
 //! It takes a state and gives the state one step later, in place. It does not allocate, estimate an error or check anything: a
 //! singular state gives whatever [`ForwardDynamics`] gives. The time is no argument. If your control law depends on it, let the closure count or hold the
-//! time. The module `simulate` integrates to a tolerance instead of with a fixed step.
+//! time. The module `simulate` integrates to a tolerance instead of with a fixed step;
+//! [`discrete`](crate::discrete) has steps with derivatives, exactly on the manifold of quaternions.
 
 use crate::functions::ForwardDynamics;
 use crate::vector::add_scaled;

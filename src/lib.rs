@@ -40,7 +40,7 @@
 //! | units, frames, rotations, signs, order of coordinates | [`conventions`] |
 //! | the sizes and names of a system, in generic code | [`System`] |
 //! | which scalars there are | [`Real`] |
-//! | how to integrate | [`integrate`], or the module `simulate` to a tolerance |
+//! | how to integrate | [`integrate`], the module `simulate` to a tolerance, [`discrete`] with derivatives or exactly on quaternions |
 //! | how to check a state before you solve | [`checked`] |
 //! | many states at once | [`batch`], [`Lanes`] |
 //! | coordinates for given poses | [`inverse_kinematics`] |
@@ -52,7 +52,7 @@
 //!
 //! | feature | default | what it adds |
 //! | --- | --- | --- |
-//! | `std` | yes | errors of the standard library, conversion between angles and quaternions |
+//! | `std` | yes | conversion between angles and quaternions ([`chart`]), fused multiply-add where a module asks for it |
 //! | `nalgebra` | yes | views of arrays as matrices of nalgebra |
 //! | `eight_body` | yes | a bundled system: eight free bodies |
 //! | `cart_pole` | | a bundled system: a pole on a cart |

@@ -2,7 +2,7 @@
 
 use crate::{Array, Real, System};
 
-/// A [`System`] with values that are set at run time, in modules that were generated with a derivative by `parameters`.
+/// A [`System`] with values that are set at run time.
 ///
 /// ```
 /// use kane::{Array, functions::{InverseDynamics, InverseDynamicsByParameters}};
@@ -28,7 +28,7 @@ use crate::{Array, Real, System};
 /// }
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` was generated without a derivative by `parameters`; name one in `functions` and generate again"
+    message = "`{Self}` sets no value at run time; write `{{ runtime = 1.2 }}` for one in its model and generate again"
 )]
 pub trait Parametric<R: Real>: System<R> {
     /// `[R; PARAMETERS_LEN]`: one number for each value set at run time, each in the model's unit.

@@ -164,11 +164,21 @@ impl ChangesArguments {
 
     /// Leaves out the lists in whose place there are others.
     pub(crate) fn forget(&self, changed: &mut Changed) {
-        if !self.lock.is_empty() {
-            changed.forget(Changes::LOCK);
-        }
-        if !self.remove.is_empty() {
-            changed.forget(Changes::REMOVE);
+        let ReadingArguments {
+            base,
+            chart,
+            leave_out,
+        } = &self.reading;
+        for (is_given, list) in [
+            (!self.lock.is_empty(), Changes::LOCK),
+            (!self.remove.is_empty(), Changes::REMOVE),
+            (base.is_some(), Reading::BASE),
+            (chart.is_some(), Reading::CHART),
+            (!leave_out.is_empty(), Reading::LEAVE_OUT),
+        ] {
+            if is_given {
+                changed.forget(list);
+            }
         }
     }
 

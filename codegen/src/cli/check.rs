@@ -181,7 +181,7 @@ fn write_file(
                 let sides = ["as it is", "as generated"].map(|side| (path.as_str(), side));
                 write!(out, "{}", diff.unified(sides))?;
             }
-            if report::differs_in_layout_only(old, file.new) {
+            if !changed.are_comments() && report::differs_in_layout_only(old, file.new) {
                 writeln!(
                     out,
                     "{path} differs in layout only: `#[rustfmt::skip]` at its `mod` keeps `cargo fmt` from it"

@@ -40,16 +40,16 @@ use super::{
 #[command(
     after_long_help = "The state file holds what the function is given, in SI units:\n  \
     {\n    \
-    \"q\": [0.1, 0.2],           one number a coordinate, in the order of `kane info`\n    \
-    \"u\": [0.0, 1.0],           one number a speed\n    \
+    \"q\": [0.1, 0.2],           one number per coordinate, in the order of `kane info`\n    \
+    \"u\": [0.0, 1.0],           one number per speed\n    \
     \"u_dot\": [0.0, 0.0],\n    \
     \"tau\": [0.0, 0.0],\n    \
-    \"loads\": [                 one a body: at the mass centre, body components\n      \
+    \"loads\": [                 one per body: at the mass centre, body components\n      \
     {\"force\": [0, 0, 1], \"moment\": [0, 0, 0]}\n    \
     ],\n    \
-    \"w_rel\": [[0, 0, 1]],      one a body: relative angular velocity, for angle_rates\n    \
+    \"w_rel\": [[0, 0, 1]],      one per body: relative angular velocity, for angle_rates\n    \
     \"point\": [0, 0, 0],         for point_jacobian; \"force\" and \"moment\" for generalized_force\n    \
-    \"q_direction\": [1.0, 0.0],  for jvp, one number a column of each variable; \"multiplier\" for vjp and hessian\n    \
+    \"q_direction\": [1.0, 0.0],  for jvp, one number per column of each variable; \"multiplier\" for vjp and hessian\n    \
     \"parameters\": {\"arm_mass\": 2.0}    where they differ from the nominal values\n  \
     }\n\
     What the function does not need may be absent.\n\n\
@@ -73,7 +73,7 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "FILE")]
     state: PathBuf,
 
-    /// How sums over bodies are associated
+    /// How sums over bodies are computed: `notes`, `recursive`, or `cheapest`, whichever needs fewer operations
     #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = parse::one_of(Formulation::ALL))]
     formulation: Formulation,
 
@@ -104,7 +104,7 @@ pub(crate) fn run(
     let (Some(function), Some(checked), Some(state)) = (function, checked, state) else {
         unreachable!("eval: what is absent left a failure")
     };
-    voice.warn(&checked.warnings);
+    voice.warn_alone(&checked.warnings);
 
     let tree = &checked.tree;
     let function = function.on(tree).map_err(Error::Requests)?;

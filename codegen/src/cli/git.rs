@@ -134,6 +134,12 @@ impl fmt::Display for Revision {
     }
 }
 
+/// True where the current folder is in a repository.
+pub(super) fn is_repository() -> bool {
+    let output = git(&["rev-parse", "--git-dir"]);
+    output.is_ok_and(|output| output.status.success())
+}
+
 /// True for the name of a commit.
 pub(super) fn is_commit(name: &str) -> bool {
     let commit = format!("{name}^{{commit}}");

@@ -14,8 +14,8 @@ pub(super) struct ChangedLines {
     functions: Vec<String>,
     /// True for texts that declare functions.
     has_functions: bool,
-    /// True where all is as it was but the numbers of the model.
-    are_numbers: bool,
+    /// What is all that changed.
+    only: Option<Only>,
 }
 
 impl ChangedLines {
@@ -35,7 +35,33 @@ impl ChangedLines {
             added: diff.added().count(),
             functions,
             has_functions,
-            are_numbers: without_numbers(old) == without_numbers(new),
+            only: Only::of(old, new),
+        }
+    }
+
+    /// True where no line of code changed.
+    pub(super) fn are_comments(&self) -> bool {
+        self.only == Some(Only::Comments)
+    }
+}
+
+/// What alone differs between two texts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Only {
+    /// Comments that no item has.
+    Comments,
+    /// These, and numbers of the model.
+    Numbers,
+}
+
+impl Only {
+    fn of(old: &str, new: &str) -> Option<Self> {
+        if code(old).eq(code(new)) {
+            Some(Self::Comments)
+        } else if code(old).map(masked).eq(code(new).map(masked)) {
+            Some(Self::Numbers)
+        } else {
+            None
         }
     }
 }
@@ -50,10 +76,11 @@ impl fmt::Display for ChangedLines {
         } else if self.has_functions {
             write!(f, ", none of them in a function")?;
         }
-        if self.are_numbers {
-            write!(f, "; only numbers changed")?;
+        match self.only {
+            Some(Only::Comments) => write!(f, "; only comments changed"),
+            Some(Only::Numbers) => write!(f, "; only numbers changed"),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
 
@@ -98,13 +125,13 @@ fn declared(line: &str) -> Option<String> {
     Some(format!("{of}{}", &name[..end]))
 }
 
-/// The lines, with `#` for every number that is no index or length; without comments that no item has.
-fn without_numbers(text: &str) -> Vec<String> {
+/// The lines without comments that no item has.
+fn code(text: &str) -> impl Iterator<Item = &str> {
     let is_code = |line: &&str| !line.starts_with("//") || line.starts_with("///");
-    text.lines().filter(is_code).map(masked).collect()
+    text.lines().filter(is_code)
 }
 
-/// The line with `#` for what has a decimal point or an exponent. A minus that opens an argument is the number's.
+/// The line with `#` for every number that is no index or length: what has a decimal point or an exponent. A minus that opens an argument is the number's.
 fn masked(line: &str) -> String {
     let mut shown = String::with_capacity(line.len());
     let mut rest = line;

@@ -83,7 +83,7 @@ impl Reader<'_> {
         for argument in all {
             match file.get(argument.name()) {
                 Some(value) => self.argument(argument, value),
-                None if own.contains(&argument) => {
+                None if own.contains(&argument) && !self.is_empty(argument) => {
                     let (name, expected) = (argument.name(), self.expected(argument));
                     self.fault(format!(
                         "`{}` needs `{name}`, which is missing; expected {expected}",
@@ -101,6 +101,11 @@ impl Reader<'_> {
                 described(other)
             )),
         }
+    }
+
+    /// True for what no number is to be given of.
+    fn is_empty(&self, argument: Argument) -> bool {
+        argument.lengths(self.tree).contains(&0)
     }
 
     fn argument(&mut self, argument: Argument, value: &Value) {

@@ -6,7 +6,7 @@ use std::{
 };
 
 use clap::Args;
-use kane_codegen::diagnostic::{Diagnostics, printable};
+use kane_codegen::diagnostic::{Diagnostics, Severity, printable};
 
 /// How much is told.
 #[derive(Args, Clone, Copy, Debug)]
@@ -47,6 +47,15 @@ impl Voice {
 
     /// Tells what should be known about a model: a line a kind, or each at full length.
     pub(crate) fn warn(self, warnings: &Diagnostics) {
+        self.warn_of(warnings, |_| true);
+    }
+
+    /// The same without notes, where the result says it, or is asked for again and again.
+    pub(crate) fn warn_alone(self, warnings: &Diagnostics) {
+        self.warn_of(warnings, |severity| severity != Severity::Note);
+    }
+
+    fn warn_of(self, warnings: &Diagnostics, is_told: impl Fn(Severity) -> bool) {
         if warnings.is_empty() {
             return;
         }
@@ -55,8 +64,12 @@ impl Voice {
             return;
         }
         let brief = warnings.brief();
-        let lines = brief.lines.iter().map(|(_, line)| line.as_str());
-        let lines: Vec<&str> = lines.collect();
+        let lines = brief.lines.iter();
+        let lines = lines.filter(|(severity, _)| is_told(*severity));
+        let lines: Vec<&str> = lines.map(|(_, line)| line.as_str()).collect();
+        if lines.is_empty() {
+            return;
+        }
         let more = if brief.is_shortened {
             " (all: --verbose)"
         } else {

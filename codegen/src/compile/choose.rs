@@ -15,6 +15,9 @@ use super::{candidate::operations, cheapest::cheapest, plans::Plans, sweeps};
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
 
+/// From how many terms on the notes need not be derived to be known to cost more: where some are zero, they may cost less.
+const MANY_TERMS: usize = 1_000;
+
 /// A function in one formulation.
 #[derive(Clone, Debug)]
 pub struct Choice {
@@ -29,19 +32,17 @@ pub struct Choice {
 pub fn choose(plans: &Plans<'_>, function: &Request, wanted: options::Formulation) -> Choice {
     let formulations = function.formulations();
     let of = |formulation| of_formulation(plans, function, formulation);
-    let wanted = match wanted {
-        options::Formulation::Cheapest => None,
-        options::Formulation::Notes => Some(Formulation::Notes),
-        options::Formulation::Recursive => Some(Formulation::Recursive),
-    };
-    let wanted = wanted.filter(|wanted| formulations.contains(wanted));
+    let wanted = wanted
+        .wanted()
+        .filter(|wanted| formulations.contains(wanted));
     if let Some(only) = wanted.or((formulations.len() == 1).then(|| formulations[0])) {
         return of(only);
     }
     let recursive = of(Formulation::Recursive);
     let count = operations(&recursive.derived).total();
+    let terms = function.literal_terms(plans.tree);
     // On a large tree the literal sums alone would take longer than all the rest, and so would second derivatives of them.
-    if count < function.literal_terms(plans.tree)
+    if terms > MANY_TERMS.max(count)
         || function.is_second_derivative()
         || function.differentiates() && values_cost_more(plans.tree, function, count)
     {

@@ -1,5 +1,7 @@
 //! What no description can make right: options that cannot be.
 
+use std::collections::BTreeSet;
+
 use crate::{
     error::Error,
     functions::{Parsed, RequestError},
@@ -19,12 +21,10 @@ pub(crate) fn check(options: &Options) -> Result<(), Error> {
             value: *value,
         });
     }
-    let names: Vec<&String> = options.changes.lock.iter().map(|(name, _)| name).collect();
-    let twice = (1..names.len()).find(|&place| names[..place].contains(&names[place]));
-    if let Some(place) = twice {
-        return Err(Error::LockedTwice {
-            name: names[place].clone(),
-        });
+    let mut known = BTreeSet::new();
+    let mut names = options.changes.lock.iter().map(|(name, _)| name);
+    if let Some(name) = names.find(|name| !known.insert(*name)) {
+        return Err(Error::LockedTwice { name: name.clone() });
     }
     if !companion::can_be_beside(&options.companions, &options.module) {
         return Err(Error::ModuleName {

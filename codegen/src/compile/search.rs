@@ -1,9 +1,9 @@
 //! The cheapest plan of the recursion for a function that differentiates nothing, by count.
 //!
-//! In: a tree, a function, the techniques that may be used. Out: a [`Plan`]. Afterwards: for a function of up to
-//! `MOST_EXACT` nodes no single technique left out would lower the count; of larger ones each was tried once, before
-//! factoring. Choices link by link are tried until `MOST_NODES` were built. The same choices are tried in the same order on
-//! every machine.
+//! In: a tree, a function, the techniques that may not be used. Out: a [`Plan`]. Afterwards: of a function of up to `MOST_EXACT`
+//! nodes each technique that can matter was tried, used and left out, until none lowered the count, and axes were merged once
+//! more; of larger ones each was tried once, before factoring. Choices link by link are tried until `MOST_NODES` were built.
+//! The same choices are tried in the same order on every machine.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -127,7 +127,7 @@ struct Search<'a> {
     /// The count of `plan`.
     least: usize,
     plan: Plan,
-    /// How many nodes were built, for all plans and for the first; those of a plan that comes again, again.
+    /// How many nodes were built, for all plans and for the first; a plan that is met twice counts twice.
     n_nodes: usize,
     n_first: usize,
     /// True while plans are compared by what is left after factoring.

@@ -3,7 +3,7 @@
 use crate::{
     description::{
         Base, Chart, Reading,
-        toml_reader::{Reader, Table},
+        toml_reader::{Reader, Table, span},
     },
     diagnostic::{Diagnostic, Spanned},
     options::SNAP_TOLERANCES,
@@ -12,14 +12,25 @@ use crate::{
 
 /// What a URDF or MJCF leaves to the user.
 pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
-    let base = system.get("base");
-    let base = base
-        .and_then(|item| reader.choice(item, &system.what("base"), &Base::NAMED, "unknown base"));
-    let chart = system.get("chart");
-    let chart = chart.and_then(|item| {
-        reader.choice(item, &system.what("chart"), &Chart::NAMED, "unknown chart")
+    let base = system.get(Reading::BASE);
+    let base = base.and_then(|item| {
+        reader.choice(
+            item,
+            &system.what(Reading::BASE),
+            &Base::NAMED,
+            "unknown base",
+        )
     });
-    let left_out = names(reader, system, "leave_out").into_iter();
+    let chart = system.get(Reading::CHART);
+    let chart = chart.and_then(|item| {
+        reader.choice(
+            item,
+            &system.what(Reading::CHART),
+            &Chart::NAMED,
+            "unknown chart",
+        )
+    });
+    let left_out = names(reader, system, Reading::LEAVE_OUT).into_iter();
     Reading {
         base: base.map(|base| base.value),
         chart: chart.map(|chart| chart.value),
@@ -27,7 +38,7 @@ pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
     }
 }
 
-/// The names of what is changed, where they stand, each with the key of its list.
+/// The names of what is changed, and what is said of the reading, where they stand, each with its key.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changed {
     entries: Vec<(&'static str, Spanned<String>)>,
@@ -45,7 +56,12 @@ impl Changed {
         let mut entries = self.entries.iter();
         let (_, name) =
             entries.find(|(list, name)| *list == asked.list && name.value == asked.name)?;
-        Some(fault.clone().at(name.span, "named here"))
+        let label = if asked.name.is_empty() {
+            "said here"
+        } else {
+            "named here"
+        };
+        Some(fault.clone().at(name.span, label))
     }
 }
 
@@ -56,6 +72,11 @@ pub(super) fn changes(reader: &mut Reader, system: &Table<'_, '_>) -> (Changes, 
     let locked = lock(reader, system);
     let entries = locked.iter().map(|(name, _)| (Changes::LOCK, name.clone()));
     let entries = entries.chain(removed.iter().map(|name| (Changes::REMOVE, name.clone())));
+    // Of what is said of the reading, only where it stands.
+    let said = [Reading::BASE, Reading::CHART, Reading::LEAVE_OUT].into_iter();
+    let said =
+        said.filter_map(|key| Some((key, Spanned::new(String::new(), span(system.get(key)?)))));
+    let entries = entries.chain(said);
     let changed = Changed {
         entries: entries.collect(),
     };

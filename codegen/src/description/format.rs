@@ -40,16 +40,17 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
     // What the model says itself is not asked for a second time.
     let base = base
         .filter(|_| reading.base.is_some())
-        .map(|why| ("the base", "a URDF", why));
+        .map(|why| (Reading::BASE, "the base", "a URDF", why));
     let chart = chart
         .filter(|_| reading.chart.is_some())
-        .map(|why| ("the chart", "a URDF or MJCF", why));
+        .map(|why| (Reading::CHART, "the chart", "a URDF or MJCF", why));
     let left_out = left_out
         .filter(|_| !reading.leave_out.is_empty())
-        .map(|why| ("what is left out", "an MJCF", why));
-    for (option, of, why) in base.into_iter().chain(chart).chain(left_out) {
+        .map(|why| (Reading::LEAVE_OUT, "what is left out", "an MJCF", why));
+    for (key, option, of, why) in base.into_iter().chain(chart).chain(left_out) {
         let fault = format!("{option} can be chosen for {of} alone: {why}");
-        description.faults.push(Diagnostic::error(fault));
+        let fault = Diagnostic::error(fault).of_entry(key, "");
+        description.faults.push(fault);
     }
     description
 }

@@ -22,6 +22,7 @@ pub mod toml;
 pub mod urdf;
 
 pub(crate) mod cycles;
+mod elsewhere;
 mod mesh;
 pub(crate) mod toml_reader;
 pub(crate) mod xml;

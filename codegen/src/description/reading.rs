@@ -16,6 +16,15 @@ pub struct Reading {
     pub leave_out: BTreeSet<String>,
 }
 
+impl Reading {
+    /// The key of `base` in `kane.toml`.
+    pub const BASE: &'static str = "base";
+    /// The key of `chart`.
+    pub const CHART: &'static str = "chart";
+    /// The key of `leave_out`.
+    pub const LEAVE_OUT: &'static str = "leave_out";
+}
+
 /// Forces and constraints of an MJCF that can be left out, all of a kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeftOut {

@@ -5,7 +5,7 @@
 use ::toml::Spanned as TomlSpanned;
 use ::toml::de::{DeTable, DeValue};
 
-use crate::description::too_many;
+use crate::description::{elsewhere, too_many};
 use crate::diagnostic::{Diagnostic, Faults, Severity, Source, Span, Spanned, backquoted, nearest};
 use crate::limits::TOLD;
 
@@ -173,7 +173,8 @@ impl Reader {
                 .copied()
                 .filter(|known| table.get(known).is_none())
                 .collect();
-            let help = match nearest(key.value, &absent) {
+            let meant = elsewhere::key(key.value).filter(|own| absent.contains(own));
+            let help = match meant.or_else(|| nearest(key.value, &absent)) {
                 Some(known) => {
                     table.misspelt.push(known.to_owned());
                     format!("did you mean `{known}`?")

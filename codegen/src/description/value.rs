@@ -39,6 +39,21 @@ pub enum PerCoordinate<T> {
     Each(Vec<(Spanned<CoordinateName>, Spanned<T>)>),
 }
 
+impl<T: Copy> PerCoordinate<T> {
+    /// What is given for one of the six coordinates.
+    pub fn at(&self, coordinate: usize) -> Option<T> {
+        match self {
+            Self::Absent => None,
+            Self::Same(value) => Some(value.value),
+            Self::Each(values) => {
+                let mut values = values.iter();
+                let own = values.find(|(name, _)| name.value.index() == coordinate);
+                own.map(|(_, value)| value.value)
+            }
+        }
+    }
+}
+
 /// Limits of a coordinate; what is absent is unlimited.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {

@@ -24,26 +24,35 @@ pub(super) fn added(graph: &mut ExprGraph, a: Row, b: Row) -> Row {
     if a.is_empty() {
         return b;
     }
-    let mut sum = Vec::with_capacity(a.len().max(b.len()));
+    let sum = merged(a, b, |x, y| graph.add(x, y));
+    without_zeros(graph, sum)
+}
+
+/// Entries of both by their places, which ascend; of a place that both have, what `both` makes of them.
+pub(super) fn merged<T>(
+    a: Vec<(usize, T)>,
+    b: Vec<(usize, T)>,
+    mut both: impl FnMut(T, T) -> T,
+) -> Vec<(usize, T)> {
+    let mut merged = Vec::with_capacity(a.len().max(b.len()));
     let (mut a, mut b) = (a.into_iter().peekable(), b.into_iter().peekable());
     loop {
         let order = match (a.peek(), b.peek()) {
             (Some((of_a, _)), Some((of_b, _))) => of_a.cmp(of_b),
             (Some(_), None) => Ordering::Less,
             (None, Some(_)) => Ordering::Greater,
-            (None, None) => break,
+            (None, None) => return merged,
         };
         let (first, second) = match order {
             Ordering::Less => (a.next(), None),
             Ordering::Greater => (None, b.next()),
             Ordering::Equal => (a.next(), b.next()),
         };
-        sum.extend(match (first, second) {
-            (Some((place, x)), Some((_, y))) => Some((place, graph.add(x, y))),
+        merged.extend(match (first, second) {
+            (Some((place, x)), Some((_, y))) => Some((place, both(x, y))),
             (one, other) => one.or(other),
         });
     }
-    without_zeros(graph, sum)
 }
 
 fn without_zeros(graph: &ExprGraph, mut row: Row) -> Row {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::row::merged;
 use crate::{
     expr::{Expr, ExprGraph, Input, Node, NodeId, signed},
     number::Number,
@@ -70,13 +71,9 @@ fn slopes<N: Number>(node: Node, value: N, values: &[N]) -> [Option<(NodeId, N)>
 
 /// The sum of a row and another one times a factor; what becomes zero is left out.
 fn added<N: Number + PartialEq>(sum: Numbers<N>, other: &Numbers<N>, factor: N) -> Numbers<N> {
-    let mut both = BTreeMap::from_iter(sum);
-    for &(place, entry) in other {
-        let term = entry * factor;
-        let entry = both.get(&place).map_or(term, |&own| own + term);
-        both.insert(place, entry);
-    }
+    let terms = other.iter().map(|&(place, entry)| (place, entry * factor));
+    let mut sum = merged(sum, terms.collect(), |own, term| own + term);
     let zero = N::constant(0.0);
-    both.retain(|_, entry| *entry != zero);
-    both.into_iter().collect()
+    sum.retain(|(_, entry)| *entry != zero);
+    sum
 }

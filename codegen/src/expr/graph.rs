@@ -117,13 +117,12 @@ impl ExprGraph {
         self.bindings[id.index()]
     }
 
-    /// Gives a node the label and the sign that `original` has in another graph.
-    pub fn name_like(&mut self, expr: Expr, other: &Self, original: Expr) {
-        let written = other.as_written(original.node()).is_negative() ^ original.is_negative();
+    /// Gives what a node of another graph became here its label and its sign.
+    pub fn name_like(&mut self, expr: Expr, other: &Self, original: NodeId) {
+        let written = other.as_written(original).is_negative();
         self.written_negative[expr.node().index()] = written ^ expr.is_negative();
-        if let Some(label) = other.label(original.node()) {
-            let same = label.negative == original.is_negative();
-            self.label_as(if same { expr } else { -expr }, label.clone());
+        if let Some(label) = other.label(original) {
+            self.label_as(expr.signed(label.negative), label.clone());
         }
     }
 

@@ -138,7 +138,7 @@ impl<'a> Outline<'a> {
             .map(|operand| (operand, self.operand(operand)))
             .collect();
         let expr = self.helper.copied(node, |operand| operands[&operand]);
-        self.helper.name_like(expr, self.graph, Expr::of(id));
+        self.helper.name_like(expr, self.graph, id);
         self.varying[id.index()] = Some(expr);
     }
 

@@ -28,12 +28,17 @@ pub enum Formulation {
 pub struct Candidate {
     /// How sums over bodies are associated.
     pub formulation: Formulation,
-    /// How many terms its sums have at least: where another candidate needs fewer operations than that, this one need
-    /// not be derived to know which is cheaper.
-    pub least_terms: fn(&Tree) -> usize,
+    least_terms: Terms,
     /// True where the mass matrix is factorised whatever the plan, though no accelerations are solved for.
     pub factorises: bool,
     rule: Rule,
+}
+
+/// How many terms sums have at least.
+#[derive(Clone, Copy, Debug)]
+enum Terms {
+    OfTree(fn(&Tree) -> usize),
+    OfFrames(fn(&Tree, &Subject) -> usize),
 }
 
 /// How entries are built.
@@ -71,6 +76,16 @@ impl Candidate {
         ]
     }
 
+    /// The same where sums have at least so many terms in the notes.
+    pub(super) const fn of_frame_with_terms(
+        entries: OfFrame,
+        least_terms: fn(&Tree, &Subject) -> usize,
+    ) -> [Self; 2] {
+        let [mut notes, recursive] = Self::of_frame(entries);
+        notes.least_terms = Terms::OfFrames(least_terms);
+        [notes, recursive]
+    }
+
     /// The same where both factorise the mass matrix, whose sums have at least so many terms in the notes.
     pub(super) const fn of_frames_factorising(
         entries: OfFrame,
@@ -89,7 +104,7 @@ impl Candidate {
     const fn new(formulation: Formulation, rule: Rule) -> Self {
         Self {
             formulation,
-            least_terms: |_| 0,
+            least_terms: Terms::OfTree(|_| 0),
             factorises: false,
             rule,
         }
@@ -98,7 +113,7 @@ impl Candidate {
     /// The same, with a lower bound of its terms.
     pub(super) const fn with_terms(self, least_terms: fn(&Tree) -> usize) -> Self {
         Self {
-            least_terms,
+            least_terms: Terms::OfTree(least_terms),
             ..self
         }
     }
@@ -108,6 +123,16 @@ impl Candidate {
         Self {
             factorises: true,
             ..self
+        }
+    }
+
+    /// How many terms its sums have at least: where another candidate needs fewer operations than that, this one need
+    /// not be derived to know which is cheaper.
+    pub(super) fn least_terms(&self, tree: &Tree, subject: Option<&Subject>) -> usize {
+        match (self.least_terms, subject) {
+            (Terms::OfTree(terms), _) => terms(tree),
+            (Terms::OfFrames(terms), Some(subject)) => terms(tree, subject),
+            (Terms::OfFrames(_), None) => 0,
         }
     }
 

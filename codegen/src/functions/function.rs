@@ -7,7 +7,7 @@ use super::{
     candidate::{Candidate, Formulation},
     multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
-    subject::View,
+    subject::{Subject, View},
 };
 use crate::{
     expr::{Expr, ExprGraph},
@@ -150,10 +150,10 @@ impl Function {
     }
 
     /// How many terms the notes' sums have at least.
-    pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
+    pub(super) fn literal_terms(&self, tree: &Tree, subject: Option<&Subject>) -> usize {
         let mut candidates = self.candidates.iter();
         let notes = candidates.find(|candidate| candidate.formulation == Formulation::Notes);
-        notes.map_or(0, |candidate| (candidate.least_terms)(tree))
+        notes.map_or(0, |candidate| candidate.least_terms(tree, subject))
     }
 
     /// The candidate of this formulation, or the first.

@@ -144,7 +144,7 @@ impl Part {
         derivative.any(|derivative| {
             matches!(
                 derivative.kind,
-                DerivativeKind::Whole | DerivativeKind::Packed
+                DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
             )
         })
     }
@@ -152,12 +152,8 @@ impl Part {
     /// True where a product of derivatives with a direction or a multiplier is asked for.
     fn is_product(&self) -> bool {
         let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| {
-            matches!(
-                derivative.kind,
-                DerivativeKind::Forward | DerivativeKind::Reverse
-            )
-        })
+        derivative
+            .any(|derivative| matches!(derivative.kind, DerivativeKind::Jvp | DerivativeKind::Vjp))
     }
 
     /// True where its derivatives have a way of their own, beside the sweeps.
@@ -175,7 +171,7 @@ impl Part {
     /// True where the product of a multiplier with derivatives is asked for.
     pub(super) fn is_gradient(&self) -> bool {
         let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| derivative.kind == DerivativeKind::Reverse)
+        derivative.any(|derivative| derivative.kind == DerivativeKind::Vjp)
     }
 
     /// True where second derivatives are asked for.
@@ -313,7 +309,7 @@ impl Part {
 
     /// How many terms the notes' sums have at least; where they are differentiated, about so many for every row that is swept.
     pub(super) fn literal_terms(&self, tree: &Tree) -> usize {
-        let terms = self.function.literal_terms(tree);
+        let terms = self.function.literal_terms(tree, self.subject.as_ref());
         let Rows { forward, reverse } = self.swept_rows(tree);
         terms * forward.min(reverse).max(1)
     }
@@ -331,12 +327,12 @@ impl Part {
         };
         let [forward, reverse] = [self.n_variables(tree), self.n_values(tree)];
         match derivative.kind {
-            DerivativeKind::Whole | DerivativeKind::Packed => Rows { forward, reverse },
-            DerivativeKind::Forward => Rows {
+            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => Rows { forward, reverse },
+            DerivativeKind::Jvp => Rows {
                 forward: 1,
                 reverse,
             },
-            DerivativeKind::Reverse => Rows {
+            DerivativeKind::Vjp => Rows {
                 forward,
                 reverse: 1,
             },
@@ -348,12 +344,12 @@ impl Part {
         }
     }
 
-    /// How many numbers its values have, or somewhat more.
+    /// How many numbers its values have at most.
     fn n_values(&self, tree: &Tree) -> usize {
         self.values().n_numbers(tree)
     }
 
-    /// How many numbers it writes, or somewhat more, where joints follow others.
+    /// How many numbers it writes at most: what takes a while to find is bounded.
     pub(super) fn n_numbers(&self, tree: &Tree) -> usize {
         let of_output = |output: &Output| {
             let length = |dimension: &Dimension| match dimension {
@@ -466,22 +462,21 @@ impl Part {
         let plan = one_by_one.as_ref().unwrap_or(plan);
         candidate.derive_in(derived, tree, plan, self.subject.as_ref());
         if let Some(derivative) = &self.derivative {
-            let own = |dimension| self.own_length(dimension, tree, 0);
+            let own_length = |dimension| self.own_length(dimension, tree, 0);
             let outputs = self.function.outputs.iter();
-            let sizes = outputs.map(|output| output.shape.lengths(tree, own).iter().product());
-            let sizes: Vec<usize> = sizes.collect();
+            let lengths = outputs.map(|output| output.shape.lengths(tree, own_length));
+            let sizes: Vec<usize> = lengths.map(|lengths| lengths.iter().product()).collect();
             let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
+            let own = (&multipliers[..], self.sparsity(tree));
             if in_own_way
                 && !self.is_second_derivative()
                 && let Some(needed) = self.function.needed
             {
                 let (of, needed) = ((tree, plan), (first, needed));
-                let own = (&multipliers[..], self.sparsity(tree));
                 derivative.apply_to_solution(derived, of, needed, own);
                 return None;
             }
             let is_reverse = plan.uses(Technique::Reverse);
-            let own = (&multipliers[..], self.sparsity(tree));
             derivative.apply(derived, tree, (first, &sizes), is_reverse, own);
         }
         None

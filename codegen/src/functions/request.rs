@@ -234,7 +234,7 @@ impl Request {
         terms.max().unwrap_or(0)
     }
 
-    /// How many numbers it writes, or somewhat more, where joints follow others.
+    /// How many numbers it writes at most: what takes a while to find is bounded.
     pub fn n_numbers(&self, tree: &Tree) -> usize {
         self.parts.iter().map(|part| part.n_numbers(tree)).sum()
     }

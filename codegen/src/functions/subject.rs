@@ -1,7 +1,7 @@
 //! What a function of frames is of: the frames, and how their motion is seen.
 
 use crate::{
-    id::SpeedId,
+    id::{BodyId, SpeedId},
     tree::{NamedFrame, Tree},
 };
 
@@ -76,17 +76,15 @@ impl Subject {
 
     /// The speeds that move the frames as they are seen, in their order.
     pub fn speeds(&self, tree: &Tree) -> Vec<SpeedId> {
-        let path = |frame: &SubjectFrame| {
-            let body = tree.frame_body(frame.frame);
-            body.into_iter().flat_map(|body| tree.path(body))
-        };
-        let count = |body| {
-            let frames = self.frames.iter();
-            frames
-                .filter(|frame| path(frame).any(|one| one == body))
-                .count()
-        };
-        let moves = |body: &_| match (self.view, count(*body)) {
+        let mut carried = vec![0; tree.bodies.len()];
+        let held = self
+            .frames
+            .iter()
+            .filter_map(|own| tree.frame_body(own.frame));
+        for body in held.flat_map(|body| tree.path(body)) {
+            carried[body.index()] += 1;
+        }
+        let moves = |body: &BodyId| match (self.view, carried[body.index()]) {
             // What carries both moves neither against the other.
             (View::Other, count) => count == 1,
             (View::Inertial | View::Local, count) => count > 0,

@@ -1,6 +1,7 @@
 //! How many terms the notes' sums over bodies have.
 
-use crate::tree::{Body, Tree};
+use super::subject::{Subject, View};
+use crate::tree::{Body, NamedFrame, Tree};
 
 /// Eq. (42): for every body, one term for each pair of speeds that move it; those that others follow
 /// count once.
@@ -30,6 +31,28 @@ pub(super) fn of_partitioned(tree: &Tree) -> usize {
 /// Eqs. (36), (43): for every body, one term for each speed that moves it.
 pub(super) fn of_vector(tree: &Tree) -> usize {
     moving(tree, n_speeds).into_iter().sum()
+}
+
+/// Eqs. (15), (28) along the path of a frame: for every body that turns, one term for each speed below it; of several frames the most.
+/// None where a frame is seen from another, for what carries both is left out.
+pub(super) fn of_path(tree: &Tree, subject: &Subject) -> usize {
+    let of_frame = |frame: NamedFrame| {
+        let body = tree.frame_body(frame).into_iter();
+        let path: Vec<_> = body.flat_map(|body| tree.path(body)).collect();
+        let (mut below, mut terms) = (0, 0);
+        for body in path.into_iter().rev().map(|body| tree.body(body)) {
+            if body.joint.turns().iter().any(Option::is_some) {
+                terms += below;
+            }
+            below += n_speeds(body);
+        }
+        terms
+    };
+    if subject.view == View::Other {
+        return 0;
+    }
+    let frames = subject.frames.iter();
+    frames.map(|own| of_frame(own.frame)).max().unwrap_or(0)
 }
 
 /// The pairs of speeds that move a body in common, each once.

@@ -227,7 +227,7 @@ impl Facts {
         length.into_iter().chain([names, terms]).collect()
     }
 
-    /// The constants of modules with derivatives by all values set at run time: what these are called.
+    /// The constants of modules with values set at run time, or derivatives by all of them: what these are called.
     pub fn parameter_constants(&self) -> Vec<Constant<'_>> {
         let Some(length) = self.sizes.named(N_PARAMETERS) else {
             return Vec::new();
@@ -236,7 +236,7 @@ impl Facts {
         let names = names.map(|parameter| parameter.name.as_str()).collect();
         let names = constant(
             PARAMETER_NAMES,
-            "The fields of `Parameters`, in the order of the columns of derivatives by them.",
+            "The fields of `Parameters`, in the order of its arrays and of the columns of derivatives by them.",
             Data::Texts(N_PARAMETERS, names),
         );
         vec![size(length), names]

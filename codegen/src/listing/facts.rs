@@ -108,7 +108,7 @@ pub(super) struct Wanted {
     pub(super) base_parameters: Option<BaseParameters>,
     /// Some ask which speeds are prescribed.
     pub(super) prescribed: bool,
-    /// Some are differentiated by all values set at run time.
+    /// Values are set at run time, or some function is differentiated by all of them.
     pub(super) values: bool,
     /// What those with compact outputs write, each once.
     pub(super) patterns: Vec<Pattern>,

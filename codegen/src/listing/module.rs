@@ -112,7 +112,7 @@ fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
         entries: Entries::of(tree, functions),
         angles: any(Request::is_at_sin_cos),
         prescribed: any(Request::prescribes),
-        values: any(Request::is_by_parameters),
+        values: any(Request::is_by_parameters) || !tree.parameters.is_empty(),
         packed: functions
             .iter()
             .flat_map(|one| one.function.packed())

@@ -1,5 +1,7 @@
 //! Which of the equations' forms is asked for.
 
+use crate::functions;
+
 /// Which of the equations' forms to generate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Formulation {
@@ -19,4 +21,13 @@ impl Formulation {
         ("notes", Self::Notes),
         ("recursive", Self::Recursive),
     ];
+
+    /// The one that is asked for, where it does not go by operations.
+    pub fn wanted(self) -> Option<functions::Formulation> {
+        match self {
+            Self::Cheapest => None,
+            Self::Notes => Some(functions::Formulation::Notes),
+            Self::Recursive => Some(functions::Formulation::Recursive),
+        }
+    }
 }

@@ -32,7 +32,7 @@ fn once(old: &ExprGraph, roots: &[Expr]) -> Option<(ExprGraph, Vec<Expr>)> {
             None => rebuilt.copy(&mut graph, old, id),
             Some((_, terms)) => build_sum(&mut graph, &rebuilt, &terms),
         };
-        graph.name_like(expr, old, Expr::of(id));
+        graph.name_like(expr, old, id);
         rebuilt.set(id, expr);
     }
     let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();

@@ -4,6 +4,8 @@
 //! are shared.
 //! Keeps: the value of every root. Does not: move numbers, which cost nothing.
 
+use std::collections::BTreeMap;
+
 use super::rebuild::Rebuilt;
 use crate::{
     expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
@@ -17,6 +19,8 @@ pub struct Preparation {
     pub graph: ExprGraph,
     /// The values in the order of `Input::Prepared`.
     pub fields: Vec<Field>,
+    /// The places of fields by their nodes: one for each function that needs the value.
+    places: BTreeMap<NodeId, Vec<usize>>,
 }
 
 /// A value that depends on parameters alone.
@@ -47,7 +51,7 @@ pub fn run(
         if old.binding(id) != Binding::State {
             preparation.graph.enter_like(old, id);
             let expr = outside.copy(&mut preparation.graph, old, id);
-            preparation.graph.name_like(expr, old, Expr::of(id));
+            preparation.graph.name_like(expr, old, id);
             outside.set(id, expr);
         }
     }
@@ -73,7 +77,7 @@ pub fn run(
             }
             Binding::Number | Binding::State => inside.copy(&mut graph, old, id),
         };
-        graph.name_like(expr, old, Expr::of(id));
+        graph.name_like(expr, old, id);
         inside.set(id, expr);
     }
     let roots = roots.iter().map(|&root| inside.expr(root)).collect();
@@ -102,19 +106,21 @@ impl Preparation {
         }
         let is_parameter = matches!(self.graph.node(value.node()), Node::Input(_));
         let function = Some(function).filter(|_| !is_parameter);
-        let known = |field: &Field| {
-            field.root.node() == value.node() && field.function.as_deref() == function
-        };
-        let place = self.fields.iter().position(known).unwrap_or_else(|| {
+        let fields = &mut self.fields;
+        let places = self.places.entry(value.node()).or_default();
+        let known = |place: &&usize| fields[**place].function.as_deref() == function;
+        let place = places.iter().find(known).copied();
+        let place = place.unwrap_or_else(|| {
             let label = old.label(id);
             let negative = value.is_negative() ^ label.is_some_and(|label| label.negative);
-            self.fields.push(Field {
+            fields.push(Field {
                 function: function.map(str::to_owned),
                 scope: old.scope(id),
                 label: label.map(|label| label.text.clone()),
                 root: value.abs_sign().signed(negative),
             });
-            self.fields.len() - 1
+            places.push(fields.len() - 1);
+            fields.len() - 1
         });
         let negative = value.is_negative() ^ self.fields[place].root.is_negative();
         graph.input(Input::Prepared(place)).signed(negative)

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::rebuild::Rebuilt;
 use crate::{
-    expr::{Binding, Expr, ExprGraph, Input, Node},
+    expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
     id::{BodyId, CoordinateId},
     tree::Tree,
 };
@@ -43,16 +43,18 @@ pub fn angles(tree: &Tree) -> Vec<Angle> {
 pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec<Expr>) {
     let places = angles.iter().enumerate();
     let places = places.map(|(place, angle)| (angle.coordinate, place));
-    let places: BTreeMap<CoordinateId, usize> = places.collect();
+    let mut pairs = Pairs {
+        old,
+        places: places.collect(),
+        known: vec![Known::NotYet; old.len()],
+    };
     let needed = old.reachable(roots);
     let mut graph = ExprGraph::with_capacity(old.len());
     let mut rebuilt = Rebuilt::new(old);
     for id in old.ids().filter(|id| needed[id.index()]) {
         graph.enter_like(old, id);
         let pair = match old.node(id) {
-            Node::Sin(angle) | Node::Cos(angle) => {
-                pair(&mut graph, old, &rebuilt, &places, Expr::of(angle))
-            }
+            Node::Sin(angle) | Node::Cos(angle) => pairs.of(&mut graph, &rebuilt, Expr::of(angle)),
             _ => None,
         };
         let expr = match pair {
@@ -62,42 +64,98 @@ pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec
                 if is_sine { sine } else { cosine }
             }
         };
-        graph.name_like(expr, old, Expr::of(id));
+        graph.name_like(expr, old, id);
         rebuilt.set(id, expr);
     }
     let roots = roots.iter().map(|&root| rebuilt.expr(root)).collect();
     (graph, roots)
 }
 
-/// Sine and cosine of an angle, of a sum from those of its terms, so that sums which continue one another share them:
-/// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`. `None` where it has others.
-fn pair(
-    graph: &mut ExprGraph,
-    old: &ExprGraph,
-    rebuilt: &Rebuilt,
-    places: &BTreeMap<CoordinateId, usize>,
-    angle: Expr,
-) -> Option<[Expr; 2]> {
-    let id = angle.node();
-    if old.binding(id) != Binding::State {
-        let angle = rebuilt.expr(angle);
-        return Some([graph.sin(angle), graph.cos(angle)].map(|entry| without_crumb(graph, entry)));
+/// Sines and cosines of angles.
+struct Pairs<'a> {
+    old: &'a ExprGraph,
+    places: BTreeMap<CoordinateId, usize>,
+    /// By nodes.
+    known: Vec<Known>,
+}
+
+/// What is known of an angle.
+#[derive(Clone, Copy)]
+enum Known {
+    NotYet,
+    Pair([Expr; 2]),
+    /// Its sine and cosine are of another kind.
+    Other,
+}
+
+impl Pairs<'_> {
+    /// Sine and cosine of an angle, of a sum from those of its terms, so that sums which continue one another share them.
+    /// `None` where it has others.
+    fn of(&mut self, graph: &mut ExprGraph, rebuilt: &Rebuilt, angle: Expr) -> Option<[Expr; 2]> {
+        // Sums may be as deep as the tree.
+        let mut open = vec![angle.node()];
+        while let Some(&id) = open.last() {
+            if let Some(term) = self.lacking(id) {
+                open.push(term);
+            } else {
+                open.pop();
+                if self.is_new(id) {
+                    let pair = self.of_terms(graph, rebuilt, id);
+                    self.known[id.index()] = pair.map_or(Known::Other, Known::Pair);
+                }
+            }
+        }
+        self.at(angle)
     }
-    match old.node(id) {
-        Node::Input(Input::Q(coordinate)) => {
-            let place = *places.get(&coordinate)?;
-            let sine = graph.input(Input::Sine(place)).signed(angle.is_negative());
-            Some([sine, graph.input(Input::Cosine(place))])
+
+    /// The first term of an angle that must be known before; the second is not asked for where the first has others.
+    fn lacking(&self, id: NodeId) -> Option<NodeId> {
+        let Node::Add(a, b) = self.old.node(id) else {
+            return None;
+        };
+        if !self.is_new(id) || self.old.binding(id) != Binding::State {
+            return None;
         }
-        Node::Add(a, b) => {
-            let sign = angle.is_negative();
-            let [s, c] = pair(graph, old, rebuilt, places, a.signed(sign))?;
-            let [t, d] = pair(graph, old, rebuilt, places, b.signed(sign))?;
-            let [first, second, third, fourth] =
-                [(s, d), (c, t), (c, d), (s, t)].map(|(a, b)| graph.mul(a, b));
-            Some([graph.add(first, second), graph.sub(third, fourth)])
+        let [a, b] = [a, b].map(Expr::node);
+        match self.known[a.index()] {
+            Known::NotYet => Some(a),
+            Known::Pair(_) => self.is_new(b).then_some(b),
+            Known::Other => None,
         }
-        _ => None,
+    }
+
+    fn is_new(&self, id: NodeId) -> bool {
+        matches!(self.known[id.index()], Known::NotYet)
+    }
+
+    /// What is known of an angle.
+    fn at(&self, angle: Expr) -> Option<[Expr; 2]> {
+        match self.known[angle.node().index()] {
+            Known::Pair([sine, cosine]) => Some([sine.signed(angle.is_negative()), cosine]),
+            Known::NotYet | Known::Other => None,
+        }
+    }
+
+    /// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.
+    fn of_terms(&self, graph: &mut ExprGraph, rebuilt: &Rebuilt, id: NodeId) -> Option<[Expr; 2]> {
+        if self.old.binding(id) != Binding::State {
+            let angle = rebuilt.node(id);
+            let pair = [graph.sin(angle), graph.cos(angle)];
+            return Some(pair.map(|entry| without_crumb(graph, entry)));
+        }
+        match self.old.node(id) {
+            Node::Input(Input::Q(coordinate)) => {
+                let &place = self.places.get(&coordinate)?;
+                Some([Input::Sine(place), Input::Cosine(place)].map(|input| graph.input(input)))
+            }
+            Node::Add(a, b) => {
+                let ([s, c], [t, d]) = (self.at(a)?, self.at(b)?);
+                let [first, second, third, fourth] =
+                    [(s, d), (c, t), (c, d), (s, t)].map(|(a, b)| graph.mul(a, b));
+                Some([graph.add(first, second), graph.sub(third, fourth)])
+            }
+            _ => None,
+        }
     }
 }
 

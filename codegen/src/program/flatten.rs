@@ -4,7 +4,10 @@
 //! is computed as their sum. The sign then passes on to what uses the value and ends in a subtraction or a store.
 //! Sines and cosines are taken first, all angles together.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
 use crate::{
@@ -18,13 +21,15 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
     // What calls read is stored for them.
     let mut stored_roots = graph.called(|id| needed[id.index()]);
     stored_roots.extend(roots);
+    let stored = stored(graph, &stored_roots);
     let mut flattening = Flattening {
         graph,
-        sines: sines(graph, roots),
-        wanted: wanted_signs(graph, &stored_roots),
-        stored: stored(graph, &stored_roots),
+        sines: sines(graph, &needed),
+        wanted: wanted_signs(graph, &stored),
+        stored,
         solved: solved(graph, &needed),
         needed,
+        shared: BTreeSet::new(),
         helpers: Vec::new(),
         operands: vec![None; graph.len()],
         program: Program {
@@ -57,6 +62,8 @@ struct Flattening<'a> {
     stored: Vec<Option<bool>>,
     /// What is needed of each call that was not made yet.
     solved: BTreeMap<(u16, u16), Vec<(Solved, NodeId)>>,
+    /// The locksteps whose shared values were told.
+    shared: BTreeSet<u16>,
     /// The helpers that are among the program's, in their order.
     helpers: Vec<Arc<expr::Helper<ExprGraph>>>,
     /// The nodes already flattened, as signed values.
@@ -210,11 +217,7 @@ impl Flattening<'_> {
     fn call(&mut self, Solved { lockstep, call, .. }: Solved) {
         let of = self.graph.lockstep(lockstep);
         let number = usize::from(lockstep);
-        let is_shared =
-            self.program.instructions.iter().any(
-                |own| matches!(own, Instruction::Share { lockstep, .. } if *lockstep == number),
-            );
-        if !is_shared && !of.shared.is_empty() {
+        if !of.shared.is_empty() && self.shared.insert(lockstep) {
             let values = of.shared.iter().map(|&own| self.expr(own)).collect();
             self.program.instructions.push(Instruction::Share {
                 lockstep: number,
@@ -321,8 +324,7 @@ fn solved(graph: &ExprGraph, needed: &[bool]) -> BTreeMap<(u16, u16), Vec<(Solve
 }
 
 /// The sines and cosines that `roots` need, by their angle: at most one of each.
-fn sines(graph: &ExprGraph, roots: &[Expr]) -> BTreeMap<NodeId, Vec<NodeId>> {
-    let needed = graph.reachable(roots);
+fn sines(graph: &ExprGraph, needed: &[bool]) -> BTreeMap<NodeId, Vec<NodeId>> {
     let mut sines: BTreeMap<NodeId, Vec<NodeId>> = BTreeMap::new();
     for id in graph.ids().filter(|id| needed[id.index()]) {
         if let Node::Sin(angle) | Node::Cos(angle) = graph.node(id) {
@@ -356,8 +358,7 @@ fn stored(graph: &ExprGraph, roots: &[Expr]) -> Vec<Option<bool>> {
 
 /// For each node, whether its negative is wanted: as its label means it, else as it is stored, else as it was written.
 /// Neither the signs of the model's constants nor what else uses the value has a say.
-fn wanted_signs(graph: &ExprGraph, roots: &[Expr]) -> Vec<bool> {
-    let stored = stored(graph, roots);
+fn wanted_signs(graph: &ExprGraph, stored: &[Option<bool>]) -> Vec<bool> {
     let wanted = |id: NodeId| {
         let label = graph.label(id).map(|label| label.negative);
         label

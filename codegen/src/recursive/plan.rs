@@ -41,8 +41,8 @@ pub enum Technique {
     Composite,
     /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
     Reverse,
-    /// Where derivatives of dynamics would be long, their columns go four at a time, by helpers that are called. So do branches that
-    /// are alike, side by side, in every long function.
+    /// Columns of long derivatives of dynamics, and of long inverses, go four at a time, by helpers that are called. So do branches
+    /// that are alike, side by side, in every long function.
     Lockstep,
     /// Common factors are taken out of sums.
     Factor,

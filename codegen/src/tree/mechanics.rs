@@ -23,6 +23,13 @@ pub struct Mechanics {
     pub effort: f64,
 }
 
+impl Mechanics {
+    /// True where a rotor turns with the coordinate.
+    pub fn has_rotor(&self) -> bool {
+        self.armature != Value::Baked(0.0)
+    }
+}
+
 impl Default for Mechanics {
     /// Nothing acts, and nothing is limited.
     fn default() -> Self {

@@ -66,6 +66,21 @@ fn model_that_says_it_itself_is_not_told_its_base_or_chart() {
 }
 
 #[test]
+fn key_that_a_format_has_not_is_pointed_at_in_kane_toml() {
+    let project = Project::arm();
+    project.write(
+        "kane.toml",
+        &(system("models/arm.toml", "generated/arm.rs")
+            + "base = \"free\"\nleave_out = [\"tendons\"]\n"),
+    );
+    let ran = project.kane(&["generate"]);
+    insta::assert_snapshot!(ran.err);
+    // What is said on the command line stands nowhere.
+    let ran = project.kane(&["generate", "models/arm.toml", "--base", "free"]);
+    assert!(!ran.err.contains("base = "), "{}", ran.err);
+}
+
+#[test]
 fn values_that_are_none_are_refused() {
     for (option, value, reason) in [
         ("--base", "floating", "[possible values: fixed, free]"),

@@ -115,6 +115,20 @@ fn numbers_are_told_from_indexes() {
 }
 
 #[test]
+fn comments_are_told_from_numbers_and_layout() {
+    let project = Project::generated();
+    let text = project.read("generated/arm.rs");
+    project.write("generated/arm.rs", &(text + "// a word\n"));
+    let told = project.kane(&["check"]).out;
+    let first = told.lines().next().unwrap_or_default();
+    assert_eq!(
+        first,
+        "generated/arm.rs differs: 1 line removed, 0 added, none of them in a function; only comments changed"
+    );
+    assert!(!told.contains("layout"), "{told}");
+}
+
+#[test]
 fn file_that_was_formatted_anew_is_told_from_one_that_changed() {
     let project = Project::generated();
     let layout_only = "differs in layout only";

@@ -350,6 +350,19 @@ fn products_are_given_directions_and_multipliers() {
 }
 
 #[test]
+fn what_has_no_entries_need_not_be_given() {
+    let model = repository("models/arm.urdf");
+    let state = json!({ "q": [0.1, 0.3, 0.2], "u": [0.5, -0.4, 0.1] });
+    let product = evaluated(
+        model.to_str().unwrap(),
+        "jvp(bias; parameters)",
+        "recursive",
+        &state,
+    );
+    assert_eq!(flat(&product), [0.0; 3]);
+}
+
+#[test]
 fn packed_derivatives_come_with_their_places() {
     let model = repository("models/cart_pole.toml");
     let model = model.to_str().unwrap();
@@ -397,7 +410,7 @@ fn what_cannot_be_differentiated_is_told_why() {
     for (function, why) in [
         (
             "d(mass_matrix)/d(u)",
-            "`mass_matrix` is not given `u`; it can be differentiated by `q`",
+            "`mass_matrix` is not given `u`; it can be differentiated by `q`, and by values set at run time",
         ),
         (
             "d(bias)/d(pole_maas)",
@@ -409,7 +422,7 @@ fn what_cannot_be_differentiated_is_told_why() {
         ),
         (
             "hessian(mass_matrix; u)",
-            "`mass_matrix` is not given `u`; it can be differentiated by `q`",
+            "`mass_matrix` is not given `u`; it can be differentiated by `q`, and by values set at run time",
         ),
         (
             "hessian(vjp(bias; q); q)",

@@ -194,6 +194,17 @@ fn model_that_kane_toml_does_not_list_needs_an_output() {
 }
 
 #[test]
+fn output_that_could_be_no_module_is_refused() {
+    let project = Project::arm();
+    for command in ["generate", "check"] {
+        let ran = project.kane(&[command, "models/arm.toml", "--output", "src/arm.txt"]);
+        let told =
+            "error: `--output` is `src/arm.txt`; expected a file that ends in `.rs`, or `-`\n";
+        assert_eq!((ran.code, ran.err.as_str()), (2, told));
+    }
+}
+
+#[test]
 fn kane_toml_that_is_missing_is_said() {
     let ran = Project::empty().kane(&["generate"]);
     assert_eq!(ran.code, 2);
@@ -260,16 +271,17 @@ fn force_overwrites_a_file_without_banner() {
 #[test]
 fn model_is_never_overwritten() {
     let project = Project::arm();
+    project.write("models/arm.rs", &model("arm", "2.0"));
     let ran = project.kane(&[
         "generate",
-        "models/arm.toml",
+        "models/arm.rs",
         "--force",
         "--output",
-        "models/../models/arm.toml",
+        "models/../models/arm.rs",
     ]);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"error: `models/arm.toml` is the model; the module needs a file of its own");
-    assert_eq!(project.read("models/arm.toml"), model("arm", "2.0"));
+    insta::assert_snapshot!(ran.err, @"error: `models/arm.rs` is the model; the module needs a file of its own");
+    assert_eq!(project.read("models/arm.rs"), model("arm", "2.0"));
 }
 
 #[test]

@@ -32,6 +32,13 @@ fn new_packages_run_pass_their_tests_and_are_up_to_date() {
         assert_eq!(ran.code, 0, "{}", ran.err);
         let last = ran.err.lines().last().unwrap();
         assert_eq!(last, format!("wrote {name}/; next: cd {name} && cargo run"));
+        // As rustfmt has them.
+        let program = project.read(&format!("{name}/src/main.rs"));
+        let uses = program.lines().filter(|line| line.starts_with("use "));
+        assert!(
+            uses.map(|line| line.split("::").next()).is_sorted(),
+            "{program}"
+        );
         let check = project.kane_in(name, &["check"]);
         assert_eq!((check.code, check.out.as_str()), (0, ""), "{}", check.err);
         let mut cargo = Command::new(env!("CARGO"));

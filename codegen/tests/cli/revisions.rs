@@ -188,6 +188,23 @@ fn what_is_no_revision_and_has_nothing_beside_it_is_said() {
 }
 
 #[test]
+fn folder_in_no_repository_has_no_revisions() {
+    let project = Project::arm();
+    let mut command = project.command();
+    command
+        .args(["diff", "HEAD"])
+        .env("GIT_CEILING_DIRECTORIES", project.path(".."));
+    let ran: Ran = command.output().unwrap().into();
+    assert_eq!(
+        (ran.code, ran.err.as_str()),
+        (
+            2,
+            "error: `HEAD` is no git revision, for this folder is in no git repository; expected two files\n"
+        )
+    );
+}
+
+#[test]
 fn generated_modules_of_revisions_are_compared() {
     let project = Project::generated().committed();
     project.replace("models/arm.toml", "[\"theta2\"]", "[\"s3\"]");

@@ -1,5 +1,6 @@
 //! Reading: from the text of a model or of `kane.toml` to a tree, or to what is wrong with it.
 
+mod changes;
 mod config;
 mod converted;
 mod diagnostic;

@@ -131,12 +131,30 @@ fn what_is_missing_or_misplaced_is_said() {
         ("d(bias)/d()", "expected a variable"),
         ("hessian(bias; q,)", "expected a variable"),
         (
+            "mass_matrix bias",
+            "functions stand with commas between them",
+        ),
+        (
+            "sin_cos",
+            "a module has it beside functions such as `bias(sin_cos)`",
+        ),
+        (
             "\"d(bias)/d(q)\"",
             "quotes stand around one name, not around a request",
         ),
     ] {
         assert!(faults(text).concat().ends_with(expected), "{text}");
     }
+}
+
+#[test]
+fn name_with_one_ending_again_and_again_is_no_function() {
+    let endless = "_at_sin_cos".repeat(100_000);
+    assert!(faults(&endless).concat().contains("is no function; "));
+    assert_eq!(
+        faults("bias_at_sin_cos"),
+        ["`bias_at_sin_cos` is no function; did you mean `bias(sin_cos)`?"]
+    );
 }
 
 #[test]

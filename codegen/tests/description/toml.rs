@@ -18,6 +18,45 @@ fn place(text: &str) -> String {
 }
 
 #[test]
+fn words_of_other_formats_are_known() {
+    let arm = system("[0]", &[("a", "[\"theta1\"]")]);
+    for (ours, theirs, expected) in [
+        (
+            "joint = [\"theta1\"]",
+            "joint = \"hinge\"",
+            "did you mean `revolute`?",
+        ),
+        (
+            "joint = [\"theta1\"]",
+            "joint = \"ball\"",
+            "did you mean `spherical`?",
+        ),
+        (
+            "joint = [\"theta1\"]",
+            "joint = \"theta1\"",
+            "a motion stands in a list: `[\"theta1\"]`",
+        ),
+        ("lower_bodies", "parents", "did you mean `lower_bodies`?"),
+        ("mass_center", "com", "did you mean `mass_center`?"),
+        ("joint = ", "joint_type = ", "did you mean `joint`?"),
+    ] {
+        let faults = build(&arm.replacen(ours, theirs, 1))
+            .unwrap_err()
+            .to_string();
+        let helps: Vec<&str> = faults.split("= help: ").skip(1).collect();
+        assert!(
+            matches!(helps[..], [help] if help.trim_end() == expected),
+            "{faults}"
+        );
+    }
+}
+
+#[test]
+fn list_of_systems_is_no_model() {
+    insta::assert_snapshot!(build("[[system]]\nmodel = \"arm.toml\"\n").unwrap_err());
+}
+
+#[test]
 fn columns_count_characters_not_bytes() {
     let text = system("[0]", &[("Gelenkkörper", "[\"theta1\"]")]);
     let text = text.replace(

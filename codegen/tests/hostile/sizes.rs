@@ -291,6 +291,26 @@ fn whatever_factorises_is_told_before_it_is_derived() {
 }
 
 #[test]
+fn notes_of_what_a_path_moves_are_told_before_they_are_derived() {
+    for (name, terms) in [
+        ("jacobian(b449)", 101_025),
+        ("jacobian_packed(b449, local)", 101_025),
+        ("point_jacobian(b449)", 101_025),
+        ("generalized_force(b449)", 101_025),
+        ("gravity_forces", 101_475),
+    ] {
+        let notes = Options {
+            formulation: kane_codegen::config::Formulation::Notes,
+            ..named(name)
+        };
+        assert_eq!(
+            refused(450, &notes),
+            format!("the notes' sums for `{name}` have {terms} terms; expected at most 100000")
+        );
+    }
+}
+
+#[test]
 fn what_would_be_too_large_is_told_before_it_is_derived() {
     let notes = Options {
         formulation: kane_codegen::config::Formulation::Notes,

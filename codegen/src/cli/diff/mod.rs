@@ -15,7 +15,7 @@ use clap::{Args, ValueEnum};
 use kane_codegen::options::Options;
 
 use super::{
-    Failures, Outcome, Voice, json,
+    Failures, Outcome, Voice, git, json,
     listed::Listed,
     options::{Asked, OptionsArguments},
     paths,
@@ -90,12 +90,7 @@ pub(crate) fn run(
     let asked = arguments.options.read()?;
     let old = Snapshot::of(&arguments.old);
     let Some(new) = &arguments.new else {
-        let old = old.ok_or_else(|| {
-            Failures::message(format!(
-                "{} is no git revision; expected one, or a second file to compare it with",
-                quoted(&arguments.old)
-            ))
-        })?;
+        let old = old.ok_or_else(|| no_revision(&arguments.old))?;
         return systems(arguments, [&old, &Snapshot::Files], &asked, voice, out);
     };
     match (old, Snapshot::of(new)) {
@@ -104,6 +99,18 @@ pub(crate) fn run(
         (Some(_), None) => Err(one_revision(&arguments.old, new)),
         (None, Some(_)) => Err(one_revision(new, &arguments.old)),
     }
+}
+
+/// The only argument names no revision.
+fn no_revision(argument: &Path) -> Failures {
+    let argument = quoted(argument);
+    Failures::message(if git::is_repository() {
+        format!("{argument} is no git revision; expected one, or a second file to compare it with")
+    } else {
+        format!(
+            "{argument} is no git revision, for this folder is in no git repository; expected two files"
+        )
+    })
 }
 
 /// Only one of the arguments names a revision.

@@ -96,7 +96,7 @@ pub(crate) fn run(
     let asked = asked.transpose()?;
     let (reading, changed) = (changes.reading(), changes.changes());
     let model = job::check(&arguments.model, &reading, &changed, changes.prescribed())?;
-    voice.warn(&model.warnings);
+    voice.warn_alone(&model.warnings);
     let tree = &model.tree;
     let is_large = tree.n_speeds.max(tree.n_parts()) > COUNTED;
     let pattern = if is_large || arguments.json {

@@ -84,7 +84,15 @@ pub(super) fn program(
 ) -> (Vec<(&'static str, String)>, &'static str) {
     match abi {
         None => {
-            let program = filled(PROGRAM, name, &start(tree, "    "));
+            let mut uses = [
+                (name, "{NQ, NU, Prepared}"),
+                ("kane", "integrate::rk4_step"),
+            ];
+            // As rustfmt has them.
+            uses.sort_unstable();
+            let uses = uses.map(|(of, what)| format!("use {of}::{what};"));
+            let program = PROGRAM.replace("{{uses}}", &uses.join("\n"));
+            let program = filled(&program, name, &start(tree, "    "));
             (vec![("src/main.rs", program)], "cargo run")
         }
         Some(Abi::C) => (c_program(name, tree), "make run"),

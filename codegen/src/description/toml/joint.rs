@@ -1,5 +1,6 @@
 //! The joint of a `[[body]]` with its lower body.
 
+use crate::description::elsewhere;
 use crate::description::toml::value;
 use crate::description::toml_reader::{Item, Reader, Table, span};
 use crate::description::{
@@ -121,7 +122,10 @@ fn named_kind(reader: &mut Reader, item: &Item<'_>, text: &str, what: &str) -> G
             text.escape_debug()
         ));
         let names = JointKind::NAMED.map(|(name, _)| name);
-        let help = match nearest(text, &names) {
+        let help = match elsewhere::joint(text).or_else(|| nearest(text, &names)) {
+            _ if CoordinateName::NAMES.contains(&text) => {
+                format!("a motion stands in a list: `[\"{text}\"]`")
+            }
             Some(near) => format!("did you mean `{near}`?"),
             None => format!(
                 "a joint is one of {}, or a list of those of {} that are free to move",

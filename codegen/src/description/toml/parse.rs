@@ -3,7 +3,7 @@
 use crate::description::toml::{body, frame, value};
 use crate::description::toml_reader::{Item, Reader, span};
 use crate::description::{Description, Given, Order, Scalar};
-use crate::diagnostic::{Source, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 
 const ROOT_KEYS: [&str; 6] = ["name", "gravity", "lower_bodies", "order", "body", "frame"];
 
@@ -28,6 +28,16 @@ pub fn parse(source: &Source) -> Description {
 
 /// The description in a table, but for the faults.
 fn read(reader: &mut Reader, document: &::toml::de::DeTable<'_>, source: &Source) -> Description {
+    if let Some((key, _)) = document.get_key_value("system") {
+        let fault = "this file lists systems, as kane.toml does, and is no model";
+        let fault = Diagnostic::error(fault).at(key.span().into(), "expected a model");
+        let help = "`kane generate --config FILE` generates what it lists";
+        reader.faults.push(fault.help(help));
+        return Description {
+            gravity: no_gravity(),
+            ..Description::none(source, Vec::new())
+        };
+    }
     let root = reader.root(document, &ROOT_KEYS);
     let name = reader.required(&root, "name", "name = \"pendulum\"");
     let name = name.and_then(|item| reader.string(item, "`name`"));

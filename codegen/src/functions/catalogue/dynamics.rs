@@ -101,7 +101,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
     candidates: &[
-        Candidate::plain(roots::dynamics::gravity_forces),
+        Candidate::plain(roots::dynamics::gravity_forces).with_terms(terms::of_vector),
         Candidate::planned(roots::dynamics::gravity_forces_recursive),
     ],
     ..PLAIN

@@ -81,7 +81,7 @@ pub(super) const JACOBIAN: Function = Function {
         "Jacobian of the frame {frame} {seen}: times `u` the velocity of its origin, m/s, and its angular velocity, rad/s.",
         "A column for each speed, zero but for those of {speeds}. Also known as geometric Jacobian, frame Jacobian, task Jacobian.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::jacobian),
+    candidates: &Candidate::of_frame_with_terms(roots::frames::jacobian, terms::of_path),
     ..PLAIN
 };
 
@@ -102,7 +102,7 @@ pub(super) const JACOBIAN_PACKED: Function = Function {
         "The columns of the Jacobian of the frame {frame} {seen}, of the speeds that move it alone: {speeds} says which.",
         "Times these speeds the velocity of the frame's origin, m/s, and its angular velocity, rad/s.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::jacobian_packed),
+    candidates: &Candidate::of_frame_with_terms(roots::frames::jacobian_packed, terms::of_path),
     ..PLAIN
 };
 
@@ -116,7 +116,7 @@ pub(super) const POINT_JACOBIAN: Function = Function {
         "Jacobian of a point fixed in the frame {frame}, {seen}: times `u` the velocity of the point, m/s, and the angular velocity of the frame, rad/s.",
         "A column for each speed, zero but for those of {speeds}. The point may be another at each call, for contacts that move.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::point_jacobian),
+    candidates: &Candidate::of_frame_with_terms(roots::frames::point_jacobian, terms::of_path),
     ..PLAIN
 };
 
@@ -144,7 +144,7 @@ pub(super) const GENERALIZED_FORCE: Function = Function {
         "Generalized forces of a wrench on the frame {frame}, its force at the frame's origin: `tau`, the transposed Jacobian times the wrench.",
         "The wrench is given by {axes}; N m for an angle's speed, N for a translation's. Also known as `J^T F`.",
     ],
-    candidates: &Candidate::of_frame(roots::frames::generalized_force),
+    candidates: &Candidate::of_frame_with_terms(roots::frames::generalized_force, terms::of_path),
     ..PLAIN
 };
 

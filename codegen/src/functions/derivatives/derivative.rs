@@ -20,13 +20,13 @@ const DRAWN: [u64; 3] = [1, 2, 3];
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum DerivativeKind {
     /// All of them: of each output an entry is a row, each variable's entries are columns.
-    Whole,
+    Jacobian,
     /// Their product with a direction: how outputs change along it.
-    Forward,
+    Jvp,
     /// The product of a multiplier with them: how the sum of the outputs' entries, so weighted, changes with each entry of the variables.
-    Reverse,
-    /// As `Whole`, without the entries that the tree makes zero.
-    Packed,
+    Vjp,
+    /// As `Jacobian`, without the entries that the tree makes zero.
+    PackedJacobian,
     /// The second derivative of the sum of the outputs' entries, weighted by a multiplier: one triangle, without what the tree makes zero.
     Hessian,
 }
@@ -60,10 +60,10 @@ impl Derivative {
     /// As it is asked for, of a function and by these variables.
     pub(in crate::functions) fn text(kind: DerivativeKind, of: &str, by: &str) -> String {
         match kind {
-            DerivativeKind::Whole => format!("d({of})/d({by})"),
-            DerivativeKind::Packed => format!("packed(d({of})/d({by}))"),
-            DerivativeKind::Forward => format!("jvp({of}; {by})"),
-            DerivativeKind::Reverse => format!("vjp({of}; {by})"),
+            DerivativeKind::Jacobian => format!("d({of})/d({by})"),
+            DerivativeKind::PackedJacobian => format!("packed(d({of})/d({by}))"),
+            DerivativeKind::Jvp => format!("jvp({of}; {by})"),
+            DerivativeKind::Vjp => format!("vjp({of}; {by})"),
             DerivativeKind::Hessian => format!("hessian({of}; {by})"),
         }
     }
@@ -72,10 +72,10 @@ impl Derivative {
     pub(in crate::functions) fn name(&self, of: &str) -> String {
         let by = self.joined("_");
         match self.kind {
-            DerivativeKind::Whole => format!("d_{of}_d_{by}"),
-            DerivativeKind::Packed => format!("d_{of}_d_{by}_packed"),
-            DerivativeKind::Forward => format!("jvp_{of}_{by}"),
-            DerivativeKind::Reverse => format!("vjp_{of}_{by}"),
+            DerivativeKind::Jacobian => format!("d_{of}_d_{by}"),
+            DerivativeKind::PackedJacobian => format!("d_{of}_d_{by}_packed"),
+            DerivativeKind::Jvp => format!("jvp_{of}_{by}"),
+            DerivativeKind::Vjp => format!("vjp_{of}_{by}"),
             DerivativeKind::Hessian => format!("hessian_{of}_{by}"),
         }
     }
@@ -83,9 +83,9 @@ impl Derivative {
     /// What it is given beside the function's own arguments; `own` is the length of axes that the function decides.
     pub(in crate::functions) fn arguments(&self, of: &[Output], own: usize) -> Vec<Argument> {
         match self.kind {
-            DerivativeKind::Whole | DerivativeKind::Packed => Vec::new(),
-            DerivativeKind::Forward => self.by.iter().filter_map(Variable::direction).collect(),
-            DerivativeKind::Reverse | DerivativeKind::Hessian => {
+            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => Vec::new(),
+            DerivativeKind::Jvp => self.by.iter().filter_map(Variable::direction).collect(),
+            DerivativeKind::Vjp | DerivativeKind::Hessian => {
                 let outputs = of.iter().enumerate();
                 let multiplier = |(place, output): (usize, &Output)| {
                     Multiplier::of(place, output.multiplier, output.shape, own)
@@ -115,10 +115,10 @@ impl Derivative {
             Output::named(name, Shape::of(variable.dimensions()))
         };
         match self.kind {
-            DerivativeKind::Whole => of.iter().flat_map(by_all).collect(),
-            DerivativeKind::Forward => of.iter().map(along).collect(),
-            DerivativeKind::Reverse => self.by.iter().map(gradient).collect(),
-            DerivativeKind::Packed => vec![Output::new("derivatives", Shape::ENTRIES)],
+            DerivativeKind::Jacobian => of.iter().flat_map(by_all).collect(),
+            DerivativeKind::Jvp => of.iter().map(along).collect(),
+            DerivativeKind::Vjp => self.by.iter().map(gradient).collect(),
+            DerivativeKind::PackedJacobian => vec![Output::new("derivatives", Shape::ENTRIES)],
             DerivativeKind::Hessian => vec![Output::new("hessian", Shape::ENTRIES)],
         }
     }
@@ -131,16 +131,16 @@ impl Derivative {
         places: &str,
     ) -> Vec<String> {
         let first = match self.kind {
-            DerivativeKind::Whole => format!(
+            DerivativeKind::Jacobian => format!(
                 "The derivatives of `{of}`: rows are the entries of its outputs, columns those of the variables."
             ),
-            DerivativeKind::Packed => format!(
+            DerivativeKind::PackedJacobian => format!(
                 "The derivatives of `{of}` without those that the tree makes zero, whatever its numbers are: `{places}` holds the row and column of each. Rows count the entries of all outputs one after the other, columns those of the variables in this order:"
             ),
-            DerivativeKind::Forward => format!(
+            DerivativeKind::Jvp => format!(
                 "How the outputs of `{of}` change along a direction: its derivatives times the change of each variable."
             ),
-            DerivativeKind::Reverse => format!(
+            DerivativeKind::Vjp => format!(
                 "The gradient of the sum of the entries of `{of}`, each times its multiplier."
             ),
             DerivativeKind::Hessian => format!(
@@ -156,7 +156,7 @@ impl Derivative {
             .iter()
             .map(|variable| format!("- By {}.", variable.meaning()));
         match self.kind {
-            DerivativeKind::Whole | DerivativeKind::Reverse => lines.extend(of_variables),
+            DerivativeKind::Jacobian | DerivativeKind::Vjp => lines.extend(of_variables),
             _ => lines.extend(in_order),
         }
         lines
@@ -171,7 +171,7 @@ impl Derivative {
         values: impl Fn(&Tree) -> Derived,
     ) -> Option<&Sparsity> {
         let is_second = match self.kind {
-            DerivativeKind::Packed => false,
+            DerivativeKind::PackedJacobian => false,
             DerivativeKind::Hessian => true,
             _ => return None,
         };
@@ -229,7 +229,7 @@ impl Derivative {
         let places = sparsity.map_or(&[][..], |sparsity| &sparsity.places);
         let sweep = if is_reverse { reverse } else { forward };
         match self.kind {
-            DerivativeKind::Whole => {
+            DerivativeKind::Jacobian => {
                 let rows = sweep(graph, &values, &seeds);
                 let mut rest = &rows[..];
                 for &size in sizes {
@@ -242,20 +242,20 @@ impl Derivative {
                     }
                 }
             }
-            DerivativeKind::Packed => {
+            DerivativeKind::PackedJacobian => {
                 let rows = sweep(graph, &values, &seeds);
                 for &[row, column] in places {
                     let entry = entry(graph, &rows[row], column);
                     derived.roots.push(entry);
                 }
             }
-            DerivativeKind::Forward => {
+            DerivativeKind::Jvp => {
                 let seeds = self.along(graph, tree, seeds);
                 for row in sweep(graph, &values, &seeds) {
                     derived.extend_by(&row, 0..1);
                 }
             }
-            DerivativeKind::Reverse => {
+            DerivativeKind::Vjp => {
                 let weighted = weighted(graph, tree, multipliers, &values);
                 let rows = sweep(graph, &[weighted], &seeds);
                 derived.extend_by(&rows[0], 0..n_columns);

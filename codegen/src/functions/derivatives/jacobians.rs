@@ -42,7 +42,7 @@ impl Part {
         }
         let told = jacobians(&mut derived.graph, tree, plan);
         let others = others.into_iter().cloned().collect();
-        let others = Derivative::new(DerivativeKind::Whole, others);
+        let others = Derivative::new(DerivativeKind::Jacobian, others);
         let mut others = self
             .matrices_of_others(derived, tree, (formulation, plan), others, &told)
             .into_iter();

@@ -30,7 +30,10 @@ impl Derivative {
     ) {
         let u_dot = derived.roots.split_off(first);
         let graph = &mut derived.graph;
-        if matches!(self.kind, DerivativeKind::Whole | DerivativeKind::Packed) {
+        if matches!(
+            self.kind,
+            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
+        ) {
             let columns = self.columns(graph, tree, plan, (needed, &u_dot));
             let inverse = is_worth_an_inverse(tree, &columns);
             let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
@@ -39,7 +42,7 @@ impl Derivative {
         }
         let (lacking, mut values) = lacking(graph, tree, plan, (needed, &u_dot));
         let (seeds, columns) = self.seeds(graph, tree);
-        if self.kind == DerivativeKind::Forward {
+        if self.kind == DerivativeKind::Jvp {
             let seeds = self.along(graph, tree, seeds);
             let rows = forward(graph, &lacking, &seeds);
             let changes: Vec<Expr> = rows.iter().map(|row| entry(graph, row, 0)).collect();

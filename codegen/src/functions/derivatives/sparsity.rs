@@ -83,13 +83,14 @@ pub(super) fn dependences(
 ) -> Vec<Vec<usize>> {
     let point = point(graph, tree);
     let of_input = |input: Input| point.get(&input).copied().unwrap_or(Field::ZERO);
+    let slopes: Vec<Expr> = seeds.values().flatten().map(|&(_, slope)| slope).collect();
+    let mut values = graph.evaluate(&slopes, of_input).into_iter();
     let numbers = seeds.iter().map(|(&input, row)| {
-        let slopes: Vec<Expr> = row.iter().map(|&(_, slope)| slope).collect();
-        let values = graph.evaluate(&slopes, of_input);
-        let places = row.iter().map(|&(place, _)| place);
-        let known = places
-            .zip(values)
-            .filter(|(_, value)| *value != Field::ZERO);
+        let known = row
+            .iter()
+            .zip(&mut values)
+            .map(|(&(place, _), value)| (place, value));
+        let known = known.filter(|(_, value)| *value != Field::ZERO);
         (input, known.collect())
     });
     let numbers: BTreeMap<Input, Vec<(usize, Field)>> = numbers.collect();

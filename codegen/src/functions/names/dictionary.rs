@@ -56,6 +56,10 @@ pub fn advice(name: &str) -> String {
         format!("`{module}` does that, for every system")
     } else if let Some(request) = generated_name::request(name) {
         format!("did you mean `{request}`?")
+    } else if name == "sin_cos" {
+        "a module has it beside functions such as `bias(sin_cos)`".to_owned()
+    } else if is_list(name) {
+        "functions stand with commas between them".to_owned()
     } else if ["all", "default"].contains(&name) {
         "it stands alone".to_owned()
     } else if let Some(near) = nearest(name, &Function::names()) {
@@ -68,6 +72,11 @@ pub fn advice(name: &str) -> String {
             of_frames().join(", ")
         )
     }
+}
+
+/// True for names of functions with spaces between them.
+fn is_list(name: &str) -> bool {
+    name.contains(' ') && name.split(' ').all(|word| Function::find(word).is_some())
 }
 
 /// The functions of frames.
@@ -84,6 +93,10 @@ pub(in crate::functions) fn advice_on_frame(name: &str) -> Option<String> {
             "for the frame's own axes write `local` after the frame: `(FRAME, local)`".to_owned(),
         ),
         "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
+        "world" | "universe" | "global" | "inertial" | "ground" => Some(
+            "frames are seen from the inertial frame, along its axes, without any word behind them"
+                .to_owned(),
+        ),
         _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {
             Some("derivatives are written `d(F)/d(X)`".to_owned())
         }

@@ -9,11 +9,12 @@ use crate::functions::{
 
 /// The request of which a name is that of the generated function, or nearly so: `d_forward_dynamics`, `mass_matrix_and_bias`.
 pub(in crate::functions) fn request(name: &str) -> Option<String> {
-    if let Some(name) = name.strip_suffix("_at_sin_cos") {
-        return request(name).map(|inner| inner + AT_SIN_COS);
-    }
+    let (name, suffix) = match name.strip_suffix("_at_sin_cos") {
+        Some(name) => (name, AT_SIN_COS),
+        None => (name, ""),
+    };
     let parts: Option<Vec<String>> = name.split("_and_").map(of_part).collect();
-    parts.map(|parts| parts.join("+"))
+    parts.map(|parts| parts.join("+") + suffix)
 }
 
 fn of_part(name: &str) -> Option<String> {

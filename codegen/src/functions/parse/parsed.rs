@@ -126,18 +126,18 @@ impl ParsedPart {
         match &part.kind {
             Kind::Named { name, of } => Self::named(text, (name, of), part.place.clone()),
             Kind::Derivative { of, by } => {
-                Self::derivative(text, part, of, (DerivativeKind::Whole, by))
+                Self::derivative(text, part, of, (DerivativeKind::Jacobian, by))
             }
             Kind::Packed { of: inner } => match &inner.kind {
                 Kind::Derivative { of, by } => {
-                    Self::derivative(text, part, of, (DerivativeKind::Packed, by))
+                    Self::derivative(text, part, of, (DerivativeKind::PackedJacobian, by))
                 }
                 _ => Err(not_packed(text, inner)),
             },
             Kind::Product { name, of, along } => {
                 let kind = match name.text.as_str() {
-                    "jvp" => DerivativeKind::Forward,
-                    "vjp" => DerivativeKind::Reverse,
+                    "jvp" => DerivativeKind::Jvp,
+                    "vjp" => DerivativeKind::Vjp,
                     _ => DerivativeKind::Hessian,
                 };
                 Self::derivative(text, part, of, (kind, along))
@@ -250,12 +250,12 @@ impl ParsedPart {
 
     fn on(&self, text: &str, tree: Option<&Tree>) -> Result<Part, Vec<RequestError>> {
         let subject = self.subject.as_ref();
-        let is_forward = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Forward;
-        let is_forward = self.derivative.as_ref().is_some_and(is_forward);
+        let is_jvp = |(kind, _): &(DerivativeKind, _)| *kind == DerivativeKind::Jvp;
+        let is_jvp = self.derivative.as_ref().is_some_and(is_jvp);
         let variable = |word: &Word| {
             let (request, name, place) = (text.to_owned(), word.text.clone(), word.place.clone());
             match Variable::find(tree, &word.text) {
-                Some(own) if is_forward && own.direction().is_none() => {
+                Some(own) if is_jvp && own.direction().is_none() => {
                     Err(vec![RequestError::OneOfDirection {
                         request,
                         name,
@@ -267,7 +267,7 @@ impl ParsedPart {
                     request,
                     function: self.function.name,
                     name,
-                    known: variables(self.function, tree, is_forward),
+                    known: variables(self.function, tree, is_jvp),
                     place,
                 }]),
             }
@@ -317,7 +317,7 @@ impl ParsedPart {
     /// True where it is given what no other part can be given beside it.
     fn has_own_arguments(&self) -> bool {
         let is_weighted = |(kind, _): &(DerivativeKind, _)| {
-            matches!(kind, DerivativeKind::Reverse | DerivativeKind::Hessian)
+            matches!(kind, DerivativeKind::Vjp | DerivativeKind::Hessian)
         };
         let mut arguments = self.function.arguments.iter();
         self.derivative.as_ref().is_some_and(is_weighted)
@@ -397,7 +397,7 @@ fn no_derivative(text: &str, part: &syntax::Part, why: &'static str) -> RequestE
 }
 
 /// By what a function can be differentiated.
-fn variables(function: &Function, tree: Option<&Tree>, is_forward: bool) -> Vec<String> {
+fn variables(function: &Function, tree: Option<&Tree>, is_jvp: bool) -> Vec<String> {
     let arguments = function.variables();
     let arguments = arguments.map(|argument| argument.name().to_owned());
     let parameters = tree.map_or(&[][..], |tree| &tree.parameters).iter();
@@ -406,7 +406,7 @@ fn variables(function: &Function, tree: Option<&Tree>, is_forward: bool) -> Vec<
         .take(1)
         .map(|_| variable::PARAMETERS.to_owned());
     // A direction is one of all values set at run time.
-    let parameters = parameters.filter(|_| !is_forward);
+    let parameters = parameters.filter(|_| !is_jvp);
     let parameters = parameters.map(|parameter| parameter.name.clone());
     arguments.chain(all).chain(parameters).collect()
 }

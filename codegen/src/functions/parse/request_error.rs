@@ -117,7 +117,7 @@ pub enum RequestError {
     },
     /// A variable that the function is not given.
     #[error(
-        "`{name}` is not given `{variable}`; it can be differentiated by {}",
+        "`{name}` is not given `{variable}`; it can be differentiated by {}, and by values set at run time",
         names(known)
     )]
     VariableNotTaken {

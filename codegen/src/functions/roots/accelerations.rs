@@ -12,7 +12,7 @@ use crate::{
         forces::{gravity, inverse_dynamics},
     },
     solve::{self, Carriers, Factors, Inversion, LockstepSolver, SpeedMatrix},
-    tree::{Orientation, Tree, Value},
+    tree::{Mechanics, Orientation, Tree},
 };
 
 /// Accelerations, the inverse of the mass matrix, and its product with columns.
@@ -266,14 +266,13 @@ fn turned_roots(
 
 /// The roots that move freely against the inertial frame, without rotors and alone, with the speeds of their turns.
 fn turning_roots(tree: &Tree) -> Vec<(BodyId, [SpeedId; 3])> {
-    let zero = Value::Baked(0.0);
     let turning = |body: BodyId| {
         let joint = &tree.body(body).joint;
         let Orientation::AngularVelocity { speeds, .. } = joint.orientation else {
             return None;
         };
         let is_free = joint.translations.iter().all(|own| own.is_free());
-        let has_rotors = joint.mechanics.iter().any(|own| own.armature != zero);
+        let has_rotors = joint.mechanics.iter().any(Mechanics::has_rotor);
         (tree.lower(body).is_none() && is_free && !has_rotors).then_some((body, speeds))
     };
     if tree.lifts_some() || tree.has_followers() {

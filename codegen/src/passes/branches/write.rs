@@ -71,7 +71,7 @@ impl Writer<'_> {
         if self.groups.group(id).is_none() && !self.rebuilt.has(id) {
             self.graph.enter_like(self.old, id);
             let expr = self.rebuilt.copy(&mut self.graph, self.old, id);
-            self.graph.name_like(expr, self.old, Expr::of(id));
+            self.graph.name_like(expr, self.old, id);
             self.rebuilt.set(id, expr);
         }
     }
@@ -126,7 +126,7 @@ impl Writer<'_> {
                 self.graph.enter_like(self.old, member);
                 let solved = self.graph.solved((number, call), lane, place);
                 let expr = solved.signed(self.groups.is_negative(group, lane));
-                self.graph.name_like(expr, self.old, Expr::of(member));
+                self.graph.name_like(expr, self.old, member);
                 self.rebuilt.set(member, expr);
             }
         }
@@ -208,7 +208,7 @@ impl Writer<'_> {
             (Node::Abs(_), &[a]) => helper.abs(a),
             (other, _) => unreachable!("passes: {other:?} is in no group"),
         };
-        helper.name_like(expr, self.old, Expr::of(member));
+        helper.name_like(expr, self.old, member);
         expr
     }
 }

@@ -71,7 +71,7 @@ pub(super) fn parameters(module: &Module) -> Vec<Item> {
     items
 }
 
-/// `Parameters` as an array, in modules with derivatives by them.
+/// `Parameters` as an array, in modules that have some, or derivatives by them.
 fn as_array(facts: &Facts) -> Option<Item> {
     let length = ident(&facts.sizes.named(N_PARAMETERS)?.name);
     let names = facts.parameters.iter();

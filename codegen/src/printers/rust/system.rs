@@ -1,4 +1,4 @@
-//! The trait that every system has, and that of systems with derivatives by their parameters.
+//! The trait that every system has, and that of systems with parameters.
 
 use quote::quote;
 use syn::{Item, parse_quote};
@@ -53,7 +53,7 @@ pub(super) fn item(facts: &Facts) -> Item {
     }
 }
 
-/// The values set at run time as an array, in modules with derivatives by them.
+/// The values set at run time as an array, in modules that have some, or derivatives by them.
 pub(super) fn parametric(facts: &Facts) -> Option<Item> {
     let length = ident(&facts.sizes.named(N_PARAMETERS)?.name);
     let names = ident(PARAMETER_NAMES);

@@ -14,7 +14,7 @@ use crate::{
         plan::Technique,
     },
     solve::{Carriers, RootMotion},
-    tree::{Motion, Tree, Value},
+    tree::{Mechanics, Motion, Tree},
 };
 
 /// So many joints may lie between a root and a carrier: the axis of a farther one has six parts along the root's motions, and to
@@ -109,7 +109,7 @@ fn only_motion(tree: &Tree, body: BodyId) -> Option<Motion> {
 
 fn has_rotor(tree: &Tree, body: BodyId) -> bool {
     let mut mechanics = tree.body(body).joint.mechanics.iter();
-    mechanics.any(|own| own.armature != Value::Baked(0.0))
+    mechanics.any(Mechanics::has_rotor)
 }
 
 /// Takes a joint on a root for one that gives way, if that is cheaper: an entry less for each speed on it, one more for each

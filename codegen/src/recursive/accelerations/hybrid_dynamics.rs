@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::{articulated, exchange};
 use crate::{
     expr::{Expr, ExprGraph},
-    given::{Accelerations, Loads, mechanics},
+    given::{Accelerations, Loads},
     id::SpeedId,
     recursive::{
         forces::inverse_dynamics,
@@ -35,8 +35,7 @@ pub fn hybrid_dynamics(
     } else {
         let given = Accelerations::GivenOf(prescribed);
         let needed = inverse_dynamics::forces(graph, &linkage, given, loads);
-        let mut matrix = composite::matrix(graph, &linkage);
-        mechanics::add_rotors(graph, tree, &mut matrix);
+        let matrix = composite::matrix_with_rotors(graph, &linkage);
         solve::partitioned(graph, tree, matrix, prescribed, tau, &needed)
     };
     exchange::accelerations(graph, &linkage, &mut solution.accelerations);

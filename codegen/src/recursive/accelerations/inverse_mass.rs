@@ -3,7 +3,6 @@
 use super::{articulated, carriers, exchange, gains};
 use crate::{
     expr::{Expr, ExprGraph, LANES},
-    given::mechanics,
     recursive::{
         links::linkage::Linkage,
         matrices::composite,
@@ -21,7 +20,7 @@ pub fn solution(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, mut tau: Vec<Ex
         let mut solutions = articulated::solutions_at_rest(graph, &linkage, &[tau]);
         solutions.remove(0)
     } else {
-        let matrix = matrix(graph, &linkage);
+        let matrix = composite::matrix_with_rotors(graph, &linkage);
         solve::factorise(graph, tree, matrix).solve(graph, tau)
     };
     exchange::accelerations(graph, &linkage, &mut solution);
@@ -53,20 +52,14 @@ pub fn inverse(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
     inverse
 }
 
-/// The factors, which branches have by their carriers.
+/// `L^T D L` of the mass matrix, on floating trees through carriers.
 fn of_composite_bodies(
     graph: &mut ExprGraph,
     linkage: &Linkage<'_>,
     carriers: &Carriers,
 ) -> Factors {
-    let matrix = matrix(graph, linkage);
+    let matrix = composite::matrix_with_rotors(graph, linkage);
     solve::factorise_on_carriers(graph, linkage.tree, matrix, carriers)
-}
-
-fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedMatrix {
-    let mut matrix = composite::matrix(graph, linkage);
-    mechanics::add_rotors(graph, linkage.tree, &mut matrix);
-    matrix
 }
 
 /// Column by column, each the accelerations for a unit force. Of two entries that are the same that one is taken whose force

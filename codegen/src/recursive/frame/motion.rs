@@ -107,7 +107,7 @@ fn accelerated(
 ) -> Accelerated {
     let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
-    let mut carried = Thrown {
+    let mut carried = LinkAcceleration {
         accelerations,
         angular: graph.zero_vector(),
         acceleration: FrameMotion {
@@ -124,7 +124,7 @@ fn accelerated(
     }
     let Reach { axes, position } = Reach::of(graph, tree, &links, frame);
     carried.shift_by(graph, position);
-    let Thrown {
+    let LinkAcceleration {
         angular,
         acceleration,
         ..
@@ -236,7 +236,7 @@ impl Passenger for Moving {
 }
 
 /// The acceleration of the link that has been reached outward, along its axes.
-struct Thrown {
+struct LinkAcceleration {
     accelerations: Accelerations<'static>,
     /// Angular velocity.
     angular: Vector,
@@ -244,7 +244,7 @@ struct Thrown {
     acceleration: FrameMotion,
 }
 
-impl Thrown {
+impl LinkAcceleration {
     fn shift_by(&mut self, graph: &mut ExprGraph, offset: Vector) {
         let swung = graph.cross(self.acceleration.angular, offset);
         let swept = graph.cross(self.angular, offset);
@@ -255,7 +255,7 @@ impl Thrown {
     }
 }
 
-impl Passenger for Thrown {
+impl Passenger for LinkAcceleration {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         self.shift_by(graph, offset);
     }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use crate::{
     id::{BodyMap, SpeedId},
     recursive::plan::{Plan, Technique},
-    tree::{Coordinate, Joint, Mechanics, Motion, Orientation, Tree, Value},
+    tree::{Coordinate, Joint, Mechanics, Motion, Orientation, Tree},
 };
 
 /// Which of a joint's motions are taken along the axes of its link: the others are about the angles' axes and along the
@@ -92,7 +92,5 @@ fn are_free(coordinates: [Coordinate; 3]) -> bool {
 
 /// A rotor acts on the rate of its own coordinate.
 fn has_rotors(mechanics: &[Mechanics]) -> bool {
-    mechanics
-        .iter()
-        .any(|own| own.armature != Value::Baked(0.0))
+    mechanics.iter().any(Mechanics::has_rotor)
 }

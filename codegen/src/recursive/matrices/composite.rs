@@ -4,6 +4,7 @@
 use super::{column::Column, shortcut::Shortcuts, speed_matrix};
 use crate::{
     expr::{Axis, ExprGraph, Purpose, Vector},
+    given::mechanics,
     id::{BodyId, BodyMap},
     recursive::{
         links::{
@@ -75,6 +76,16 @@ pub(in crate::recursive) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>)
         }
     }
     a
+}
+
+/// The same with the rotors' inertias.
+pub(in crate::recursive) fn matrix_with_rotors(
+    graph: &mut ExprGraph,
+    linkage: &Linkage<'_>,
+) -> SpeedMatrix {
+    let mut matrix = matrix(graph, linkage);
+    mechanics::add_rotors(graph, linkage.tree, &mut matrix);
+    matrix
 }
 
 /// A composite body and the columns of what it carries, on their way inward through a joint: where a speed moves the body, its

@@ -45,7 +45,7 @@ fn copy(
         let operand =
             |id: NodeId| copied[id.index()].expect("regressor: operands are copied first");
         let expr = graph.copied(node, operand);
-        graph.name_like(expr, other, Expr::of(id));
+        graph.name_like(expr, other, id);
         copied[id.index()] = Some(expr);
     }
     copied[node.index()].expect("regressor: the node is copied last")

@@ -142,14 +142,33 @@ fn locked(
                 free.retain(|known| known.motion != (body, motion));
                 locked.insert((body, motion), value + 0.0);
                 let (kind, shown) = (CoordinateName::NAMES[motion], shown(description, body));
-                let note = format!("`{kind}` of {shown} is locked at {value:?}");
-                let subject = format!("`{kind}` of {shown} at {value:?}");
-                findings.push(Diagnostic::note(note).one_of("motions are locked", subject));
+                let unit = if motion < 3 { "rad" } else { "m" };
+                let at = format!("`{kind}` of {shown} is locked at {value:?} {unit}");
+                let subject = format!("`{kind}` of {shown} at {value:?} {unit}");
+                findings.push(match beyond(description, (body, motion), *value) {
+                    None => Diagnostic::note(at).one_of("motions are locked", subject),
+                    Some([lower, upper]) => Diagnostic::warning(format!(
+                        "{at}, beyond its limits {lower:?} and {upper:?} {unit}"
+                    ))
+                    .one_of("motions are locked beyond their limits", subject),
+                });
             }
             Err(fault) => findings.push(fault),
         }
     }
     locked
+}
+
+/// The limits of a motion, where a value is beyond them.
+fn beyond(
+    description: &Description,
+    (body, motion): (usize, usize),
+    value: f64,
+) -> Option<[f64; 2]> {
+    let limits = description.bodies[body].joint.limits.at(motion)?;
+    let lower = limits.lower.map_or(f64::NEG_INFINITY, |limit| limit.value);
+    let upper = limits.upper.map_or(f64::INFINITY, |limit| limit.value);
+    (value < lower || value > upper).then_some([lower, upper])
 }
 
 /// The motion that has this name.

@@ -24,13 +24,13 @@ pub(super) fn of(
     let damping = reader.values("damping", &written.damping, ["N m s/rad", "N s/m"]);
     let armature = reader.values("armature", &written.armature, ["kg m^2", "kg"]);
     std::array::from_fn(|motion| {
-        let limits = at(&written.limits, motion).unwrap_or_default();
+        let limits = written.limits.at(motion).unwrap_or_default();
         Mechanics {
             stiffness: stiffness[motion],
             rest: rest[motion],
             damping: damping[motion],
             armature: armature[motion],
-            friction: at(&written.friction, motion).unwrap_or(0.0),
+            friction: written.friction.at(motion).unwrap_or(0.0),
             range: [
                 limits.lower.map_or(f64::NEG_INFINITY, |limit| limit.value),
                 limits.upper.map_or(f64::INFINITY, |limit| limit.value),
@@ -86,16 +86,5 @@ impl Reader<'_> {
             }
         }
         values
-    }
-}
-
-fn at<T: Copy>(quantity: &PerCoordinate<T>, motion: usize) -> Option<T> {
-    match quantity {
-        PerCoordinate::Absent => None,
-        PerCoordinate::Same(value) => Some(value.value),
-        PerCoordinate::Each(values) => values
-            .iter()
-            .find(|(coordinate, _)| coordinate.value.index() == motion)
-            .map(|(_, value)| value.value),
     }
 }

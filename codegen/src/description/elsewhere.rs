@@ -1,0 +1,37 @@
+//! What other formats call the keys and joints of ours.
+
+/// Keys of ours, and what they are called elsewhere.
+const KEYS: [(&str, &[&str]); 7] = [
+    ("lower_bodies", &["parent", "parents", "parent_bodies"]),
+    ("body", &["bodies", "link", "links"]),
+    ("mass_center", &["com", "center_of_mass", "ipos"]),
+    ("attachment", &["origin", "pos", "xyz"]),
+    ("joint", &["joint_type", "type", "joints"]),
+    ("armature", &["rotor_inertia"]),
+    ("rest", &["springref"]),
+];
+
+/// Joints of ours, and what they are called elsewhere.
+const JOINTS: [(&str, &[&str]); 5] = [
+    ("revolute", &["hinge", "pin", "rotary"]),
+    ("prismatic", &["slide", "slider", "linear"]),
+    ("spherical", &["ball"]),
+    ("free", &["floating", "freejoint", "freeflyer"]),
+    ("fixed", &["weld", "rigid"]),
+];
+
+/// Our key for one of another format.
+pub(super) fn key(name: &str) -> Option<&'static str> {
+    found(&KEYS, name)
+}
+
+/// Our joint for one of another format.
+pub(super) fn joint(name: &str) -> Option<&'static str> {
+    found(&JOINTS, name)
+}
+
+fn found(table: &[(&'static str, &[&str])], name: &str) -> Option<&'static str> {
+    let mut rows = table.iter();
+    let row = rows.find(|(_, names)| names.contains(&name));
+    row.map(|(own, _)| *own)
+}

@@ -1,0 +1,118 @@
+//! Joints that are locked or removed when a tree is built.
+
+use kane_codegen::description::{Description, toml};
+use kane_codegen::diagnostic::Source;
+use kane_codegen::tree::{self, Changes, Tree};
+
+use kane_test_support::models::body;
+
+/// Three bodies on one another, with these joints.
+fn chain(joints: [&str; 3]) -> Description {
+    let bodies = ["a", "b", "c"].map(|name| body(name, "[]"));
+    let bodies = bodies
+        .iter()
+        .zip(joints)
+        .map(|(body, joint)| body.replace("joint = []", joint));
+    let text = format!(
+        "name = \"s\"\nlower_bodies = [0, 1, 2]\n{}",
+        bodies.collect::<String>()
+    );
+    toml::parse(&Source::new("model.toml", text))
+}
+
+/// The tree of three bodies on one another, with these joints, changed.
+fn changed(joints: [&str; 3], changes: &Changes) -> Result<Tree, String> {
+    match tree::build_with(&chain(joints), changes) {
+        Ok(checked) => Ok(checked.tree),
+        Err(faults) => Err(faults.to_string()),
+    }
+}
+
+fn lock(name: &str, value: f64) -> Changes {
+    Changes {
+        lock: vec![(name.to_owned(), value)],
+        ..Changes::default()
+    }
+}
+
+#[test]
+fn joint_that_is_locked_beyond_its_limits_is_told() {
+    let limits = "joint = [\"theta1\"]\nlimits = { lower = -2.5, upper = 2.5 }";
+    let free = "joint = [\"theta1\"]";
+    let description = chain([limits, free, free]);
+    for (value, expected) in [
+        (
+            2.5,
+            "note: model.toml: `theta1` of body `a` is locked at 2.5 rad",
+        ),
+        (
+            90.0,
+            "warning: model.toml: `theta1` of body `a` is locked at 90.0 rad, beyond its limits -2.5 and 2.5 rad",
+        ),
+    ] {
+        let checked = tree::build_with(&description, &lock("a", value)).unwrap();
+        let brief = checked.warnings.brief();
+        assert_eq!(brief.lines[0].1, expected);
+    }
+}
+
+#[test]
+fn what_follows_a_locked_joint_holds_at_the_locked_coordinate() {
+    let joints = [
+        "joint = [\"theta3\"]\nlocked = { theta1 = 0.5 }",
+        "joint = [\"theta1\"]\nmimic = { joint = \"a\", multiplier = 2.0, offset = 0.1 }",
+        "joint = [\"theta1\", \"theta2\"]",
+    ];
+    // Only `c` moves: the others are parts of the inertial frame, turned by 0.5 and 0.2, and by 2 * 0.2 + 0.1.
+    let tree = changed(joints, &lock("a", 0.2)).unwrap();
+    assert_eq!(tree.bodies.len(), 1);
+    let turn = |angle: f64| {
+        let (s, c) = (libm::sin(angle), libm::cos(angle));
+        [[1.0, 0.0, 0.0], [0.0, c, s], [0.0, -s, c]]
+    };
+    let (s, c) = (libm::sin(0.2), libm::cos(0.2));
+    let about_z = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
+    let product = |a: [[f64; 3]; 3], b: [[f64; 3]; 3]| -> [[f64; 3]; 3] {
+        std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+    };
+    // About x by 0.5, about z by 0.2; then about x by 0.5.
+    let expected = product(turn(0.5), product(about_z, turn(0.5)));
+    let found = tree.frames[1].rotation.iter().flatten();
+    for (found, expected) in found.zip(expected.iter().flatten()) {
+        assert!((found - expected).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn coordinates_are_locked_by_the_names_that_they_are_listed_under() {
+    let joints = [
+        "joint = [\"theta1\"]\njoint_name = \"hip\"",
+        "joint = [\"theta2\"]\njoint_name = \"hip_theta1\"",
+        "joint = [\"theta1\"]\njoint_name = \"Hip\"",
+    ];
+    let plain = changed(joints, &Changes::default()).unwrap();
+    assert_eq!(plain.coordinate_names(), ["hip", "hip_theta1", "hip_2"]);
+    for (name, left) in [
+        ("hip", ["hip_theta1", "hip_2"]),
+        ("hip_theta1", ["hip", "hip_2"]),
+        ("hip_2", ["hip", "hip_theta1"]),
+        ("Hip", ["hip", "hip_theta1"]),
+    ] {
+        let tree = changed(joints, &lock(name, 0.1)).unwrap();
+        assert_eq!(tree.coordinate_names(), left, "{name}");
+    }
+}
+
+#[test]
+fn a_joint_is_not_both_locked_and_removed() {
+    let joints = ["joint = [\"theta1\"]"; 3];
+    let changes = Changes {
+        remove: vec!["b".to_owned()],
+        ..lock("b_theta1", 0.3)
+    };
+    let faults = changed(joints, &changes).unwrap_err();
+    assert!(
+        faults.starts_with("error: the joint of body `b` is both locked and removed"),
+        "{faults}"
+    );
+}
