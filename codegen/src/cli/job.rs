@@ -1,6 +1,7 @@
 //! One module to generate, and the generation of all that are asked for.
 
 use std::{
+    ffi::OsStr,
     fmt, fs, io,
     path::{Path, PathBuf},
     sync::Arc,
@@ -195,7 +196,7 @@ impl Job {
         excesses.iter().map(row).collect()
     }
 
-    /// Refuses files that would replace one another, or the model.
+    /// Refuses files that would replace the model, and a module that Rust would not take for one.
     fn check_files(&self) -> Result<(), Failures> {
         let files = self.files();
         let is_model = |file: &PathBuf| Target::File(file.clone()).is_same_file(&self.model);
@@ -205,11 +206,11 @@ impl Job {
                 "`{model}` is the model; the module needs a file of its own"
             )));
         }
-        match files.split_first() {
-            Some((module, beside)) if beside.contains(module) => {
+        match files.first() {
+            Some(module) if module.extension() != Some(OsStr::new("rs")) => {
                 let module = module.display();
                 Err(Failures::message(format!(
-                    "`{module}` would be the module and a file beside it; expected a module that ends in `.rs`"
+                    "`{module}` is to be a module; expected a file that ends in `.rs`, or `-`"
                 )))
             }
             _ => Ok(()),

@@ -2,10 +2,7 @@
 //!
 //! In: arguments and, where there is one, `kane.toml`. Out: a [`Plan`]: models, files, options.
 
-use std::{
-    ffi::OsStr,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use kane_codegen::{
@@ -204,7 +201,6 @@ impl Selection {
             (None, Some(_)) => None,
         };
         if let Some(output) = output {
-            check_ending(&output)?;
             jobs.retain(|job| job.target.is_same_file(&output));
             if jobs.is_empty() {
                 let target = Target::new(&output);
@@ -261,17 +257,6 @@ impl Selection {
 fn own_name(model: &Path) -> PathBuf {
     let name = model.file_name().unwrap_or(model.as_os_str());
     Path::new(name).with_extension("rs")
-}
-
-/// Refuses a file that could be no module.
-fn check_ending(output: &Path) -> Result<(), Failures> {
-    if output == Path::new("-") || output.extension() == Some(OsStr::new("rs")) {
-        return Ok(());
-    }
-    Err(Failures::message(format!(
-        "`--output` is `{}`; expected a file that ends in `.rs`, or `-`",
-        output.to_string_lossy().escape_debug()
-    )))
 }
 
 fn unlisted(model: &Path, config: &Path) -> Failures {

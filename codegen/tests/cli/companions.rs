@@ -220,7 +220,7 @@ fn option_stands_above_what_is_listed_and_is_in_the_command_that_is_printed() {
 }
 
 #[test]
-fn files_that_would_replace_one_another_or_the_model_are_refused() {
+fn file_that_would_replace_the_model_or_is_no_module_is_refused() {
     let project = Project::arm();
     project.write("arm.json", &project.read("models/arm.toml"));
     let arguments = ["generate", "arm.json", "--manifest", "--output"];
@@ -228,7 +228,7 @@ fn files_that_would_replace_one_another_or_the_model_are_refused() {
         ("arm.rs", "`arm.json` is the model"),
         (
             "./new.json",
-            "`./new.json` would be the module and a file beside it",
+            "`./new.json` is to be a module; expected a file that ends in `.rs`",
         ),
     ] {
         let ran = project.kane(&[&arguments[..], &[output]].concat());

@@ -199,7 +199,7 @@ fn output_that_could_be_no_module_is_refused() {
     for command in ["generate", "check"] {
         let ran = project.kane(&[command, "models/arm.toml", "--output", "src/arm.txt"]);
         let told =
-            "error: `--output` is `src/arm.txt`; expected a file that ends in `.rs`, or `-`\n";
+            "error: `src/arm.txt` is to be a module; expected a file that ends in `.rs`, or `-`\n";
         assert_eq!((ran.code, ran.err.as_str()), (2, told));
     }
 }
@@ -271,17 +271,16 @@ fn force_overwrites_a_file_without_banner() {
 #[test]
 fn model_is_never_overwritten() {
     let project = Project::arm();
-    project.write("models/arm.rs", &model("arm", "2.0"));
     let ran = project.kane(&[
         "generate",
-        "models/arm.rs",
+        "models/arm.toml",
         "--force",
         "--output",
-        "models/../models/arm.rs",
+        "models/../models/arm.toml",
     ]);
     assert_eq!(ran.code, 2);
-    insta::assert_snapshot!(ran.err, @"error: `models/arm.rs` is the model; the module needs a file of its own");
-    assert_eq!(project.read("models/arm.rs"), model("arm", "2.0"));
+    insta::assert_snapshot!(ran.err, @"error: `models/arm.toml` is the model; the module needs a file of its own");
+    assert_eq!(project.read("models/arm.toml"), model("arm", "2.0"));
 }
 
 #[test]

@@ -66,6 +66,14 @@ fn what_is_no_file_is_refused() {
             path,
         ];
         assert_refused(&project, &evaluated, why);
+    }
+    std::fs::create_dir(project.path("folder.rs")).unwrap();
+    pipe(&project, "pipe.rs");
+    for (path, why) in [
+        ("folder.rs", "is a directory"),
+        ("pipe.rs", "it is no regular file"),
+        ("/dev/zero", "expected a file that ends in `.rs`"),
+    ] {
         let written = ["generate", "models/arm.toml", "--force", "--output", path];
         assert_refused(&project, &written, why);
     }

@@ -176,7 +176,7 @@ impl<R: kane::Real> Default for Parameters<R> {
     }
 }
 
-impl<R> Parameters<R> {
+impl<R: Copy> Parameters<R> {
     /// These values, in the order of `PARAMETER_NAMES`.
     #[allow(dead_code, reason = "a program calls what it needs")]
     #[inline]

@@ -83,7 +83,7 @@ fn as_array(facts: &Facts) -> Option<Item> {
         quote!(#(#names),*)
     };
     Some(parse_quote! {
-        impl<R> Parameters<R> {
+        impl<R: Copy> Parameters<R> {
             /// These values, in the order of `PARAMETER_NAMES`.
             #allow
             #[inline]
