@@ -14,7 +14,7 @@ pub(super) struct ChangedLines {
     functions: Vec<String>,
     /// True for texts that declare functions.
     has_functions: bool,
-    /// What is all that changed.
+    /// All that changed, where it is of one kind.
     only: Option<Only>,
 }
 
@@ -131,7 +131,8 @@ fn code(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter(is_code)
 }
 
-/// The line with `#` for every number that is no index or length: what has a decimal point or an exponent. A minus that opens an argument is the number's.
+/// The line with `#` for every number that is no index or length: what has a decimal point or an exponent. A minus that opens an
+/// argument is the number's.
 fn masked(line: &str) -> String {
     let mut shown = String::with_capacity(line.len());
     let mut rest = line;

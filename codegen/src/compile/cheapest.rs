@@ -75,8 +75,8 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Candidate) -> 
     let text = |of: &Candidate| text(tree, function, &of.derived);
     let lockstep = derived(one_by_one.plan.with(Technique::Lockstep, true));
     let of_lockstep = text(&lockstep);
-    // For a text that is a fifth shorter at least.
-    if !may(&lockstep) || 5 * of_lockstep > 4 * text(&one_by_one) {
+    let is_shorter_by_a_fifth = 5 * of_lockstep <= 4 * text(&one_by_one);
+    if !may(&lockstep) || !is_shorter_by_a_fifth {
         return one_by_one;
     }
     if !function.differentiates_accelerations() {

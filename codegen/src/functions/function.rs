@@ -189,7 +189,7 @@ impl Function {
     }
 
     /// The constant that holds the number of columns of a compact output.
-    pub fn columns_constant(&self) -> String {
+    pub fn compact_columns_constant(&self) -> String {
         format!("{}_COLUMNS", self.name.to_uppercase())
     }
 }

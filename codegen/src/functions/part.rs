@@ -402,7 +402,7 @@ impl Part {
             (Dimension::Entries, _) => Length::Constant(self.len_constant()),
             (Dimension::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
             (Dimension::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
-            _ => Length::Constant(self.function.columns_constant()),
+            _ => Length::Constant(self.function.compact_columns_constant()),
         }
     }
 

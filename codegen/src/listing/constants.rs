@@ -202,7 +202,7 @@ impl Facts {
             constant(
                 ELIMINATION,
                 "The speeds in the order in which `mass_matrix_factors` eliminates them.",
-                Data::Integers("NU", order.clone()),
+                Data::Integers(N_SPEEDS, order.clone()),
             )
         });
         packed.chain(order).collect()

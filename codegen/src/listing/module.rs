@@ -95,7 +95,7 @@ fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
         let function = emittable.function.compact()?;
         known.insert(function.name).then(|| Pattern {
             function: function.name,
-            columns: function.columns_constant(),
+            columns: function.compact_columns_constant(),
             blocks: function.blocks_constant(),
             doc: format!(
                 "The non-zero partitions that `{}` writes, body after body.",

@@ -68,7 +68,7 @@ pub const RESERVED: [&str; 49] = [
 
 /// What the values of a program are called that are only counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Counted {
+pub(super) enum Numbering {
     /// `hub_t1`, in a function.
     InFunction,
     /// `hub_k1`, in what depends on parameters alone.
@@ -81,7 +81,7 @@ pub(super) fn names<'a>(
     groups: &Groups,
     tree: &Tree,
     arguments: impl Iterator<Item = &'a str>,
-    counted: Counted,
+    numbering: Numbering,
 ) -> Vec<String> {
     let known = InputNames::of(tree);
     let mut names = vec![String::new(); program.values.len()];
@@ -95,9 +95,9 @@ pub(super) fn names<'a>(
             Definition::Input(input) => *name = unique(known.input(tree, input), &mut taken),
         }
     }
-    let letter = match counted {
-        Counted::InFunction => 't',
-        Counted::InPreparation => 'k',
+    let letter = match numbering {
+        Numbering::InFunction => 't',
+        Numbering::InPreparation => 'k',
     };
     for id in program.instructions.iter().flat_map(Instruction::results) {
         if groups.inlined(id).is_some() {

@@ -7,7 +7,7 @@ use super::{
     function::places,
     group::Groups,
     helper,
-    name::{self, Counted},
+    name::{self, Numbering},
     scratch::Scratch,
     stages,
 };
@@ -51,7 +51,7 @@ impl<'a> Writer<'a> {
             program,
             (&signature, &given, &scratch),
             (places, keeps_apart),
-            Counted::InFunction,
+            Numbering::InFunction,
         );
         let stages = stages::of(&signature, &scratch.declared, &code);
         let helpers =
@@ -83,7 +83,7 @@ impl<'a> Writer<'a> {
             own,
             (&signature, &given, &scratch),
             (places, false),
-            Counted::InFunction,
+            Numbering::InFunction,
         );
         Function::helper(signature, own, code)
     }
@@ -110,7 +110,7 @@ impl<'a> Writer<'a> {
             program,
             (&signature, &Given::new(), &Scratch::default()),
             (places.collect(), false),
-            Counted::InPreparation,
+            Numbering::InPreparation,
         );
         Function::plain(signature, program.operations(), code)
     }
@@ -120,12 +120,12 @@ impl<'a> Writer<'a> {
         program: &Program,
         (signature, given, scratch): (&Signature, &Given, &Scratch),
         (places, keeps_apart): (Vec<Entry>, bool),
-        counted: Counted,
+        numbering: Numbering,
     ) -> Code {
         let groups = Groups::of(program);
         let arguments = signature.arguments.iter().chain(&scratch.declared);
         let arguments = arguments.map(|argument| argument.name.as_str());
-        let names = name::names(program, &groups, self.tree, arguments, counted);
+        let names = name::names(program, &groups, self.tree, arguments, numbering);
         let known = ProgramContext {
             groups: &groups,
             names: &names,

@@ -35,6 +35,13 @@ use crate::{
 /// Entries of a symmetric matrix over speeds, by rows; what is structurally zero is the number zero.
 pub type SpeedMatrix = Vec<Vec<Expr>>;
 
+/// Rows of a matrix over speeds as its columns.
+pub fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
+    let columns = 0..matrix.len();
+    let column = |column| matrix.iter().map(|row| row[column]).collect();
+    columns.map(column).collect()
+}
+
 /// The factors of `A = L^T D L`.
 #[derive(Debug)]
 pub struct Factors {

@@ -92,7 +92,7 @@ impl Needed<'_> {
         let Self { tree, plan, .. } = *self;
         let mut all = [(Argument::Q, found.by_q), (Argument::U, found.by_u)];
         add_mechanics(graph, tree, plan, Accelerations::Zero, &mut all);
-        let [mut by_q, by_u] = all.map(|(_, matrix)| transposed(&matrix));
+        let [mut by_q, by_u] = all.map(|(_, matrix)| solve::transposed(&matrix));
         let known = turning_roots(tree).into_iter();
         for speed in known.flat_map(|(_, speeds)| speeds) {
             by_q[speed.index()] = vec![graph.zero(); tree.n_speeds];
@@ -125,7 +125,7 @@ impl Needed<'_> {
         Solved {
             u_dot,
             inverse,
-            by: [by_q, by_u].map(transposed),
+            by: [by_q, by_u].map(solve::transposed),
         }
     }
 
@@ -182,7 +182,7 @@ impl Needed<'_> {
         Solved {
             u_dot,
             inverse,
-            by: [of_q, of_u].map(|columns| transposed(&columns)),
+            by: [of_q, of_u].map(|columns| solve::transposed(&columns)),
         }
     }
 }
@@ -283,10 +283,4 @@ fn turning_roots(tree: &Tree) -> Vec<(BodyId, [SpeedId; 3])> {
 
 fn negated(column: Vec<Expr>) -> Vec<Expr> {
     column.into_iter().map(|entry| -entry).collect()
-}
-
-fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
-    let columns = 0..matrix.len();
-    let column = |column| matrix.iter().map(|row| row[column]).collect();
-    columns.map(column).collect()
 }

@@ -73,8 +73,13 @@ pub(in crate::functions) fn mass_matrix_packed_recursive(
 }
 
 fn packed(tree: &Tree, a: &SpeedMatrix) -> Vec<Expr> {
-    let places = tree.coupled_speeds().into_iter();
-    places.map(|[row, column]| a[row][column]).collect()
+    at(tree.coupled_speeds(), a)
+}
+
+/// The entries of a matrix at these places.
+pub(super) fn at(places: impl IntoIterator<Item = [usize; 2]>, matrix: &SpeedMatrix) -> Vec<Expr> {
+    let places = places.into_iter();
+    places.map(|[row, column]| matrix[row][column]).collect()
 }
 
 pub(in crate::functions) fn generalized_forces(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

@@ -1,19 +1,14 @@
 //! The root expressions of functions of the mass matrix: its products, solutions, inverse and factors.
 
-use super::dynamics::{applied, factors, factors_recursive};
+use super::dynamics::{applied, at, factors, factors_recursive};
 use crate::{
     expr::{Expr, ExprGraph},
     given::mechanics,
     kane::dynamics,
     recursive::{Plan, accelerations::inverse_mass, forces::product},
-    solve::{self, Carriers, Inversion, SpeedMatrix},
+    solve::{self, Carriers, Inversion},
     tree::Tree,
 };
-
-fn at(places: impl IntoIterator<Item = [usize; 2]>, matrix: &SpeedMatrix) -> Vec<Expr> {
-    let places = places.into_iter();
-    places.map(|[row, column]| matrix[row][column]).collect()
-}
 
 pub(in crate::functions) fn product(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let mut tau = dynamics::mass_matrix_product(graph, tree);

@@ -9,7 +9,8 @@ use super::{
 };
 use crate::{
     functions::{
-        Access, CompactBlock, Declared, ELIMINATION, Element, Length, PRESCRIBED, Signature,
+        Access, CompactBlock, Declared, ELIMINATION, Element, Length, N_SPEEDS, PRESCRIBED,
+        Signature,
     },
     listing::{Entries, Facts, Module, Size, nominal},
 };
@@ -147,14 +148,14 @@ impl Header<'_> {
         }
         if let Some(order) = &self.facts.elimination {
             let doc = "The speeds in the order of their elimination.";
-            let declared = format!("int {prefix}{ELIMINATION}[{prefix}NU]");
+            let declared = format!("int {prefix}{ELIMINATION}[{prefix}{N_SPEEDS}]");
             let speeds = order.iter().map(ToString::to_string);
             tables.push(table(doc, &declared, speeds));
         }
         let prescribed = self.facts.prescribed.iter();
         tables.extend(prescribed.filter(|own| !own.is_empty()).map(|own| {
             let doc = "1 for each speed whose acceleration `hybrid_dynamics` is given, and whose force it finds; 0 for others.";
-            let declared = format!("int {prefix}{PRESCRIBED}[{prefix}NU]");
+            let declared = format!("int {prefix}{PRESCRIBED}[{prefix}{N_SPEEDS}]");
             let truths = own.iter().map(|truth| u8::from(*truth).to_string());
             table(doc, &declared, truths)
         }));

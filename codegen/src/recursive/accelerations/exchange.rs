@@ -5,7 +5,7 @@ use crate::{
     given::{self, orientation},
     id::{BodyId, SpeedId},
     recursive::links::{linkage::Linkage, rotation::Turn},
-    solve::SpeedMatrix,
+    solve::{self, SpeedMatrix},
     tree::{Motion, Orientation, Tree},
 };
 
@@ -82,9 +82,7 @@ pub(in crate::recursive) fn compliance(
                 row[column] = entry;
             }
         }
-        *h = (0..n)
-            .map(|column| h.iter().map(|row| row[column]).collect())
-            .collect();
+        *h = solve::transposed(h);
     }
     // Rounded in another order, the mirrored entries would differ.
     for place in 0..h.len() {

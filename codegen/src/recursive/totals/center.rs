@@ -93,7 +93,7 @@ pub(super) fn from_first(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Lin
 
 /// Mass with first moment and its rate, about the origin and in the axes that have been reached.
 #[derive(Clone, Copy, Debug)]
-struct Weight {
+struct MovingMass {
     mass: Expr,
     /// Mass times the position of its centre.
     moment: Vector,
@@ -102,14 +102,14 @@ struct Weight {
 }
 
 /// All of it, about the origin of the first link on the inertial frame, inertial components.
-fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Weight {
+fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> MovingMass {
     graph.begin(Purpose::Momentum);
-    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| Weight {
+    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| MovingMass {
         mass: links[body].inertia.mass,
         moment: links[body].inertia.moment,
         rate: graph.zero_vector(),
     });
-    let mut all = Weight::none(graph);
+    let mut all = MovingMass::none(graph);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut passing = weights[body];
@@ -132,7 +132,7 @@ fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> Weight {
     all
 }
 
-impl Weight {
+impl MovingMass {
     fn none(graph: &mut ExprGraph) -> Self {
         Self {
             mass: graph.zero(),
@@ -151,7 +151,7 @@ impl Weight {
     }
 }
 
-impl Passenger for Weight {
+impl Passenger for MovingMass {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         let shift = graph.scale(self.mass, offset);
         self.moment = graph.add_vectors(self.moment, shift);
