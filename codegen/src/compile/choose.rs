@@ -15,7 +15,7 @@ use super::{candidate::operations, cheapest::cheapest, plans::Plans, sweeps};
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;
 
-/// From how many terms on the notes need not be derived to be known to cost more: where some are zero, they may cost less.
+/// Notes of fewer terms are always derived: they may cost less than one operation a term, where some are zero.
 const MANY_TERMS: usize = 1_000;
 
 /// A function in one formulation.

@@ -12,30 +12,26 @@ use crate::{
 
 /// What a URDF or MJCF leaves to the user.
 pub(super) fn reading(reader: &mut Reader, system: &Table<'_, '_>) -> Reading {
-    let base = system.get(Reading::BASE);
-    let base = base.and_then(|item| {
-        reader.choice(
-            item,
-            &system.what(Reading::BASE),
-            &Base::NAMED,
-            "unknown base",
-        )
-    });
-    let chart = system.get(Reading::CHART);
-    let chart = chart.and_then(|item| {
-        reader.choice(
-            item,
-            &system.what(Reading::CHART),
-            &Chart::NAMED,
-            "unknown chart",
-        )
-    });
+    let base = chosen(reader, system, Reading::BASE, &Base::NAMED);
+    let chart = chosen(reader, system, Reading::CHART, &Chart::NAMED);
     let left_out = names(reader, system, Reading::LEAVE_OUT).into_iter();
     Reading {
-        base: base.map(|base| base.value),
-        chart: chart.map(|chart| chart.value),
+        base,
+        chart,
         leave_out: left_out.map(|name| name.value).collect(),
     }
+}
+
+/// One of these, where the key is there.
+fn chosen<T: Copy>(
+    reader: &mut Reader,
+    system: &Table<'_, '_>,
+    key: &str,
+    named: &[(&str, T)],
+) -> Option<T> {
+    let unknown = format!("unknown {key}");
+    let chosen = reader.choice(system.get(key)?, &system.what(key), named, &unknown);
+    chosen.map(|chosen| chosen.value)
 }
 
 /// The names of what is changed, and what is said of the reading, where they stand, each with its key.
