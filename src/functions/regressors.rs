@@ -30,7 +30,7 @@ pub trait Regressor<R: Real>: System<R> {
 ///
 /// /// Adds the forces that the parameters make to those in `tau`.
 /// fn add_forces<R: Real, S: RegressorPacked<R>>(entries: &S::Entries, parameters: &[[R; 10]], tau: &mut S::U) {
-///     for (&entry, &[column, speed]) in entries.as_ref().iter().zip(S::PLACES) {
+///     for (&entry, &[speed, column]) in entries.as_ref().iter().zip(S::PLACES) {
 ///         tau[speed] = tau[speed] + entry * parameters.as_flattened()[column];
 ///     }
 /// }
@@ -41,7 +41,7 @@ pub trait Regressor<R: Real>: System<R> {
 pub trait RegressorPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
-    /// The column of each entry, ten times the body and the parameter, and its speed; ordered by column, within a column by speed.
+    /// The row of each entry, which is a speed, and its column, ten times the body and the parameter; ordered by column, within a column by speed.
     const PLACES: &'static [[usize; 2]];
     /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
     fn regressor_packed(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Entries);

@@ -1,10 +1,8 @@
 //! Which entries of a matrix a packed output holds: one table.
 //!
-//! In: a [`Packed`] and a tree. Out: the places, `[row, column]` with `column <= row`, row after row, of a regressor `[column, row]`,
-//! column after column, and what constants that hold them are called. Afterwards: places follow from the tree alone, never from
+//! In: a [`Packed`] and a tree. Out: the places, `[row, column]`, and what constants that hold them are called: of a symmetric matrix
+//! with `column <= row`, row after row; of a regressor column after column. Afterwards: places follow from the tree alone, never from
 //! values, and those of a new last leaf come last.
-
-use std::collections::BTreeSet;
 
 use crate::{kane::regressor, solve, tree::Tree};
 
@@ -32,7 +30,7 @@ struct Entry {
     brief: &'static str,
     meaning: &'static str,
     written: &'static str,
-    of: fn(&Tree) -> BTreeSet<[usize; 2]>,
+    of: fn(&Tree) -> Vec<[usize; 2]>,
 }
 
 impl Packed {
@@ -53,7 +51,7 @@ impl Packed {
                 brief: "Number of entries of a packed mass matrix",
                 meaning: "The row and column of each entry of a packed mass matrix; those above the diagonal are the same.",
                 written: "The row and column of each entry that `mass_matrix_packed` writes; those above the diagonal are the same.",
-                of: Tree::coupled_speeds,
+                of: |tree| Vec::from_iter(tree.coupled_speeds()),
             },
             Self::Inverse => Entry {
                 function: "mass_matrix_inverse_packed",
@@ -62,7 +60,7 @@ impl Packed {
                 brief: "Number of entries of a packed inverse of a mass matrix",
                 meaning: "The row and column of each entry of a packed inverse of a mass matrix; those above the diagonal are the same.",
                 written: "The row and column of each entry that `mass_matrix_inverse_packed` writes; those above the diagonal are the same.",
-                of: solve::inverse_places,
+                of: |tree| Vec::from_iter(solve::inverse_places(tree)),
             },
             Self::Factors => Entry {
                 function: "mass_matrix_factors",
@@ -71,15 +69,15 @@ impl Packed {
                 brief: "Number of entries of the factors of a mass matrix",
                 meaning: "The two speeds, as row and column, of each entry of the factors of a mass matrix.",
                 written: "The two speeds of each entry that `mass_matrix_factors` writes: of D on the diagonal, of L elsewhere, in the row of the one that is eliminated first.",
-                of: solve::factor_places,
+                of: |tree| Vec::from_iter(solve::factor_places(tree)),
             },
             Self::Regressor => Entry {
                 function: "regressor_packed",
                 length: "REGRESSOR_PACKED_LEN",
                 places: "REGRESSOR_PACKED_PLACES",
                 brief: "Number of entries of a packed regressor",
-                meaning: "The column, `10 body + parameter`, and the speed of each entry of a packed regressor; all others are zero.",
-                written: "The column, `10 body + parameter`, and the speed of each entry that `regressor_packed` writes; all others are zero.",
+                meaning: "The row, which is a speed, and the column, `10 body + parameter`, of each entry of a packed regressor, column after column; all others are zero.",
+                written: "The row, which is a speed, and the column, `10 body + parameter`, of each entry that `regressor_packed` writes, column after column; all others are zero.",
                 of: regressor::places,
             },
         }
@@ -124,7 +122,7 @@ impl Packed {
     }
 
     /// Where the entries stand.
-    pub fn places(self, tree: &Tree) -> BTreeSet<[usize; 2]> {
+    pub fn places(self, tree: &Tree) -> Vec<[usize; 2]> {
         (self.entry().of)(tree)
     }
 }

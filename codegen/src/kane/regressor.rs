@@ -3,7 +3,7 @@
 //! The parameters are those of a body about the user's origin and along the user's axes: mass, first moment and inertia, that is
 //! `m`, `m c`, and the components of [`PARAMETERS`] that follow.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::{
     dynamics::{self, Wrench},
@@ -55,20 +55,24 @@ pub fn place(tree: &Tree, speed: usize, body: BodyId, parameter: usize) -> usize
     (speed * tree.bodies.len() + body.index()) * PARAMETERS.len() + parameter
 }
 
-/// The column, `10 body + parameter`, and the row of each entry that the tree does not make zero, column after column: those of
+/// The row and the column, `10 body + parameter`, of each entry that the tree does not make zero, column after column: those of
 /// the speeds that move a body, and of those that turn none of its joints in the columns of mass and first moment alone.
-pub fn places(tree: &Tree) -> BTreeSet<[usize; 2]> {
-    let mut places = BTreeSet::new();
-    let mut moving: Vec<BTreeSet<(SpeedId, bool)>> = Vec::with_capacity(tree.bodies.len());
+pub fn places(tree: &Tree) -> Vec<[usize; 2]> {
+    let mut places = Vec::new();
+    // Of each body the speeds that move it, and whether they turn it.
+    let mut moving: Vec<BTreeMap<SpeedId, bool>> = Vec::with_capacity(tree.bodies.len());
     for (place, body) in tree.bodies.iter().enumerate() {
         let below = body.lower.map(|lower| moving[lower.index()].clone());
         let mut speeds = below.unwrap_or_default();
-        let motions = body.joint.motions().into_iter().enumerate();
-        speeds.extend(motions.filter_map(|(motion, own)| Some((own?.speed, motion < 3))));
-        for &(speed, turns) in &speeds {
-            let n_felt = if turns { PARAMETERS.len() } else { 4 };
-            let first = place * PARAMETERS.len();
-            places.extend((first..first + n_felt).map(|column| [column, speed.index()]));
+        for (motion, own) in body.joint.motions().into_iter().enumerate() {
+            if let Some(own) = own {
+                *speeds.entry(own.speed).or_default() |= motion < 3;
+            }
+        }
+        for parameter in 0..PARAMETERS.len() {
+            let column = place * PARAMETERS.len() + parameter;
+            let felt = speeds.iter().filter(|&(_, turns)| *turns || parameter < 4);
+            places.extend(felt.map(|(speed, _)| [speed.index(), column]));
         }
         moving.push(speeds);
     }

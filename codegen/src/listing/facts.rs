@@ -125,7 +125,7 @@ impl Facts {
         let elimination = wanted.packed.contains(&Packed::Factors);
         let elimination = elimination.then(|| solve::elimination(tree));
         let packed = wanted.packed.iter().copied();
-        let packed = packed.map(|packed| (packed, Vec::from_iter(packed.places(tree))));
+        let packed = packed.map(|packed| (packed, packed.places(tree)));
         let packed: Vec<_> = packed.collect();
         let bodies = tree.body_ids().map(|id| Body {
             name: tree.body(id).name.clone(),

@@ -38,7 +38,7 @@ impl Names {
         let places = numbers("MASS_MATRIX_PACKED_PLACES");
         let of_entries = places.chunks(2).map(|place| of_speeds[place[0]]);
         let places = numbers("REGRESSOR_PACKED_PLACES");
-        let of_columns = places.chunks(2).map(|place| place[0] / 10);
+        let of_columns = places.chunks(2).map(|place| place[1] / 10);
         Self {
             bodies: table("BODY_NAMES"),
             of_entries: of_entries.collect(),

@@ -35,7 +35,7 @@ pub(super) const REGRESSOR_PACKED: Function = Function {
     doc: &[
         "The entries of `regressor` that the tree does not make zero: a body has those of the speeds that move it, and of a speed that",
         "translates it without turning, those of its mass and first moment.",
-        "`REGRESSOR_PACKED_PLACES` says in which column, ten times the body and the parameter, and for which speed each stands, column after column.",
+        "`REGRESSOR_PACKED_PLACES` says in which row, which is a speed, and in which column, ten times the body and the parameter, each stands; columns come one after the other.",
     ],
     candidates: &[
         Candidate::plain(roots::regressor::regressor_packed).with_terms(terms::of_vector),

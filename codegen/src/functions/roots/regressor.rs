@@ -39,7 +39,7 @@ fn at_places(tree: &Tree, y: &[Expr]) -> Vec<Expr> {
     let columns = kane::regressor::PARAMETERS.len() * tree.bodies.len();
     let places = kane::regressor::places(tree).into_iter();
     places
-        .map(|[column, row]| y[row * columns + column])
+        .map(|[row, column]| y[row * columns + column])
         .collect()
 }
 

@@ -115,13 +115,13 @@ fn places_of(shape: Shape, maps: &Maps, own: &Own) -> Vec<usize> {
 
 /// For each place of a packed matrix of one model its place among those of another model of the same system.
 fn packed_pairs(packed: Packed, maps: &Maps, from: &Tree, to: &Tree) -> Vec<usize> {
-    let places: Vec<[usize; 2]> = packed.places(from).into_iter().collect();
+    let places = packed.places(from);
     let place = |pair: [usize; 2]| {
         let pair = if packed == Packed::Regressor {
-            let [column, speed] = pair;
+            let [speed, column] = pair;
             [
-                10 * maps.bodies[column / 10] + column % 10,
                 maps.speeds[speed],
+                10 * maps.bodies[column / 10] + column % 10,
             ]
         } else {
             let [row, column] = pair.map(|speed| maps.speeds[speed]);

@@ -32,7 +32,7 @@ pub fn the_packed_regressor_has_all_that_is_not_zero(model: &dyn Model, state: &
     let packed = model.evaluate("regressor_packed", state);
     let places: Vec<usize> = places(tree)
         .into_iter()
-        .map(|[column, row]| row * 10 * tree.bodies.len() + column)
+        .map(|[row, column]| row * 10 * tree.bodies.len() + column)
         .collect();
     assert_eq!(packed.len(), places.len());
     let expected: Vec<f64> = places.iter().map(|place| y[*place]).collect();
