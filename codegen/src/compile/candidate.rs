@@ -7,7 +7,7 @@ use super::branches;
 use crate::{
     functions::{Derived, Formulation, Request},
     passes::{factor, hoist, hoist::Preparation, sines},
-    program::Operations,
+    program::{Operations, Program},
     recursive::{Plan, Technique},
     tree::Tree,
 };
@@ -77,9 +77,9 @@ pub fn operations(derived: &Derived) -> Operations {
     Operations::of(&derived.graph, &derived.roots)
 }
 
-/// As many of them as are written down: what several columns or branches go through alike once.
-pub(super) fn text(tree: &Tree, function: &Request, derived: &Derived) -> usize {
+/// Its program, where nothing else is in the module: what branches and columns go through alike is written once.
+pub(super) fn program(tree: &Tree, function: &Request, derived: &Derived) -> Program {
     let mut preparation = Preparation::default();
     let (graph, roots) = hoist::run(&derived.graph, &derived.roots, "", &mut preparation);
-    branches::flattened(tree, &function.arguments(), &graph, &roots).written()
+    branches::flattened(tree, &function.arguments(), &graph, &roots)
 }

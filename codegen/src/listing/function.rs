@@ -29,7 +29,7 @@ pub struct Function {
     pub fused: usize,
     /// What it does.
     pub code: Code,
-    /// The same in parts, where it is long.
+    /// The same in parts, where it is long: functions, or loops of a helper.
     pub stages: Vec<Stage>,
     /// What it runs on several columns, as functions of one column.
     pub helpers: Vec<Self>,

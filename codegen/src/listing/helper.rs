@@ -1,6 +1,6 @@
 //! What a function runs on several columns: a function of one column, of which nobody else knows.
 
-use super::{Code, Function, Step, entry::Given};
+use super::{Code, Function, Step, entry::Given, loops};
 use crate::{
     expr::Input,
     functions::Signature,
@@ -68,6 +68,7 @@ impl Function {
         Self {
             fused: program.fused(),
             lanes: program.lanes,
+            stages: loops::of(&signature, &code),
             ..Self::plain(signature, program.operations(), code)
         }
     }

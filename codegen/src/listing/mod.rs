@@ -21,6 +21,7 @@ mod helper;
 mod joint;
 mod limits;
 mod local;
+mod loops;
 mod module;
 mod name;
 mod plain;

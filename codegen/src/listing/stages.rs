@@ -14,7 +14,7 @@ const LONGEST: usize = 15_000;
 /// So many statements a stage has, or up to twice as many: it ends where those of another body begin.
 const STAGE: usize = 2_000;
 
-/// A part of a long function.
+/// A part of a long function, or of a long loop.
 #[derive(Clone, Debug)]
 pub struct Stage {
     /// How it is declared: it is given those of the function's arguments that it needs.
@@ -45,13 +45,17 @@ pub(super) fn of(signature: &Signature, scratch: &[Declared], code: &Code) -> Ve
         arguments: arguments.collect(),
         ..signature.clone()
     };
-    let ranges = ranges(code);
-    if ranges.len() < 2 {
-        return Vec::new();
+    match &ranges(code)[..] {
+        [] | [_] => Vec::new(),
+        ranges => cut(signature, code, ranges),
     }
-    let flow = Flow::of(code, &ranges);
-    let stages = ranges.into_iter().enumerate().map(|(number, range)| {
-        let cut = Cut::new(signature, code, &flow, number, range);
+}
+
+/// A stage of each range of statements.
+pub(super) fn cut(signature: &Signature, code: &Code, ranges: &[Range<usize>]) -> Vec<Stage> {
+    let flow = Flow::of(code, ranges);
+    let stages = ranges.iter().enumerate().map(|(number, range)| {
+        let cut = Cut::new(signature, code, &flow, number, range.clone());
         cut.stage()
     });
     stages.collect()
@@ -103,7 +107,9 @@ impl Passed {
 }
 
 /// What passes from stage to stage.
-struct Flow {
+struct Flow<'a> {
+    /// What argument each local holds, where it holds one as it is.
+    given: Vec<Option<&'a Entry>>,
     /// The stage that assigns each local.
     locals: Vec<usize>,
     /// The stage that assigns each array.
@@ -112,9 +118,10 @@ struct Flow {
     kept: Vec<Vec<Passed>>,
 }
 
-impl Flow {
-    fn of(code: &Code, ranges: &[Range<usize>]) -> Self {
+impl<'a> Flow<'a> {
+    fn of(code: &'a Code, ranges: &[Range<usize>]) -> Self {
         let mut flow = Self {
+            given: given(code),
             locals: vec![0; code.locals.len()],
             arrays: vec![0; code.arrays.len()],
             kept: Vec::new(),
@@ -131,6 +138,7 @@ impl Flow {
                 for_each(statement, &mut |expression| {
                     if let Some(value) = Passed::of(expression)
                         && flow.stage(value) < stage
+                        && flow.given(value).is_none()
                     {
                         kept[flow.stage(value)].insert(value);
                     }
@@ -144,6 +152,14 @@ impl Flow {
         flow
     }
 
+    /// What argument it is, where it is one.
+    fn given(&self, value: Passed) -> Option<&'a Entry> {
+        match value {
+            Passed::Local(id) => self.given[id.index()],
+            Passed::Element(..) => None,
+        }
+    }
+
     /// The stage that assigns a value.
     fn stage(&self, value: Passed) -> usize {
         match value {
@@ -151,6 +167,27 @@ impl Flow {
             Passed::Element(id, _) => self.arrays[id.index()],
         }
     }
+}
+
+/// True where a local is given what an argument holds: each stage does that where it first needs it.
+fn reads(statement: &Statement) -> bool {
+    let is_entry = |value: &Expression| matches!(value, Expression::Entry(_));
+    matches!(statement, Statement::Assign { value, .. } if is_entry(value))
+}
+
+/// What argument each local holds, where it holds one as it is.
+pub(super) fn given(code: &Code) -> Vec<Option<&Entry>> {
+    let mut given = vec![None; code.locals.len()];
+    for statement in &code.statements {
+        if let Statement::Assign {
+            local,
+            value: Expression::Entry(entry),
+        } = statement
+        {
+            given[local.index()] = Some(entry);
+        }
+    }
+    given
 }
 
 /// The name, or one like it that no local and no array has.
@@ -167,7 +204,7 @@ fn free(code: &Code, mut name: String) -> String {
 }
 
 /// Visits all expressions of a statement, and what they are made of.
-fn for_each<'a>(statement: &'a Statement, visit: &mut impl FnMut(&'a Expression)) {
+pub(super) fn for_each<'a>(statement: &'a Statement, visit: &mut impl FnMut(&'a Expression)) {
     let mut open: Vec<&Expression> = statement.values().iter().collect();
     while let Some(expression) = open.pop() {
         visit(expression);
@@ -179,7 +216,7 @@ fn for_each<'a>(statement: &'a Statement, visit: &mut impl FnMut(&'a Expression)
 struct Cut<'a> {
     signature: &'a Signature,
     whole: &'a Code,
-    flow: &'a Flow,
+    flow: &'a Flow<'a>,
     number: usize,
     range: Range<usize>,
     /// The function's arguments that it has, by their places.
@@ -195,12 +232,13 @@ impl<'a> Cut<'a> {
     fn new(
         signature: &'a Signature,
         whole: &'a Code,
-        flow: &'a Flow,
+        flow: &'a Flow<'a>,
         number: usize,
         range: Range<usize>,
     ) -> Self {
         let (mut given, mut earlier) = (BTreeSet::new(), BTreeSet::new());
-        for statement in &whole.statements[range.clone()] {
+        let statements = whole.statements[range.clone()].iter();
+        for statement in statements.filter(|own| !reads(own)) {
             given.extend(statement.stored().map(|entry| entry.argument));
             if let Statement::Call { shared, sides, .. } = statement {
                 given.extend(shared.iter().chain([sides]));
@@ -209,8 +247,15 @@ impl<'a> Cut<'a> {
                 if let Expression::Entry(entry) = expression {
                     given.insert(entry.argument);
                 }
-                let stage = Passed::of(expression).map(|value| flow.stage(value));
-                earlier.extend(stage.filter(|stage| *stage < number));
+                let Some(value) = Passed::of(expression) else {
+                    return;
+                };
+                match flow.given(value) {
+                    Some(entry) => {
+                        given.insert(entry.argument);
+                    }
+                    None => earlier.extend(Some(flow.stage(value)).filter(|own| *own < number)),
+                }
             });
         }
         Self {
@@ -228,7 +273,8 @@ impl<'a> Cut<'a> {
     }
 
     fn stage(mut self) -> Stage {
-        for statement in &self.whole.statements[self.range.clone()] {
+        let statements = self.whole.statements[self.range.clone()].iter();
+        for statement in statements.filter(|own| !reads(own)) {
             let statement = self.statement(statement);
             self.code.statements.push(statement);
         }
@@ -366,7 +412,7 @@ impl<'a> Cut<'a> {
         Expression::Kept(stage, place)
     }
 
-    /// The same on the stage's own locals; what earlier stages keep is read where it is first needed.
+    /// The same on the stage's own locals; what arguments hold and earlier stages keep is read where it is first needed.
     fn expression(&mut self, expression: &Expression) -> Expression {
         match expression {
             Expression::Number(_) | Expression::Kept(..) => expression.clone(),
@@ -374,7 +420,11 @@ impl<'a> Cut<'a> {
                 if let Some(&own) = self.locals.get(id) {
                     return Expression::Local(own);
                 }
-                let value = self.kept(Passed::Local(*id));
+                let passed = Passed::Local(*id);
+                let value = match self.flow.given(passed) {
+                    Some(entry) => Expression::Entry(self.entry(entry)),
+                    None => self.kept(passed),
+                };
                 let local = self.local(*id);
                 self.code
                     .statements

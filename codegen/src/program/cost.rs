@@ -138,6 +138,27 @@ impl Program {
         self.operations().total() + helpers - called.sum::<usize>()
     }
 
+    /// How many steps a processor takes that goes through the lanes of a call together: operations, numbers that are stored for
+    /// calls, and twice those that they compute, which are stored and read.
+    pub fn steps(&self) -> usize {
+        let mut steps = self.operations().total();
+        for instruction in &self.instructions {
+            if let Instruction::Call {
+                helper,
+                sides,
+                results,
+                ..
+            } = instruction
+            {
+                let helper = &self.helpers[*helper];
+                steps -= (helper.lanes - 1) * helper.operations().total();
+                steps += sides.iter().flatten().count();
+                steps += 2 * results.iter().flatten().flatten().count();
+            }
+        }
+        steps
+    }
+
     /// How many pairs of a multiplication and an addition are fused; both count among [`Self::operations`].
     pub fn fused(&self) -> usize {
         let of_one = |instruction: &Instruction| match instruction {

@@ -7,8 +7,8 @@ use crate::{
     tree::{Joint, Tree},
 };
 
-/// Of fewer branches compilers make no vectors, and what moves between them costs as much as is saved.
-const FEWEST: usize = 3;
+/// One is alone.
+const FEWEST: usize = 2;
 
 /// More branches are split among several teams: longer vectors are rare.
 const MOST: usize = 8;

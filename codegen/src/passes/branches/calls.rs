@@ -1,13 +1,9 @@
-//! Which groups a call computes: those of a layer, or a part of them where they move more numbers than a compiler takes.
+//! Which groups a call computes: those of a layer.
 
 use std::collections::BTreeSet;
 
 use super::{groups::Groups, layers::Layers};
 use crate::expr::{Expr, ExprGraph, NodeId};
-
-/// The most rows of numbers that a helper reads and writes: of loops with more, LLVM gives up proving that they do not overlap, and
-/// makes no vectors.
-const MOST_ROWS: usize = 240;
 
 /// Rows of numbers, one of each branch, that a call moves.
 #[derive(Default)]
@@ -18,12 +14,6 @@ struct Rows {
     whole: BTreeSet<Vec<Expr>>,
     /// How many it computes for others.
     n_found: usize,
-}
-
-impl Rows {
-    fn len(&self) -> usize {
-        self.gathered.len() + self.whole.len() + self.n_found
-    }
 }
 
 /// All calls.
@@ -41,7 +31,7 @@ impl Calls {
     pub(super) fn of(graph: &ExprGraph, roots: &[Expr], groups: &mut Groups) -> Self {
         loop {
             let layers = Layers::of(graph, roots, groups).groups();
-            let calls = Self::of_layers(graph, roots, groups, &layers);
+            let calls = Self::of_layers(graph, roots, groups, layers);
             let unworthy = (0..calls.groups.len()).filter(|&call| !calls.is_worth_it(groups, call));
             let unworthy: Vec<usize> = unworthy
                 .flat_map(|call| calls.groups[call].clone())
@@ -55,42 +45,15 @@ impl Calls {
         }
     }
 
-    /// A call for each layer, or as many as it takes for none to move too many rows.
+    /// A call for each layer.
     fn of_layers(
         graph: &ExprGraph,
         roots: &[Expr],
         groups: &Groups,
-        layers: &[Vec<usize>],
-    ) -> Self {
-        let mut n_parts = vec![1; layers.len()];
-        loop {
-            let layers = layers.iter().zip(&n_parts).enumerate();
-            let parts = layers.flat_map(|(layer, (own, n_parts))| {
-                let parts = own.chunks(own.len().div_ceil(*n_parts));
-                parts.map(move |part| (layer, part.to_vec()))
-            });
-            let (of, parts): (Vec<usize>, Vec<_>) = parts.unzip();
-            let calls = Self::of_parts(graph, roots, groups, parts);
-            let long = |call: &usize| calls.rows(groups, *call).len() > MOST_ROWS;
-            let long: BTreeSet<usize> = (0..of.len()).filter(long).map(|call| of[call]).collect();
-            if long.is_empty() {
-                return calls;
-            }
-            for layer in long {
-                n_parts[layer] += 1 + n_parts[layer] / 8;
-            }
-        }
-    }
-
-    /// A call for each part.
-    fn of_parts(
-        graph: &ExprGraph,
-        roots: &[Expr],
-        groups: &Groups,
-        parts: Vec<Vec<usize>>,
+        layers: Vec<Vec<usize>>,
     ) -> Self {
         let mut of = vec![None; groups.all.len()];
-        for (call, own) in parts.iter().enumerate() {
+        for (call, own) in layers.iter().enumerate() {
             for &group in own {
                 of[group] = Some(call);
             }
@@ -118,7 +81,7 @@ impl Calls {
             .chain(&read)
             .for_each(|own| find(None, own.node()));
         Self {
-            groups: parts,
+            groups: layers,
             of,
             is_found,
         }

@@ -53,12 +53,18 @@ impl<'a> Writer<'a> {
 
     pub(super) fn of_stage(facts: &'a Facts, function: &'a Function, stage: &'a Stage) -> Self {
         Self {
-            facts,
             arguments: stage.signature.arguments.iter().collect(),
             code: &stage.code,
             stages: &function.stages,
-            of: &function.signature.name,
-            is_by_lane: false,
+            ..Self::new(facts, function)
+        }
+    }
+
+    /// A loop of a helper.
+    pub(super) fn of_loop(facts: &'a Facts, helper: &'a Function, stage: &'a Stage) -> Self {
+        Self {
+            is_by_lane: true,
+            ..Self::of_stage(facts, helper, stage)
         }
     }
 
@@ -83,6 +89,9 @@ impl<'a> Writer<'a> {
                 }
             }
             Expression::Entry(entry) => self.entry(entry),
+            Expression::Kept(stage, place) if self.is_by_lane => {
+                self.kept_by_lane(&self.stages[*stage], *place)
+            }
             Expression::Kept(stage, place) => {
                 let stage = &self.stages[*stage];
                 let kept = syntax::name(&ident(&stage.keeps));
@@ -145,6 +154,12 @@ impl<'a> Writer<'a> {
         } else {
             number
         }
+    }
+
+    /// What a loop keeps for later ones, at this place.
+    pub(super) fn kept_by_lane(&self, stage: &Stage, place: usize) -> Expr {
+        let kept = syntax::name(&ident(&stage.keeps));
+        syntax::index_by(syntax::index(kept, place), syntax::name(&ident(LANE)))
     }
 
     fn member(&self, member: Member) -> &str {

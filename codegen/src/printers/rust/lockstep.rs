@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     functions::{Declared, Length},
-    listing::{Facts, Function, SHARED, SIDES, SOLVED},
+    listing::{Expression, Facts, Function, SHARED, SIDES, SOLVED},
 };
 
 /// The helpers of a function, of which nobody else knows.
@@ -35,22 +35,58 @@ fn item(facts: &Facts, helper: &Function) -> Item {
     };
     let n_shared = argument(SHARED).into_iter();
     let [n_sides, n_solved] = [SIDES, SOLVED].map(argument);
-    let (lane, lanes) = (ident(LANE), number_of(helper.lanes));
-    let statements = statements::of(&Writer::of_helper(facts, helper));
+    let lanes = number_of(helper.lanes);
+    let (kept, loops) = (kept(helper), loops(facts, helper));
     let some = some();
     parse_quote! {
         #doc
         #allow
-        #[allow(clippy::needless_range_loop, reason = "a column's numbers stand in several arrays")]
         #[inline(never)]
         fn #name<R: kane::Real>(#(#shared: &[R; #n_shared],)* #sides: &[[R; #lanes]; #n_sides]) -> [[R; #lanes]; #n_solved] {
             let mut #solved = [[#some; #lanes]; #n_solved];
-            for #lane in 0..#lanes {
-                #(#statements)*
-            }
+            #(#kept)*
+            #(#loops)*
             #solved
         }
     }
+}
+
+/// The rows that loops keep for later ones.
+fn kept(helper: &Function) -> Vec<Stmt> {
+    let (some, lanes) = (some(), number_of(helper.lanes));
+    let keeping = helper.stages.iter().filter(|stage| !stage.kept.is_empty());
+    let rows = keeping.map(|stage| {
+        let (name, n_kept) = (ident(&stage.keeps), number_of(stage.kept.len()));
+        parse_quote!(let mut #name = [[#some; #lanes]; #n_kept];)
+    });
+    rows.collect()
+}
+
+/// The loops over columns. They count along an array: of `0..2` LLVM takes the counter apart, and makes no vectors.
+fn loops(facts: &Facts, helper: &Function) -> Vec<Stmt> {
+    let (sides, lane) = (ident(SIDES), ident(LANE));
+    let of = |statements: Vec<Stmt>| -> Stmt {
+        parse_quote! {
+            for (#lane, _) in #sides[0].iter().enumerate() {
+                #(#statements)*
+            }
+        }
+    };
+    if helper.stages.is_empty() {
+        return vec![of(statements::of(&Writer::of_helper(facts, helper)))];
+    }
+    let stages = helper.stages.iter().map(|stage| {
+        let writer = Writer::of_loop(facts, helper, stage);
+        let keep = |local| {
+            let kept = stage.kept.iter();
+            let mut kept = kept.map(|own| own.value == Expression::Local(local));
+            let place = kept.position(|is_own| is_own)?;
+            let value = syntax::name(&writer.local(local));
+            Some(syntax::assign(writer.kept_by_lane(stage, place), value))
+        };
+        of(statements::keeping(&writer, keep))
+    });
+    stages.collect()
 }
 
 fn length(argument: &Declared) -> Literal {

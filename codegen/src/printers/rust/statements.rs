@@ -12,17 +12,27 @@ use crate::listing::{Entry, Expression, LocalId, Statement};
 
 /// All of them.
 pub(super) fn of(writer: &Writer<'_>) -> Vec<Stmt> {
-    those(writer, |_| true)
+    those(writer, |_| true, |_| None)
+}
+
+/// All of them, and behind each local that is kept the statement that does so.
+pub(super) fn keeping(writer: &Writer<'_>, keep: impl Fn(LocalId) -> Option<Stmt>) -> Vec<Stmt> {
+    those(writer, |_| true, keep)
 }
 
 /// Those that assign locals.
 pub(super) fn without_stores(writer: &Writer<'_>) -> Vec<Stmt> {
-    those(writer, |statement| {
+    let is_wanted = |statement: &Statement| {
         !matches!(statement, Statement::Store { .. } | Statement::Heading(_))
-    })
+    };
+    those(writer, is_wanted, |_| None)
 }
 
-fn those(writer: &Writer<'_>, is_wanted: impl Fn(&Statement) -> bool) -> Vec<Stmt> {
+fn those(
+    writer: &Writer<'_>,
+    is_wanted: impl Fn(&Statement) -> bool,
+    keep: impl Fn(LocalId) -> Option<Stmt>,
+) -> Vec<Stmt> {
     let code = writer.code;
     let declarations = Declarations::of(code);
     let mut printed = Vec::with_capacity(code.statements.len());
@@ -32,6 +42,7 @@ fn those(writer: &Writer<'_>, is_wanted: impl Fn(&Statement) -> bool) -> Vec<Stm
             printed.push(syntax::declare(syntax::pattern(&names), None));
         }
         print(writer, &declarations, statement, &mut printed);
+        printed.extend(statement.assigned().filter_map(&keep));
     }
     printed
 }

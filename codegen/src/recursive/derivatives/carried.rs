@@ -1,8 +1,10 @@
 //! A composite body with the columns of what it carries, passing a joint.
 
 use super::{
+    ahead::{Ahead, Place},
     begun::Begins,
     column::Column,
+    found::Derivatives,
     reader::Reader,
     start::Start,
     way::{At, doubled},
@@ -22,35 +24,8 @@ use crate::{
             speed_matrix,
         },
     },
-    solve::SpeedMatrix,
-    tree::{Motion, Tree},
+    tree::Motion,
 };
-
-/// How generalized forces change: rows are forces, columns speeds.
-#[derive(Clone, Debug)]
-pub struct Derivatives {
-    /// With the coordinates, along the motions of the speeds.
-    pub by_q: SpeedMatrix,
-    /// With the speeds.
-    pub by_u: SpeedMatrix,
-    /// With the accelerations: the mass matrix.
-    pub by_u_dot: SpeedMatrix,
-}
-
-impl Derivatives {
-    pub(super) fn zero(graph: &mut ExprGraph, tree: &Tree) -> Self {
-        let zero = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
-        Self {
-            by_q: zero.clone(),
-            by_u: zero.clone(),
-            by_u_dot: zero,
-        }
-    }
-
-    pub(super) fn matrices_mut(&mut self) -> [&mut SpeedMatrix; 3] {
-        [&mut self.by_q, &mut self.by_u, &mut self.by_u_dot]
-    }
-}
 
 /// A composite body and the columns of what it carries, on their way inward through a joint.
 pub(super) struct Carried<'a, 'b> {
@@ -66,6 +41,12 @@ pub(super) struct Carried<'a, 'b> {
     pub(super) found: &'a mut Derivatives,
     /// Where columns begin.
     pub(super) begins: &'a mut Begins,
+    /// How many steps of the way through the joint have begun.
+    pub(super) step: usize,
+    /// Those that are behind where the columns come in, as [`Place`] has it.
+    pub(super) entry: usize,
+    /// What columns are sent ahead by.
+    pub(super) ahead: Option<&'a dyn Ahead>,
 }
 
 impl Carried<'_, '_> {
@@ -75,7 +56,17 @@ impl Carried<'_, '_> {
             .split_last()
             .expect("derivatives: the way inward is the way outward");
         self.way = rest;
+        self.step += 1;
         *at
+    }
+
+    /// Sends columns ahead from where they have been read.
+    fn send(&mut self, graph: &mut ExprGraph) {
+        if let Some(ahead) = self.ahead {
+            let Self { body, step, .. } = *self;
+            let from = Place { body, step };
+            ahead.send(graph, from, &mut self.columns, self.shortcuts, self.found);
+        }
     }
 
     /// What columns begin with that begin here.
@@ -141,6 +132,9 @@ impl Passenger for Carried<'_, '_> {
 
     fn turn(&mut self, graph: &mut ExprGraph, rotation: &dyn Turn, drive: Drive) {
         let at = self.next();
+        if self.step < self.entry {
+            return;
+        }
         let own = match drive {
             Drive::AngularVelocity(_) => drive.speeds(graph),
             Drive::Nothing | Drive::Angle(..) => graph.zero_vector(),
@@ -156,7 +150,10 @@ impl Passenger for Carried<'_, '_> {
             let column = self.begins.turn(graph, &start, (reader, own), is_hinge);
             self.columns.extend(column);
         }
-        self.read(graph, &readers);
+        if self.step > self.entry {
+            self.read(graph, &readers);
+            self.send(graph);
+        }
         if let Drive::Angle(axis, _) = drive {
             let at = (self.body, axis);
             let shortcut = self.shortcuts.send(graph, at, self.columns.iter_mut());
@@ -178,6 +175,9 @@ impl Passenger for Carried<'_, '_> {
 
     fn along(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3]) {
         let at = self.next();
+        if self.step <= self.entry {
+            return;
+        }
         let moving = motions.into_iter().enumerate();
         let moving = moving.filter_map(|(axis, motion)| Some((axis, motion?)));
         let readers: Vec<Reader> = moving
@@ -189,6 +189,7 @@ impl Passenger for Carried<'_, '_> {
             self.columns.extend(column);
         }
         self.read(graph, &readers);
+        self.send(graph);
         graph.enter(self.body);
         let own = speeds(graph, motions);
         let own = doubled(graph, own);

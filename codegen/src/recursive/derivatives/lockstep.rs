@@ -1,17 +1,19 @@
-//! Columns that have come to one link pass inward four at a time: what a column goes through is derived once, on sides in the place
+//! Columns that have come to one place pass inward four at a time: what a column goes through is derived once, on sides in the place
 //! of its numbers, and called for four.
 
 use super::{
+    ahead::{Ahead, Place},
     begun::Begins,
-    carried::{Carried, Derivatives},
+    carried::Carried,
     column::Column,
+    found::Derivatives,
     sides::on_sides,
     wanted::Wanted,
     way::Went,
 };
 use crate::{
     expr::{Expr, ExprGraph, LANES},
-    id::{BodyId, BodyMap},
+    id::BodyMap,
     recursive::{
         links::{linkage::Linkage, wrench::Wrench},
         matrices::{
@@ -22,11 +24,9 @@ use crate::{
 };
 
 /// The way inward of columns that nothing joins.
-pub(super) struct Inward<'a, 'b> {
-    pub(super) linkage: &'a Linkage<'b>,
+pub(super) struct Inward<'a> {
+    pub(super) linkage: &'a Linkage<'a>,
     pub(super) ways: &'a BodyMap<Went>,
-    pub(super) shortcuts: &'a mut Shortcuts<'b>,
-    pub(super) found: &'a mut Derivatives,
     pub(super) wanted: Wanted,
 }
 
@@ -41,60 +41,84 @@ struct Read {
     value: Expr,
 }
 
-impl Inward<'_, '_> {
-    /// Sends columns at a link to the inertial frame, as long as there are enough of a kind.
-    pub(super) fn send(&mut self, graph: &mut ExprGraph, at: BodyId, columns: &mut Vec<Column>) {
-        while let Some(group) = taken(columns) {
-            self.send_group(graph, at, &group);
+impl Read {
+    /// Where what is read off a column stands.
+    fn entry<'a>(&self, found: &'a mut Derivatives, column: &Column) -> &'a mut Expr {
+        let own = column.carrying.motion.speed.index();
+        let matrix = &mut *found.matrices_mut()[self.matrix];
+        if self.is_column {
+            &mut matrix[self.speed][own]
+        } else {
+            &mut matrix[own][self.speed]
         }
     }
+}
 
-    fn send_group(&mut self, graph: &mut ExprGraph, at: BodyId, group: &[Column; LANES]) {
+impl Ahead for Inward<'_> {
+    /// As long as there are enough of a kind.
+    fn send(
+        &self,
+        graph: &mut ExprGraph,
+        from: Place,
+        columns: &mut Vec<Column>,
+        shortcuts: &mut Shortcuts<'_>,
+        found: &mut Derivatives,
+    ) {
+        while let Some(group) = taken(columns) {
+            self.send_group(graph, from, &group, shortcuts, found);
+        }
+    }
+}
+
+impl Inward<'_> {
+    fn send_group(
+        &self,
+        graph: &mut ExprGraph,
+        from: Place,
+        group: &[Column; LANES],
+        shortcuts: &mut Shortcuts<'_>,
+        found: &mut Derivatives,
+    ) {
         let (one, sides) = on_sides(graph, group, |column| column.parts_mut().collect());
         let alike = group.map(|own| one.of_motion(&own));
-        let reads = self.reads(graph, at, &alike).into_iter();
+        let reads = self.reads(graph, from, &alike, shortcuts).into_iter();
         let (reads, others): (Vec<Read>, Vec<Read>) =
             reads.partition(|read| self.wanted.matrices()[read.matrix]);
         for read in others {
             for column in group {
-                *self.entry(&read, column) = graph.one();
+                *read.entry(found, column) = graph.one();
             }
         }
         let values: Vec<Expr> = reads.iter().map(|read| read.value).collect();
-        graph.enter(at);
+        graph.enter(from.body);
         let lanes = graph.call_outlined(&values, &sides);
         for (column, lane) in group.iter().zip(lanes) {
             for (read, value) in reads.iter().zip(lane) {
-                let entry = self.entry(read, column);
+                let entry = read.entry(found, column);
                 *entry = graph.add(*entry, value);
             }
         }
     }
 
-    /// Where what is read off a column stands.
-    fn entry(&mut self, read: &Read, column: &Column) -> &mut Expr {
-        let own = column.carrying.motion.speed.index();
-        let matrix = &mut *self.found.matrices_mut()[read.matrix];
-        if read.is_column {
-            &mut matrix[read.speed][own]
-        } else {
-            &mut matrix[own][read.speed]
-        }
-    }
-
     /// What is read off the first of columns on their way from a link to the inertial frame.
-    fn reads(&mut self, graph: &mut ExprGraph, at: BodyId, alike: &[Column; LANES]) -> Vec<Read> {
+    fn reads(
+        &self,
+        graph: &mut ExprGraph,
+        from: Place,
+        alike: &[Column; LANES],
+        shortcuts: &mut Shortcuts<'_>,
+    ) -> Vec<Read> {
         let tree = self.linkage.tree;
         let mut found = Derivatives::zero(graph, tree);
         let own = alike[0].carrying.motion.speed.index();
         // All four: whether a shortcut pays depends on how many take it.
         let mut columns = alike.to_vec();
-        let mut next = Some(at);
-        while let Some(body) = next {
+        let mut next = Some(from);
+        while let Some(Place { body, step: entry }) = next {
             let nothing = graph.zero_vector();
             let mut carried = Carried {
                 body,
-                shortcuts: self.shortcuts,
+                shortcuts: &mut *shortcuts,
                 moments: Moments {
                     mass: graph.zero(),
                     first: nothing,
@@ -109,13 +133,17 @@ impl Inward<'_, '_> {
                 columns,
                 found: &mut found,
                 begins: &mut Begins::Nowhere,
+                step: 0,
+                entry,
+                ahead: None,
             };
             self.linkage.passages[body].inward(graph, &mut carried);
             columns = carried.columns;
-            next = tree.lower(body);
-            for (column, lower) in columns.iter().take(1).zip(next) {
+            let lower = tree.lower(body);
+            for (column, lower) in columns.iter().take(1).zip(lower) {
                 column.hint(graph, tree, lower);
             }
+            next = lower.map(Place::at_link);
         }
         let mut reads = Vec::new();
         for (matrix, of) in found.matrices_mut().into_iter().enumerate() {

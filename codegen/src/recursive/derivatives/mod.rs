@@ -9,10 +9,12 @@
 //! column's momentum and couple, and every motion farther in reads its rows off the wrenches, and the mirrored entries off momentum
 //! and couple, as for the Coriolis matrix. All that is linear in velocities passes doubled.
 
+mod ahead;
 mod begun;
 mod carried;
 mod column;
 mod displaced;
+mod found;
 mod lockstep;
 mod reader;
 mod sides;
@@ -20,11 +22,12 @@ mod start;
 mod wanted;
 mod way;
 
-pub use self::{carried::Derivatives, wanted::Wanted};
+pub use self::{found::Derivatives, wanted::Wanted};
 
 use std::collections::BTreeMap;
 
 use self::{
+    ahead::{Ahead, Place},
     begun::Begins,
     carried::Carried,
     column::Column,
@@ -95,6 +98,12 @@ impl Sweep<'_> {
         let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
         let mut shortcuts = Shortcuts::new(graph, linkage);
         let mut found = Derivatives::zero(graph, tree);
+        let inward = Inward {
+            linkage,
+            ways,
+            wanted: self.wanted,
+        };
+        let ahead = self.in_lockstep.then_some(&inward as &dyn Ahead);
         for body in tree.body_ids().rev() {
             graph.enter(body);
             let mut carried = Carried {
@@ -107,6 +116,9 @@ impl Sweep<'_> {
                 columns: std::mem::take(&mut columns[body]),
                 found: &mut found,
                 begins,
+                step: 0,
+                entry: 0,
+                ahead,
             };
             linkage.passages[body].inward(graph, &mut carried);
             let Carried {
@@ -125,15 +137,10 @@ impl Sweep<'_> {
                 gathered.add(graph, lower, come);
                 wrenches[lower] = wrenches[lower].plus(graph, &wrench);
                 columns[lower].extend(others);
-                if self.in_lockstep {
-                    let mut inward = Inward {
-                        linkage,
-                        ways,
-                        shortcuts: &mut shortcuts,
-                        found: &mut found,
-                        wanted: self.wanted,
-                    };
-                    inward.send(graph, lower, &mut columns[lower]);
+                if let Some(ahead) = ahead {
+                    let from = Place::at_link(lower);
+                    let arrived = &mut columns[lower];
+                    ahead.send(graph, from, arrived, &mut shortcuts, &mut found);
                 }
             }
         }
