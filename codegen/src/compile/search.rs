@@ -2,7 +2,8 @@
 //!
 //! In: a tree, a function, the techniques that may not be used. Out: a [`Plan`]. Afterwards: of a function of up to `MOST_EXACT`
 //! nodes each technique that can matter was tried, used and left out, until none lowered the count, and axes were merged once
-//! more; of larger ones each was tried once, before factoring. Choices link by link are tried until `MOST_NODES` were built.
+//! more; of larger ones each was tried once, before factoring. Choices link by link are tried until `MOST_NODES` were built, or
+//! `MOST_ASKED` sums and products were asked for.
 //! The same choices are tried in the same order on every machine.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,6 +19,10 @@ use super::candidate::{MOST_NODES, finished, given_sines, operations};
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;
+
+/// How many sums and products may be asked for to compare choices link by link: a second's work. Where most of them fold, as of
+/// bodies that turn about one line, they build few nodes.
+const MOST_ASKED: usize = 10_000_000;
 
 /// What a sine costs above other operations: a plan that needs one angle more must save that much.
 const SINE: usize = 10;
@@ -72,6 +77,8 @@ struct Count {
     operations: usize,
     /// How many nodes were built to count it.
     n_nodes: usize,
+    /// How many sums and products were asked for.
+    n_asked: usize,
 }
 
 /// The search that starts with all techniques but those of `left_out`.
@@ -94,6 +101,7 @@ fn from(
         least: usize::MAX,
         plan: plan.clone(),
         n_nodes: 0,
+        n_asked: 0,
         n_first: 0,
         is_exact: true,
         sine: if function.parts().len() == 1 {
@@ -130,6 +138,8 @@ struct Search<'a> {
     /// How many nodes were built, for all plans and for the first; a plan that is met twice counts twice.
     n_nodes: usize,
     n_first: usize,
+    /// How many sums and products were asked for, likewise.
+    n_asked: usize,
     /// True while plans are compared by what is left after factoring.
     is_exact: bool,
     /// What a sine costs above other operations.
@@ -169,6 +179,7 @@ impl Search<'_> {
             count
         });
         self.n_nodes += count.n_nodes;
+        self.n_asked += count.n_asked;
         self.is_exact &= count.n_nodes <= MOST_EXACT;
         count.operations
     }
@@ -176,6 +187,7 @@ impl Search<'_> {
     fn counted(&self, plan: &Plan) -> Count {
         let &Self { tree, function, .. } = self;
         let derived = function.derive(tree, Formulation::Recursive, plan);
+        let n_asked = derived.graph.n_asked();
         let (derived, n_nodes) = if self.is_exact {
             let derived = finished(tree, function, plan, derived);
             let n_nodes = derived.graph.n_needed(&derived.roots);
@@ -188,7 +200,13 @@ impl Search<'_> {
         Count {
             operations: operations.total() + self.sine * operations.trig,
             n_nodes,
+            n_asked,
         }
+    }
+
+    /// True once choices link by link have taken long enough.
+    fn is_long(&self) -> bool {
+        self.n_nodes > MOST_NODES || self.n_asked > MOST_ASKED
     }
 
     /// The plan, with each way to regroup all links.
@@ -236,7 +254,7 @@ impl Search<'_> {
         }
         self.try_one(self.plan.with_parallel(None, true));
         for body in recursive::parallel_axes(self.tree, &self.plan) {
-            if self.n_nodes > MOST_NODES {
+            if self.is_long() {
                 return;
             }
             let merged = self.plan.parallel(body);
@@ -258,7 +276,7 @@ impl Search<'_> {
                 continue;
             }
             for choice in Regroup::ALL {
-                if self.n_nodes > MOST_NODES {
+                if self.is_long() {
                     return;
                 }
                 self.try_one(self.plan.with_regroup(Some(body), choice));

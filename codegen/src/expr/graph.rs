@@ -37,6 +37,7 @@ pub struct ExprGraph {
     /// True while labels are hints.
     hints: bool,
     overflowed: bool,
+    n_asked: usize,
 }
 
 impl ExprGraph {
@@ -80,6 +81,11 @@ impl ExprGraph {
     /// True for a graph without nodes.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// How many sums and products were asked for, with those that were there or could be folded: the work that was done.
+    pub fn n_asked(&self) -> usize {
+        self.n_asked
     }
 
     /// The node with this id.
@@ -230,6 +236,7 @@ impl ExprGraph {
 
     /// `a + b`.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        self.n_asked += 1;
         match (self.as_number(a), self.as_number(b)) {
             (Some(0.0), Some(0.0)) => return a.abs_sign(),
             (Some(0.0), _) => return b,
@@ -267,6 +274,7 @@ impl ExprGraph {
 
     /// `a b`.
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        self.n_asked += 1;
         let negative = a.is_negative() ^ b.is_negative();
         let (a, b) = (a.abs_sign(), b.abs_sign());
         match (self.as_number(a), self.as_number(b)) {

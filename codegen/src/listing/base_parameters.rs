@@ -3,7 +3,7 @@
 use crate::{
     base_parameters,
     compile::Emittable,
-    functions::Dimension,
+    functions::{Dimension, Shape},
     tree::{InertialParameter, Tree},
 };
 
@@ -30,11 +30,16 @@ pub struct BaseTerm {
 }
 
 impl BaseParameters {
-    /// Those of the tree, if some function writes their columns.
+    /// Those of the tree, if some function writes their columns, or is given multipliers of these.
     pub(super) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
-        let mut outputs = functions.iter().flat_map(|one| one.function.outputs());
-        let is_written = outputs.any(|output| output.shape.has(Dimension::BaseParameters));
-        is_written.then(|| Self::all(tree))
+        let has = |own: &Emittable| {
+            let request = &own.function;
+            let mut written = request.outputs().into_iter().map(|output| output.shape);
+            let mut given = request.arguments().into_iter().map(|given| given.shape());
+            let is_of_them = |shape: Shape| shape.has(Dimension::BaseParameters);
+            written.any(is_of_them) || given.any(is_of_them)
+        };
+        functions.iter().any(has).then(|| Self::all(tree))
     }
 
     fn all(tree: &Tree) -> Self {

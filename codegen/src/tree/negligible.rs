@@ -7,10 +7,11 @@ use crate::description::{Description, Given, Scalar};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::names::shown;
 
-/// Part of the model's largest, below which a mass or an inertia counts as zero.
+/// Part of the model's largest, below which a mass or an inertia counts as zero; and part of an inertia's largest component, below
+/// which another does.
 const NOTHING: f64 = 1e-14;
 
-/// From where on masses, and components of inertias, count.
+/// From where on masses and inertias count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Negligible {
     mass: f64,
@@ -35,7 +36,16 @@ impl Negligible {
 
     /// Components of an inertia, kg m².
     pub(crate) fn inertia(self, given: [Given<Scalar>; 6]) -> [Given<Scalar>; 6] {
-        given.map(|component| counted(component, self.inertia))
+        let at_run_time = |given: &Given<Scalar>| {
+            given.is_some_and(|given| matches!(given.value, Scalar::Runtime(_)))
+        };
+        let own = largest(given.into_iter());
+        let least = if own < self.inertia && !given.iter().any(at_run_time) {
+            self.inertia
+        } else {
+            NOTHING * own
+        };
+        given.map(|component| counted(component, least))
     }
 
     /// Tells what counts as zero, but for crumbs beside larger components of the same inertia, which are no news.

@@ -7,7 +7,8 @@ use kane_codegen::description::{no_includes, urdf};
 use kane_codegen::diagnostic::Source;
 use kane_codegen::generate::{Generated, generate};
 use kane_codegen::rounded_angles;
-use kane_codegen::tree::Changes;
+use kane_codegen::geometry::IDENTITY;
+use kane_codegen::tree::{Alignment, Changes};
 
 /// An arm of three links whose joints are turned by a right angle, written with these digits.
 fn arm(right_angle: &str) -> String {
@@ -87,6 +88,18 @@ fn nothing_is_snapped_at_zero() {
     let (operations, said) = cost("1.5707963267948966", 0.0);
     assert!(said.is_empty(), "{said}");
     assert!(operations > cost("1.5707963267948966", 1e-9).0);
+}
+
+#[test]
+fn an_axis_beside_a_coordinate_axis_stays_as_it_is_beyond_the_tolerance() {
+    // Of length 1 to the last digit, and along no coordinate axis.
+    let axis = [1.4e-8, 0.0, 1.0];
+    let (exact, change) = Alignment::of(axis, 1e-9);
+    assert_eq!((exact.place, change), (2, 0.0));
+    assert_eq!(exact.rotation[2], axis);
+    let (snapped, change) = Alignment::of(axis, 1e-7);
+    assert_eq!((snapped.rotation, snapped.place), (IDENTITY, 2));
+    assert!(change > 1.3e-8, "{change}");
 }
 
 #[test]

@@ -311,6 +311,17 @@ fn notes_of_what_a_path_moves_are_told_before_they_are_derived() {
 }
 
 #[test]
+fn plans_are_not_compared_for_longer_where_all_folds() {
+    // Two hundred hinges about one line: few nodes, however many sums are asked for. Without a bound on these it took minutes.
+    let text = chain(200, "[\"theta3\"]", "")
+        .replace("\"theta1\"", "\"theta3\"")
+        .replace("0.1, 0.3]", "0.0, 0.3]");
+    let source = Source::new("model.toml", text);
+    let generated = generate(&source, "model.toml", &named("mass_matrix"), &no_includes);
+    assert!(generated.is_ok());
+}
+
+#[test]
 fn what_would_be_too_large_is_told_before_it_is_derived() {
     let notes = Options {
         formulation: kane_codegen::config::Formulation::Notes,

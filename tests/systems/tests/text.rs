@@ -232,31 +232,82 @@ fn is_helper(name: &str) -> bool {
     name.contains("_lockstep_")
 }
 
-/// What a loop over a few columns repeats.
+/// What a loop over columns repeats: it goes through the first row of `sides`, an array of known length.
 fn columns(own: &syn::ExprForLoop) -> Option<&syn::Block> {
-    let is_lane = matches!(&*own.pat, syn::Pat::Ident(pattern) if pattern.ident == "lane");
-    let number = |bound: &Option<Box<syn::Expr>>| match bound.as_deref() {
-        Some(syn::Expr::Lit(literal)) => match &literal.lit {
-            syn::Lit::Int(number) => number.base10_parse::<usize>().ok(),
+    let syn::Pat::Tuple(pattern) = &*own.pat else {
+        return None;
+    };
+    let mut parts = pattern.elems.iter();
+    let is_lane = matches!(
+        [parts.next(), parts.next(), parts.next()],
+        [Some(syn::Pat::Ident(lane)), Some(syn::Pat::Wild(_)), None] if lane.ident == "lane"
+    );
+    let row = method(&own.expr, "enumerate").and_then(|own| method(own, "iter"));
+    let is_row = matches!(
+        row,
+        Some(syn::Expr::Index(row)) if is_path(&row.expr, "sides") && number(&row.index) == Some(0)
+    );
+    (is_lane && is_row && own.label.is_none()).then_some(&own.body)
+}
+
+/// What a method of this name is called of, without arguments.
+fn method<'a>(expr: &'a syn::Expr, name: &str) -> Option<&'a syn::Expr> {
+    match expr {
+        syn::Expr::MethodCall(call) if call.method == name && call.args.is_empty() => {
+            Some(&call.receiver)
+        }
+        _ => None,
+    }
+}
+
+fn is_path(expr: &syn::Expr, name: &str) -> bool {
+    matches!(expr, syn::Expr::Path(own) if own.path.is_ident(name))
+}
+
+fn number(expr: &syn::Expr) -> Option<usize> {
+    match expr {
+        syn::Expr::Lit(literal) => match &literal.lit {
+            syn::Lit::Int(number) => number.base10_parse().ok(),
             _ => None,
         },
         _ => None,
-    };
-    let is_short = matches!(&*own.expr, syn::Expr::Range(range) if number(&range.start) == Some(0) && number(&range.end).is_some_and(|end| (3..=8).contains(&end)) && matches!(range.limits, syn::RangeLimits::HalfOpen(_)));
-    (is_lane && is_short && own.label.is_none()).then_some(&own.body)
+    }
 }
 
-/// What a helper repeats for every column; it does nothing else than that.
-fn repeated(body: &syn::Block) -> Option<&syn::Block> {
-    let [
-        syn::Stmt::Local(_),
-        syn::Stmt::Expr(syn::Expr::ForLoop(own), None),
-        syn::Stmt::Expr(syn::Expr::Path(_), None),
-    ] = &body.stmts[..]
-    else {
+/// How many columns a helper has: the length of a row of `sides`.
+fn lanes(signature: &syn::Signature) -> Option<usize> {
+    let sides = signature.inputs.iter().find_map(|own| match own {
+        syn::FnArg::Typed(own) if matches!(&*own.pat, syn::Pat::Ident(name) if name.ident == "sides") => {
+            Some(&*own.ty)
+        }
+        _ => None,
+    })?;
+    let syn::Type::Reference(sides) = sides else {
         return None;
     };
-    columns(own)
+    let syn::Type::Array(sides) = &*sides.elem else {
+        return None;
+    };
+    match &*sides.elem {
+        syn::Type::Array(row) => number(&row.len),
+        _ => None,
+    }
+}
+
+/// What the loops of a helper repeat for every column; it does nothing else than that.
+fn repeated(signature: &syn::Signature, body: &syn::Block) -> Option<Vec<&syn::Block>> {
+    let is_local = |own: &&syn::Stmt| matches!(own, syn::Stmt::Local(_));
+    let n_locals = body.stmts.iter().take_while(is_local).count();
+    let [loops @ .., syn::Stmt::Expr(syn::Expr::Path(_), None)] = &body.stmts[n_locals..] else {
+        return None;
+    };
+    let is_short = lanes(signature).is_some_and(|lanes| (2..=8).contains(&lanes));
+    let loops = loops.iter().map(|own| match own {
+        syn::Stmt::Expr(syn::Expr::ForLoop(own), None) => columns(own),
+        _ => None,
+    });
+    let loops: Option<Vec<_>> = loops.collect();
+    loops.filter(|loops| is_short && !loops.is_empty())
 }
 
 /// Asserts that a module's functions are straight lines; how many there are, and how many stages and helpers of these.
@@ -268,13 +319,17 @@ fn assert_straight(name: &str, text: &str) -> (usize, usize) {
     let (mut n_functions, mut n_parts) = (0, 0);
     for item in &file.items {
         // The free functions, and what prepares the parameters.
-        let bodies: Vec<(String, &syn::Block)> = match item {
-            syn::Item::Fn(function) => vec![(function.sig.ident.to_string(), &function.block)],
+        let bodies: Vec<(String, &syn::Signature, &syn::Block)> = match item {
+            syn::Item::Fn(function) => vec![(
+                function.sig.ident.to_string(),
+                &function.sig,
+                &function.block,
+            )],
             syn::Item::Impl(implementation) if implementation.trait_.is_none() => {
                 let items = implementation.items.iter();
                 let methods = items.filter_map(|item| match item {
                     syn::ImplItem::Fn(method) if method.sig.ident == "new" => {
-                        Some(("Prepared::new".to_owned(), &method.block))
+                        Some(("Prepared::new".to_owned(), &method.sig, &method.block))
                     }
                     _ => None,
                 });
@@ -282,11 +337,15 @@ fn assert_straight(name: &str, text: &str) -> (usize, usize) {
             }
             _ => Vec::new(),
         };
-        for (function, body) in bodies {
+        for (function, signature, body) in bodies {
             let mut found = Found::default();
             if is_helper(&function) {
                 found.lane = Some("lane");
-                found.visit_block(repeated(body).expect("a helper repeats straight lines"));
+                let repeated = repeated(signature, body);
+                let repeated = repeated.expect("a helper repeats straight lines");
+                for block in repeated {
+                    found.visit_block(block);
+                }
             } else {
                 found.visit_block(body);
             }

@@ -24,7 +24,9 @@ impl Alignment {
         let given = scaled.map(|part| part / size);
         let unit = snapped_unit(given, tolerance);
         let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
-        if let Some(place) = unit.iter().position(|part| part.abs() == 1.0) {
+        // What is 1 may be rounded: the others must be zero.
+        let is_along = |place: usize| (0..3).all(|i| (i == place) != (unit[i] == 0.0));
+        if let Some(place) = (0..3).find(|&place| is_along(place)) {
             let mut turned = IDENTITY;
             if unit[place] < 0.0 {
                 // Half a turn about the next axis.

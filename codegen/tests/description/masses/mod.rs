@@ -82,6 +82,29 @@ fn what_counts_as_zero_is_zero_and_a_warning() {
     );
 }
 
+#[test]
+fn components_that_count_beside_others_of_a_small_inertia_count() {
+    let link = |name: &str, inertia: &str| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/><inertia {inertia}/></inertial></link>"
+        )
+    };
+    let heavy = "ixx=\"1.2\" iyy=\"1.2\" izz=\"1.2\" ixy=\"0\" ixz=\"0\" iyz=\"0\"";
+    let light =
+        "ixx=\"2e-14\" iyy=\"2e-14\" izz=\"2e-14\" ixy=\"-1.1e-14\" ixz=\"1e-30\" iyz=\"0\"";
+    let text = format!(
+        "<robot name=\"r\">{}{}<joint name=\"j\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/>\
+         <axis xyz=\"1 1 0\"/></joint></robot>",
+        link("a", heavy),
+        link("b", light)
+    );
+    let source = Source::new("r.urdf", text);
+    let checked = tree::build(&urdf::parse(&source, &Reading::default())).unwrap();
+    // About (1, 1, 0): (xx + yy) / 2 + xy.
+    let found = mass_matrix(&checked.tree, &[0.3]);
+    assert!(relative(&found, &[0.9e-14]) < 1e-14, "{found:?}");
+}
+
 /// The errors of a file, each by its first line.
 fn errors(file: &str, text: &str) -> Vec<String> {
     let source = Source::new(file, text);
