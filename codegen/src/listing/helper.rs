@@ -1,6 +1,6 @@
 //! What a function runs on several columns: a function of one column, of which nobody else knows.
 
-use super::{Code, Function, Step, entry::Given, loops};
+use super::{Code, Function, Stage, Step, entry::Given};
 use crate::{
     expr::Input,
     functions::Signature,
@@ -63,12 +63,17 @@ pub(super) fn entries(signature: &Signature, program: &Program) -> Given {
 }
 
 impl Function {
-    /// A helper.
-    pub(super) fn helper(signature: Signature, program: &Program, code: Code) -> Self {
+    /// A helper, with its loops where it has several.
+    pub(super) fn helper(
+        signature: Signature,
+        program: &Program,
+        code: Code,
+        loops: Vec<Stage>,
+    ) -> Self {
         Self {
             fused: program.fused(),
             lanes: program.lanes,
-            stages: loops::of(&signature, &code),
+            stages: loops,
             ..Self::plain(signature, program.operations(), code)
         }
     }

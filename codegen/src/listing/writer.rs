@@ -6,7 +6,7 @@ use super::{
     entry::Given,
     function::places,
     group::Groups,
-    helper,
+    helper, loops,
     name::{self, Numbering},
     scratch::Scratch,
     stages,
@@ -85,7 +85,8 @@ impl<'a> Writer<'a> {
             (places, false),
             Numbering::InFunction,
         );
-        Function::helper(signature, own, code)
+        let loops = loops::of(&signature, &code);
+        Function::helper(signature, own, code, loops)
     }
 
     /// The pattern that stands before a function: before the first that writes such an output.

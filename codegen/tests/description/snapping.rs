@@ -6,8 +6,8 @@ use kane_codegen::compile::Options;
 use kane_codegen::description::{no_includes, urdf};
 use kane_codegen::diagnostic::Source;
 use kane_codegen::generate::{Generated, generate};
-use kane_codegen::rounded_angles;
 use kane_codegen::geometry::IDENTITY;
+use kane_codegen::rounded_angles;
 use kane_codegen::tree::{Alignment, Changes};
 
 /// An arm of three links whose joints are turned by a right angle, written with these digits.

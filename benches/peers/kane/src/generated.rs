@@ -134,10 +134,7 @@ where
     match function {
         Function::MassMatrix => <S as MassMatrixPacked<f64>>::PLACES.to_vec(),
         Function::MassMatrixInverse => <S as MassMatrixInversePacked<f64>>::PLACES.to_vec(),
-        Function::Regressor => {
-            let places = <S as RegressorPacked<f64>>::PLACES.iter();
-            places.map(|&[column, row]| [row, column]).collect()
-        }
+        Function::Regressor => <S as RegressorPacked<f64>>::PLACES.to_vec(),
         Function::Jacobian => {
             let of_row = |row| S::SPEEDS.iter().map(move |speed| [row, *speed]);
             (0..6).flat_map(of_row).collect()
