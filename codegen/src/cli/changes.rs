@@ -1,14 +1,18 @@
 //! The arguments that say how a model is read and what is changed of it.
 
+use std::mem;
+
 use clap::Args;
 use kane_codegen::{
-    config::Changed,
+    config::{Changed, Prescribed},
     description::{Base, Chart, Reading},
+    options::Options,
     tree::Changes,
 };
 
 use super::{
     Failures,
+    job::Listing,
     parse::{lock, name_of, one_of, tolerance},
 };
 
@@ -41,7 +45,7 @@ pub(crate) struct ChangesArguments {
     /// Snap entries of constant rotations to 0, 1 and -1 where they are as near as this [default: 1e-9]
     ///
     /// Rounded right angles, such as 1.5708, leave crumbs that cost operations: 1e-5 takes those away. 0 changes nothing.
-    #[arg(long, value_name = "TOLERANCE", requires = "model", value_parser = tolerance)]
+    #[arg(long, value_name = "TOLERANCE", requires = "model", value_parser = tolerance, allow_negative_numbers = true)]
     snap: Option<f64>,
 
     /// Hold a coordinate at a value, rad or m; without one at 0. May be repeated
@@ -129,23 +133,8 @@ impl ChangesArguments {
         failures.none()
     }
 
-    /// How the model is read.
-    pub(crate) fn reading(&self) -> Reading {
-        self.reading.above(Reading::default())
-    }
-
-    /// What is changed of it.
-    pub(crate) fn changes(&self) -> Changes {
-        self.above(Changes::default())
-    }
-
-    /// How the model is read: what is said, above what was said before.
-    pub(crate) fn reading_above(&self, before: Reading) -> Reading {
-        self.reading.above(before)
-    }
-
     /// What is changed of the model: what is said, above what was said before.
-    pub(crate) fn above(&self, before: Changes) -> Changes {
+    fn above(&self, before: Changes) -> Changes {
         let mut changes = before;
         if let Some(snap) = self.snap {
             changes.snap = snap;
@@ -162,8 +151,25 @@ impl ChangesArguments {
         changes
     }
 
+    /// Sets what is said, above what was said before.
+    pub(crate) fn set(&self, options: &mut Options) {
+        options.reading = self.reading.above(mem::take(&mut options.reading));
+        options.changes = self.above(mem::take(&mut options.changes));
+        if !self.prescribed.is_empty() {
+            options.prescribed.clone_from(&self.prescribed);
+        }
+    }
+
+    /// Leaves out what `kane.toml` names where others are named in its place.
+    pub(crate) fn replace(&self, listing: &mut Listing) {
+        if !self.prescribed.is_empty() {
+            listing.prescribed = Prescribed::default();
+        }
+        self.forget(&mut listing.changed);
+    }
+
     /// Leaves out the lists in whose place there are others.
-    pub(crate) fn forget(&self, changed: &mut Changed) {
+    fn forget(&self, changed: &mut Changed) {
         let ReadingArguments {
             base,
             chart,
@@ -180,11 +186,6 @@ impl ChangesArguments {
                 changed.forget(list);
             }
         }
-    }
-
-    /// The joints that are prescribed.
-    pub(crate) fn prescribed(&self) -> &[String] {
-        &self.prescribed
     }
 
     /// The same arguments, as words of a command.

@@ -23,7 +23,7 @@ use super::{
     text_diff::TextDiff,
 };
 
-/// Tell whether generated files are what their models say; write nothing
+/// Check whether generated files match their models; write nothing
 ///
 /// Generates in memory and compares. If every file is up to date, it prints nothing; --verbose also shows warnings about the models.
 /// For each file that differs, it prints how many lines changed and in which functions, and which functions have other operation
@@ -45,7 +45,7 @@ pub(crate) struct Arguments {
     selection: Selection,
 
     /// Changes nothing: accepted so that the arguments of `kane generate` can stand here
-    #[arg(long)]
+    #[arg(long, hide = true)]
     force: bool,
 
     /// Show the lines that differ, as a unified diff

@@ -7,7 +7,7 @@ use clap_complete::Shell;
 
 use super::{Failures, Outcome};
 
-/// Print what a shell needs to complete the arguments of `kane`
+/// Print a completion script for a shell
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane completions bash > ~/.local/share/bash-completion/completions/kane\n  \

@@ -1,6 +1,6 @@
 //! `kane convert`.
 
-use std::{io::Write, path::PathBuf};
+use std::{ffi::OsStr, io::Write, path::PathBuf};
 
 use clap::Args;
 use kane_codegen::{
@@ -50,6 +50,14 @@ pub(crate) fn run(
     let model = &arguments.model;
     let output = arguments.output.as_deref();
     let target = output.map_or(Target::StandardOutput, Target::new);
+    if let Target::File(path) = &target
+        && path.extension() != Some(OsStr::new("toml"))
+    {
+        return Err(Failures::message(format!(
+            "`{}` is to be a model in our own format; expected a file that ends in `.toml`, or `-`",
+            path.display()
+        )));
+    }
     if target.is_same_file(model) {
         return Err(Failures::message(format!(
             "`{}` is the model; what it is converted to needs a file of its own",

@@ -15,7 +15,7 @@ use kane_codegen::{
     expr::Input,
     functions::{CompactBlock, Dimension, Packed, Request},
     input,
-    options::{Formulation, Options},
+    options::Formulation,
     recursive::Technique,
     solve,
     tree::Tree,
@@ -25,7 +25,8 @@ use serde_json::{Map, Value, json};
 use super::{
     Failures, Outcome, Voice,
     changes::ChangesArguments,
-    job, json, options, parse,
+    job::Job,
+    json, listed, options, parse,
     state::{self, State},
 };
 
@@ -36,6 +37,9 @@ use super::{
 /// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
 /// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
 /// `columns`, all from 0. Packed matrices come as `entries`, and `places`, the row and column of each, factors with the `order` of elimination; packed Jacobians with the `speeds` that their columns belong to. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
+///
+/// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
+/// hold; options on the command line override them.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "The state file holds what the function is given, in SI units:\n  \
@@ -74,8 +78,8 @@ pub(crate) struct Arguments {
     state: PathBuf,
 
     /// How sums over bodies are computed: `notes`, `recursive`, or `cheapest`, whichever needs fewer operations
-    #[arg(long, value_name = "WHICH", default_value = "cheapest", value_parser = parse::one_of(Formulation::ALL))]
-    formulation: Formulation,
+    #[arg(long, value_name = "WHICH", value_parser = parse::one_of(Formulation::ALL))]
+    formulation: Option<Formulation>,
 
     /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = parse::one_of(Technique::ALL))]
@@ -90,18 +94,13 @@ pub(crate) fn run(
 ) -> Result<Outcome, Failures> {
     let mut failures = Failures::default();
     let function = failures.keep(options::request(&arguments.function));
-    let changes = &arguments.changes;
-    failures.keep(changes.check());
-    let checked = job::check(
-        &arguments.model,
-        &changes.reading(),
-        &changes.changes(),
-        changes.prescribed(),
-    );
-    let checked = failures.keep(checked);
+    let job = failures.keep(listed::looked_at(&arguments.model, &arguments.changes));
+    let checked = job.as_ref().map(Job::checked);
+    let checked = checked.and_then(|checked| failures.keep(checked));
     let state = failures.keep(read_state(&arguments.state));
     failures.none()?;
-    let (Some(function), Some(checked), Some(state)) = (function, checked, state) else {
+    let (Some(function), Some(job), Some(checked), Some(state)) = (function, job, checked, state)
+    else {
         unreachable!("eval: what is absent left a failure")
     };
     voice.warn_alone(&checked.warnings);
@@ -112,11 +111,11 @@ pub(crate) fn run(
     if function.text() != "normalize" {
         warn_of_quaternions(tree, &inputs, voice);
     }
-    let options = Options {
-        formulation: arguments.formulation,
-        without: arguments.without.iter().copied().collect(),
-        ..Options::default()
-    };
+    let mut options = job.options;
+    options.formulation = arguments.formulation.unwrap_or(options.formulation);
+    if !arguments.without.is_empty() {
+        options.without = arguments.without.iter().copied().collect();
+    }
     compile::check_size(tree, slice::from_ref(&function), &options)?;
     let plans = Plans::new(tree, &options.without);
     let derived = compile::choose(&plans, &function, options.formulation).derived;

@@ -11,14 +11,14 @@ use kane_codegen::{
     budget::{self, Budget, Excess},
     companions,
     config::{Changed, Named, Prescribed},
-    description::{self, Description, Reading},
+    description::{self, Description},
     diagnostic::{Diagnostic, Diagnostics, Source, Span},
     error::Error,
     functions::RequestError,
     generate::{self, Generated},
     input,
     options::Options,
-    tree::{self, Changes, Checked, PrescribedFault, Tree},
+    tree::{self, Checked, PrescribedFault, Tree},
 };
 
 use super::{Failures, Voice, operations::Row, paths};
@@ -63,6 +63,21 @@ pub(crate) enum Target {
 }
 
 impl Job {
+    /// One with default options, for a model that no `kane.toml` lists.
+    pub(crate) fn unlisted(model: &Path, shown: String, target: Target) -> Self {
+        Self {
+            model: model.to_owned(),
+            shown,
+            options: Options {
+                module: target.module(),
+                ..Options::default()
+            },
+            target,
+            budget: Vec::new(),
+            listing: None,
+        }
+    }
+
     /// The files that are written: the module, and what is beside it. Standard output takes the module alone.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         let Target::File(module) = &self.target else {
@@ -152,8 +167,8 @@ impl Job {
         failures
     }
 
-    /// Reads the model, and checks it and what is asked of it, without generating anything.
-    pub(crate) fn check_model(&self) -> Result<(), Failures> {
+    /// Reads the model, checks it and makes the changes.
+    pub(crate) fn checked(&self) -> Result<Model, Failures> {
         let source = read(&self.model).map_err(|error| self.unreadable(error))?;
         let Options {
             reading,
@@ -163,9 +178,19 @@ impl Job {
         } = &self.options;
         let description = description::read(&source, reading, &include(&self.model));
         let checked = tree::build_with(&description, changes);
-        let Checked { tree, .. } = checked.map_err(|found| self.refused(found))?;
+        let Checked { tree, warnings } = checked.map_err(|found| self.refused(found))?;
         let tree = tree::prescribe(&description, tree, prescribed);
         let tree = tree.map_err(|faults| self.not_prescribed(faults))?;
+        Ok(Model {
+            description,
+            tree,
+            warnings,
+        })
+    }
+
+    /// The same, and checks what is asked of it, without generating anything.
+    pub(crate) fn check_model(&self) -> Result<(), Failures> {
+        let Model { tree, .. } = self.checked()?;
         let requests = self.options.requests(&tree);
         requests.map_err(|faults| self.not_had(faults))?;
         Ok(())
@@ -210,7 +235,7 @@ impl Job {
             Some(module) if module.extension() != Some(OsStr::new("rs")) => {
                 let module = module.display();
                 Err(Failures::message(format!(
-                    "`{module}` is to be a module; expected a file that ends in `.rs`, or `-`"
+                    "`{module}` is to be a module; expected a file that ends in `.rs`, or `-`; other files are written beside it"
                 )))
             }
             _ => Ok(()),
@@ -305,23 +330,6 @@ pub(crate) struct Model {
     pub(crate) description: Description,
     pub(crate) tree: Tree,
     pub(crate) warnings: Diagnostics,
-}
-
-/// Reads a model, checks it and prescribes these joints.
-pub(crate) fn check(
-    model: &Path,
-    reading: &Reading,
-    changes: &Changes,
-    prescribed: &[String],
-) -> Result<Model, Failures> {
-    let description = description::read(&read(model)?, reading, &include(model));
-    let Checked { tree, warnings } = tree::build_with(&description, changes)?;
-    let tree = tree::prescribe(&description, tree, prescribed).map_err(Error::Prescribed)?;
-    Ok(Model {
-        description,
-        tree,
-        warnings,
-    })
 }
 
 fn generate_one(job: &Job) -> Result<Generated, Failures> {

@@ -12,10 +12,12 @@ use std::{
 use kane_codegen::{
     config::{self, Config, System, clean_path},
     diagnostic::Source,
+    error::Error,
 };
 
 use super::{
     Failures,
+    changes::ChangesArguments,
     job::{self, Job, Listing, Target},
     paths,
 };
@@ -101,6 +103,35 @@ impl Listed {
         let systems = self.config.systems.iter().filter(is_listed);
         systems.map(|system| self.job(system)).collect()
     }
+}
+
+/// The `kane.toml` for one model: the one that is named, or the nearest in its folder or above it.
+pub(super) fn config_of(model: &Path, named: Option<&Path>) -> Result<Option<PathBuf>, Error> {
+    if let Some(path) = named {
+        return Ok(Some(path.to_owned()));
+    }
+    let above = paths::config_above(&paths::target(paths::parent(model))?);
+    above.map(|path| paths::shown(&path)).transpose()
+}
+
+/// A model to look at, as the first system of its `kane.toml` has it that lists it, or by default options; with these changes.
+pub(super) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
+    changes.check()?;
+    job::read(model)?;
+    let config = config_of(model, None)?;
+    let listed = config.as_deref().map(Listed::read).transpose()?;
+    let jobs = listed.as_ref().map(|listed| listed.jobs_of(model));
+    let first = jobs.transpose()?.and_then(|jobs| jobs.into_iter().next());
+    let mut job = match first {
+        Some(job) => job,
+        None => Job::unlisted(model, shown_model(model, None)?, Target::StandardOutput),
+    };
+    model.clone_into(&mut job.model);
+    changes.set(&mut job.options);
+    if let Some(listing) = &mut job.listing {
+        changes.replace(listing);
+    }
+    Ok(job)
 }
 
 /// The model's path as the banner shows it: relative to `kane.toml`, else the file's name.

@@ -2,11 +2,11 @@
 //!
 //! In: arguments. Out: what they ask for, read, to stand above what `kane.toml` says.
 
-use std::{mem, path::Path};
+use std::path::Path;
 
 use clap::Args;
 use kane_codegen::{
-    config::{Named, Prescribed},
+    config::Named,
     error::Error,
     functions::{Parsed, split},
     options::{ALL, Formulation, Functions, Options, is_in_all, is_set},
@@ -16,7 +16,8 @@ use kane_codegen::{
 use super::{
     Failures,
     changes::ChangesArguments,
-    job::{self, Listing},
+    job::Listing,
+    listed,
     parse::{name_of, one_of},
 };
 
@@ -81,13 +82,8 @@ impl OptionsArguments {
 
     /// What the model lacks of that, beside names that are none. What is wrong with the model itself waits until they are right.
     pub(crate) fn lacking(&self, model: &Path) -> Failures {
-        let changes = &self.changes;
-        let checked = job::check(
-            model,
-            &changes.reading(),
-            &changes.changes(),
-            changes.prescribed(),
-        );
+        let job = listed::looked_at(model, &self.changes);
+        let checked = job.and_then(|job| job.checked());
         let mut failures = Failures::default();
         if let Ok(checked) = checked {
             let names = names(self.functions.as_deref().unwrap_or_default());
@@ -126,35 +122,24 @@ impl OptionsArguments {
 }
 
 impl Asked<'_> {
-    /// True where it says which joints are prescribed.
-    fn names_prescribed(&self) -> bool {
-        !self.arguments.changes.prescribed().is_empty()
-    }
-
     /// Leaves out what `kane.toml` names and it names others for.
     pub(crate) fn replace(&self, listing: &mut Listing) {
         if self.functions.is_some() {
             listing.functions = Named::default();
         }
-        if self.names_prescribed() {
-            listing.prescribed = Prescribed::default();
-        }
-        self.arguments.changes.forget(&mut listing.changed);
+        self.arguments.changes.replace(listing);
     }
 
     /// Sets what is asked for, above what was said before.
     pub(crate) fn set(&self, options: &mut Options) {
         let arguments = self.arguments;
+        arguments.changes.set(options);
         let Options {
-            reading,
-            changes,
-            prescribed,
             functions,
             formulation,
             fma,
             without,
-            companions: _,
-            module: _,
+            ..
         } = options;
         if let Some(asked) = &self.functions {
             functions.clone_from(asked);
@@ -163,11 +148,6 @@ impl Asked<'_> {
         *fma = arguments.fma.unwrap_or(*fma);
         if !arguments.without.is_empty() {
             *without = arguments.without.iter().copied().collect();
-        }
-        *reading = arguments.changes.reading_above(mem::take(reading));
-        *changes = arguments.changes.above(mem::take(changes));
-        if self.names_prescribed() {
-            *prescribed = arguments.changes.prescribed().to_vec();
         }
     }
 }
@@ -188,7 +168,11 @@ pub(crate) fn functions(lists: &[String]) -> Result<Functions, Failures> {
     let mut failures = Failures::default();
     for (index, name) in names.iter().enumerate() {
         let request = (!is_set(name)).then(|| request(name)).transpose();
-        if let Err(fault) = request {
+        if name.trim().is_empty() {
+            failures.add(Failures::message(
+                "--functions has no name between two commas, or behind the last",
+            ));
+        } else if let Err(fault) = request {
             failures.add(fault);
         } else if names[..index].contains(name) {
             failures.add(Failures::message(format!(

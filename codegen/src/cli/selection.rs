@@ -5,11 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use kane_codegen::{
-    companions::{Abi, CompanionKind},
-    error::Error,
-    options::Options,
-};
+use kane_codegen::companions::{Abi, CompanionKind};
 
 use super::{
     Failures,
@@ -31,14 +27,14 @@ pub(crate) struct Selection {
     #[arg(value_name = "MODEL")]
     model: Option<PathBuf>,
 
-    /// The file to write; `-` is standard output
+    /// The module's file; for `generate`, `-` is standard output
     ///
     /// The path is relative to the current folder. `kane.toml` gives options only if it lists this model with this file; otherwise
     /// options have their defaults.
     #[arg(long, short, value_name = "FILE", requires = "model")]
     output: Option<PathBuf>,
 
-    /// Write the manifest beside the module too: what it holds, as JSON, `panda.json` for `panda.rs`
+    /// With the manifest beside the module: what it holds, as JSON, `panda.json` for `panda.rs`
     ///
     /// `--manifest=false` overrides `manifest = true` in `kane.toml`.
     #[arg(
@@ -51,7 +47,7 @@ pub(crate) struct Selection {
     )]
     manifest: Option<bool>,
 
-    /// Write tests of the module beside it too, `panda_tests.rs` for `panda.rs`
+    /// With tests of the module beside it, `panda_tests.rs` for `panda.rs`
     ///
     /// `--with-tests=false` overrides `tests = true` in `kane.toml`.
     #[arg(
@@ -64,7 +60,7 @@ pub(crate) struct Selection {
     )]
     with_tests: Option<bool>,
 
-    /// Write the module's functions for other languages beside it too: for C `panda_c.rs` and `panda.h`
+    /// With the module's functions for other languages beside it: for C `panda_c.rs` and `panda.h`
     ///
     /// `panda_c.rs` holds `extern "C"` functions for a static library that has both files as modules, `panda.h` declares them.
     #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Abi::ALL))]
@@ -191,7 +187,7 @@ impl Selection {
     fn single(&self, model: &Path, asked: &Asked<'_>) -> Result<Vec<Job>, Failures> {
         // A model that cannot be read is told before anything that follows from it.
         job::read(model)?;
-        let config = self.config_of(model)?;
+        let config = listed::config_of(model, self.config.as_deref())?;
         let listed = config.as_deref().map(Listed::read).transpose()?;
         let jobs = listed.as_ref().map(|listed| listed.jobs_of(model));
         let mut jobs = jobs.transpose()?.unwrap_or_default();
@@ -204,17 +200,8 @@ impl Selection {
             jobs.retain(|job| job.target.is_same_file(&output));
             if jobs.is_empty() {
                 let target = Target::new(&output);
-                jobs.push(Job {
-                    model: model.to_owned(),
-                    shown: listed::shown_model(model, listed.as_ref())?,
-                    options: Options {
-                        module: target.module(),
-                        ..Options::default()
-                    },
-                    target,
-                    budget: Vec::new(),
-                    listing: None,
-                });
+                let shown = listed::shown_model(model, listed.as_ref())?;
+                jobs.push(Job::unlisted(model, shown, target));
             }
         }
         if let Some(config) = config.filter(|_| jobs.is_empty()) {
@@ -241,15 +228,6 @@ impl Selection {
             }
         }
         Ok(jobs)
-    }
-
-    /// The `kane.toml` for one model.
-    fn config_of(&self, model: &Path) -> Result<Option<PathBuf>, Error> {
-        if let Some(path) = &self.config {
-            return Ok(Some(path.clone()));
-        }
-        let above = paths::config_above(&paths::target(paths::parent(model))?);
-        above.map(|path| paths::shown(&path)).transpose()
     }
 }
 

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::{Failures, Outcome, json, parse::one_of};
 
-/// Check what is promised of generated functions on their machine code
+/// Check the machine code of generated functions against the guarantees
 ///
 /// Compiles each module with rustc and reads every instruction of its functions. No function may jump, except in loops of
 /// fixed length: over the columns or branches of a helper, or the pages of a large stack. A function may call only its own stages and helpers and the runtime's sines and cosines, which are read too; so none
@@ -32,8 +32,8 @@ pub(crate) struct Arguments {
     #[arg(value_name = "FILE", required = true)]
     modules: Vec<PathBuf>,
 
-    /// Check machine code
-    #[arg(long, required = true)]
+    /// Check machine code: all that is checked, so it need not be said
+    #[arg(long)]
     object: bool,
 
     /// The scalar of the functions
@@ -44,7 +44,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "LEVEL", default_value = "3", value_parser = one_of(OptLevel::ALL))]
     opt_level: OptLevel,
 
-    /// How it is written
+    /// Output format
     #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
     format: Format,
 
@@ -67,7 +67,6 @@ enum Format {
 
 /// Compiles and reads.
 pub(crate) fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<Outcome, Failures> {
-    assert!(arguments.object, "clap: it is required");
     let options = Options {
         scalar: arguments.scalar,
         opt_level: arguments.opt_level,

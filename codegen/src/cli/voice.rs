@@ -11,12 +11,18 @@ use kane_codegen::diagnostic::{Diagnostics, Severity, printable};
 /// How much is told.
 #[derive(Args, Clone, Copy, Debug)]
 pub(crate) struct Voice {
-    /// Tell everything: each warning and note at full length, and each file
-    #[arg(long, short, global = true, conflicts_with = "quiet")]
+    /// Print everything: each warning and note at full length, and each file
+    #[arg(
+        long,
+        short,
+        global = true,
+        conflicts_with = "quiet",
+        display_order = 900
+    )]
     verbose: bool,
 
-    /// Tell nothing but errors
-    #[arg(long, short, global = true)]
+    /// Print errors only
+    #[arg(long, short, global = true, display_order = 901)]
     quiet: bool,
 }
 

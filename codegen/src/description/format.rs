@@ -13,7 +13,7 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
         return Description::none(&empty, vec![fault]);
     }
     let extension = source.name().rsplit_once('.').map_or("", |(_, end)| end);
-    let no_equalities = Some("it has no equalities, tendons or fluids");
+    let no_equalities = Some("a URDF has no equalities, tendons or fluids");
     let (mut description, base, chart, left_out) = match extension.to_ascii_lowercase().as_str() {
         "urdf" | "xacro" => (urdf::parse(source, reading), None, None, no_equalities),
         "xml" | "mjcf" if urdf::is_urdf(source) => {
@@ -34,7 +34,8 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
                         that floats has `joint = \"free\"` and `chart = \"quaternion\"`";
             let chart = "each joint of this model says it itself, with the key `chart`";
             let description = toml::parse(source);
-            (description, Some(base), Some(chart), no_equalities)
+            let none = "a model of this format has no equalities, tendons or fluids";
+            (description, Some(base), Some(chart), Some(none))
         }
     };
     // What the model says itself is not asked for a second time.

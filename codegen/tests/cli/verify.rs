@@ -172,7 +172,10 @@ fn the_runtime_is_the_one_on_which_the_package_depends() {
 }
 
 #[test]
-fn what_is_to_be_verified_must_be_said() {
-    let ran = Project::generated().kane(&["verify", MODULE]);
-    assert_refused(&ran, &["--object"]);
+fn machine_code_is_verified_without_a_word_of_it() {
+    let project = Project::generated();
+    let kane = repository("");
+    let ran = project.kane(&["verify", MODULE, "--kane", kane.to_str().unwrap()]);
+    let said = verify(&project, &[MODULE]);
+    assert_eq!((ran.code, &ran.out), (0, &said.out));
 }

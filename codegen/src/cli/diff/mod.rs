@@ -24,7 +24,7 @@ use report::Report;
 use side::Side;
 use systems::{Snapshot, Systems};
 
-/// Tell what differs between two models, two generated modules, or two git revisions
+/// Show what differs between two models, two generated modules, or two git revisions
 ///
 /// OLD and NEW are files, files in a revision as git writes them (`HEAD~1:models/arm.toml`, from the repository's root;
 /// `:models/arm.toml` is staged), or revisions. For two revisions, such as `main` and `HEAD`, it compares everything that the
@@ -55,7 +55,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "NEW")]
     new: Option<PathBuf>,
 
-    /// How it is written
+    /// Output format
     #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
     format: Format,
 

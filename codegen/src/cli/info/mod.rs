@@ -19,7 +19,7 @@ use kane_codegen::{
 
 use self::facts::Shown;
 use super::{
-    Failures, Outcome, Voice, changes::ChangesArguments, job, json, options, parse::one_of,
+    Failures, Outcome, Voice, changes::ChangesArguments, json, listed, options, parse::one_of,
     rounded_angles,
 };
 
@@ -28,6 +28,9 @@ use super::{
 /// Bodies are numbered from 1, places in q and u from 0, as in code. A partition is the block of columns of a partial velocity that
 /// belongs to one body's angles or translations: of N bodies, partition J belongs to the angles of body J, and partition N + J to
 /// its translations.
+///
+/// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
+/// hold; options on the command line override them.
 #[derive(Args, Debug)]
 #[command(
     after_long_help = "Keys of --json, which stay as they are; more may come:\n  \
@@ -90,12 +93,10 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
-    let changes = &arguments.changes;
-    changes.check()?;
     let asked = arguments.functions.as_deref().map(options::functions);
     let asked = asked.transpose()?;
-    let (reading, changed) = (changes.reading(), changes.changes());
-    let model = job::check(&arguments.model, &reading, &changed, changes.prescribed())?;
+    let job = listed::looked_at(&arguments.model, &arguments.changes)?;
+    let model = job.checked()?;
     voice.warn_alone(&model.warnings);
     let tree = &model.tree;
     let is_large = tree.n_speeds.max(tree.n_parts()) > COUNTED;
@@ -109,14 +110,13 @@ pub(crate) fn run(
         return Ok(Outcome::Done);
     }
     let are_default = asked.is_none();
-    let options = Options {
-        reading,
-        changes: changed,
-        prescribed: changes.prescribed().to_vec(),
+    let mut options = Options {
         functions: asked.unwrap_or_else(|| unasked(arguments.json)),
-        without: arguments.without.iter().copied().collect(),
-        ..Options::default()
+        ..job.options
     };
+    if !arguments.without.is_empty() {
+        options.without = arguments.without.iter().copied().collect();
+    }
     let is_counted = !(is_large && are_default);
     let counts = if is_counted {
         rounded_angles::tell_of(&model.description, &options, voice);

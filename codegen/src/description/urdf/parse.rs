@@ -74,7 +74,7 @@ fn read(
             return None;
         }
     }
-    if let Some(fault) = unexpanded(robot) {
+    if let Some(fault) = unexpanded(robot, source) {
         reader.faults.push(fault);
         return None;
     }
@@ -99,12 +99,14 @@ fn read(
     })
 }
 
-/// Elements of xacro that stand for nothing: what is left of them in a URDF does no harm.
+/// Elements of xacro that stand for nothing: what is left of them in a URDF does no harm, if nothing is to be computed.
 const LEFTOVERS: [&str; 3] = ["xacro:arg", "xacro:macro", "xacro:property"];
 
 /// What is wrong with a file that xacro did not expand: links and joints may be missing.
-fn unexpanded(robot: Element<'_>) -> Option<Diagnostic> {
-    let stands_for_more = |name: &str| name.starts_with("xacro:") && !LEFTOVERS.contains(&name);
+fn unexpanded(robot: Element<'_>, source: &Source) -> Option<Diagnostic> {
+    let computes = source.text().contains("${");
+    let stands_for_more =
+        |name: &str| name.starts_with("xacro:") && (computes || !LEFTOVERS.contains(&name));
     let mut children = robot.children();
     let first = children.find(|child| stands_for_more(child.name()))?;
     let fault = format!("`{}` is no element of a URDF", shown(first.name()));

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Words with which other tools' names begin.
-const BEFORE: [&str; 5] = ["compute", "calc", "get", "eval", "pinocchio"];
+const BEFORE: [&str; 6] = ["compute", "calc", "get", "eval", "pinocchio", "data"];
 
 /// Our request for what other tools call so; letters' case and what is no letter or digit do not count.
 pub fn elsewhere(name: &str) -> Option<&'static str> {
@@ -94,7 +94,7 @@ pub(in crate::functions) fn advice_on_frame(name: &str) -> Option<String> {
         ),
         "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
         "world" | "universe" | "global" | "inertial" | "ground" => Some(
-            "frames are seen from the inertial frame, along its axes, without any word behind them"
+            "the inertial frame is no word: what is asked of a frame is relative to it already"
                 .to_owned(),
         ),
         _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {

@@ -2,16 +2,18 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 32] = [
     (
         "inverse_dynamics",
-        &["rnea", "id", "newtoneuler", "mjinverse"],
+        &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
     ),
     (
         "mass_matrix",
         &[
             "crba",
             "compositerigidbodyalgorithm",
+            "m",
+            "inertia",
             "inertiamatrix",
             "jointspaceinertia",
             "mjfullm",
@@ -30,6 +32,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
         &[
             "gravity",
             "gravityterm",
+            "gravload",
             "generalizedgravity",
             "gravitycompensation",
             "gravityvector",
@@ -54,7 +57,9 @@ pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
         "pose(FRAME)",
         &[
             "fk",
+            "fkine",
             "forwardkinematics",
+            "endeffectorpose",
             "framesforwardkinematics",
             "placement",
             "transform",
@@ -94,8 +99,10 @@ pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
         "jacobian(FRAME)",
         &[
             "jac",
+            "jacob0",
             "framejacobian",
             "jointjacobian",
+            "jointjacobians",
             "geometricjacobian",
             "mjjac",
             "mjjacbody",
@@ -104,9 +111,11 @@ pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
             "jacobianspatialvelocity",
         ],
     ),
+    ("jacobian(FRAME, local)", &["bodyjacobian", "jacobe"]),
     (
         "jacobian_dot_u(FRAME)",
         &[
+            "jacobiantimevariation",
             "jdotv",
             "jdotqdot",
             "jacobiandot",
@@ -115,10 +124,16 @@ pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
             "biasspatialacceleration",
         ],
     ),
-    ("generalized_force(FRAME)", &["mjapplyft"]),
+    ("generalized_force(FRAME)", &["mjapplyft", "wrench"]),
     (
         "operational_inverse_inertia(FRAME)",
-        &["delassus", "delassusmatrix", "efcar"],
+        &[
+            "delassus",
+            "delassusmatrix",
+            "efcar",
+            "lambda",
+            "taskinertia",
+        ],
     ),
     ("imu(FRAME)", &["accelerometer", "gyro"]),
     (
@@ -151,6 +166,14 @@ pub(super) const REQUESTS: [(&str, &[&str]); 29] = [
     (
         "centroidal_momentum_matrix",
         &["cmm", "ccrba", "ag", "mjangmommat"],
+    ),
+    (
+        "linear_momentum+angular_momentum",
+        &["momentum", "centroidalmomentum"],
+    ),
+    (
+        "kinetic_energy+potential_energy",
+        &["energy", "totalenergy"],
     ),
     ("kinetic_energy", &["mjenergyvel"]),
     ("potential_energy", &["mjenergypos"]),
@@ -190,12 +213,18 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
 /// What the runtime crate does, for every system.
 pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
     ("kane::inverse_kinematics", &["inversekinematics", "ik"]),
-    ("kane::manifold::q_plus", &["integrate", "mjintegratepos"]),
+    (
+        "kane::manifold::q_plus",
+        &["integrate", "mjintegratepos", "qplus"],
+    ),
     (
         "kane::manifold::q_minus",
-        &["difference", "mjdifferentiatepos"],
+        &["difference", "mjdifferentiatepos", "qminus"],
     ),
-    ("kane::discrete", &["mjstep", "linearize", "discretize"]),
+    (
+        "kane::discrete",
+        &["mjstep", "linearize", "discretize", "rk4", "rk4step"],
+    ),
 ];
 
 /// Our variables, and other names of the same.

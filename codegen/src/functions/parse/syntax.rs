@@ -236,7 +236,7 @@ impl<'a> Reader<'a> {
     fn derivative(&mut self) -> Result<Kind, Unexpected> {
         let of = self.inner()?;
         self.expect(')', self.unless_sum("expected `)`"))?;
-        let expected = "expected `/d(VARIABLES)`";
+        let expected = "expected `/d(VARIABLES)`, as in `d(forward_dynamics)/d(q, u, tau)`";
         self.expect('/', expected)?;
         self.expect('d', expected)?;
         self.expect('(', expected)?;
@@ -261,7 +261,10 @@ impl<'a> Reader<'a> {
 
     fn product(&mut self, name: Word) -> Result<Kind, Unexpected> {
         let of = self.inner()?;
-        self.expect(';', self.unless_sum("expected `; VARIABLES`"))?;
+        self.expect(
+            ';',
+            self.unless_sum("expected `; VARIABLES`, as in `vjp(inverse_dynamics; q, u)`"),
+        )?;
         let along = self.words()?;
         Ok(Kind::Product { name, of, along })
     }

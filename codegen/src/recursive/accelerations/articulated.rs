@@ -18,6 +18,7 @@ use crate::{
             linkage::Linkage,
             passage::{Drive, Passenger},
             rotation::Turn,
+            totalled::Addend,
             wrench::Wrench,
         },
     },

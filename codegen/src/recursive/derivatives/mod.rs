@@ -36,7 +36,7 @@ use self::{
 };
 use super::{
     forces::loaded,
-    links::{linkage::Linkage, wrench::Wrench},
+    links::{linkage::Linkage, totalled::Addend, wrench::Wrench},
     matrices::{gathered::Gathered, moments::Rates, shortcut::Shortcuts},
     plan::{Plan, Technique},
 };

@@ -13,6 +13,7 @@ use crate::{
             link::{self, Link},
             passage::{Drive, Passenger},
             rotation::Turn,
+            totalled::Addend,
             wrench::{self, Wrench},
         },
         plan::Plan,
@@ -248,9 +249,10 @@ impl Weight {
             moment: graph.add_vectors(self.moment, shift),
         }
     }
+}
 
-    /// Both together, about the same point.
-    pub(in crate::recursive) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+impl Addend for Weight {
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),

@@ -10,6 +10,7 @@ use crate::{
             linkage::Linkage,
             passage::{Drive, Passenger},
             rotation::Turn,
+            totalled::Addend,
             wrench::{self, Wrench},
         },
         plan::Plan,

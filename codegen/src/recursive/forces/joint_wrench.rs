@@ -8,7 +8,7 @@ use crate::{
     given::{Accelerations, Loads},
     id::BodyMap,
     recursive::{
-        links::{linkage::Linkage, wrench::Wrench},
+        links::{linkage::Linkage, totalled::Addend, wrench::Wrench},
         plan::{Plan, Technique},
     },
     tree::Tree,

@@ -16,5 +16,6 @@ pub(super) mod regroup;
 pub(super) mod root;
 pub(super) mod rotation;
 pub(super) mod rounding;
+pub(super) mod totalled;
 pub(super) mod turning_axis;
 pub(super) mod wrench;

@@ -4,6 +4,7 @@ use super::{
     inertia::Composite,
     passage::{Drive, Passenger},
     rotation::Turn,
+    totalled::Addend,
 };
 use crate::{
     expr::{Expr, ExprGraph, Vector},
@@ -37,14 +38,6 @@ impl Wrench {
         Self {
             force: graph.add_vectors(carried, swept),
             moment: graph.add_vectors(spun, lever),
-        }
-    }
-
-    /// Both together, about the same point.
-    pub(in crate::recursive) fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
-        Self {
-            force: graph.add_vectors(self.force, other.force),
-            moment: graph.add_vectors(self.moment, other.moment),
         }
     }
 
@@ -98,6 +91,15 @@ impl Passenger for Wrench {
     }
 
     fn along(&mut self, _: &mut ExprGraph, _: [Option<Motion>; 3]) {}
+}
+
+impl Addend for Wrench {
+    fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
+        Self {
+            force: graph.add_vectors(self.force, other.force),
+            moment: graph.add_vectors(self.moment, other.moment),
+        }
+    }
 }
 
 /// Adds what acts along motions, by the axes of these, to the generalized forces of their speeds.

@@ -15,6 +15,8 @@ use crate::{
             passage::{Drive, Passenger, speeds},
             root,
             rotation::Turn,
+            totalled::{Addend, totalled},
+            wrench::Wrench,
         },
         plan::Plan,
     },
@@ -46,30 +48,32 @@ pub fn momentum_matrix_dot_u(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) ->
     let plan = root::kept_whole(tree, plan);
     let linkage = Linkage::weightless(graph, tree, &plan);
     let center = from_first(graph, tree, &linkage.links);
-    let mut wrenches = link_motion::inertial_wrenches(graph, &linkage, Accelerations::Zero);
+    let wrenches = link_motion::inertial_wrenches(graph, &linkage, Accelerations::Zero);
+    let name = |wrench: &Wrench, graph: &mut ExprGraph| {
+        graph.name_vector(wrench.force, "f");
+        graph.name_vector(wrench.moment, "n");
+    };
     let mut sum = Momentum::zero(graph);
     graph.begin(Purpose::Momentum);
-    for body in tree.body_ids().rev() {
-        graph.enter(body);
-        let mut passing = wrenches[body];
-        graph.name_vector(passing.force, "f");
-        graph.name_vector(passing.moment, "n");
-        linkage.passages[body].inward(graph, &mut passing);
-        graph.enter(tree.lower(body));
-        if let Some(lower) = tree.lower(body) {
-            wrenches[lower] = wrenches[lower].plus(graph, &passing);
-            continue;
-        }
-        let origin = root::from_first(graph, tree, &linkage.links, body);
-        graph.enter(None);
-        let from_center = graph.sub_vectors(origin, center);
-        let about_center = passing.moved(graph, from_center);
-        let own = Momentum {
-            linear: about_center.force,
-            angular: about_center.moment,
-        };
-        sum = sum.plus(graph, &own);
-    }
+    let passage = |body| &linkage.passages[body];
+    totalled(
+        graph,
+        tree,
+        passage,
+        wrenches,
+        name,
+        |graph, body, wrench| {
+            let origin = root::from_first(graph, tree, &linkage.links, body);
+            graph.enter(None);
+            let from_center = graph.sub_vectors(origin, center);
+            let about_center = wrench.moved(graph, from_center);
+            let own = Momentum {
+                linear: about_center.force,
+                angular: about_center.moment,
+            };
+            sum = sum.plus(graph, &own);
+        },
+    );
     sum
 }
 
@@ -104,31 +108,30 @@ struct MovingMass {
 /// All of it, about the origin of the first link on the inertial frame, inertial components.
 fn whole(graph: &mut ExprGraph, tree: &Tree, links: &BodyMap<Link>) -> MovingMass {
     graph.begin(Purpose::Momentum);
-    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| MovingMass {
+    let masses = BodyMap::outward(tree.bodies.len(), |body, _| MovingMass {
         mass: links[body].inertia.mass,
         moment: links[body].inertia.moment,
         rate: graph.zero_vector(),
     });
+    let name = |mass: &MovingMass, graph: &mut ExprGraph| {
+        graph.name_vector(mass.moment, "composite");
+        graph.name_vector(mass.rate, "composite_dot");
+    };
     let mut all = MovingMass::none(graph);
-    for body in tree.body_ids().rev() {
-        graph.enter(body);
-        let mut passing = weights[body];
-        graph.name_vector(passing.moment, "composite");
-        graph.name_vector(passing.rate, "composite_dot");
-        links[body].passage.inward(graph, &mut passing);
-        // The lower link's own is zero: what arrives first would else bear its name.
-        graph.enter(body);
-        graph.name_vector(passing.rate, "composite_dot_below");
-        graph.enter(tree.lower(body));
-        if let Some(lower) = tree.lower(body) {
-            weights[lower] = weights[lower].plus(graph, &passing);
-            continue;
-        }
-        let origin = root::from_first(graph, tree, links, body);
-        graph.enter(None);
-        passing.shift(graph, body, origin);
-        all = all.plus(graph, &passing);
-    }
+    let passage = |body| &links[body].passage;
+    totalled(
+        graph,
+        tree,
+        passage,
+        masses,
+        name,
+        |graph, body, mut mass| {
+            let origin = root::from_first(graph, tree, links, body);
+            graph.enter(None);
+            mass.shift(graph, body, origin);
+            all = all.plus(graph, &mass);
+        },
+    );
     all
 }
 
@@ -140,14 +143,20 @@ impl MovingMass {
             rate: graph.zero_vector(),
         }
     }
+}
 
-    /// Both together, about the same point.
+impl Addend for MovingMass {
     fn plus(&self, graph: &mut ExprGraph, other: &Self) -> Self {
         Self {
             mass: graph.add(self.mass, other.mass),
             moment: graph.add_vectors(self.moment, other.moment),
             rate: graph.add_vectors(self.rate, other.rate),
         }
+    }
+
+    /// The lower link's own rate is zero: what arrives first would else bear its name.
+    fn name_below(&self, graph: &mut ExprGraph) {
+        graph.name_vector(self.rate, "composite_dot_below");
     }
 }
 

@@ -12,6 +12,7 @@ use crate::{
             link,
             link_velocity::{self, LinkVelocity},
             root,
+            totalled::totalled,
         },
         plan::Plan,
     },
@@ -48,25 +49,27 @@ pub fn of_weights(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Expr {
     // Below links on the inertial frame is none that could have their weight.
     let links = link::links(graph, tree, &root::kept_whole(tree, plan));
     graph.begin(Purpose::Weight);
-    let mut weights = BodyMap::outward(tree.bodies.len(), |body, _| {
+    let weights = BodyMap::outward(tree.bodies.len(), |body, _| {
         Weight::left(graph, tree, &links[body], body)
     });
+    let name = |weight: &Weight, graph: &mut ExprGraph| {
+        graph.name_vector(weight.moment, "composite");
+    };
     let mut moment = graph.zero_vector();
-    for body in tree.body_ids().rev() {
-        graph.enter(body);
-        let mut passing = weights[body];
-        graph.name_vector(passing.moment, "composite");
-        links[body].passage.inward(graph, &mut passing);
-        graph.enter(tree.lower(body));
-        if let Some(lower) = tree.lower(body) {
-            weights[lower] = weights[lower].plus(graph, &passing);
-            continue;
-        }
-        let origin = root::origin(graph, tree, &links[body], body);
-        graph.enter(None);
-        let own = passing.moved(graph, origin);
-        moment = graph.add_vectors(moment, own.moment);
-    }
+    let passage = |body| &links[body].passage;
+    totalled(
+        graph,
+        tree,
+        passage,
+        weights,
+        name,
+        |graph, body, weight| {
+            let origin = root::origin(graph, tree, &links[body], body);
+            graph.enter(None);
+            let own = weight.moved(graph, origin);
+            moment = graph.add_vectors(moment, own.moment);
+        },
+    );
     graph.begin(Purpose::Energy);
     graph.enter(None);
     let gravity = given::acting_gravity(graph, tree);

@@ -5,7 +5,7 @@ use crate::{
     expr::{ExprGraph, Purpose, Vector},
     id::BodyMap,
     recursive::{
-        links::{link, link_velocity, root, wrench::Wrench},
+        links::{link, link_velocity, root, totalled::totalled, wrench::Wrench},
         plan::Plan,
     },
     tree::Tree,
@@ -23,7 +23,7 @@ pub fn angular(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
     graph.begin(Purpose::Outward);
     let velocities = link_velocity::velocities(graph, tree, &links);
     graph.begin(Purpose::Momentum);
-    let mut momenta = BodyMap::outward(tree.bodies.len(), |body, _| {
+    let momenta = BodyMap::outward(tree.bodies.len(), |body, _| {
         graph.enter(body);
         let velocity = &velocities[body];
         Wrench::of_inertia(
@@ -33,22 +33,24 @@ pub fn angular(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Vector {
             velocity.angular,
         )
     });
+    let name = |momentum: &Wrench, graph: &mut ExprGraph| {
+        graph.name_vector(momentum.force, "p");
+        graph.name_vector(momentum.moment, "l");
+    };
     let mut sum = graph.zero_vector();
-    for body in tree.body_ids().rev() {
-        graph.enter(body);
-        let mut passing = momenta[body];
-        graph.name_vector(passing.force, "p");
-        graph.name_vector(passing.moment, "l");
-        links[body].passage.inward(graph, &mut passing);
-        graph.enter(tree.lower(body));
-        if let Some(lower) = tree.lower(body) {
-            momenta[lower] = momenta[lower].plus(graph, &passing);
-            continue;
-        }
-        let origin = root::origin(graph, tree, &links[body], body);
-        graph.enter(None);
-        let about_origin = passing.moved(graph, origin);
-        sum = graph.add_vectors(sum, about_origin.moment);
-    }
+    let passage = |body| &links[body].passage;
+    totalled(
+        graph,
+        tree,
+        passage,
+        momenta,
+        name,
+        |graph, body, momentum| {
+            let origin = root::origin(graph, tree, &links[body], body);
+            graph.enter(None);
+            let about_origin = momentum.moved(graph, origin);
+            sum = graph.add_vectors(sum, about_origin.moment);
+        },
+    );
     sum
 }

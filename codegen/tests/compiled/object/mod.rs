@@ -7,6 +7,7 @@ mod stages;
 mod vectors;
 
 use std::{
+    collections::BTreeSet,
     fs,
     path::{Path, PathBuf},
     sync::OnceLock,
@@ -75,9 +76,18 @@ fn assert_bundled_holds(runtime: &Runtime, systems: &[&str], what: &str) {
     for system in systems {
         let path = repository(&format!("generated/{system}.rs"));
         let report = verify(runtime, &path).unwrap();
-        let n_functions = fs::read_to_string(path).unwrap();
-        let n_functions = n_functions.matches("#[inline(never)]").count();
-        assert_eq!(report.functions.len(), n_functions);
+        let text = fs::read_to_string(path).unwrap();
+        // LLVM makes one function of helpers that are alike: of a matrix and of the same packed.
+        let of_one = |own: &str| {
+            let (signature, rest) = own.split_once('(')?;
+            let is_helper = signature.contains("_lockstep_");
+            let name = if is_helper { "" } else { signature };
+            let body = rest.split_once("\n}\n").map_or(rest, |(body, _)| body);
+            Some(format!("{name}({body}"))
+        };
+        let functions = text.split("#[inline(never)]").skip(1);
+        let functions: BTreeSet<Option<String>> = functions.map(of_one).collect();
+        assert_eq!(report.functions.len(), functions.len());
         assert_holds(&report, &format!("{system}, {what}"));
     }
 }
