@@ -3,7 +3,7 @@
 use crate::{
     base_parameters,
     compile::Emittable,
-    functions::{Dimension, Shape},
+    functions::{Argument, Dimension, Shape},
     tree::{InertialParameter, Tree},
 };
 
@@ -35,7 +35,7 @@ impl BaseParameters {
         let has = |own: &Emittable| {
             let request = &own.function;
             let mut written = request.outputs().into_iter().map(|output| output.shape);
-            let mut given = request.arguments().into_iter().map(|given| given.shape());
+            let mut given = request.arguments().into_iter().map(Argument::shape);
             let is_of_them = |shape: Shape| shape.has(Dimension::BaseParameters);
             written.any(is_of_them) || given.any(is_of_them)
         };

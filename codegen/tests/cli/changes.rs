@@ -334,3 +334,43 @@ fn faults_of_the_model_and_of_kane_toml_are_told_together() {
         assert_eq!(ran.err.matches(fault).count(), 1, "{}", ran.err);
     }
 }
+
+#[test]
+fn info_and_eval_see_the_model_that_is_generated() {
+    let project = Project::arm();
+    let config = project.read("kane.toml") + "lock = { fore = 0.25 }\n";
+    project.write("kane.toml", &config);
+    project.write("state.json", "{\"q\": [0.5, 0.1]}");
+    let n_coordinates = |words: &[&str]| {
+        let ran = project.kane(&[&["info", "models/arm.toml", "--json"][..], words].concat());
+        let value: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+        value["coordinates"].as_array().unwrap().len()
+    };
+    assert_eq!(n_coordinates(&[]), 2);
+    // What is said on the command line stands above it.
+    assert_eq!(
+        n_coordinates(&["--lock", "upper_theta1", "--lock", "upper_s2"]),
+        1
+    );
+    let mass_matrix = |words: &[&str]| {
+        let command = [
+            "eval",
+            "models/arm.toml",
+            "-f",
+            "mass_matrix",
+            "-s",
+            "state.json",
+        ];
+        let ran = project.kane(&[&command, words].concat());
+        assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+        ran.out
+    };
+    let locked = mass_matrix(&[]);
+    assert_eq!(locked, mass_matrix(&["--lock", "fore=0.25"]));
+    assert_ne!(locked, mass_matrix(&["--lock", "fore=1.25"]));
+    // A model that is not listed is as it is.
+    project.write("other.toml", &project.read("models/arm.toml"));
+    let ran = project.kane(&["info", "other.toml", "--json"]);
+    let value: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(value["coordinates"].as_array().unwrap().len(), 3);
+}

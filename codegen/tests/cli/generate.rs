@@ -198,8 +198,7 @@ fn output_that_could_be_no_module_is_refused() {
     let project = Project::arm();
     for command in ["generate", "check"] {
         let ran = project.kane(&[command, "models/arm.toml", "--output", "src/arm.txt"]);
-        let told =
-            "error: `src/arm.txt` is to be a module; expected a file that ends in `.rs`, or `-`; other files are written beside it\n";
+        let told = "error: `src/arm.txt` is to be a module; expected a file that ends in `.rs`, or `-`; other files are written beside it\n";
         assert_eq!((ran.code, ran.err.as_str()), (2, told));
     }
 }

@@ -60,6 +60,7 @@ fn all_unknown_frames_are_told_at_once() {
     let ran = project.kane(&["generate"]);
     assert!(ran.err.contains("unknown key `fna`"), "{}", ran.err);
     told_once(&ran.err);
+    let project = with_functions(r#"["bias"]"#);
     let arguments = [
         "info",
         "models/arm.toml",

@@ -77,8 +77,10 @@ fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
     assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));
     assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));
-    assert_eq!(expected("d(bias)/q"), ("expected `/d(VARIABLES)`", 8..9));
-    assert_eq!(expected("jvp(bias)"), ("expected `; VARIABLES`", 8..9));
+    let by = "expected `/d(VARIABLES)`, as in `d(forward_dynamics)/d(q, u, tau)`";
+    assert_eq!(expected("d(bias)/q"), (by, 8..9));
+    let by = "expected `; VARIABLES`, as in `vjp(inverse_dynamics; q, u)`";
+    assert_eq!(expected("jvp(bias)"), (by, 8..9));
     assert_eq!(
         expected("hessian(bias)"),
         ("expected `; VARIABLES`", 12..13)

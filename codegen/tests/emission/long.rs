@@ -1,6 +1,12 @@
 //! Functions of thousands of values, which compilers have to bear.
 
-use kane_codegen::{compile::Options, diagnostic::Source};
+use std::collections::BTreeSet;
+
+use kane_codegen::{
+    compile::Options,
+    description::{Base, Reading},
+    diagnostic::Source,
+};
 
 use crate::module::{generate, hinges, named};
 
@@ -53,4 +59,44 @@ fn functions_of_many_angles_declare_their_values_by_few_lets() {
             n_bodies.div_ceil(64)
         );
     }
+}
+
+/// The rows of numbers that a loop over columns reads and writes.
+fn rows(body: &str) -> BTreeSet<String> {
+    let places = body.match_indices("[lane]").map(|(end, _)| {
+        let start = body[..end].rfind([' ', '(', '-']).map_or(0, |at| at + 1);
+        body[start..end].to_owned()
+    });
+    places.collect()
+}
+
+#[test]
+fn loops_over_columns_read_and_write_no_more_rows_than_a_compiler_takes() {
+    let options = Options {
+        functions: named(&["regressor_packed", "d(inverse_dynamics)/d(q, u, u_dot)"]),
+        reading: Reading {
+            base: Some(Base::Free),
+            ..Reading::default()
+        },
+        ..Options::default()
+    };
+    let talos = include_str!("../../../tests/robots/talos/talos.urdf");
+    let source = Source::new("talos.urdf", talos);
+    let text = generate(&source, "talos.urdf", &options).unwrap().source;
+    let helpers = text.split("\nfn ").skip(1);
+    let helpers = helpers.filter(|own| own.split('<').next().unwrap().contains("_lockstep_"));
+    let mut most_loops = 0;
+    for helper in helpers {
+        let helper = helper.split_once("\n}\n").unwrap().0;
+        let loops: Vec<_> = helper
+            .split("\n    for (lane, _) in ")
+            .skip(1)
+            .map(rows)
+            .collect();
+        for rows in &loops {
+            assert!((1..=240).contains(&rows.len()), "{} rows", rows.len());
+        }
+        most_loops = most_loops.max(loops.len());
+    }
+    assert!(most_loops > 2, "some go through much");
 }

@@ -295,7 +295,7 @@ fn lanes(signature: &syn::Signature) -> Option<usize> {
 }
 
 /// What the loops of a helper repeat for every column; it does nothing else than that.
-fn repeated(signature: &syn::Signature, body: &syn::Block) -> Option<Vec<&syn::Block>> {
+fn repeated<'a>(signature: &syn::Signature, body: &'a syn::Block) -> Option<Vec<&'a syn::Block>> {
     let is_local = |own: &&syn::Stmt| matches!(own, syn::Stmt::Local(_));
     let n_locals = body.stmts.iter().take_while(is_local).count();
     let [loops @ .., syn::Stmt::Expr(syn::Expr::Path(_), None)] = &body.stmts[n_locals..] else {

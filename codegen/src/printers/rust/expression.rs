@@ -18,6 +18,12 @@ use crate::{
 /// What counts the columns of a helper.
 pub(super) const LANE: &str = "lane";
 
+/// What a loop keeps for later ones, at this place.
+pub(super) fn kept_by_lane(stage: &Stage, place: usize) -> Expr {
+    let kept = syntax::name(&ident(&stage.keeps));
+    syntax::index_by(syntax::index(kept, place), syntax::name(&ident(LANE)))
+}
+
 /// What a function's names are known from.
 pub(super) struct Writer<'a> {
     pub(super) facts: &'a Facts,
@@ -90,7 +96,7 @@ impl<'a> Writer<'a> {
             }
             Expression::Entry(entry) => self.entry(entry),
             Expression::Kept(stage, place) if self.is_by_lane => {
-                self.kept_by_lane(&self.stages[*stage], *place)
+                kept_by_lane(&self.stages[*stage], *place)
             }
             Expression::Kept(stage, place) => {
                 let stage = &self.stages[*stage];
@@ -154,12 +160,6 @@ impl<'a> Writer<'a> {
         } else {
             number
         }
-    }
-
-    /// What a loop keeps for later ones, at this place.
-    pub(super) fn kept_by_lane(&self, stage: &Stage, place: usize) -> Expr {
-        let kept = syntax::name(&ident(&stage.keeps));
-        syntax::index_by(syntax::index(kept, place), syntax::name(&ident(LANE)))
     }
 
     fn member(&self, member: Member) -> &str {

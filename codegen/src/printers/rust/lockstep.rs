@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{Expr, Item, Stmt, parse_quote};
 
 use super::{
-    expression::{LANE, Writer},
+    expression::{LANE, Writer, kept_by_lane},
     statements, syntax,
     text::{allow_generated, doc, ident},
 };
@@ -82,7 +82,7 @@ fn loops(facts: &Facts, helper: &Function) -> Vec<Stmt> {
             let mut kept = kept.map(|own| own.value == Expression::Local(local));
             let place = kept.position(|is_own| is_own)?;
             let value = syntax::name(&writer.local(local));
-            Some(syntax::assign(writer.kept_by_lane(stage, place), value))
+            Some(syntax::assign(kept_by_lane(stage, place), value))
         };
         of(statements::keeping(&writer, keep))
     });

@@ -248,7 +248,7 @@ fn stages_store_what_their_function_does() {
 }
 
 /// The derivatives of a floating robot's accelerations.
-fn in_lockstep(name: &str, urdf: &str) -> Module {
+fn in_lockstep(name: &str, urdf: &str, request: &str) -> Module {
     let reading = Reading {
         base: Some(Base::Free),
         ..Reading::default()
@@ -256,14 +256,14 @@ fn in_lockstep(name: &str, urdf: &str) -> Module {
     let source = Source::new(name, urdf);
     let description = description::read(&source, &reading, &no_includes);
     let model = description::toml::write(&description).expect("it can be written");
-    module_of(&model, &["d(forward_dynamics)/d(q, u)"])
+    module_of(&model, &[request])
 }
 
 #[test]
 fn stages_fill_what_helpers_are_given() {
     let talos = include_str!("../../../../tests/robots/talos/talos.urdf");
-    let module = in_lockstep("talos.urdf", talos);
-    let function = module.function("d_forward_dynamics_d_q_u");
+    let module = in_lockstep("talos.urdf", talos, "d(forward_dynamics)/d(q, u, tau)");
+    let function = module.function("d_forward_dynamics_d_q_u_tau");
     let function = function.expect("it is asked for");
     assert!(function.helpers.len() > 2, "columns are solved in lockstep");
     assert_same(&module, function);
@@ -272,7 +272,7 @@ fn stages_fill_what_helpers_are_given() {
 #[test]
 fn calls_of_what_is_not_there_are_refused() {
     let solo12 = include_str!("../../../../tests/robots/solo12/solo12.urdf");
-    let module = in_lockstep("solo12.urdf", solo12);
+    let module = in_lockstep("solo12.urdf", solo12, "d(forward_dynamics)/d(q, u)");
     let right = module.function("d_forward_dynamics_d_q_u");
     let right = right.expect("it is asked for");
     assert_eq!(verify(&module.facts, right), Ok(()));
