@@ -134,7 +134,7 @@ impl System {
             "pub use super::{system}::*;{function}\
              pub mod tests {{ use super::*; use crate::{system}::tests::*; {} }}\n{}",
             as_functions(&test),
-            calls::of(function, &self.module),
+            calls::of(&function, &self.module),
             system = self.name
         ))
     }

@@ -19,16 +19,48 @@ pub struct Mutant {
 }
 
 impl Mutant {
-    /// The function that is wrong, alone: its name and text.
-    pub fn function(&self) -> (&str, &str) {
-        const BEGINNING: &str = "\npub fn ";
-        const END: &str = "\n}\n";
-        let start = self.module[..self.place].rfind(BEGINNING).unwrap_or(0);
-        let end = self.module[self.place..].find(END).unwrap_or(0);
-        let text = &self.module[start..self.place + end + END.len()];
-        let name = text[BEGINNING.len()..].split('<').next();
-        (name.unwrap_or_default(), text)
+    /// The function that is wrong, alone: its name, and its text after that of its helpers.
+    pub fn function(&self) -> (&str, String) {
+        let own = functions(&self.module);
+        let wrong = own.iter().rev().find(|own| own.start <= self.place);
+        let wrong = wrong.map_or("", |own| own.of);
+        let parts = own.iter().filter(|own| own.of == wrong);
+        (wrong, parts.map(|own| own.text).collect())
     }
+}
+
+/// A function of a module, or a helper of one.
+struct Item<'a> {
+    /// Where it begins.
+    start: usize,
+    /// The name of the function; of a helper, that of the function that calls it.
+    of: &'a str,
+    text: &'a str,
+}
+
+/// All functions of a module that stand by themselves.
+fn functions(module: &str) -> Vec<Item<'_>> {
+    const END: &str = "\n}\n";
+    let public = module.match_indices("\npub fn ");
+    let helpers = module.match_indices("\nfn ");
+    let mut items: Vec<Item<'_>> = public
+        .chain(helpers)
+        .map(|(start, beginning)| {
+            let rest = &module[start..];
+            let end = rest.find(END).map_or(rest.len(), |end| end + END.len());
+            let name = rest[beginning.len()..]
+                .split('<')
+                .next()
+                .unwrap_or_default();
+            Item {
+                start,
+                of: name.split("_lockstep_").next().unwrap_or(name),
+                text: &rest[..end],
+            }
+        })
+        .collect();
+    items.sort_by_key(|item| item.start);
+    items
 }
 
 /// The module with one token of one function changed.
