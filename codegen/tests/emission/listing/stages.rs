@@ -270,6 +270,22 @@ fn stages_fill_what_helpers_are_given() {
 }
 
 #[test]
+fn loops_of_a_helper_compute_what_one_does() {
+    let talos = include_str!("../../../../tests/robots/talos/talos.urdf");
+    let module = in_lockstep("talos.urdf", talos, "d(inverse_dynamics)/d(q, u, u_dot)");
+    let function = module.function("d_inverse_dynamics_d_q_u_u_dot");
+    let helpers = &function.expect("it is asked for").helpers;
+    let long: Vec<&Function> = helpers
+        .iter()
+        .filter(|own| !own.stages.is_empty())
+        .collect();
+    assert!(!long.is_empty(), "legs and arms go through much");
+    for helper in long {
+        assert_same(&module, helper);
+    }
+}
+
+#[test]
 fn calls_of_what_is_not_there_are_refused() {
     let solo12 = include_str!("../../../../tests/robots/solo12/solo12.urdf");
     let module = in_lockstep("solo12.urdf", solo12, "d(forward_dynamics)/d(q, u)");
