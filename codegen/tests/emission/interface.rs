@@ -88,3 +88,13 @@ fn name_that_cannot_begin_names_of_c_is_refused() {
         assert!(generated(name).is_ok());
     }
 }
+
+#[test]
+fn multipliers_of_base_parameters_have_the_length_of_these() {
+    for request in ["vjp(base_regressor; q)", "hessian(base_regressor; q)"] {
+        let model = system("[0]", &[("fore", "[\"theta1\"]")]);
+        let module = generated_of(model, "arm", request).unwrap();
+        let length = "pub const BASE_PARAMETERS_LEN: usize = ";
+        assert!(module.source.contains(length), "{request}");
+    }
+}

@@ -483,19 +483,3 @@ fn no_two_frames_become_one_type() {
         assert_eq!(line.map(str::trim), Some(declared.as_str()));
     }
 }
-
-#[test]
-fn multipliers_of_base_parameters_have_the_length_of_these() {
-    for request in ["vjp(base_regressor; q)", "hessian(base_regressor; q)"] {
-        let options = Options {
-            functions: named(&[request]),
-            ..Options::default()
-        };
-        let source = Source::new("chain.toml", hinges(2));
-        let text = generate(&source, "chain.toml", &options).unwrap().source;
-        assert!(
-            text.contains("pub const BASE_PARAMETERS_LEN: usize = "),
-            "{request}"
-        );
-    }
-}
