@@ -5,9 +5,8 @@ use std::collections::BTreeSet;
 use super::{
     BaseParameters, Entries, Facts, FrameSpeeds, Function, Pattern,
     facts::Wanted,
-    plain::{nominal, sin_cos},
     verify::{verify, verify_facts},
-    writer::Writer,
+    write::{Writer, nominal, sin_cos},
 };
 use crate::{
     compile::{Compiled, Emittable},

@@ -1,16 +1,15 @@
 //! Functions of a listing, from programs.
 
 use super::{
-    Code, Entry, Facts, Function, Member, Step, code,
-    code::ProgramContext,
-    entry::Given,
-    function::places,
+    Given,
     group::Groups,
     helper, loops,
     name::{self, Numbering},
     scratch::Scratch,
-    stages,
+    stages, statements,
+    statements::ProgramContext,
 };
+use crate::listing::{Code, Entry, Facts, Function, Member, Step, function::places};
 use crate::{
     compile::{Compiled, Emittable},
     expr::Input,
@@ -20,7 +19,7 @@ use crate::{
 };
 
 /// What functions are made from.
-pub(super) struct Writer<'a> {
+pub(in crate::listing) struct Writer<'a> {
     tree: &'a Tree,
     compiled: &'a Compiled,
     facts: &'a Facts,
@@ -29,7 +28,11 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub(super) fn new(tree: &'a Tree, compiled: &'a Compiled, facts: &'a Facts) -> Self {
+    pub(in crate::listing) fn new(
+        tree: &'a Tree,
+        compiled: &'a Compiled,
+        facts: &'a Facts,
+    ) -> Self {
         Self {
             tree,
             compiled,
@@ -38,7 +41,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    pub(super) fn function(&self, emittable: &Emittable) -> Function {
+    pub(in crate::listing) fn function(&self, emittable: &Emittable) -> Function {
         let (request, program) = (&emittable.function, &emittable.program);
         let signature = request.signature();
         let places = places(&signature, self.facts);
@@ -100,7 +103,7 @@ impl<'a> Writer<'a> {
         place.filter(|_| std::ptr::eq(first, emittable))
     }
 
-    pub(super) fn prepare(&self, program: &Program) -> Function {
+    pub(in crate::listing) fn prepare(&self, program: &Program) -> Function {
         let signature = Signature::prepare();
         let argument = signature.arguments.len() - 1;
         let places = self.fields.iter().map(|&field| Entry {
@@ -135,7 +138,7 @@ impl<'a> Writer<'a> {
             scratch,
             keeps_apart,
         };
-        code::of(program, &known, places)
+        statements::of(program, &known, places)
     }
 
     /// Where each input of the equations stands that is no parameter, in a function with these arguments.

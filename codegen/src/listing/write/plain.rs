@@ -1,15 +1,14 @@
 //! Functions of a listing that need no program: nominal parameters, sines and cosines.
 
-use super::{
-    Code, Entry, Expression, Facts, Function, Statement, Step, code::MOST_ANGLES, function::places,
-};
+use super::statements::MOST_ANGLES;
+use crate::listing::{Code, Entry, Expression, Facts, Function, Statement, Step, function::places};
 use crate::{
     functions::{Argument, Signature},
     program::Operations,
 };
 
 /// Writes the nominal parameters.
-pub(super) fn nominal(facts: &Facts) -> Function {
+pub(in crate::listing) fn nominal(facts: &Facts) -> Function {
     let signature = Signature::nominal();
     let places = places(&signature, facts);
     let stores = places.into_iter().zip(&facts.parameters);
@@ -26,7 +25,7 @@ pub(super) fn nominal(facts: &Facts) -> Function {
 }
 
 /// Writes the sines and cosines of the angles among the coordinates.
-pub(super) fn sin_cos(facts: &Facts) -> Function {
+pub(in crate::listing) fn sin_cos(facts: &Facts) -> Function {
     let signature = Signature::sin_cos();
     let angles = facts.angles.as_deref().unwrap_or_default();
     let mut arguments = signature.arguments.iter();

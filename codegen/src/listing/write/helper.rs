@@ -1,6 +1,7 @@
 //! What a function runs on several columns: a function of one column, of which nobody else knows.
 
-use super::{Code, Function, Stage, Step, entry::Given};
+use super::Given;
+use crate::listing::{Code, Function, Stage, Step};
 use crate::{
     expr::Input,
     functions::Signature,

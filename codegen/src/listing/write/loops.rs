@@ -4,10 +4,11 @@
 use std::collections::BTreeSet;
 
 use super::{
-    Code, Entry, Expression, LocalId, SHARED, Stage, Statement, Step,
+    SHARED,
     stages::{cut, for_each, given},
 };
 use crate::functions::Signature;
+use crate::listing::{Code, Entry, Expression, LocalId, Stage, Statement, Step};
 
 /// The most rows of numbers, one of each column, that a loop reads and writes: of loops with more, LLVM gives up proving that they do
 /// not overlap, and makes no vectors.

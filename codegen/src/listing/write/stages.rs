@@ -5,38 +5,16 @@ use std::{
     ops::Range,
 };
 
-use super::{Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement};
 use crate::functions::{Declared, Signature};
+use crate::listing::{
+    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Stage, Statement,
+};
 
 /// Longer functions have stages. They are beyond what a person reads line by line: a new body moves where stages end.
 const LONGEST: usize = 15_000;
 
 /// So many statements a stage has, or up to twice as many: it ends where those of another body begin.
 const STAGE: usize = 2_000;
-
-/// A part of a long function, or of a long loop.
-#[derive(Clone, Debug)]
-pub struct Stage {
-    /// How it is declared: it is given those of the function's arguments that it needs.
-    pub signature: Signature,
-    /// The earlier stages, by their places, of which it needs what they keep.
-    pub earlier: Vec<usize>,
-    /// What it does.
-    pub code: Code,
-    /// What the function calls what it returns.
-    pub keeps: String,
-    /// What it returns for later stages.
-    pub kept: Vec<Kept>,
-}
-
-/// A number that passes from stage to stage.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Kept {
-    /// Its name.
-    pub name: String,
-    /// A local, or an element of a local array.
-    pub value: Expression,
-}
 
 /// The stages of a function, in order; none where it is short.
 pub(super) fn of(signature: &Signature, scratch: &[Declared], code: &Code) -> Vec<Stage> {
@@ -108,6 +86,8 @@ impl Passed {
 
 /// What passes from stage to stage.
 struct Flow<'a> {
+    /// What the function's locals and arrays are called.
+    names: BTreeSet<&'a str>,
     /// What argument each local holds, where it holds one as it is.
     given: Vec<Option<&'a Entry>>,
     /// The stage that assigns each local.
@@ -121,6 +101,7 @@ struct Flow<'a> {
 impl<'a> Flow<'a> {
     fn of(code: &'a Code, ranges: &[Range<usize>]) -> Self {
         let mut flow = Self {
+            names: names(code),
             given: given(code),
             locals: vec![0; code.locals.len()],
             arrays: vec![0; code.arrays.len()],
@@ -160,6 +141,14 @@ impl<'a> Flow<'a> {
         }
     }
 
+    /// The name, or one like it that no local and no array has.
+    fn free(&self, mut name: String) -> String {
+        while self.names.contains(name.as_str()) {
+            name.push('_');
+        }
+        name
+    }
+
     /// The stage that assigns a value.
     fn stage(&self, value: Passed) -> usize {
         match value {
@@ -190,17 +179,11 @@ pub(super) fn given(code: &Code) -> Vec<Option<&Entry>> {
     given
 }
 
-/// The name, or one like it that no local and no array has.
-fn free(code: &Code, mut name: String) -> String {
-    let is_taken = |name: &String| {
-        let mut locals = code.locals.iter().map(|local| &local.name);
-        let mut arrays = code.arrays.iter().map(|array| &array.name);
-        locals.any(|other| other == name) || arrays.any(|other| other == name)
-    };
-    while is_taken(&name) {
-        name.push('_');
-    }
-    name
+/// What locals and arrays are called.
+fn names(code: &Code) -> BTreeSet<&str> {
+    let locals = code.locals.iter().map(|local| local.name.as_str());
+    let arrays = code.arrays.iter().map(|array| array.name.as_str());
+    locals.chain(arrays).collect()
 }
 
 /// Visits all expressions of a statement, and what they are made of.
@@ -285,14 +268,14 @@ impl<'a> Cut<'a> {
                 value: Expression::Local(self.locals[&id]),
             },
             Passed::Element(id, place) => Kept {
-                name: free(self.whole, self.whole.array(id).element(place)),
+                name: self.flow.free(self.whole.array(id).element(place)),
                 value: Expression::Element(self.arrays[&id], place),
             },
         });
         let number = self.number + 1;
         Stage {
             kept: kept.collect(),
-            keeps: free(self.whole, format!("kept_{number}")),
+            keeps: self.flow.free(format!("kept_{number}")),
             signature: self.declared(number),
             earlier: self.earlier,
             code: self.code,

@@ -32,7 +32,7 @@ pub struct ArrayId(u32);
 
 impl Array {
     /// A name for an element.
-    pub(super) fn element(&self, place: usize) -> String {
+    pub(in crate::listing) fn element(&self, place: usize) -> String {
         let Self { name, row, .. } = self;
         match row {
             Some(row) => format!("{name}_{}_{}", place / row, place % row),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Expression, Statement};
+use crate::listing::{Entry, Expression, Statement};
 use crate::{
     expr::Input,
     program::{Definition, Operand, Program, ValueId},

@@ -4,12 +4,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement, Step,
     group::Groups,
     headings,
     scratch::{Scratch, numbered},
     stores::{Stores, is_field},
 };
+use crate::listing::{Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement, Step};
 use crate::{
     expr::Input,
     program::{Definition, Instruction, Operand, Operation, Program, ValueId},

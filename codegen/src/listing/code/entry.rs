@@ -1,12 +1,5 @@
 //! Where a number stands in what a function is given or writes.
 
-use std::collections::BTreeMap;
-
-use crate::expr::Input;
-
-/// The argument's name, and the steps in it, of what a function is given.
-pub(super) type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
-
 /// One number of an argument: `loads[2].force[1]` is an argument and three steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {

@@ -31,7 +31,7 @@ pub struct BaseTerm {
 
 impl BaseParameters {
     /// Those of the tree, if some function writes their columns, or is given multipliers of these.
-    pub(super) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
+    pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
         let has = |own: &Emittable| {
             let request = &own.function;
             let mut written = request.outputs().into_iter().map(|output| output.shape);

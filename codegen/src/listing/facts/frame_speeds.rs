@@ -19,7 +19,7 @@ pub struct FrameSpeeds {
 
 impl FrameSpeeds {
     /// Those that the functions speak of, each once.
-    pub(super) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
+    pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
         let mut known = BTreeSet::new();
         let parts = functions.iter().flat_map(|one| one.function.parts());
         let own = |part: &Part| {

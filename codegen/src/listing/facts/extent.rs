@@ -1,7 +1,8 @@
 //! Which numbers an argument holds, and in what order.
 
-use super::{Member, N_ANGLES, Sizes, Step};
+use super::size::{N_ANGLES, Sizes};
 use crate::functions::{Declared, Element};
+use crate::listing::{Member, Step};
 
 /// What an argument holds, as sizes.
 #[derive(Clone, Debug, PartialEq, Eq)]

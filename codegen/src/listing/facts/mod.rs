@@ -2,10 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use super::{
-    BaseParameters, Entries, Extent, Frame, FrameSpeeds, Joint, JointChart, Limits, N_ANGLES, Size,
-    Sizes,
-};
 use crate::{
     functions::{CompactBlock, Declared, Dimension, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
     id::{BodyId, SpeedId},
@@ -14,6 +10,25 @@ use crate::{
     solve,
     tree::{Parameter, Tree},
 };
+
+mod base_parameters;
+mod entries;
+mod extent;
+mod frame_speeds;
+mod joint;
+mod limits;
+mod size;
+mod stated;
+
+pub use base_parameters::{BaseParameters, BaseTerm};
+pub use entries::{Colors, Entries};
+pub use extent::Extent;
+pub use frame_speeds::FrameSpeeds;
+pub use joint::{Frame, Joint, JointChart};
+pub use limits::Limits;
+pub(crate) use size::N_ANGLES;
+pub use size::{Size, Sizes};
+pub use stated::{Counted, nominal, read_nominal};
 
 /// The facts of a module.
 #[derive(Clone, Debug)]

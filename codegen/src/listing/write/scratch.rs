@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Step};
+use crate::listing::{Entry, Step};
 use crate::{
     functions::{Declared, Element},
     program::{Instruction, Operand, Program},

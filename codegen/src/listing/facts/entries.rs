@@ -36,7 +36,7 @@ pub struct Colors {
 
 impl Entries {
     /// Those that the functions write, each once.
-    pub(super) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
+    pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Vec<Self> {
         let mut known = BTreeSet::new();
         let parts = functions.iter().flat_map(|one| one.function.parts());
         let all = parts.filter_map(|part| Self::of_part(tree, part));

@@ -1,0 +1,26 @@
+//! From programs to functions: which statements, in what order, under which names.
+
+use std::collections::BTreeMap;
+
+use super::Step;
+use crate::expr::Input;
+
+mod group;
+mod headings;
+mod helper;
+mod loops;
+mod name;
+mod plain;
+mod scratch;
+mod stages;
+mod statements;
+mod stores;
+mod writer;
+
+pub use helper::{SHARED, SIDES, SOLVED};
+pub use name::RESERVED;
+pub(super) use plain::{nominal, sin_cos};
+pub(super) use writer::Writer;
+
+/// Where inputs of a program stand: the argument, by its name, and the place in it.
+type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
