@@ -1,24 +1,24 @@
 //! `worldbody`: the bodies, depth first, in the order of the file.
 
-use crate::description::mjcf::around::Around;
-use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::chain::{Bodies, JointedBody};
+use crate::description::mjcf::contents::around::Around;
 use crate::description::mjcf::contents::{Contents, Inside, gather};
-use crate::description::mjcf::defaults::ElementKind;
-use crate::description::mjcf::geoms::{self, Moves};
-use crate::description::mjcf::inertial::{self, MassProperties};
-use crate::description::mjcf::joint_type::JointType;
+use crate::description::mjcf::joints::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
 use crate::description::mjcf::lifted;
+use crate::description::mjcf::mass::geoms::{self, Moves};
+use crate::description::mjcf::mass::inertial::{self, MassProperties};
+use crate::description::mjcf::mass::solid::together;
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::models::Models;
+use crate::description::mjcf::model::attributes::Attributes;
+use crate::description::mjcf::model::defaults::ElementKind;
+use crate::description::mjcf::model::models::Models;
+use crate::description::mjcf::model::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::placement::Placement;
-use crate::description::mjcf::settings::{FromGeoms, Switch, TRUTH};
 use crate::description::mjcf::sites::Site;
-use crate::description::mjcf::solid::together;
 use crate::description::too_many;
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, shown};

@@ -1,13 +1,13 @@
 //! A body with several joints as several bodies: one without mass for each joint but the last.
 
-use crate::description::mjcf::free_inertia::{DrawnBody, inertias};
-use crate::description::mjcf::inertial::{MassProperties, WrittenMass};
 use crate::description::mjcf::joints::JointElement;
+use crate::description::mjcf::joints::free_inertia::{DrawnBody, inertias};
+use crate::description::mjcf::joints::seat::{fixed, held, joined};
+use crate::description::mjcf::joints::ties::Held;
+use crate::description::mjcf::mass::inertial::{MassProperties, WrittenMass};
+use crate::description::mjcf::mass::solid::Solid;
 use crate::description::mjcf::names::{self, Wish};
 use crate::description::mjcf::placement::Placement;
-use crate::description::mjcf::seat::{fixed, held, joined};
-use crate::description::mjcf::solid::Solid;
-use crate::description::mjcf::ties::Held;
 use crate::description::xml::Reader;
 use crate::description::{Given, Optional, Scalar, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Span, Spanned};

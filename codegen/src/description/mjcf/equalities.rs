@@ -4,17 +4,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::description::LeftOut;
-use crate::description::mjcf::around::Around;
-use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::bodies::Found;
-use crate::description::mjcf::defaults::{Class, ElementKind};
+use crate::description::mjcf::contents::around::Around;
+use crate::description::mjcf::joints::ties::{Equation, Ties};
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::mjcf::mocap::Mocap;
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::models::Models;
-use crate::description::mjcf::settings::{Switch, TRUTH};
-use crate::description::mjcf::ties::{Equation, Ties};
+use crate::description::mjcf::model::attributes::Attributes;
+use crate::description::mjcf::model::defaults::{Class, ElementKind};
+use crate::description::mjcf::model::models::Models;
+use crate::description::mjcf::model::settings::{Switch, TRUTH};
 use crate::description::xml::{Element, Reader};
 use crate::diagnostic::{Diagnostic, Spanned, shown};
 

@@ -1,10 +1,10 @@
 //! `gravcomp`: forces against the weights of bodies.
 
-use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::chain::Bodies;
 use crate::description::mjcf::leaving::{advice, left_out};
 use crate::description::mjcf::model::Model;
-use crate::description::mjcf::settings::Switch;
+use crate::description::mjcf::model::attributes::Attributes;
+use crate::description::mjcf::model::settings::Switch;
 use crate::description::xml::Reader;
 use crate::description::{LeftOut, Optional, Scalar};
 use crate::diagnostic::{Diagnostic, Span, Spanned};

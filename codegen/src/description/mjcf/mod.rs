@@ -8,52 +8,25 @@
 //!
 //! Nothing here calls itself: however deep a file, the stack does not grow.
 
-mod angles;
-mod around;
-mod attach;
-mod attributes;
 mod bodies;
-mod budget;
 mod chain;
 mod contents;
-mod copies;
-mod defaults;
 mod equalities;
 mod files;
 mod finite;
-mod fit;
-mod free_inertia;
-mod geom_type;
-mod geoms;
-mod include;
-mod inertial;
-mod joint_dynamics;
-mod joint_limits;
-mod joint_type;
 mod joints;
 mod known;
 mod leaving;
 mod lifted;
-mod mesh_asset;
-mod meshes;
+mod mass;
 mod mocap;
 mod model;
-mod models;
 mod names;
 mod orientation;
 mod others;
 mod parse;
-mod parts;
-mod paths;
 mod placement;
-mod replicate;
-mod seat;
-mod segment;
-mod settings;
 mod sites;
-mod solid;
-mod spring_damper;
-mod ties;
 mod unknown;
 
 pub use parse::parse;

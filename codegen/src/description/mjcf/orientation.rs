@@ -1,10 +1,10 @@
 //! Orientations, in the five ways that MJCF has to write them.
 
 use crate::description::Rotation;
-use crate::description::mjcf::angles::euler;
-use crate::description::mjcf::attributes::{Attributes, ORIENTATION};
+use crate::description::mjcf::model::angles::euler;
+use crate::description::mjcf::model::attributes::{Attributes, ORIENTATION};
+use crate::description::mjcf::model::settings::Settings;
 use crate::description::mjcf::placement::{Placement, about, unit};
-use crate::description::mjcf::settings::Settings;
 use crate::description::xml::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::geometry::{IDENTITY, Vector, cross, difference, dot, length, of_quaternion, scaled};

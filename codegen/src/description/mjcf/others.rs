@@ -1,11 +1,11 @@
 //! Sections beside the bodies: what of them would change the dynamics is refused, the rest is left out.
 
 use crate::description::LeftOut;
-use crate::description::mjcf::attributes::Attributes;
-use crate::description::mjcf::defaults::{Class, ElementKind};
 use crate::description::mjcf::known;
 use crate::description::mjcf::leaving::{self, advice};
 use crate::description::mjcf::model::Model;
+use crate::description::mjcf::model::attributes::Attributes;
+use crate::description::mjcf::model::defaults::{Class, ElementKind};
 use crate::description::xml::{Element, Reader};
 use crate::diagnostic::{Diagnostic, Spanned, shown};
 

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::description::mjcf::budget::Budget;
 use crate::description::mjcf::files::Files;
-use crate::description::mjcf::inertial::baked;
+use crate::description::mjcf::mass::inertial::baked;
 use crate::description::mjcf::model::Beside;
-use crate::description::mjcf::models::{self, Models};
-use crate::description::mjcf::{bodies, equalities, finite, include, others, sites};
+use crate::description::mjcf::model::budget::Budget;
+use crate::description::mjcf::model::models::{self, Models};
+use crate::description::mjcf::{bodies, equalities, files::include, finite, others, sites};
 use crate::description::xml::{Element, Mended, Reader};
 use crate::description::{Description, Include, Reading};
 use crate::diagnostic::{Diagnostic, Source, Spanned};

@@ -5,14 +5,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::description::mjcf::attributes::Attributes;
 use crate::description::mjcf::contents::Inside;
-use crate::description::mjcf::defaults::ElementKind;
-use crate::description::mjcf::inertial::baked;
-use crate::description::mjcf::models::Models;
+use crate::description::mjcf::mass::inertial::baked;
+use crate::description::mjcf::mass::segment::Segment;
+use crate::description::mjcf::model::attributes::Attributes;
+use crate::description::mjcf::model::defaults::ElementKind;
+use crate::description::mjcf::model::models::Models;
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
-use crate::description::mjcf::segment::Segment;
 use crate::description::xml::Reader;
 use crate::description::{Carrier, FrameRotation, WrittenBody, WrittenFrame, too_many};
 use crate::diagnostic::{Spanned, shown};
