@@ -21,7 +21,7 @@ use kane_codegen::{
     tree::{self, Checked, PrescribedFault, Tree},
 };
 
-use super::{Failures, Voice, operations::Row, paths};
+use crate::cli::{Failures, Voice, paths, text::operations::Row};
 
 /// A model, what to generate from it, and where that goes.
 #[derive(Debug)]

@@ -15,31 +15,31 @@ use kane_codegen::{
     error::Error,
 };
 
-use super::{
+use crate::cli::{
     Failures,
-    changes::ChangesArguments,
+    arguments::changes::ChangesArguments,
     job::{self, Job, Listing, Target},
     paths,
 };
 
 /// A `kane.toml` that was read.
-pub(super) struct Listed {
+pub(in crate::cli) struct Listed {
     /// Its systems.
-    pub(super) config: Config,
+    pub(in crate::cli) config: Config,
     source: Arc<Source>,
     /// Its folder, absolute.
     root: PathBuf,
     /// Its folder, as it is shown.
-    pub(super) shown_root: PathBuf,
+    pub(in crate::cli) shown_root: PathBuf,
 }
 
 impl Listed {
-    pub(super) fn read(path: &Path) -> Result<Self, Failures> {
+    pub(in crate::cli) fn read(path: &Path) -> Result<Self, Failures> {
         Self::of(path, job::read(path)?)
     }
 
     /// Reads it, to generate everything in it: beside its faults those of its models are told.
-    pub(super) fn read_whole(path: &Path) -> Result<Self, Failures> {
+    pub(in crate::cli) fn read_whole(path: &Path) -> Result<Self, Failures> {
         let source = job::read(path)?;
         let (config, faults) = config::read(&source);
         let listed = Self::new(path, source, config);
@@ -57,7 +57,7 @@ impl Listed {
     }
 
     /// Reads a text that stands at this path, among the files or in a revision.
-    pub(super) fn of(path: &Path, source: Source) -> Result<Self, Failures> {
+    pub(in crate::cli) fn of(path: &Path, source: Source) -> Result<Self, Failures> {
         let config = config::parse(&source)?;
         Self::new(path, source, config)
     }
@@ -73,7 +73,7 @@ impl Listed {
         })
     }
 
-    pub(super) fn job(&self, system: &System) -> Result<Job, Failures> {
+    pub(in crate::cli) fn job(&self, system: &System) -> Result<Job, Failures> {
         let place = |text: &str| self.shown_root.join(clean_path(Path::new(text)));
         let relative = clean_path(Path::new(&system.model.value));
         let model = place(&system.model.value);
@@ -95,7 +95,7 @@ impl Listed {
     }
 
     /// The jobs whose model is this very file.
-    pub(super) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
+    pub(in crate::cli) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
         let file = paths::target(model)?;
         let is_listed = |system: &&System| {
             fs::canonicalize(self.root.join(&system.model.value)).is_ok_and(|listed| listed == file)
@@ -106,7 +106,10 @@ impl Listed {
 }
 
 /// The `kane.toml` for one model: the one that is named, or the nearest in its folder or above it.
-pub(super) fn config_of(model: &Path, named: Option<&Path>) -> Result<Option<PathBuf>, Error> {
+pub(in crate::cli) fn config_of(
+    model: &Path,
+    named: Option<&Path>,
+) -> Result<Option<PathBuf>, Error> {
     if let Some(path) = named {
         return Ok(Some(path.to_owned()));
     }
@@ -115,7 +118,7 @@ pub(super) fn config_of(model: &Path, named: Option<&Path>) -> Result<Option<Pat
 }
 
 /// A model to look at, as the first system of its `kane.toml` has it that lists it, or by default options; with these changes.
-pub(super) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
+pub(in crate::cli) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
     changes.check()?;
     job::read(model)?;
     let config = config_of(model, None)?;
@@ -135,7 +138,10 @@ pub(super) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job,
 }
 
 /// The model's path as the banner shows it: relative to `kane.toml`, else the file's name.
-pub(super) fn shown_model(model: &Path, listed: Option<&Listed>) -> Result<String, Failures> {
+pub(in crate::cli) fn shown_model(
+    model: &Path,
+    listed: Option<&Listed>,
+) -> Result<String, Failures> {
     let name = model.file_name().unwrap_or_default();
     let folder = paths::target(paths::parent(model))?;
     let relative = listed.and_then(|listed| paths::relative(&listed.root, &folder.join(name)));

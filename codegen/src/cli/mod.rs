@@ -1,49 +1,31 @@
 //! The command line: what can be asked for, and what comes back.
 //!
-//! Each subcommand is a file: its arguments with their documentation, and `run`. Results go to standard output;
+//! Each subcommand is a file of `commands`. Results go to standard output;
 //! warnings, faults and the line about each file to standard error. Files are read and written here, in
 //! [`kane_codegen::output`] and nowhere below.
 
-// One subcommand each.
-mod check;
-mod completions;
-mod convert;
-mod diff;
-mod eval;
-mod generate;
-mod info;
-mod new;
-mod verify;
-// What they share: which systems, where they stand, what is wrong with them, how it is written.
-mod changes;
+mod arguments;
+mod commands;
+mod text;
+// What they share: which systems, where they stand, what is wrong with them.
 mod failure;
 mod git;
 mod job;
-mod json;
-mod lines;
 mod listed;
-mod operations;
-mod options;
 mod outcome;
-mod parse;
 mod paths;
-mod pipe;
 mod rounded_angles;
-mod selection;
-mod state;
 mod stray;
-mod text_diff;
-mod unique;
-mod voice;
 
 use std::io::Write;
 
 use clap::{CommandFactory as _, Parser, Subcommand};
 
+use commands::{check, completions, convert, diff, eval, generate, info, new, verify};
 pub(crate) use failure::Failures;
 pub(crate) use outcome::{BAD_INPUT, Outcome};
-pub(crate) use pipe::Pipe;
-pub(crate) use voice::{Voice, say};
+pub(crate) use text::pipe::Pipe;
+pub(crate) use text::voice::{Voice, say};
 
 /// Compiler from multibody systems to flat, allocation-free Rust.
 #[derive(Debug, Parser)]

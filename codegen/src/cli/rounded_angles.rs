@@ -6,7 +6,7 @@ use kane_codegen::{
     description::Description, generate::Generated, options::Options, rounded_angles,
 };
 
-use super::{Voice, job::Job};
+use crate::cli::{Voice, job::Job};
 
 /// Tells it of the models of these modules, once for each model.
 pub(crate) fn tell(jobs: &[Job], modules: &[Generated], voice: Voice) {

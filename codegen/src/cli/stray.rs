@@ -14,7 +14,7 @@ use std::{
 
 use kane_codegen::{config::clean_path, error::Error, signs};
 
-use super::{Failures, job::Job, paths};
+use crate::cli::{Failures, job::Job, paths};
 
 /// Which files of a folder nothing may have produced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -29,8 +29,8 @@ pub enum Member {
     Sines,
     /// Their cosines.
     Cosines,
-    /// A value set at run time, by its place among [`Facts::parameters`](super::Facts::parameters).
+    /// A value set at run time, by its place among [`Facts::parameters`](crate::listing::Facts::parameters).
     Parameter(usize),
-    /// A value that depends on these alone, by its place among [`Facts::fields`](super::Facts::fields).
+    /// A value that depends on these alone, by its place among [`Facts::fields`](crate::listing::Facts::fields).
     Prepared(usize),
 }

@@ -3,7 +3,7 @@
 use kane_codegen::report::{Body, Differences, LayoutChange, ValueChange};
 
 use super::{report::Report, systems::Systems};
-use crate::cli::operations::{self, Row};
+use crate::cli::text::operations::{self, Row};
 
 /// How much of a diff a pull request is shown: hosts refuse texts that are too long.
 const SHOWN_LINES: usize = 400;

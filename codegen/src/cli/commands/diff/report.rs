@@ -3,7 +3,7 @@
 use kane_codegen::report::{self, Comparison, Differences};
 
 use super::side::Described;
-use crate::cli::{Failures, lines::ChangedLines, text_diff::TextDiff};
+use crate::cli::{Failures, text::lines::ChangedLines, text::text_diff::TextDiff};
 
 /// What differs, and between what.
 pub(super) struct Report {

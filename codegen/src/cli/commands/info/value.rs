@@ -9,7 +9,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use crate::cli::json;
+use crate::cli::text::json;
 
 use super::facts::{gravity, is_default, is_drawn, lifted, lower_number};
 

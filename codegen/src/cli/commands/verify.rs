@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use kane_codegen::object::{self, OptLevel, Options, Report, Runtime, Scalar};
 use serde_json::{Value, json};
 
-use super::{Failures, Outcome, json, parse::one_of};
+use crate::cli::{Failures, Outcome, arguments::parse::one_of, text::json};
 
 /// Check the machine code of generated functions against the guarantees
 ///

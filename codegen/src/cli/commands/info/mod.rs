@@ -18,9 +18,9 @@ use kane_codegen::{
 };
 
 use self::facts::Shown;
-use super::{
-    Failures, Outcome, Voice, changes::ChangesArguments, json, listed, options, parse::one_of,
-    rounded_angles,
+use crate::cli::{
+    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::options,
+    arguments::parse::one_of, listed, rounded_angles, text::json,
 };
 
 /// Show a model's tree, coordinates, parameters, the mass matrix's zeros and operation counts

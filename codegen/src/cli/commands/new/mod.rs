@@ -19,7 +19,9 @@ use kane_codegen::{
 };
 
 use self::{model::Model, package::Dependency};
-use super::{Failures, Outcome, Voice, changes::ReadingArguments, parse::one_of, paths};
+use crate::cli::{
+    Failures, Outcome, Voice, arguments::changes::ReadingArguments, arguments::parse::one_of, paths,
+};
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
 const TAKEN: [&str; 13] = [

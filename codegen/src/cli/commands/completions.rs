@@ -5,7 +5,7 @@ use std::io::Write;
 use clap::{Args, Command};
 use clap_complete::Shell;
 
-use super::{Failures, Outcome};
+use crate::cli::{Failures, Outcome};
 
 /// Print a completion script for a shell
 #[derive(Args, Debug)]

@@ -7,12 +7,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kane_codegen::companions::{Abi, CompanionKind};
 
-use super::{
+use crate::cli::{
     Failures,
+    arguments::options::{Asked, OptionsArguments},
+    arguments::parse::{name_of, one_of, quoted},
     job::{self, Job, Target},
     listed::{self, Listed},
-    options::{Asked, OptionsArguments},
-    parse::{name_of, one_of, quoted},
     paths,
 };
 

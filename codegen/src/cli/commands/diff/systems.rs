@@ -10,10 +10,10 @@ use kane_codegen::diagnostic::Source;
 use super::{report::Report, side::Side};
 use crate::cli::{
     Failures,
+    arguments::options::Asked,
     git::{self, Revision},
     job::Job,
     listed::Listed,
-    options::Asked,
 };
 
 /// What differs between two snapshots.

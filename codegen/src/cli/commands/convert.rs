@@ -9,9 +9,9 @@ use kane_codegen::{
     tree::{self, Changes},
 };
 
-use super::{
+use crate::cli::{
     Failures, Outcome, Voice,
-    changes::ReadingArguments,
+    arguments::changes::ReadingArguments,
     job::{self, Target},
 };
 

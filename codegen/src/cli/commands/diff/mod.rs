@@ -14,11 +14,13 @@ use std::{
 use clap::{Args, ValueEnum};
 use kane_codegen::options::Options;
 
-use super::{
-    Failures, Outcome, Voice, git, json,
+use crate::cli::{
+    Failures, Outcome, Voice,
+    arguments::options::{Asked, OptionsArguments},
+    git,
     listed::Listed,
-    options::{Asked, OptionsArguments},
     paths,
+    text::json,
 };
 use report::Report;
 use side::Side;

@@ -7,7 +7,7 @@ use kane_codegen::{
     tree::Tree,
 };
 
-use crate::cli::parse::name_of;
+use crate::cli::arguments::parse::name_of;
 
 /// The program, with `{{..}}` for what differs.
 const PROGRAM: &str = include_str!("main.rs.txt");

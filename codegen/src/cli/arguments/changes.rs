@@ -10,10 +10,10 @@ use kane_codegen::{
     tree::Changes,
 };
 
-use super::{
+use crate::cli::{
     Failures,
+    arguments::parse::{lock, name_of, one_of, tolerance},
     job::Listing,
-    parse::{lock, name_of, one_of, tolerance},
 };
 
 /// What a URDF or MJCF leaves to the user.

@@ -4,7 +4,7 @@ use kane_codegen::report::{Body, Change, Counted, LayoutChange, ValueChange};
 use serde_json::{Value, json};
 
 use super::{report::Report, systems::Systems};
-use crate::cli::json;
+use crate::cli::text::json;
 
 pub(super) fn of_systems(systems: &Systems) -> Value {
     json!({

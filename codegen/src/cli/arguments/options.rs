@@ -13,12 +13,12 @@ use kane_codegen::{
     recursive::Technique,
 };
 
-use super::{
+use crate::cli::{
     Failures,
-    changes::ChangesArguments,
+    arguments::changes::ChangesArguments,
+    arguments::parse::{name_of, one_of},
     job::Listing,
     listed,
-    parse::{name_of, one_of},
 };
 
 /// What is generated of a model, and how.

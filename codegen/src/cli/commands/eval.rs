@@ -22,12 +22,15 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
-use super::{
+use crate::cli::{
     Failures, Outcome, Voice,
-    changes::ChangesArguments,
+    arguments::changes::ChangesArguments,
+    arguments::options,
+    arguments::parse,
+    commands::state::{self, State},
     job::Job,
-    json, listed, options, parse,
-    state::{self, State},
+    listed,
+    text::json,
 };
 
 /// Evaluate one function at a state, and print the numbers as JSON

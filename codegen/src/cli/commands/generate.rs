@@ -13,11 +13,12 @@ use kane_codegen::{
     output::{self, Overwrite, Staged},
 };
 
-use super::{
+use crate::cli::{
     Failures, Outcome, Voice,
+    arguments::selection::Selection,
     job::{self, Job, Target},
-    operations, rounded_angles,
-    selection::Selection,
+    rounded_angles,
+    text::operations,
 };
 
 /// Write the Rust modules of one model, or of everything in kane.toml

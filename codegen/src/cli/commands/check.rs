@@ -13,14 +13,14 @@ use kane_codegen::{
     signs,
 };
 
-use super::{
+use crate::cli::{
     Failures, Outcome, Voice,
+    arguments::selection::Selection,
     job::{self, Target},
-    lines::ChangedLines,
-    operations,
-    selection::Selection,
     stray,
-    text_diff::TextDiff,
+    text::lines::ChangedLines,
+    text::operations,
+    text::text_diff::TextDiff,
 };
 
 /// Check whether generated files match their models; write nothing
