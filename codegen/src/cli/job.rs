@@ -299,14 +299,22 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
     Ok(modules)
 }
 
-/// Tells what should be known about the models, once for each.
-pub(crate) fn warn(modules: &[Generated], voice: Voice) {
-    let mut told = Vec::new();
-    for module in modules {
-        let text = module.warnings.to_string();
-        if !told.contains(&text) {
+/// Tells what should be known about the models, once for each; notes only of those whose files are `written`.
+pub(crate) fn warn(modules: &[Generated], written: &[bool], voice: Voice) {
+    let texts = modules.iter().map(|module| module.warnings.to_string());
+    let texts: Vec<String> = texts.collect();
+    let is_written = |text: &String| {
+        let mut all = texts.iter().zip(written);
+        all.any(|(other, written)| other == text && *written)
+    };
+    for (place, (module, text)) in modules.iter().zip(&texts).enumerate() {
+        if texts[..place].contains(text) {
+            continue;
+        }
+        if is_written(text) {
             voice.warn(&module.warnings);
-            told.push(text);
+        } else {
+            voice.warn_alone(&module.warnings);
         }
     }
 }

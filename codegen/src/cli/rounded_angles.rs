@@ -8,11 +8,11 @@ use kane_codegen::{
 
 use crate::cli::{Voice, job::Job};
 
-/// Tells it of the models of these modules, once for each model.
-pub(crate) fn tell(jobs: &[Job], modules: &[Generated], voice: Voice) {
+/// Tells it of the models of those modules that are `written`, once for each model.
+pub(crate) fn tell(jobs: &[Job], modules: &[Generated], written: &[bool], voice: Voice) {
     let mut told: Vec<&Path> = Vec::new();
-    for (job, module) in jobs.iter().zip(modules) {
-        if voice.is_quiet() || told.contains(&job.model.as_path()) {
+    for ((job, module), written) in jobs.iter().zip(modules).zip(written) {
+        if !written || voice.is_quiet() || told.contains(&job.model.as_path()) {
             continue;
         }
         let functions = Some(&module.functions[..]);

@@ -5,6 +5,11 @@ use crate::description::size::too_large;
 use crate::description::{Description, mjcf, toml, urdf};
 use crate::diagnostic::{Diagnostic, Source};
 
+/// Endings of what is at times taken for a model, or is one of another format.
+const NO_MODELS: [&str; 9] = [
+    "json", "pdf", "rs", "sdf", "step", "usd", "usda", "yaml", "yml",
+];
+
 /// Reads a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or
 /// `.mjcf`, our own format otherwise. What `xacro` was to make a URDF of is read as one, and refused there.
 pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Description {
@@ -23,6 +28,12 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
             let base = "an MJCF says itself which of its bodies are free";
             let description = mjcf::parse(source, reading, include);
             (description, Some(base), None, None)
+        }
+        other if NO_MODELS.contains(&other) => {
+            let fault = format!(
+                "`.{other}` is no model; one ends in `.toml`, `.urdf`, or, where it is an MJCF, in `.xml` or `.mjcf`"
+            );
+            return Description::none(source, vec![Diagnostic::error(fault)]);
         }
         _ if source.text().trim_start().starts_with('<') => {
             let fault = "a model in XML is a URDF, in a file that ends in `.urdf`, or an MJCF, in one that ends in `.xml` or `.mjcf`";

@@ -62,12 +62,13 @@ fn edits(from: &str, to: &str) -> usize {
     rows[from.len()][to.len()]
 }
 
-/// The first three of several, and how many more there are.
+/// All of a few, of more the first three and how many more there are.
 pub fn first_few<S: AsRef<str>>(names: &[S]) -> String {
-    const NAMED: usize = 3;
-    let shown = names.iter().take(NAMED).map(AsRef::as_ref);
+    // Never "and 1 more", which takes as much room as what it is.
+    let n_shown = if names.len() > 4 { 3 } else { names.len() };
+    let shown = names.iter().take(n_shown).map(AsRef::as_ref);
     let shown = shown.collect::<Vec<&str>>().join(", ");
-    match names.len().saturating_sub(NAMED) {
+    match names.len() - n_shown {
         0 => shown,
         more => format!("{shown} and {more} more"),
     }

@@ -1,8 +1,9 @@
 //! The tree as text.
 
 use crate::{
+    geometry::apply,
     id::BodyId,
-    tree::{Coordinate, Orientation, Tree, is_translation},
+    tree::{Body, Coordinate, Joint, Orientation, Tree, is_translation},
 };
 
 /// A line for the inertial frame and for each body, with its number, joint and, where it differs, the user's number.
@@ -63,6 +64,29 @@ fn drawn(tree: &Tree, is_narrow: bool) -> String {
     }
 }
 
+/// The one motion of a joint with a name, which its coordinate then has too: what it is called within the joint would say nothing.
+fn single(joint: &Joint) -> Option<usize> {
+    let moves = |motion: &usize| match joint.coordinate_of(*motion) {
+        Some(Coordinate::Locked(value)) => value != 0.0,
+        Some(_) => true,
+        None => false,
+    };
+    let is_turned = matches!(joint.orientation, Orientation::AngularVelocity { .. });
+    let mut moving = (0..6).filter(moves);
+    let single = moving.next().filter(|_| joint.is_named && !is_turned);
+    single.filter(|_| moving.next().is_none())
+}
+
+/// About or along what a body moves, in its own axes.
+fn direction(body: &Body, motion: usize) -> String {
+    let mut axis = [0.0; 3];
+    axis[motion % 3] = 1.0;
+    let axis = apply(&body.pose.rotation, axis);
+    let [x, y, z] = axis.map(|entry| (entry * 1000.0).round() / 1000.0 + 0.0);
+    let word = if motion < 3 { "about" } else { "along" };
+    format!("{word} ({x}, {y}, {z})")
+}
+
 /// The body's number in the body-connection array, from 1; 0 is the inertial frame.
 fn number(body: Option<BodyId>) -> usize {
     body.map_or(0, |body| body.index() + 1)
@@ -88,9 +112,16 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
                 .map(str::to_owned),
         );
     }
-    for (motion, axis) in names.into_iter().enumerate() {
+    let single = single(joint);
+    for (motion, name) in names.into_iter().enumerate() {
+        let is_single = single == Some(motion);
+        let axis = if is_single {
+            direction(body, motion)
+        } else {
+            name.to_owned()
+        };
         match joint.coordinate_of(motion) {
-            Some(Coordinate::Free { .. }) => free.push(axis.to_owned()),
+            Some(Coordinate::Free { .. }) => free.push(axis),
             Some(Coordinate::Mimic {
                 coordinate,
                 multiplier,
@@ -103,7 +134,8 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
                 } else {
                     format!(" + {offset:?}")
                 };
-                free.push(format!("{axis} = {multiplier:?} {other}{plus}"));
+                let is = if is_single { ", as" } else { " =" };
+                free.push(format!("{axis}{is} {multiplier:?} {other}{plus}"));
             }
             Some(Coordinate::Locked(value)) if value != 0.0 => {
                 locked.push(format!("; {axis} = {value:?}"));

@@ -1,6 +1,9 @@
-//! Numbers that look as if they had another unit: degrees in place of radians, millimetres in place of metres.
+//! Numbers that look as if they had another unit: degrees in place of radians, millimetres in place of metres, also in inertias and
+//! gravity.
 //!
 //! In: a description. Out: warnings; everything is computed as given.
+
+use std::ops::Range;
 
 use crate::description::{Description, JointKind, Limits, PerCoordinate, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span};
@@ -18,11 +21,24 @@ const ROUND: f64 = 50.0;
 const FAR: f64 = 20.0;
 /// The mass of all bodies of a small system, kg.
 const SMALL: f64 = 1000.0;
+/// A length stands out where it is more times as long as half of all than a boom, and fewer than a tether.
+const MANY: Range<f64> = 100.0..5000.0;
+/// Inertias of real bodies are those of their mass at most at so many times the longest distance of a system.
+const WIDE: f64 = 20.0;
+/// The largest gravity that is not looked at, m/s^2.
+const STRONG: f64 = 1000.0;
 
-/// Warns of limits that look like degrees, and of lengths that look like millimetres.
+/// Warns of limits that look like degrees, of lengths, inertias and gravity that look like those in millimetres.
 pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
     limits(description, findings);
-    findings.extend(lengths(description));
+    let masses = description.bodies.iter().filter_map(|body| body.mass);
+    let mass: f64 = masses.map(|mass| mass.value.nominal()).sum();
+    if mass < SMALL {
+        let lengths = lengths(description);
+        findings.extend(long(description, &lengths, mass));
+        findings.extend(wide(description, &lengths));
+    }
+    findings.extend(strong(description));
 }
 
 /// All limits of a file have one unit: where one looks like degrees, all that are too large for radians do.
@@ -96,41 +112,103 @@ fn joint(description: &Description, body: &WrittenBody, place: usize) -> String 
     }
 }
 
-/// One warning, at the longest: a long part among short ones is a boom or a tether.
-fn lengths(description: &Description) -> Option<Diagnostic> {
-    let bodies = &description.bodies;
+/// A length of a body, and where it stands.
+struct Length {
+    metres: f64,
+    span: Span,
+    body: usize,
+}
+
+/// The lengths that say how large a system is, the shortest first.
+fn lengths(description: &Description) -> Vec<Length> {
     let stands = standing(description);
-    let masses = bodies.iter().filter_map(|body| body.mass);
-    let mass: f64 = masses.map(|mass| mass.value.nominal()).sum();
-    let of_bodies = bodies.iter().enumerate();
+    let of_bodies = description.bodies.iter().enumerate();
     let of_bodies = of_bodies.flat_map(|(place, body)| {
         // How far from the inertial frame something stands says nothing.
         let attachment = (!stands[place]).then_some(body.joint.attachment);
         let mass_center = (!is_fixed(body)).then_some(body.mass_center);
-        attachment.into_iter().chain(mass_center)
+        let both = attachment.into_iter().chain(mass_center);
+        both.map(move |parts| (place, parts))
     });
-    let mut lengths: Vec<(f64, Span)> = of_bodies
-        .filter_map(|parts| {
-            let [Some(x), Some(y), Some(z)] = parts else {
-                return None;
-            };
-            let square: f64 = [x, y, z]
-                .iter()
-                .map(|part| part.value.nominal().powi(2))
-                .sum();
-            let span = Span::from(x.span.start..z.span.end.max(x.span.end));
-            (square > 0.0).then_some((square.sqrt(), span))
-        })
-        .collect();
-    lengths.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-    let (median, _) = *lengths.get(lengths.len().checked_sub(1)? / 2)?;
-    let (longest, span) = *lengths.last()?;
-    (mass < SMALL && median > FAR).then(|| {
+    let lengths = of_bodies.filter_map(|(body, parts)| {
+        let [Some(x), Some(y), Some(z)] = parts else {
+            return None;
+        };
+        let squares = [x, y, z].map(|part| part.value.nominal().powi(2));
+        let length = Length {
+            metres: squares.iter().sum::<f64>().sqrt(),
+            span: Span::from(x.span.start..z.span.end.max(x.span.end)),
+            body,
+        };
+        (length.metres > 0.0).then_some(length)
+    });
+    let mut lengths: Vec<Length> = lengths.collect();
+    lengths.sort_by(|one, other| one.metres.total_cmp(&other.metres));
+    lengths
+}
+
+/// One warning, at the longest, where most are long; else one for each that stands out.
+fn long(description: &Description, lengths: &[Length], mass: f64) -> Vec<Diagnostic> {
+    let Some(longest) = lengths.last() else {
+        return Vec::new();
+    };
+    let median = lengths[(lengths.len() - 1) / 2].metres;
+    if median > FAR {
+        let longest_metres = longest.metres;
         let message = format!(
-            "most lengths are above {FAR} m, the longest is {longest:.1} m, and all bodies together have {mass:?} kg; are the lengths in millimetres?"
+            "most lengths are above {FAR} m, the longest is {longest_metres:.1} m, and all bodies together have {mass:?} kg; are the lengths in millimetres?"
         );
-        Diagnostic::warning(message).at(span, "expected metres")
-    })
+        let warning = Diagnostic::warning(message);
+        return vec![warning.at(longest.span, "expected metres")];
+    }
+    let outliers = lengths.iter();
+    let outliers =
+        outliers.filter(|length| length.metres > FAR && MANY.contains(&(length.metres / median)));
+    let warned = outliers.map(|length| {
+        let (metres, name) = (length.metres, shown(description, length.body));
+        let message = format!(
+            "a length of {name} is {metres:.1} m, half of all are below {median:.2} m; is it in millimetres?"
+        );
+        let warning = Diagnostic::warning(message).at(length.span, "expected metres");
+        warning.one_of("lengths look like millimetres, not metres", name)
+    });
+    warned.collect()
+}
+
+/// A warning for each inertia whose mass would be far beyond all that the system has.
+fn wide(description: &Description, lengths: &[Length]) -> Vec<Diagnostic> {
+    let longest = lengths.last().map_or(0.0, |length| length.metres);
+    let bodies = description.bodies.iter().enumerate();
+    let warned = bodies.filter_map(|(place, body)| {
+        let [Some(xx), Some(yy), Some(zz), ..] = body.inertia else {
+            return None;
+        };
+        let trace: f64 = [xx, yy, zz].map(|entry| entry.value.nominal()).iter().sum();
+        let mass = body.mass?.value.nominal();
+        // The radius at which the mass would have such an inertia.
+        let radius = (trace / (2.0 * mass)).sqrt();
+        if !(mass > 0.0 && radius > FAR.max(WIDE * longest)) {
+            return None;
+        }
+        let name = shown(description, place);
+        let message = format!(
+            "the inertia of {name} is that of {mass:?} kg at a distance of {radius:.0} m; is it in kg mm^2?"
+        );
+        let warning = Diagnostic::warning(message).at(xx.span, "expected kg m^2");
+        Some(warning.one_of("inertias look like kg mm^2, not kg m^2", name))
+    });
+    warned.collect()
+}
+
+/// A warning where gravity is stronger than on the sun.
+fn strong(description: &Description) -> Option<Diagnostic> {
+    let mut components = description.gravity.iter().flatten();
+    let strong = components.find(|component| component.value.nominal().abs() > STRONG)?;
+    let message = format!(
+        "a component of gravity is {:?} m/s^2; is it in mm/s^2?",
+        strong.value.nominal()
+    );
+    Some(Diagnostic::warning(message).at(strong.span, "expected m/s^2"))
 }
 
 /// For each body whether its joint sits on the inertial frame, or on what is fixed there.

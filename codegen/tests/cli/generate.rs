@@ -456,6 +456,9 @@ fn warnings_and_notes_are_told_and_do_not_stop() {
          body `fore` from 2 to 1, body `upper` from 1 to 2 (all: --verbose)\n\
          wrote generated/arm.rs\n"
     );
+    // What a module has is no news where nothing is written.
+    let ran = project.kane(&["generate"]);
+    assert_eq!(ran.told(), "generated/arm.rs is up to date\n");
     let ran = project.kane(&["generate", "--verbose"]);
     assert!(
         ran.err.contains("note: the bodies are renumbered outward")

@@ -34,6 +34,54 @@ fn tree_of_the_example_is_drawn() {
 }
 
 #[test]
+fn axes_of_joints_with_names_are_shown_along_those_of_their_bodies() {
+    let project = Project::empty();
+    let link = |name: &str| {
+        format!(
+            "<link name=\"{name}\"><inertial><origin xyz=\"0 0.1 0.2\"/><mass value=\"1\"/>\
+             <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+        )
+    };
+    let joint = |name: &str, kind: &str, ends: [&str; 2], inside: &str| {
+        let [parent, child] = ends;
+        format!(
+            "<joint name=\"{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/>{inside}</joint>"
+        )
+    };
+    let robot = [
+        "<robot name=\"hand\">".to_owned(),
+        ["base", "palm", "left", "right"].map(link).concat(),
+        joint(
+            "wrist",
+            "continuous",
+            ["base", "palm"],
+            "<axis xyz=\"1 1 0\"/>",
+        ),
+        joint(
+            "finger",
+            "prismatic",
+            ["palm", "left"],
+            "<axis xyz=\"0 -1 0\"/><limit lower=\"0\" upper=\"1\"/>",
+        ),
+        joint(
+            "thumb",
+            "prismatic",
+            ["palm", "right"],
+            "<axis xyz=\"0 1 0\"/><limit lower=\"0\" upper=\"1\"/><mimic joint=\"finger\"/>",
+        ),
+        "</robot>".to_owned(),
+    ];
+    project.write("hand.urdf", &robot.concat());
+    let ran = project.kane(&["info", "hand.urdf"]);
+    insta::assert_snapshot!(section(&ran.out, "hand: "), @"
+    0 inertial frame
+    `-- 1 palm by wrist: about (0.707, 0.707, 0)
+        |-- 2 left by finger: along (0, -1, 0)
+        `-- 3 right by thumb: along (0, 1, 0), as 1.0 finger
+    ");
+}
+
+#[test]
 fn partitions_of_the_example_are_drawn() {
     insta::assert_snapshot!(section(&info(&["--partitions"]), "Partitions"));
 }

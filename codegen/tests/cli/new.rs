@@ -125,10 +125,38 @@ fn model_that_includes_others_is_written_whole_as_it_was_read() {
 }
 
 #[test]
+fn changes_of_the_model_go_into_kane_toml_and_the_start_is_within_the_limits() {
+    let project = Project::empty();
+    let limits = "<limit lower=\"-3\" upper=\"-1\" velocity=\"1\" effort=\"1\"/>";
+    let massless = "<link name=\"tip\"/><joint name=\"roll\" type=\"continuous\"><parent link=\"wing\"/><child link=\"tip\"/></joint>";
+    let robot = ROBOT
+        .replace("type=\"continuous\"", "type=\"revolute\"")
+        .replace("</joint>", &format!("{limits}</joint>{massless}"));
+    project.write("bird.urdf", &robot);
+    let options = ["--remove-massless", "--snap", "1e-5", "--lock", "hull=0"];
+    let refused = project.kane(&["new", "bird", "bird.urdf"]);
+    assert_eq!(refused.code, 2);
+    let ran = project.kane(&[&["new", "bird", "bird.urdf"][..], &options[..3]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let config = project.read("bird/kane.toml");
+    assert!(
+        config.contains("\nsnap = 1e-5\nremove_massless = true\n"),
+        "{config}"
+    );
+    assert!(config.contains("\"jacobian(tip)\""), "{config}");
+    assert_eq!(project.kane_in("bird", &["check"]).code, 0);
+    let program = project.read("bird/src/main.rs");
+    assert!(program.contains("    -2.0, // shoulder\n"), "{program}");
+    let absent = project.kane(&[&["new", "other", "bird.urdf"][..], &options].concat());
+    assert!(absent.err.contains("`hull`"), "{}", absent.err);
+}
+
+#[test]
 fn what_cannot_be_a_package_is_refused_and_nothing_written() {
     let project = Project::empty();
     project.write("there/file", "");
     project.write("broken.urdf", "<robot");
+    project.write("arm.rs", "");
     let before = project.files();
     for (arguments, told) in [
         (&["new", "my-arm"][..], "`my-arm` cannot be the name"),
@@ -139,6 +167,7 @@ fn what_cannot_be_a_package_is_refused_and_nothing_written() {
         (&["new", "build"], "Rust or cargo use it for something else"),
         (&["new", "there"], "`there` is there already"),
         (&["new", "arm", "broken.urdf"], "broken.urdf:1:"),
+        (&["new", "arm", "arm.rs"], "`.rs` is no model"),
         (
             &["new", "arm", "absent.urdf"],
             "cannot access `absent.urdf`",

@@ -55,6 +55,15 @@ fn unknown_names_are_met_with_advice() {
         assert_eq!(advice(name), format!("did you mean `{request}`?"));
     }
     assert_eq!(advice("all"), "it stands alone");
+    assert_eq!(advice("defualt"), "did you mean `default`?");
+    assert_eq!(
+        advice("spatial_jacobian"),
+        "did you mean `jacobian(FRAME)`?"
+    );
+    assert_eq!(
+        advice("operational_space_inertia"),
+        "`operational_inverse_inertia(FRAME)` writes its inverse"
+    );
     for (name, operator) in [
         ("jvp", "jvp(F; X)"),
         ("jtimes", "jvp(F; X)"),
@@ -66,7 +75,7 @@ fn unknown_names_are_met_with_advice() {
     }
     assert_eq!(
         advice("inverse_kinematics"),
-        "`kane::inverse_kinematics` does that, for every system"
+        "`kane::inverse_kinematics` does that in Rust, for every system"
     );
     insta::assert_snapshot!(advice("jerk"), @"`kane info MODEL --functions all` lists those of a system; those of a frame are pose, velocity, acceleration, jacobian, jacobian_packed, point_jacobian, jacobian_dot_u, generalized_force, imu, operational_inverse_inertia");
 }

@@ -185,7 +185,8 @@ fn xml_under_another_ending_is_told_which_endings_there_are() {
             .collect::<String>()
     };
     assert!(
-        faults("robot.sdf").contains("a model in XML is a URDF, in a file that ends in `.urdf`")
+        faults("robot.world").contains("a model in XML is a URDF, in a file that ends in `.urdf`")
     );
+    assert!(faults("robot.sdf").contains("`.sdf` is no model"));
     assert!(faults("robot.xacro").contains("expected `robot`"));
 }

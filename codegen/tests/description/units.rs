@@ -92,6 +92,28 @@ fn lengths_in_millimetres_are_a_warning() {
 }
 
 #[test]
+fn one_length_in_millimetres_among_others_is_a_warning() {
+    let text = arm().replacen("[0.01, 0.02, -0.5]", "[10.0, 20.0, -500.0]", 1);
+    assert_eq!(warnings(&text).len(), 1);
+    insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
+}
+
+#[test]
+fn inertias_in_kilogram_square_millimetres_are_a_warning() {
+    let inertia = "xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01";
+    let text = arm().replace(inertia, "xx = 1e5, yy = 1e5, zz = 2e4, xy = 1e4");
+    insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
+    // Of a large system they are what they are.
+    is_accepted(&in_millimetres(&text).replace("mass = 2.0", "mass = 4000.0"));
+}
+
+#[test]
+fn gravity_in_millimetres_is_a_warning() {
+    let text = format!("gravity = [0.0, 0.0, -9810.0]\n{}", arm());
+    insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
+}
+
+#[test]
 fn long_systems_are_accepted_where_they_are_heavy_or_stand_far_away() {
     is_accepted(&in_millimetres(&arm()).replace("mass = 2.0", "mass = 4000.0"));
     // One long part, and a system far from the inertial frame's origin, on what is fixed there.

@@ -78,7 +78,7 @@ pub(crate) fn run(
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
     if voice.is_verbose() {
-        job::warn(&modules, voice);
+        job::warn(&modules, &vec![true; modules.len()], voice);
     }
     let mut failures = Failures::default();
     let files = plan.jobs.iter().zip(&modules);

@@ -17,7 +17,7 @@ use crate::cli::{
 
 /// Write a model in our own format, whichever it is in
 ///
-/// The model is checked first, and what should be known about it is told. What is written is what the model says,
+/// The model is checked first. What is written is what the model says,
 /// limits, friction and mimicking joints included: nothing is snapped, locked, removed or renumbered. Comments are lost.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
@@ -68,7 +68,8 @@ pub(crate) fn run(
     let description = description::read(&job::read(model)?, &reading, &job::include(model));
     let checked = tree::build_with(&description, &Changes::default())?;
     let text = toml::write(&description)?;
-    voice.warn(&checked.warnings);
+    // Notes say what a module has that is generated of the model.
+    voice.warn_alone(&checked.warnings);
     match target {
         Target::StandardOutput => out.write_all(text.as_bytes())?,
         Target::File(path) => {

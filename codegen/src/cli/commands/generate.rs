@@ -55,8 +55,6 @@ pub(crate) fn run(
     let start = Instant::now();
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
-    job::warn(&modules, voice);
-    rounded_angles::tell(&plan.jobs, &modules, voice);
     let overwrite = if arguments.force {
         Overwrite::Anything
     } else {
@@ -64,18 +62,23 @@ pub(crate) fn run(
     };
     let mut failures = Failures::default();
     let mut files = Vec::new();
+    let mut written = Vec::new();
     for (job, module) in plan.jobs.iter().zip(&modules) {
-        match &job.target {
-            Target::StandardOutput => out.write_all(module.source.as_bytes())?,
-            Target::File(path) => {
-                for (path, text) in module.files(path) {
-                    let staged = failures.keep(output::stage(&path, text, overwrite));
-                    files.extend(staged.map(|staged| (path, staged)));
-                }
-            }
+        let staged = failures
+            .keep(stage(job, module, overwrite))
+            .unwrap_or_default();
+        let are_written = staged.iter().any(|(_, staged)| !staged.is_up_to_date());
+        written.push(are_written || job.target == Target::StandardOutput);
+        files.extend(staged);
+    }
+    job::warn(&modules, &written, voice);
+    failures.none()?;
+    rounded_angles::tell(&plan.jobs, &modules, &written, voice);
+    for (job, module) in plan.jobs.iter().zip(&modules) {
+        if job.target == Target::StandardOutput {
+            out.write_all(module.source.as_bytes())?;
         }
     }
-    failures.none()?;
     let paths: Vec<PathBuf> = plan.jobs.iter().flat_map(Job::files).collect();
     let n_files = files.len();
     let written = commit(files, voice)?;
@@ -97,6 +100,25 @@ pub(crate) fn run(
         }
     }
     Ok(Outcome::Done)
+}
+
+/// The files of a module, beside those that they replace.
+fn stage(
+    job: &Job,
+    module: &Generated,
+    overwrite: Overwrite,
+) -> Result<Vec<(PathBuf, Staged)>, Failures> {
+    let Target::File(path) = &job.target else {
+        return Ok(Vec::new());
+    };
+    let mut failures = Failures::default();
+    let mut files = Vec::new();
+    for (path, text) in module.files(path) {
+        let staged = failures.keep(output::stage(&path, text, overwrite));
+        files.extend(staged.map(|staged| (path, staged)));
+    }
+    failures.none()?;
+    Ok(files)
 }
 
 /// Puts texts in the place of their files; gives those that changed.

@@ -25,8 +25,8 @@ use crate::cli::{Failures, Outcome, arguments::parse::one_of, text::json};
     1  a promise is broken\n  \
     2  a module that cannot be read or compiled, or machine code that cannot be read: that of x86-64 in ELF can\n\n\
     Examples:\n  \
-    kane verify src/arm.rs --object\n  \
-    kane verify generated/*.rs --object --opt-level 2 --scalar f32")]
+    kane verify src/arm.rs\n  \
+    kane verify generated/*.rs --opt-level 2 --scalar f32")]
 pub(crate) struct Arguments {
     /// Generated modules
     #[arg(value_name = "FILE", required = true)]

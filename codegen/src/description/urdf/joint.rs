@@ -125,6 +125,11 @@ fn axis(reader: &mut Reader, joint: Element<'_>, words: &str) -> Optional<[f64; 
     };
     reader.unknown(element, &owner, &known);
     let Some(xyz) = element.attribute("xyz") else {
+        let warning = Diagnostic::warning(format!("{owner} has no `xyz`"));
+        let warning = warning
+            .at(element.span(), "read as along x")
+            .one_of("axes have no `xyz`", words);
+        reader.faults.push(warning);
         return absent;
     };
     let axis: [_; 3] = reader.numbers(xyz, &format!("`xyz` of {owner}"))?;

@@ -1,7 +1,7 @@
 //! What to say to those who look for a name that we do not have, perhaps another tool's.
 
 use super::{
-    elsewhere::{OPERATORS, REQUESTS, RUNTIME, VARIABLES},
+    elsewhere::{NO_FUNCTIONS, OPERATORS, REQUESTS, RUNTIME, VARIABLES},
     generated_name,
 };
 use crate::{
@@ -53,7 +53,9 @@ pub fn advice(name: &str) -> String {
     } else if let Some(operator) = found(&OPERATORS, &words) {
         format!("expected `{operator}`, of a function `F` by variables `X`")
     } else if let Some(module) = found(&RUNTIME, &words) {
-        format!("`{module}` does that, for every system")
+        format!("`{module}` does that in Rust, for every system")
+    } else if let Some(advice) = found(&NO_FUNCTIONS, &words) {
+        advice.to_owned()
     } else if let Some(request) = generated_name::request(name) {
         format!("did you mean `{request}`?")
     } else if name == "sin_cos" {
@@ -62,7 +64,7 @@ pub fn advice(name: &str) -> String {
         "functions stand with commas between them".to_owned()
     } else if ["all", "default"].contains(&name) {
         "it stands alone".to_owned()
-    } else if let Some(near) = nearest(name, &Function::names()) {
+    } else if let Some(near) = nearest(name, &known()) {
         format!("did you mean `{near}`?")
     } else if name.contains(['(', '+']) {
         "quotes stand around one name, not around a request".to_owned()
@@ -72,6 +74,13 @@ pub fn advice(name: &str) -> String {
             of_frames().join(", ")
         )
     }
+}
+
+/// The names of functions, and of sets of them.
+fn known() -> Vec<&'static str> {
+    let mut known = Function::names();
+    known.extend(["all", "default"]);
+    known
 }
 
 /// True for names of functions with spaces between them.
@@ -94,8 +103,7 @@ pub(in crate::functions) fn advice_on_frame(name: &str) -> Option<String> {
         ),
         "localworldaligned" => Some("vectors are so without any word behind the frame".to_owned()),
         "world" | "universe" | "global" | "inertial" | "ground" => Some(
-            "the inertial frame is no word: what is asked of a frame is relative to it already"
-                .to_owned(),
+            "leave it out: what is asked of a frame is relative to the inertial frame".to_owned(),
         ),
         _ if Variable::find(None, name).is_some() || Function::find(name).is_some() => {
             Some("derivatives are written `d(F)/d(X)`".to_owned())

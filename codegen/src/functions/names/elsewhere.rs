@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 32] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 33] = [
     (
         "inverse_dynamics",
         &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
@@ -37,13 +37,15 @@ pub(super) const REQUESTS: [(&str, &[&str]); 32] = [
             "gravitycompensation",
             "gravityvector",
             "gravitygeneralizedforces",
+            "g",
         ],
     ),
-    ("coriolis_matrix", &["coriolis", "christoffel"]),
+    ("coriolis_matrix", &["coriolis", "christoffel", "c"]),
     (
         "mass_matrix_inverse",
-        &["minv", "minverse", "inversemassmatrix"],
+        &["minv", "minverse", "inversemassmatrix", "m1"],
     ),
+    ("mass_matrix_dot", &["mdot"]),
     ("mass_matrix_product", &["choleskymv", "mjmulm"]),
     (
         "mass_matrix_solve",
@@ -104,6 +106,8 @@ pub(super) const REQUESTS: [(&str, &[&str]); 32] = [
             "jointjacobian",
             "jointjacobians",
             "geometricjacobian",
+            "contactjacobian",
+            "taskjacobian",
             "mjjac",
             "mjjacbody",
             "mjjacsite",
@@ -116,6 +120,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 32] = [
         "jacobian_dot_u(FRAME)",
         &[
             "jacobiantimevariation",
+            "jdot",
             "jdotv",
             "jdotqdot",
             "jacobiandot",
@@ -131,8 +136,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 32] = [
             "delassus",
             "delassusmatrix",
             "efcar",
-            "lambda",
-            "taskinertia",
+            "operationalspaceinverseinertia",
         ],
     ),
     ("imu(FRAME)", &["accelerometer", "gyro"]),
@@ -223,8 +227,65 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
     ),
     (
         "kane::discrete",
-        &["mjstep", "linearize", "discretize", "rk4", "rk4step"],
+        &[
+            "mjstep",
+            "linearize",
+            "linearise",
+            "linearization",
+            "linearisation",
+            "statespace",
+            "lqr",
+            "discretize",
+            "discretise",
+            "rk4",
+            "rk4step",
+        ],
     ),
+];
+
+/// Words for what no function writes, and what to do about each.
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 6] = [
+    (
+        "`operational_inverse_inertia(FRAME)` writes its inverse",
+        &[
+            "lambda",
+            "taskinertia",
+            "operationalinertia",
+            "operationalspaceinertia",
+            "operationalspaceinertiamatrix",
+        ],
+    ),
+    (
+        "a tool is a frame of the model, as in `pose(FRAME)` and `jacobian(FRAME)`",
+        &["endeffector", "ee", "eef", "tcp", "tool", "flange"],
+    ),
+    (
+        "it follows from `jacobian(FRAME)`: the square root of the determinant of `J J^T`",
+        &["manipulability", "manipulabilitymeasure"],
+    ),
+    (
+        "no equation has friction; a module has what the model says of it, `FRICTION`",
+        &["friction", "coulombfriction", "frictionloss"],
+    ),
+    (
+        "dampers of joints are part of `bias`",
+        &["damping", "damper", "viscousfriction"],
+    ),
+    (
+        "a mass, a mass centre or an inertia that changes is `{ runtime = .. }` in the model",
+        &["payload"],
+    ),
+];
+
+/// Kinds of Jacobians and the like, which are no frames though they stand where a frame could.
+pub(super) const NO_FRAMES: [&str; 7] = [
+    "analytic",
+    "analytical",
+    "contact",
+    "end_effector",
+    "frame",
+    "geometric",
+    "spatial",
 ];
 
 /// Our variables, and other names of the same.

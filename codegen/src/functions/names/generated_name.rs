@@ -1,5 +1,6 @@
 //! Names of generated functions, read back: for those who ask for what they know from a module.
 
+use super::elsewhere::NO_FRAMES;
 use crate::functions::{
     argument::Argument,
     function::{Function, Of},
@@ -22,6 +23,8 @@ fn of_part(name: &str) -> Option<String> {
         return Some(name.to_owned());
     }
     if let Some((frame, function)) = of_frame(name) {
+        let frame = Some(frame).filter(|frame| !NO_FRAMES.contains(frame));
+        let frame = frame.unwrap_or("FRAME");
         return Some(format!("{function}({frame})"));
     }
     for suffix in ["_derivatives", "_derivative"] {

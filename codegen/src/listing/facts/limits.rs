@@ -18,7 +18,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    pub(super) fn of(tree: &Tree) -> Self {
+    /// Those of a tree.
+    pub fn of(tree: &Tree) -> Self {
         Self {
             lower: along_coordinates(tree, |mechanics| mechanics.range[0], f64::NEG_INFINITY),
             upper: along_coordinates(tree, |mechanics| mechanics.range[1], f64::INFINITY),

@@ -156,9 +156,13 @@ fn separately(
     ));
     let help = if is_one_joint {
         let chain = beyond(tree, description, motion[0].0);
-        format!(
-            "leave {them} out of the joint, or give {chain} the mass or inertia that would move"
-        )
+        let n_free = tree.body(motion[0].0).joint.speeds().into_iter().count();
+        let hold = if motion.len() == n_free {
+            "make the joint `fixed`".to_owned()
+        } else {
+            format!("leave {them} out of the joint")
+        };
+        format!("{hold}, or give {chain} the mass or inertia that would move")
     } else {
         format!("give the bodies beyond {them} mass or inertia")
     };

@@ -274,6 +274,16 @@ fn types_become_kinds() {
 }
 
 #[test]
+fn axis_without_components_is_told() {
+    let told = |inside| {
+        let text = robot(&[("j", "continuous", "a", "b", inside)]);
+        let faults = parse(&text, &Reading::default()).faults;
+        faults.iter().any(|fault| fault.message.contains("`xyz`"))
+    };
+    assert!(told("<axis/>") && !told("") && !told("<axis xyz='1 0 0'/>"));
+}
+
+#[test]
 fn root_link_is_fixed_unless_it_is_to_be_free() {
     let text = robot(&[("j", "continuous", "a", "b", "")]);
     for base in [None, Some(Base::Fixed)] {

@@ -12,7 +12,7 @@ use std::{
 use clap::Args;
 use kane_codegen::{
     companions::{Abi, CompanionKind},
-    description::{self, Reading, toml},
+    description::{self, toml},
     generate,
     options::{Options, companion},
     output::{self, Overwrite},
@@ -20,7 +20,7 @@ use kane_codegen::{
 
 use self::{model::Model, package::Dependency};
 use crate::cli::{
-    Failures, Outcome, Voice, arguments::changes::ReadingArguments, arguments::parse::one_of, paths,
+    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::parse::one_of, paths,
 };
 
 /// Names that a package, its program or a module of it cannot have, though they are names in Rust.
@@ -62,7 +62,7 @@ pub(crate) struct Arguments {
     model: Option<PathBuf>,
 
     #[command(flatten)]
-    reading: ReadingArguments,
+    changes: ChangesArguments,
 
     /// The language of the control loop, where it is not Rust
     #[arg(long, value_name = "WHICH", value_parser = one_of(Abi::ALL))]
@@ -88,19 +88,20 @@ pub(crate) fn run(
         )));
     }
     let dependency = dependency(folder, arguments.kane.as_deref())?;
-    let reading = arguments.reading.above(Reading::default());
-    let model = match &arguments.model {
-        Some(path) => Model::read(path, reading, &name)?,
-        None => Model::pendulum(&name)?,
-    };
-    let options = Options {
-        reading: model.reading.clone(),
+    arguments.changes.check()?;
+    let mut options = Options {
         companions: std::iter::once(CompanionKind::Tests)
             .chain(arguments.abi.map(CompanionKind::Abi))
             .collect(),
         module: name.clone(),
         ..Options::default()
     };
+    arguments.changes.set(&mut options);
+    let model = match &arguments.model {
+        Some(path) => Model::read(path, &options, &name)?,
+        None => Model::pendulum(&name)?,
+    };
+    options.reading = model.reading.clone();
     let shown = format!("models/{}", model.source.name());
     let includes = description::no_includes;
     let generated = generate::generate(&model.source, &shown, &options, &includes)?;
@@ -109,7 +110,7 @@ pub(crate) fn run(
     let module = folder.join(format!("src/{name}.rs"));
     let abi = arguments.abi;
     let manifest = package::manifest(&name, &dependency, abi);
-    let config = package::config(&name, (&shown, &model.tree), &model.reading, abi);
+    let config = package::config(&name, (&shown, &model.tree), &options, abi);
     let (program, next) = package::program(&name, &model.tree, abi);
     let workflow = package::workflow(&dependency);
     let mut files: Vec<(PathBuf, &str)> = generated.files(&module);
@@ -125,6 +126,9 @@ pub(crate) fn run(
     let place = folder.join(".github/workflows/kane.yml");
     files.extend(workflow.as_deref().map(|text| (place, text)));
     output::write(&files, Overwrite::Nothing)?;
+    if matches!(dependency, Dependency::Registry) {
+        voice.say("note: the package needs the crate `kane` of crates.io; `--kane FOLDER` takes that of a checkout");
+    }
     let folder = folder.display();
     voice.say(format_args!("wrote {folder}/; next: cd {folder} && {next}"));
     Ok(Outcome::Done)

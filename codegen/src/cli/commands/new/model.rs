@@ -5,6 +5,7 @@ use std::{cell::Cell, path::Path};
 use kane_codegen::{
     description::{self, Reading, toml},
     diagnostic::{Diagnostics, Source},
+    options::Options,
     tree::{self, Changes, Checked, Tree},
 };
 
@@ -38,15 +39,18 @@ impl Model {
     }
 
     /// The model at a path; one that needs other files in our own format, which holds what they say.
-    pub(super) fn read(path: &Path, reading: Reading, name: &str) -> Result<Self, Failures> {
+    pub(super) fn read(path: &Path, options: &Options, name: &str) -> Result<Self, Failures> {
         let source = job::read(path)?;
         let needs_others = Cell::new(false);
         let include = |other: &str| {
             needs_others.set(true);
             job::include(path)(other)
         };
-        let description = description::read(&source, &reading, &include);
-        let Checked { tree, warnings } = tree::build_with(&description, &Changes::default())?;
+        let Options {
+            reading, changes, ..
+        } = options;
+        let description = description::read(&source, reading, &include);
+        let Checked { tree, warnings } = tree::build_with(&description, changes)?;
         let (source, reading) = if needs_others.get() {
             let text = toml::write(&description)?;
             (
@@ -55,7 +59,10 @@ impl Model {
             )
         } else {
             let file = path.file_name().unwrap_or_default();
-            (Source::new(file.to_string_lossy(), source.text()), reading)
+            (
+                Source::new(file.to_string_lossy(), source.text()),
+                reading.clone(),
+            )
         };
         Ok(Self {
             source,

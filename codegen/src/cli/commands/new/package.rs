@@ -4,7 +4,9 @@ use kane_codegen::{
     companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
     functions::parse::syntax::written,
-    tree::Tree,
+    listing::Limits,
+    options::Options,
+    tree::{Changes, Tree},
 };
 
 use crate::cli::arguments::parse::name_of;
@@ -51,29 +53,69 @@ pub(super) fn manifest(name: &str, dependency: &Dependency, abi: Option<Abi>) ->
 pub(super) fn config(
     name: &str,
     (model, tree): (&str, &Tree),
-    reading: &Reading,
+    options: &Options,
     abi: Option<Abi>,
 ) -> String {
     let Reading {
         base,
         chart,
         leave_out,
-    } = reading;
+    } = &options.reading;
     let base = base.map(|base| format!("base = \"{}\"\n", name_of(&base, &Base::NAMED)));
     let chart = chart.map(|chart| format!("chart = \"{}\"\n", name_of(&chart, &Chart::NAMED)));
-    let names: Vec<String> = leave_out.iter().map(|name| quoted(name)).collect();
-    let leave_out = (!names.is_empty()).then(|| format!("leave_out = [{}]\n", names.join(", ")));
+    let leave_out = list(
+        Reading::LEAVE_OUT,
+        leave_out.iter().map(|name| quoted(name)),
+    );
     let abi = abi.map(|abi| format!("abi = \"{}\"\n", name_of(&abi, &Abi::ALL)));
-    // A model that is generated moves something.
-    let last = tree.bodies.last().map_or("", |body| body.name.as_str());
+    // Tools are what is fixed last. A model that is generated moves something.
+    let frames = tree.frames.iter().chain(&tree.markers);
+    let frames = frames.map(|frame| frame.name.as_str());
+    let bodies = tree.bodies.iter().map(|body| body.name.as_str());
+    let last = bodies.chain(frames).last().unwrap_or_default();
     let jacobian = quoted(&format!("jacobian({})", written(last)));
-    let more = [base, chart, leave_out, abi].into_iter().flatten();
+    let changes = changes(options);
+    let more = [base, chart, leave_out]
+        .into_iter()
+        .chain(changes)
+        .chain([abi]);
+    let more = more.flatten();
     format!(
         "[[system]]\nmodel = {}\noutput = \"src/{name}.rs\"\n{}tests = true\n\
          # functions = [\"default\", {jacobian}]   # the default set and more\n",
         quoted(model),
         more.collect::<String>()
     )
+}
+
+/// What is changed of the model, a line a key.
+fn changes(options: &Options) -> [Option<String>; 5] {
+    let Changes {
+        snap,
+        lock,
+        remove,
+        remove_massless,
+    } = &options.changes;
+    let is_changed = *snap != Changes::default().snap;
+    let locked = lock.iter();
+    let locked = locked.map(|(name, value)| format!("{} = {value:?}", quoted(name)));
+    let locked: Vec<String> = locked.collect();
+    [
+        is_changed.then(|| format!("snap = {snap:?}\n")),
+        (!locked.is_empty()).then(|| format!("lock = {{ {} }}\n", locked.join(", "))),
+        list(Changes::REMOVE, remove.iter().map(|name| quoted(name))),
+        remove_massless.then(|| "remove_massless = true\n".to_owned()),
+        list(
+            "prescribed",
+            options.prescribed.iter().map(|name| quoted(name)),
+        ),
+    ]
+}
+
+/// A key with a list, where that holds anything.
+fn list(key: &str, names: impl Iterator<Item = String>) -> Option<String> {
+    let names: Vec<String> = names.collect();
+    (!names.is_empty()).then(|| format!("{key} = [{}]\n", names.join(", ")))
 }
 
 /// The program: the path of each of its files, and its text; and the command that runs it.
@@ -113,13 +155,23 @@ fn c_program(name: &str, tree: &Tree) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// Where the system starts, a line a coordinate: angles and translations at zero, quaternions at no rotation.
+/// Where the system starts, a line a coordinate: angles and translations at zero, or between their limits where these leave zero out,
+/// quaternions at no rotation.
 fn start(tree: &Tree, indent: &str) -> String {
     let names = tree.coordinate_names();
-    let mut start = vec!["0.0"; names.len()];
+    let limits = Limits::of(tree);
+    let ranges = limits.lower.iter().zip(&limits.upper);
+    let start = ranges.map(|(&lower, &upper)| {
+        if lower > 0.0 || upper < 0.0 {
+            format!("{:?}", f64::midpoint(lower, upper))
+        } else {
+            "0.0".to_owned()
+        }
+    });
+    let mut start: Vec<String> = start.collect();
     let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
     for (_, coordinate) in coordinates.filter(|(kind, _)| *kind == "e0") {
-        start[coordinate.index()] = "1.0";
+        "1.0".clone_into(&mut start[coordinate.index()]);
     }
     let lines = start.iter().zip(&names);
     lines
