@@ -60,6 +60,8 @@ files! {
     free_joint_in_a_body
     fromto_of_a_point
     full_inertia_turned
+    fused_inertial
+    fused_total_mass
     global_coordinates
     gravity_too_short
     height_field
@@ -72,6 +74,7 @@ files! {
     included_number
     inertial_without_inertia
     inertial_without_mass
+    inherited_polynomial
     joint_in_the_world
     joint_type_unknown
     limited_without_range

@@ -183,6 +183,19 @@ fn mesh_of_a_box_is_the_box() {
 }
 
 #[test]
+fn the_compiler_of_mujoco_3_may_say_that_meshes_are_filled_exactly() {
+    let geom = "<geom type=\"mesh\" mesh=\"box\"/>";
+    let told = |compiler: &str, inertia: &str| {
+        let mesh = format!("<mesh name=\"box\" file=\"bent.obj\" {inertia}/>");
+        only(&model(compiler, &mesh, geom)).inertia.map(number)
+    };
+    let exact = told("", "inertia=\"exact\"");
+    let of_compiler = told("<compiler exactmeshinertia=\"true\"/>", "");
+    assert_eq!(exact, of_compiler);
+    assert_ne!(exact, told("", ""));
+}
+
+#[test]
 fn shell_of_a_box_has_the_mass_of_its_sides() {
     let mesh = "<mesh file=\"box.obj\" inertia=\"shell\"/>";
     let body = only(&model(

@@ -71,6 +71,9 @@ fn z_axis_is_reached_by_the_least_rotation() {
     );
     let down = attachment_rotation(&only("", "<body zaxis=\"0 0 -2\"/>"));
     assert_eq!(down, [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]);
+    // Nearly so, as numbers of 32 bits have it, MuJoCo 4 turns about x, too.
+    let nearly = attachment_rotation(&only("", "<body zaxis=\"3e-8 0 -1\"/>"));
+    assert_eq!(nearly[0], [1.0, 0.0, 0.0]);
 }
 
 #[test]
@@ -242,6 +245,18 @@ fn settings_say_when_geoms_count() {
         "<body><geom size=\"1\"/></body>",
     );
     assert_eq!(number(bare.mass), 0.0);
+}
+
+#[test]
+fn first_entries_of_a_list_leave_the_others_to_the_default() {
+    let default = "<default><geom type=\"box\" size=\"1 2 3\" density=\"2\"/>\
+                   <default class=\"a\"><geom size=\"4 5\"/></default></default>";
+    let body = only(default, "<body><geom class=\"a\" size=\"0.5\"/></body>");
+    let whole = only(
+        "",
+        "<body><geom type=\"box\" size=\"0.5 5 3\" density=\"2\"/></body>",
+    );
+    assert_eq!(body.inertia.map(number), whole.inertia.map(number));
 }
 
 #[test]

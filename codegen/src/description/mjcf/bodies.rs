@@ -316,6 +316,12 @@ fn geom_attributes<'d>(
     )
 }
 
+/// True for a body that no joint moves.
+fn is_static(inside: &Inside<'_>) -> bool {
+    let mut children = inside.element.children();
+    !children.any(|child| matches!(child.name(), "joint" | "freejoint"))
+}
+
 /// The mass of a body; `None` where it is faulty.
 fn mass(
     reader: &mut Reader,
@@ -367,6 +373,20 @@ fn mass(
         }
     }
     let inferred = together(&solids).map(|solid| Some(MassProperties::of(&solid, span)));
+    if let Some(fuses) = settings.fuses
+        && settings.from_geoms == FromGeoms::Always
+        && inferred.is_none()
+        && let Some(inertial) = contents.inertials.first()
+        && (contents.joints.is_empty() || contents.bodies.iter().any(is_static))
+    {
+        let message = format!(
+            "`fusestatic` may replace the `inertial` of {body} by geoms of what it is fused with, which is not supported"
+        );
+        let fault = Diagnostic::error(message).at(inertial.element.span(), "no geom of its own");
+        reader
+            .faults
+            .push(fault.at(fuses, "leave this out, or write `inertiafromgeom=\"auto\"`"));
+    }
     let mass = inferred.or(written);
     let mut mass = match mass {
         Some(mass) => mass?,

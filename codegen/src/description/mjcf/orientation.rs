@@ -84,7 +84,7 @@ pub(super) fn z_axis(axis: Vector) -> Option<Rotation> {
     let [x, y, z] = unit(axis)?;
     let sine = length([x, y, 0.0]);
     // For an axis against z, MuJoCo turns about x.
-    let about_axis = if sine < 1e-10 {
+    let about_axis = if sine < 1e-7 {
         IDENTITY[0]
     } else {
         [-y / sine, x / sine, 0.0]

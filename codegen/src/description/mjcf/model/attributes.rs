@@ -1,6 +1,6 @@
 //! Attributes of an element, with those that it inherits from a default class.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, btree_map::Entry};
 use std::rc::Rc;
 
 use crate::description::xml::{Element, Known, Reader};
@@ -9,6 +9,9 @@ use crate::diagnostic::{Span, Spanned};
 /// The ways to write an orientation, of which an element has one.
 pub(in crate::description::mjcf) const ORIENTATION: [&str; 5] =
     ["quat", "axisangle", "xyaxes", "zaxis", "euler"];
+
+/// Lists of which an element may give the first entries alone: the others are those of its default.
+const LISTS: [&str; 4] = ["damping", "polycoef", "size", "stiffness"];
 
 /// The attributes of an element that are read.
 #[derive(Clone, Debug)]
@@ -25,6 +28,8 @@ pub(in crate::description::mjcf) struct Attributes<'d> {
 struct Written<'d> {
     value: Spanned<&'d str>,
     owner: Rc<str>,
+    /// What the default has, of a list.
+    below: Option<Rc<Written<'d>>>,
 }
 
 impl<'d> Attributes<'d> {
@@ -50,7 +55,15 @@ impl<'d> Attributes<'d> {
         for (found, value) in element.attributes() {
             if let Some(name) = known.attributes.iter().find(|name| **name == found.value) {
                 let owner = Rc::clone(&owner);
-                values.insert(*name, Written { value, owner });
+                let below = None;
+                values.insert(
+                    *name,
+                    Written {
+                        value,
+                        owner,
+                        below,
+                    },
+                );
             }
         }
         Self {
@@ -64,8 +77,17 @@ impl<'d> Attributes<'d> {
     pub(in crate::description::mjcf) fn inherit(&mut self, default: &Self) {
         let oriented = ORIENTATION.iter().any(|name| self.has(name));
         for (name, written) in &default.values {
-            if !(oriented && ORIENTATION.contains(name)) {
-                self.values.entry(name).or_insert_with(|| written.clone());
+            if oriented && ORIENTATION.contains(name) {
+                continue;
+            }
+            match self.values.entry(name) {
+                Entry::Vacant(place) => {
+                    place.insert(written.clone());
+                }
+                Entry::Occupied(mut own) if LISTS.contains(name) => {
+                    own.get_mut().below = Some(Rc::new(written.clone()));
+                }
+                Entry::Occupied(_) => {}
             }
         }
     }
@@ -137,14 +159,21 @@ impl<'d> Attributes<'d> {
         Some(numbers.map(|number| number.value))
     }
 
-    /// From one to `most` finite numbers.
+    /// From one to `most` finite numbers; of a list with those of its default behind.
     pub(in crate::description::mjcf) fn up_to(
         &self,
         reader: &mut Reader,
         name: &str,
         most: usize,
     ) -> Option<Vec<Spanned<f64>>> {
-        let value = self.text(name)?;
-        reader.some_numbers(value, &self.what(name), 1, most)
+        let mut written = self.values.get(name)?;
+        let what = self.what(name);
+        let mut numbers = reader.some_numbers(written.value, &what, 1, most)?;
+        while let Some(below) = &written.below {
+            written = below;
+            let others = reader.some_numbers(written.value, &what, 1, most)?;
+            numbers.extend(others.into_iter().skip(numbers.len()));
+        }
+        Some(numbers)
     }
 }

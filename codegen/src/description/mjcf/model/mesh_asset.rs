@@ -45,6 +45,7 @@ pub(in crate::description::mjcf) fn shape(
     let filling = match mesh.keyword(reader, "inertia", &FILLINGS) {
         Some(filling) => filling.value,
         None if mesh.has("inertia") => return None,
+        None if reading.settings.exact_meshes == Switch::On => Filling::Exact,
         None => Filling::Legacy,
     };
     let change = change(reader, mesh)?;

@@ -26,6 +26,10 @@ pub(in crate::description::mjcf) struct Settings {
     pub(in crate::description::mjcf) balance: Switch,
     /// What the masses of all bodies are scaled to.
     pub(in crate::description::mjcf) total_mass: Option<f64>,
+    /// Where it says that bodies without joints become part of those that carry them.
+    pub(in crate::description::mjcf) fuses: Option<Span>,
+    /// Whether meshes without a word about it are filled exactly, as in MuJoCo 3.
+    pub(in crate::description::mjcf) exact_meshes: Switch,
     /// Whether floating bodies get the axes of their inertia.
     pub(in crate::description::mjcf) align_free: Switch,
     /// The folder of mesh files, beside the model's own; empty where they stand beside the model.
@@ -99,6 +103,8 @@ pub(in crate::description::mjcf) fn read<'d>(
         least_inertia: None,
         balance: Switch::Off,
         total_mass: None,
+        fuses: None,
+        exact_meshes: Switch::Off,
         align_free: Switch::Off,
         mesh_folder: String::new(),
         strip_path: Switch::Off,
@@ -117,6 +123,11 @@ pub(in crate::description::mjcf) fn read<'d>(
                 reader.unknown_child(child, "`compiler`", &[]);
             }
         }
+    }
+    if let Some(fuses) = settings.fuses.filter(|_| settings.total_mass.is_some()) {
+        let message = "`settotalmass` of `compiler` beside `fusestatic` leaves out what is fused into the world, which is not supported";
+        let fault = Diagnostic::error(message).at(fuses, "not supported");
+        reader.faults.push(fault.help("leave out `fusestatic`"));
     }
     let mut gravity = Switch::On;
     for element in options {
@@ -184,6 +195,9 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
     if let Some(total) = attributes.number(reader, "settotalmass") {
         settings.total_mass = Some(total.value).filter(|total| *total > 0.0);
     }
+    if let Some(fuses) = attributes.keyword(reader, "fusestatic", &TRUTH) {
+        settings.fuses = (fuses.value == Switch::On).then_some(fuses.span);
+    }
     let coordinates = [("local", Switch::Off), ("global", Switch::On)];
     if let Some(global) = attributes.keyword(reader, "coordinate", &coordinates)
         && global.value == Switch::On
@@ -219,6 +233,10 @@ fn mesh_files(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut S
     take(
         &mut settings.fit_bounds,
         attributes.keyword(reader, "fitaabb", &TRUTH),
+    );
+    take(
+        &mut settings.exact_meshes,
+        attributes.keyword(reader, "exactmeshinertia", &TRUTH),
     );
 }
 
