@@ -183,6 +183,15 @@ fn flags_switch_springs_and_dampers_off() {
 }
 
 #[test]
+fn what_no_spring_or_damper_feels_is_no_fault() {
+    only("", "<body><joint springyield=\"3\"/></body>");
+    only(
+        "<option><flag passive=\"disable\"/></option>",
+        "<body><joint stiffness=\"1 2\" damping=\"2 0 1\" springyield=\"3\"/></body>",
+    );
+}
+
+#[test]
 fn several_joints_are_a_chain_of_bodies() {
     let model = read(
         "<mujoco><worldbody>

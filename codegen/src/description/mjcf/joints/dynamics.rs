@@ -46,10 +46,14 @@ pub(in crate::description::mjcf) fn dynamics(
     settings: &Settings,
     kind: JointType,
 ) -> Dynamics {
-    for name in ["stiffness", "damping"] {
-        polynomial(reader, given, name);
+    for (name, counts) in [
+        ("stiffness", settings.springs),
+        ("damping", settings.dampers),
+    ] {
+        if counts == Switch::On {
+            polynomial(reader, given, name);
+        }
     }
-    yielding(reader, given);
     let spring_damper = spring_damper(reader, given, kind);
     let same = |value: Option<Spanned<f64>>| {
         value.map_or(PerCoordinate::Absent, |value| {
@@ -60,6 +64,9 @@ pub(in crate::description::mjcf) fn dynamics(
         settings.springs == Switch::On && matches!(kind, JointType::Hinge | JointType::Slide);
     let stiffness = springs.then(|| first(reader, given, "stiffness")).flatten();
     let has_spring = stiffness.is_some() || springs && spring_damper.is_some();
+    if has_spring {
+        yielding(reader, given);
+    }
     let rest = has_spring
         .then(|| given.number(reader, "springref"))
         .flatten();
