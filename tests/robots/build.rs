@@ -87,6 +87,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     joined(Build::new("gripper/gripper.urdf"), "gripper")?;
     frames()?;
     matrices()?;
+    derivatives()?;
     systems()?;
     hybrid()?;
     mjcf()
@@ -138,6 +139,16 @@ fn matrices() -> Result<(), Error> {
             "mass_matrix_dot",
         ]);
         build.name(format!("{name}_matrices")).run()?;
+    }
+    Ok(())
+}
+
+/// Of the humanoid, the only robot here whose helpers are long enough for several loops.
+fn derivatives() -> Result<(), Error> {
+    if is_compiled("talos") {
+        let build = unsnapped("talos").base(Base::Free);
+        let build = build.functions(["d(inverse_dynamics)/d(q, u, u_dot)"]);
+        build.name("talos_derivatives").run()?;
     }
     Ok(())
 }

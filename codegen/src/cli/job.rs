@@ -314,7 +314,7 @@ pub(crate) fn warn(modules: &[Generated], written: &[bool], voice: Voice) {
         if is_written(text) {
             voice.warn(&module.warnings);
         } else {
-            voice.warn_alone(&module.warnings);
+            voice.warn_without_notes(&module.warnings);
         }
     }
 }

@@ -12,7 +12,10 @@ use crate::cli::{Voice, job::Job};
 pub(crate) fn tell(jobs: &[Job], modules: &[Generated], written: &[bool], voice: Voice) {
     let mut told: Vec<&Path> = Vec::new();
     for ((job, module), written) in jobs.iter().zip(modules).zip(written) {
-        if !written || voice.is_quiet() || told.contains(&job.model.as_path()) {
+        if !(*written || voice.is_verbose())
+            || voice.is_quiet()
+            || told.contains(&job.model.as_path())
+        {
             continue;
         }
         let functions = Some(&module.functions[..]);

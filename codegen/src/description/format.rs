@@ -6,12 +6,10 @@ use crate::description::{Description, mjcf, toml, urdf};
 use crate::diagnostic::{Diagnostic, Source};
 
 /// Endings of what is at times taken for a model, or is one of another format.
-const NO_MODELS: [&str; 9] = [
-    "json", "pdf", "rs", "sdf", "step", "usd", "usda", "yaml", "yml",
-];
+const NO_MODELS: [&str; 7] = ["json", "pdf", "rs", "sdf", "step", "usd", "usda"];
 
 /// Reads a model: URDF where its name ends in `.urdf`, MJCF or URDF, by its root element, where it ends in `.xml` or
-/// `.mjcf`, our own format otherwise. What `xacro` was to make a URDF of is read as one, and refused there.
+/// `.mjcf`, our own format otherwise, but for endings of other files. What `xacro` was to make a URDF of is read as one, and refused there.
 pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Description {
     if let Some(fault) = too_large(source) {
         let empty = Source::new(source.name(), "");
@@ -31,7 +29,7 @@ pub fn read(source: &Source, reading: &Reading, include: Include<'_>) -> Descrip
         }
         other if NO_MODELS.contains(&other) => {
             let fault = format!(
-                "`.{other}` is no model; one ends in `.toml`, `.urdf`, or, where it is an MJCF, in `.xml` or `.mjcf`"
+                "`.{other}` is no model; a model ends in `.toml`, `.urdf`, `.mjcf`, or `.xml`"
             );
             return Description::none(source, vec![Diagnostic::error(fault)]);
         }

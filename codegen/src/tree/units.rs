@@ -21,11 +21,17 @@ const ROUND: f64 = 50.0;
 const FAR: f64 = 20.0;
 /// The mass of all bodies of a small system, kg.
 const SMALL: f64 = 1000.0;
-/// A length stands out where it is more times as long as half of all than a boom, and fewer than a tether.
+/// A length in millimetres among others in metres is so many times the median.
 const MANY: Range<f64> = 100.0..5000.0;
+/// A mass centre is at most so many times as far away as the mass would have to be for the inertia about it.
+const SLENDER: f64 = 50.0;
+/// Shorter lengths are crumbs, m.
+const SHORTEST: f64 = 1e-6;
 /// Inertias of real bodies are those of their mass at most at so many times the longest distance of a system.
 const WIDE: f64 = 20.0;
-/// The largest gravity that is not looked at, m/s^2.
+/// A body with a smaller part of all mass may be there for a joint alone.
+const LIGHT: f64 = 1e-3;
+/// The largest gravity that is not looked at, m/s^2: a hundred times that of the earth.
 const STRONG: f64 = 1000.0;
 
 /// Warns of limits that look like degrees, of lengths, inertias and gravity that look like those in millimetres.
@@ -36,7 +42,7 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
     if mass < SMALL {
         let lengths = lengths(description);
         findings.extend(long(description, &lengths, mass));
-        findings.extend(wide(description, &lengths));
+        findings.extend(wide(description, &lengths, mass));
     }
     findings.extend(strong(description));
 }
@@ -117,6 +123,7 @@ struct Length {
     metres: f64,
     span: Span,
     body: usize,
+    is_mass_center: bool,
 }
 
 /// The lengths that say how large a system is, the shortest first.
@@ -127,10 +134,10 @@ fn lengths(description: &Description) -> Vec<Length> {
         // How far from the inertial frame something stands says nothing.
         let attachment = (!stands[place]).then_some(body.joint.attachment);
         let mass_center = (!is_fixed(body)).then_some(body.mass_center);
-        let both = attachment.into_iter().chain(mass_center);
-        both.map(move |parts| (place, parts))
+        [(false, attachment), (true, mass_center)].map(|(is, parts)| (place, is, parts))
     });
-    let lengths = of_bodies.filter_map(|(body, parts)| {
+    let lengths = of_bodies.filter_map(|(body, is_mass_center, parts)| {
+        let parts = parts?;
         let [Some(x), Some(y), Some(z)] = parts else {
             return None;
         };
@@ -139,15 +146,17 @@ fn lengths(description: &Description) -> Vec<Length> {
             metres: squares.iter().sum::<f64>().sqrt(),
             span: Span::from(x.span.start..z.span.end.max(x.span.end)),
             body,
+            is_mass_center,
         };
-        (length.metres > 0.0).then_some(length)
+        (length.metres > SHORTEST).then_some(length)
     });
     let mut lengths: Vec<Length> = lengths.collect();
     lengths.sort_by(|one, other| one.metres.total_cmp(&other.metres));
     lengths
 }
 
-/// One warning, at the longest, where most are long; else one for each that stands out.
+/// One warning, at the longest, where most are long; else one for each mass centre that stands out. What hangs far away, on a tether,
+/// has its mass centre near its origin.
 fn long(description: &Description, lengths: &[Length], mass: f64) -> Vec<Diagnostic> {
     let Some(longest) = lengths.last() else {
         return Vec::new();
@@ -162,34 +171,47 @@ fn long(description: &Description, lengths: &[Length], mass: f64) -> Vec<Diagnos
         return vec![warning.at(longest.span, "expected metres")];
     }
     let outliers = lengths.iter();
-    let outliers =
-        outliers.filter(|length| length.metres > FAR && MANY.contains(&(length.metres / median)));
+    let outliers = outliers.filter(|length| {
+        let (metres, body) = (length.metres, &description.bodies[length.body]);
+        let stands_out = metres > FAR && MANY.contains(&(metres / median));
+        // A boom is as long as that.
+        let is_slender = radius(body).is_some_and(|radius| metres <= SLENDER * radius);
+        length.is_mass_center && stands_out && !is_slender
+    });
     let warned = outliers.map(|length| {
         let (metres, name) = (length.metres, shown(description, length.body));
         let message = format!(
-            "a length of {name} is {metres:.1} m, half of all are below {median:.2} m; is it in millimetres?"
+            "the mass centre of {name} is {metres:.1} m from its origin, far beyond all else; is it in millimetres?"
         );
         let warning = Diagnostic::warning(message).at(length.span, "expected metres");
-        warning.one_of("lengths look like millimetres, not metres", name)
+        warning.one_of("mass centres look as if they were in millimetres", name)
     });
     warned.collect()
 }
 
-/// A warning for each inertia whose mass would be far beyond all that the system has.
-fn wide(description: &Description, lengths: &[Length]) -> Vec<Diagnostic> {
+/// The distance at which all mass of a body would have its inertia, m; `None` where there is no mass.
+fn radius(body: &WrittenBody) -> Option<f64> {
+    let [Some(xx), Some(yy), Some(zz), ..] = body.inertia else {
+        return None;
+    };
+    let trace: f64 = [xx, yy, zz].map(|entry| entry.value.nominal()).iter().sum();
+    let mass = body.mass?.value.nominal();
+    (mass > 0.0 && trace > 0.0).then(|| (trace / (2.0 * mass)).sqrt())
+}
+
+/// A warning for each inertia that has its mass far beyond all of the system.
+fn wide(description: &Description, lengths: &[Length], total: f64) -> Vec<Diagnostic> {
     let longest = lengths.last().map_or(0.0, |length| length.metres);
+    let far = FAR.max(WIDE * longest);
+    let stands = standing(description);
     let bodies = description.bodies.iter().enumerate();
-    let warned = bodies.filter_map(|(place, body)| {
-        let [Some(xx), Some(yy), Some(zz), ..] = body.inertia else {
-            return None;
-        };
-        let trace: f64 = [xx, yy, zz].map(|entry| entry.value.nominal()).iter().sum();
-        let mass = body.mass?.value.nominal();
-        // The radius at which the mass would have such an inertia.
-        let radius = (trace / (2.0 * mass)).sqrt();
-        if !(mass > 0.0 && radius > FAR.max(WIDE * longest)) {
+    let moving = bodies.filter(|(place, body)| !(stands[*place] && is_fixed(body)));
+    let warned = moving.filter_map(|(place, body)| {
+        let (mass, radius) = (body.mass?.value.nominal(), radius(body)?);
+        if mass <= LIGHT * total || radius <= far {
             return None;
         }
+        let xx = body.inertia[0]?;
         let name = shown(description, place);
         let message = format!(
             "the inertia of {name} is that of {mass:?} kg at a distance of {radius:.0} m; is it in kg mm^2?"
@@ -200,7 +222,7 @@ fn wide(description: &Description, lengths: &[Length]) -> Vec<Diagnostic> {
     warned.collect()
 }
 
-/// A warning where gravity is stronger than on the sun.
+/// A warning where gravity is too strong for any place that has robots.
 fn strong(description: &Description) -> Option<Diagnostic> {
     let mut components = description.gravity.iter().flatten();
     let strong = components.find(|component| component.value.nominal().abs() > STRONG)?;

@@ -5,7 +5,7 @@ use std::process::Command;
 #[cfg(unix)]
 use kane_test_support::tool::tool;
 
-use super::project::{Project, repository};
+use super::project::{Project, model, repository};
 
 /// A floating robot with a joint.
 const ROBOT: &str = "<robot name=\"bird\">
@@ -133,10 +133,10 @@ fn changes_of_the_model_go_into_kane_toml_and_the_start_is_within_the_limits() {
         .replace("type=\"continuous\"", "type=\"revolute\"")
         .replace("</joint>", &format!("{limits}</joint>{massless}"));
     project.write("bird.urdf", &robot);
-    let options = ["--remove-massless", "--snap", "1e-5", "--lock", "hull=0"];
+    let options = ["--remove-massless", "--snap", "1e-5"];
     let refused = project.kane(&["new", "bird", "bird.urdf"]);
     assert_eq!(refused.code, 2);
-    let ran = project.kane(&[&["new", "bird", "bird.urdf"][..], &options[..3]].concat());
+    let ran = project.kane(&[&["new", "bird", "bird.urdf"][..], &options].concat());
     assert_eq!(ran.code, 0, "{}", ran.err);
     let config = project.read("bird/kane.toml");
     assert!(
@@ -147,8 +147,28 @@ fn changes_of_the_model_go_into_kane_toml_and_the_start_is_within_the_limits() {
     assert_eq!(project.kane_in("bird", &["check"]).code, 0);
     let program = project.read("bird/src/main.rs");
     assert!(program.contains("    -2.0, // shoulder\n"), "{program}");
-    let absent = project.kane(&[&["new", "other", "bird.urdf"][..], &options].concat());
-    assert!(absent.err.contains("`hull`"), "{}", absent.err);
+    // Of one end alone, there.
+    let arm = model("arm", "2.0") + "limits = { theta2 = { lower = 0.5 } }\n";
+    project.write("arm.toml", &arm);
+    let options = ["--lock", "upper_theta1=0.1", "--prescribed", "fore"];
+    let ran = project.kane(&[&["new", "held", "arm.toml"][..], &options].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let config = project.read("held/kane.toml");
+    let changes = "lock = { \"upper_theta1\" = 0.1 }\nprescribed = [\"fore\"]\n";
+    assert!(config.contains(changes), "{config}");
+    assert_eq!(project.kane_in("held", &["check"]).code, 0);
+    let program = project.read("held/src/main.rs");
+    assert!(program.contains("    0.5, // fore_theta2\n"), "{program}");
+}
+
+#[test]
+fn changes_that_cannot_be_made_are_refused_before_anything_is_written() {
+    let project = Project::empty();
+    project.write("bird.urdf", ROBOT);
+    let before = project.files();
+    let ran = project.kane(&["new", "bird", "bird.urdf", "--lock", "hull=0"]);
+    assert!(ran.code == 2 && ran.err.contains("`hull`"), "{}", ran.err);
+    assert_eq!(project.files(), before);
 }
 
 #[test]

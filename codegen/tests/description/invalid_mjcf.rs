@@ -60,8 +60,6 @@ files! {
     free_joint_in_a_body
     fromto_of_a_point
     full_inertia_turned
-    fused_inertial
-    fused_total_mass
     global_coordinates
     gravity_too_short
     height_field

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::mjcf_support::{
-    SAME, Vector, attachment_rotation, close, elementary, number, only, oriented, product,
+    SAME, Vector, attachment_rotation, close, elementary, number, only, oriented, product, read,
     transposed, vector,
 };
 
@@ -257,6 +257,54 @@ fn first_entries_of_a_list_leave_the_others_to_the_default() {
         "<body><geom type=\"box\" size=\"0.5 5 3\" density=\"2\"/></body>",
     );
     assert_eq!(body.inertia.map(number), whole.inertia.map(number));
+}
+
+/// The masses of bodies, of a model with these settings.
+fn masses(compiler: &str, bodies: &str) -> Vec<f64> {
+    let text = format!(
+        "<mujoco><compiler fusestatic=\"true\" {compiler}/><worldbody>{bodies}</worldbody></mujoco>"
+    );
+    let bodies = read(&text).bodies.into_iter();
+    bodies.map(|body| number(body.mass)).collect()
+}
+
+#[test]
+fn bodies_that_mujoco_fuses_have_the_mass_that_it_gives_them_together() {
+    let inertial = "<inertial pos=\"1 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/>";
+    let geom = "<geom size=\"0.1\" mass=\"2\"/>";
+    let pair = |one: &str, other: &str| format!("<body><joint/>{one}<body>{other}</body></body>");
+    let always = "inertiafromgeom=\"true\"";
+    for (compiler, bodies, expected) in [
+        (always, pair(inertial, geom), [0.0, 2.0]),
+        (always, pair(geom, inertial), [2.0, 0.0]),
+        (always, pair(inertial, inertial), [1.0, 0.0]),
+        (always, pair(geom, geom), [2.0, 2.0]),
+        ("", pair(inertial, geom), [1.0, 2.0]),
+        // What moves by itself is not fused.
+        (
+            always,
+            pair(inertial, &format!("<joint/>{geom}")),
+            [1.0, 2.0],
+        ),
+        (
+            always,
+            pair(inertial, &format!("<frame><joint/></frame>{geom}")),
+            [1.0, 2.0],
+        ),
+    ] {
+        assert_eq!(masses(compiler, &bodies), expected, "{bodies}");
+    }
+}
+
+#[test]
+fn what_mujoco_fuses_with_the_world_is_no_part_of_the_total_mass() {
+    let geom = "<geom size=\"0.1\" mass=\"1\"/>";
+    let arm = format!("<body><joint/>{geom}</body>");
+    let total = "settotalmass=\"10\"";
+    let table = format!("<body>{geom}<body>{geom}</body></body>{arm}");
+    assert_eq!(masses(total, &table)[2], 10.0);
+    let captured = format!("<body mocap=\"true\">{geom}</body>{arm}");
+    assert_eq!(masses(total, &captured), [5.0, 5.0]);
 }
 
 #[test]

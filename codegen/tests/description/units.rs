@@ -96,6 +96,14 @@ fn one_length_in_millimetres_among_others_is_a_warning() {
     let text = arm().replacen("[0.01, 0.02, -0.5]", "[10.0, 20.0, -500.0]", 1);
     assert_eq!(warnings(&text).len(), 1);
     insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
+    // A boom of the same length, and what hangs on a tether.
+    let thin = "xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01";
+    is_accepted(&text.replacen(thin, "xx = 4e4, yy = 4e4, zz = 0.02, xy = 0.01", 1));
+    let tether = arm().replace(
+        "attachment = [0.0, 0.1, 0.3]",
+        "attachment = [0.0, 0.0, 60.0]",
+    );
+    is_accepted(&tether);
 }
 
 #[test]
@@ -103,8 +111,11 @@ fn inertias_in_kilogram_square_millimetres_are_a_warning() {
     let inertia = "xx = 0.1, yy = 0.1, zz = 0.02, xy = 0.01";
     let text = arm().replace(inertia, "xx = 1e5, yy = 1e5, zz = 2e4, xy = 1e4");
     insta::assert_snapshot!(build(&text).unwrap().warnings.brief().lines[0].1);
-    // Of a large system they are what they are.
-    is_accepted(&in_millimetres(&text).replace("mass = 2.0", "mass = 4000.0"));
+    // Of a large system they are what they are, and so they are of a body that is there for a joint alone.
+    let heavy = arm().replace(inertia, "xx = 1e8, yy = 1e8, zz = 2e7, xy = 1e7");
+    is_accepted(&heavy.replace("mass = 2.0", "mass = 4000.0"));
+    let dummy = arm().replacen(inertia, "xx = 1.0, yy = 1.0, zz = 1.0, xy = 0.0", 1);
+    is_accepted(&dummy.replacen("mass = 2.0", "mass = 1e-3", 1));
 }
 
 #[test]

@@ -429,3 +429,16 @@ fn numbers_at_the_ends_of_what_there_is_are_generated_or_refused() {
         }
     }
 }
+
+#[test]
+fn defaults_that_are_given_again_and_again_take_no_longer_each_time() {
+    let sizes = "<geom size='1'/>".repeat(300_000);
+    let bodies = "<body><joint/><geom size='0.1'/></body>".repeat(1_000);
+    let text = format!(
+        "<mujoco><default><geom type='box' size='1 2 3'/>{sizes}</default><worldbody>{bodies}</worldbody></mujoco>"
+    );
+    let source = Source::new("model.xml", text);
+    let description = description::read(&source, &Reading::default(), &no_includes);
+    assert_eq!(description.bodies.len(), 1_000);
+    assert!(!description.faults.iter().any(Diagnostic::is_error));
+}

@@ -87,6 +87,9 @@ modules! {
     /// Matrices over speeds.
     #[cfg(every_system)]
     talos_matrices
+    /// Derivatives of its forces.
+    #[cfg(every_system)]
+    talos_derivatives
     /// Its base described by angles.
     #[cfg(every_system)]
     talos_angles

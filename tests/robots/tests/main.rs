@@ -3,6 +3,8 @@
 mod changes;
 mod charts;
 mod common;
+#[cfg(every_system)]
+mod derivatives;
 mod frames;
 mod hybrid;
 mod joined;

@@ -4,7 +4,8 @@ use std::{ffi::OsStr, io::Write, path::PathBuf};
 
 use clap::Args;
 use kane_codegen::{
-    description::{self, Reading, toml},
+    description::{self, Description, Reading, toml},
+    diagnostic::{Diagnostics, Severity},
     output::{self, Overwrite},
     tree::{self, Changes},
 };
@@ -17,7 +18,7 @@ use crate::cli::{
 
 /// Write a model in our own format, whichever it is in
 ///
-/// The model is checked first. What is written is what the model says,
+/// The model is checked first, and what was decided in reading it is told. What is written is what the model says,
 /// limits, friction and mimicking joints included: nothing is snapped, locked, removed or renumbered. Comments are lost.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
@@ -39,6 +40,18 @@ pub(crate) struct Arguments {
     /// Overwrite a file that is there already
     #[arg(long)]
     force: bool,
+}
+
+/// What is told of a model: of the tree no notes, which say what a module of it has.
+fn told(description: &Description, found: Diagnostics, voice: Voice) -> Diagnostics {
+    if voice.is_verbose() {
+        return found;
+    }
+    let told = found
+        .list()
+        .iter()
+        .filter(|one| one.severity != Severity::Note || description.faults.contains(one));
+    Diagnostics::new(description.source.clone(), told.cloned().collect())
 }
 
 /// Reads, checks and writes.
@@ -68,8 +81,7 @@ pub(crate) fn run(
     let description = description::read(&job::read(model)?, &reading, &job::include(model));
     let checked = tree::build_with(&description, &Changes::default())?;
     let text = toml::write(&description)?;
-    // Notes say what a module has that is generated of the model.
-    voice.warn_alone(&checked.warnings);
+    voice.warn(&told(&description, checked.warnings, voice));
     match target {
         Target::StandardOutput => out.write_all(text.as_bytes())?,
         Target::File(path) => {

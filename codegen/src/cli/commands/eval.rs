@@ -106,7 +106,7 @@ pub(crate) fn run(
     else {
         unreachable!("eval: what is absent left a failure")
     };
-    voice.warn_alone(&checked.warnings);
+    voice.warn_without_notes(&checked.warnings);
 
     let tree = &checked.tree;
     let function = function.on(tree).map_err(Error::Requests)?;

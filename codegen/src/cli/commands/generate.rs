@@ -81,10 +81,10 @@ pub(crate) fn run(
     }
     let paths: Vec<PathBuf> = plan.jobs.iter().flat_map(Job::files).collect();
     let n_files = files.len();
-    let written = commit(files, voice)?;
+    let committed = commit(files, voice)?;
     output::sweep(paths.iter().map(PathBuf::as_path));
     if n_files > 0 {
-        let files = told(&written, &paths);
+        let files = told(&committed, &paths);
         let seconds = start.elapsed().as_secs_f64();
         voice.say(format_args!("{files}; {}, {seconds:.2} s", size(&modules)));
     }

@@ -57,7 +57,7 @@ impl Voice {
     }
 
     /// The same without notes, where the result says it, or is asked for again and again.
-    pub(crate) fn warn_alone(self, warnings: &Diagnostics) {
+    pub(crate) fn warn_without_notes(self, warnings: &Diagnostics) {
         self.warn_of(warnings, |severity| severity != Severity::Note);
     }
 

@@ -78,6 +78,9 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
         let bodies = found.keep(contents);
         push(&mut pending, bodies, found.bodies.count(), moves);
     }
+    if models.main().settings.from_geoms == FromGeoms::Always {
+        found.bodies.weigh_geoms_of_fused();
+    }
     lifted::settle(reader, &mut found.bodies, &found.by_actuators);
     found
 }
@@ -144,7 +147,7 @@ fn body<'d>(
     let contents = gather(reader, models, element, &owner, inner);
     let own = placement(reader, &given, &model.settings);
     let place = around.frame.then(&own);
-    warn_of_mocap(reader, &given);
+    let is_captured = warn_of_mocap(reader, &given);
     let joints: Vec<JointElement> = contents
         .joints
         .iter()
@@ -163,7 +166,8 @@ fn body<'d>(
         None => Wish::None(element.span()),
     };
     let written_at = (element.span(), &own);
-    let mass = mass(
+    let is_fused = models.main().settings.fuse == Switch::On && joints.is_empty() && !is_captured;
+    let (mass, is_of_geoms) = mass(
         reader,
         models,
         &contents,
@@ -181,14 +185,18 @@ fn body<'d>(
         lower: next.lower,
         wish,
         mass,
+        is_of_geoms,
+        is_fused,
         lifted,
     });
     (contents, moves)
 }
 
-fn warn_of_mocap(reader: &mut Reader, given: &Attributes<'_>) {
+/// Whether a body follows motion capture, with a warning.
+fn warn_of_mocap(reader: &mut Reader, given: &Attributes<'_>) -> bool {
     let mocap = given.keyword(reader, "mocap", &TRUTH);
-    if let Some(mocap) = mocap.filter(|mocap| mocap.value == Switch::On) {
+    let mocap = mocap.filter(|mocap| mocap.value == Switch::On);
+    if let Some(mocap) = &mocap {
         let message = format!(
             "{} follows motion capture; it is taken as fixed",
             given.owner
@@ -198,6 +206,7 @@ fn warn_of_mocap(reader: &mut Reader, given: &Attributes<'_>) {
         let warning = warning.one_of(plural, &*given.owner);
         reader.faults.push(warning);
     }
+    mocap.is_some()
 }
 
 fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str) -> JointElement {
@@ -316,13 +325,7 @@ fn geom_attributes<'d>(
     )
 }
 
-/// True for a body that no joint moves.
-fn is_static(inside: &Inside<'_>) -> bool {
-    let mut children = inside.element.children();
-    !children.any(|child| matches!(child.name(), "joint" | "freejoint"))
-}
-
-/// The mass of a body; `None` where it is faulty.
+/// The mass of a body, `None` where it is faulty; whether it is that of geoms.
 fn mass(
     reader: &mut Reader,
     models: &Models<'_>,
@@ -330,7 +333,7 @@ fn mass(
     (span, place): (Span, &Placement),
     (body, around): (&str, &Around),
     moves: Moves,
-) -> Option<MassProperties> {
+) -> (Option<MassProperties>, bool) {
     let settings = &models.list[around.model].settings;
     let mut written = None;
     for (index, inside) in contents.inertials.iter().enumerate() {
@@ -373,25 +376,13 @@ fn mass(
         }
     }
     let inferred = together(&solids).map(|solid| Some(MassProperties::of(&solid, span)));
-    if let Some(fuses) = settings.fuses
-        && settings.from_geoms == FromGeoms::Always
-        && inferred.is_none()
-        && let Some(inertial) = contents.inertials.first()
-        && (contents.joints.is_empty() || contents.bodies.iter().any(is_static))
-    {
-        let message = format!(
-            "`fusestatic` may replace the `inertial` of {body} by geoms of what it is fused with, which is not supported"
-        );
-        let fault = Diagnostic::error(message).at(inertial.element.span(), "no geom of its own");
-        reader
-            .faults
-            .push(fault.at(fuses, "leave this out, or write `inertiafromgeom=\"auto\"`"));
-    }
+    let is_of_geoms = inferred.is_some();
     let mass = inferred.or(written);
-    let mut mass = match mass {
-        Some(mass) => mass?,
-        None => MassProperties::bounded(reader, settings, body, place, span),
-    };
-    mass.adjust(settings);
-    Some(mass)
+    let mass =
+        mass.unwrap_or_else(|| Some(MassProperties::bounded(reader, settings, body, place, span)));
+    let mass = mass.map(|mut mass| {
+        mass.adjust(settings);
+        mass
+    });
+    (mass, is_of_geoms)
 }

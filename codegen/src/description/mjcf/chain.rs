@@ -33,6 +33,10 @@ struct ChainedBody {
     lower: usize,
     wish: Wish,
     weight: Weight,
+    /// Whether it is the weight of geoms.
+    is_of_geoms: bool,
+    /// Whether it is part of its lower body, in MuJoCo.
+    is_fused: bool,
     /// The share of its weight that is lifted.
     lifted: Optional<Scalar>,
 }
@@ -57,6 +61,10 @@ pub(super) struct JointedBody {
     pub(super) wish: Wish,
     /// `None` where it is faulty.
     pub(super) mass: Option<MassProperties>,
+    /// Whether it is the mass of geoms.
+    pub(super) is_of_geoms: bool,
+    /// Whether it is part of its lower body, in MuJoCo.
+    pub(super) is_fused: bool,
     /// The share of its weight that is lifted; absent: zero.
     pub(super) lifted: Optional<Scalar>,
 }
@@ -127,6 +135,8 @@ impl Bodies {
                     span,
                 },
                 weight: Weight::Nothing,
+                is_of_geoms: false,
+                is_fused: false,
                 lifted: None,
             });
             lower = self.list.len();
@@ -140,8 +150,47 @@ impl Bodies {
             lower,
             wish: parts.wish,
             weight: Weight::Given(parts.mass.map(Box::new)),
+            is_of_geoms: parts.is_of_geoms,
+            is_fused: parts.is_fused,
             lifted: parts.lifted,
         });
+    }
+
+    /// Takes the weights of bodies that MuJoCo fuses where it weighs geoms alone: of those that are fused with one another the geoms
+    /// count, or else the `inertial` of the first.
+    pub(super) fn weigh_geoms_of_fused(&mut self) {
+        let first = self.first_of_fused();
+        let mut has_geoms = vec![false; self.list.len()];
+        for (body, first) in self.list.iter().zip(&first) {
+            has_geoms[*first] |= body.is_of_geoms;
+        }
+        for (place, (body, first)) in self.list.iter_mut().zip(first).enumerate() {
+            let counts = body.is_of_geoms || place == first && !has_geoms[first];
+            if !counts && let Weight::Given(Some(_)) = body.weight {
+                body.weight = Weight::Given(Some(Box::new(MassProperties::massless(body.span))));
+            }
+        }
+    }
+
+    /// For each body the first, by its place, of those with which it is fused: itself where it is not.
+    fn first_of_fused(&self) -> Vec<usize> {
+        let mut first: Vec<usize> = Vec::new();
+        for (place, body) in self.list.iter().enumerate() {
+            let lower = body.lower.checked_sub(1).filter(|_| body.is_fused);
+            first.push(lower.map_or(place, |lower| first[lower]));
+        }
+        first
+    }
+
+    /// The mass of all bodies; of none that is fused with the world.
+    fn total_mass(&self) -> f64 {
+        let first = self.first_of_fused().into_iter();
+        let bodies = self.list.iter().zip(first);
+        let counted = bodies.filter(|(_, first)| {
+            let first = &self.list[*first];
+            !(first.is_fused && first.lower == 0)
+        });
+        counted.filter_map(|(body, _)| body.mass()).sum()
     }
 
     /// Gives joints the springs and dampers that follow from their inertias.
@@ -198,7 +247,7 @@ impl Bodies {
     ) -> WrittenBodies {
         let wishes: Vec<Wish> = self.list.iter().map(|body| body.wish.clone()).collect();
         let names = names::give(reader, &wishes);
-        let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();
+        let total = self.total_mass();
         let factor = total_mass.filter(|_| total > 0.0);
         let factor = factor.map(|wanted| wanted / total);
         self.settle_spring_dampers(reader, factor);

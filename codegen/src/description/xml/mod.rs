@@ -16,5 +16,6 @@ mod reader;
 
 pub(crate) use document::{Document, Element};
 pub(crate) use mend::Mended;
+pub(crate) use numbers::words;
 pub(crate) use prolog::root_name;
 pub(crate) use reader::{Known, Reader};

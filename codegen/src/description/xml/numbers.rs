@@ -38,7 +38,7 @@ impl Reader {
         least: usize,
         most: usize,
     ) -> Option<Vec<Spanned<f64>>> {
-        let words: Vec<&str> = value.value.split_ascii_whitespace().collect();
+        let words: Vec<Spanned<&str>> = words(value).collect();
         if words.len() < least || words.len() > most {
             let expected = match (least, most) {
                 (1, 1) => "a number".to_owned(),
@@ -60,11 +60,10 @@ impl Reader {
             .iter()
             .enumerate()
             .map(|(index, word)| {
-                let word = Spanned::new(*word, word_span(value, word));
                 if several {
-                    self.word(word, &format!("entry {} of {what}", index + 1))
+                    self.word(*word, &format!("entry {} of {what}", index + 1))
                 } else {
-                    self.word(word, what)
+                    self.word(*word, what)
                 }
             })
             .collect();
@@ -96,6 +95,12 @@ impl Reader {
         self.faults.push(fault);
         None
     }
+}
+
+/// The words of a value, with their places.
+pub(crate) fn words(value: Spanned<&str>) -> impl Iterator<Item = Spanned<&str>> {
+    let words = value.value.split_ascii_whitespace();
+    words.map(move |word| Spanned::new(word, word_span(value, word)))
 }
 
 /// The place of a word of a value; that of the whole value where entities or line ends of two bytes move its words.

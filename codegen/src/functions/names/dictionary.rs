@@ -76,10 +76,10 @@ pub fn advice(name: &str) -> String {
     }
 }
 
-/// The names of functions, and of sets of them.
+/// The names of functions, and that of the default set.
 fn known() -> Vec<&'static str> {
     let mut known = Function::names();
-    known.extend(["all", "default"]);
+    known.push("default");
     known
 }
 

@@ -234,7 +234,6 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
             "linearization",
             "linearisation",
             "statespace",
-            "lqr",
             "discretize",
             "discretise",
             "rk4",
@@ -244,7 +243,7 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
 ];
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 6] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 7] = [
     (
         "`operational_inverse_inertia(FRAME)` writes its inverse",
         &[
@@ -268,6 +267,10 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 6] = [
         &["friction", "coulombfriction", "frictionloss"],
     ),
     (
+        "gains follow from `A` and `B` of a step, which `kane::discrete` computes in Rust",
+        &["lqr", "dlqr", "riccati"],
+    ),
+    (
         "dampers of joints are part of `bias`",
         &["damping", "damper", "viscousfriction"],
     ),
@@ -278,11 +281,10 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 6] = [
 ];
 
 /// Kinds of Jacobians and the like, which are no frames though they stand where a frame could.
-pub(super) const NO_FRAMES: [&str; 7] = [
+pub(super) const NO_FRAMES: [&str; 6] = [
     "analytic",
     "analytical",
     "contact",
-    "end_effector",
     "frame",
     "geometric",
     "spatial",

@@ -156,9 +156,9 @@ fn separately(
     ));
     let help = if is_one_joint {
         let chain = beyond(tree, description, motion[0].0);
-        let n_free = tree.body(motion[0].0).joint.speeds().into_iter().count();
+        let n_free = tree.body(motion[0].0).joint.speeds().len();
         let hold = if motion.len() == n_free {
-            "make the joint `fixed`".to_owned()
+            "fix the joint".to_owned()
         } else {
             format!("leave {them} out of the joint")
         };

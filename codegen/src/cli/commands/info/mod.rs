@@ -97,7 +97,7 @@ pub(crate) fn run(
     let asked = asked.transpose()?;
     let job = listed::looked_at(&arguments.model, &arguments.changes)?;
     let model = job.checked()?;
-    voice.warn_alone(&model.warnings);
+    voice.warn_without_notes(&model.warnings);
     let tree = &model.tree;
     let is_large = tree.n_speeds.max(tree.n_parts()) > COUNTED;
     let pattern = if is_large || arguments.json {

@@ -134,7 +134,8 @@ pub(super) fn program(
             uses.sort_unstable();
             let uses = uses.map(|(of, what)| format!("use {of}::{what};"));
             let program = PROGRAM.replace("{{uses}}", &uses.join("\n"));
-            let program = filled(&program, name, &start(tree, "    "));
+            let line = |value: &str, name: &str| format!("    {value}, // {name}\n");
+            let program = filled(&program, name, &start(tree, line));
             (vec![("src/main.rs", program)], "cargo run")
         }
         Some(Abi::C) => (c_program(name, tree), "make run"),
@@ -148,25 +149,28 @@ fn c_program(name: &str, tree: &Tree) -> Vec<(&'static str, String)> {
         ""
     };
     let program = C_PROGRAM.replace("{{normalize}}", normalize);
+    let line = |value: &str, name: &str| format!("        {value}, /* {name} */\n");
     vec![
-        ("main.c", filled(&program, name, &start(tree, "        "))),
+        ("main.c", filled(&program, name, &start(tree, line))),
         ("src/lib.rs", filled(C_LIBRARY, name, "")),
         ("Makefile", filled(C_MAKEFILE, name, "")),
     ]
 }
 
-/// Where the system starts, a line a coordinate: angles and translations at zero, or between their limits where these leave zero out,
+/// Where the system starts, a line a coordinate: angles and translations at zero, or within limits that leave zero out,
 /// quaternions at no rotation.
-fn start(tree: &Tree, indent: &str) -> String {
+fn start(tree: &Tree, line: impl Fn(&str, &str) -> String) -> String {
     let names = tree.coordinate_names();
     let limits = Limits::of(tree);
     let ranges = limits.lower.iter().zip(&limits.upper);
     let start = ranges.map(|(&lower, &upper)| {
-        if lower > 0.0 || upper < 0.0 {
-            format!("{:?}", f64::midpoint(lower, upper))
+        let has_both = lower.is_finite() && upper.is_finite();
+        let start = if has_both && !(lower..=upper).contains(&0.0) {
+            f64::midpoint(lower, upper)
         } else {
-            "0.0".to_owned()
-        }
+            0.0_f64.max(lower).min(upper)
+        };
+        format!("{start:?}")
     });
     let mut start: Vec<String> = start.collect();
     let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
@@ -174,9 +178,7 @@ fn start(tree: &Tree, indent: &str) -> String {
         "1.0".clone_into(&mut start[coordinate.index()]);
     }
     let lines = start.iter().zip(&names);
-    lines
-        .flat_map(|(value, name)| [indent, value, ", // ", name, "\n"])
-        .collect()
+    lines.map(|(value, name)| line(value, name)).collect()
 }
 
 fn filled(text: &str, name: &str, coordinates: &str) -> String {

@@ -108,11 +108,11 @@ pub(in crate::description::mjcf) fn first(
 /// Coefficients after the first are those of squares and cubes.
 fn polynomial(reader: &mut Reader, given: &Attributes<'_>, name: &str) {
     let coefficients = given.up_to(reader, name, 3).unwrap_or_default();
-    let other = coefficients.iter().skip(1).find(|c| c.value != 0.0);
-    if let Some(other) = other {
+    let mut others = coefficients.iter().enumerate().skip(1);
+    if let Some((place, other)) = others.find(|(_, other)| other.value != 0.0) {
         let message = format!(
             "{} has the coefficient {} of a higher power; expected one that is linear",
-            given.what(name),
+            given.what_of_entry(name, place),
             other.value
         );
         let fault = Diagnostic::error(message).at(other.span, "not supported");

@@ -1,9 +1,9 @@
 //! Attributes of an element, with those that it inherits from a default class.
 
-use std::collections::{BTreeMap, btree_map::Entry};
+use std::collections::{BTreeMap, btree_map};
 use std::rc::Rc;
 
-use crate::description::xml::{Element, Known, Reader};
+use crate::description::xml::{Element, Known, Reader, words};
 use crate::diagnostic::{Span, Spanned};
 
 /// The ways to write an orientation, of which an element has one.
@@ -12,6 +12,8 @@ pub(in crate::description::mjcf) const ORIENTATION: [&str; 5] =
 
 /// Lists of which an element may give the first entries alone: the others are those of its default.
 const LISTS: [&str; 4] = ["damping", "polycoef", "size", "stiffness"];
+/// The most entries that one of these has.
+const LONGEST: usize = 5;
 
 /// The attributes of an element that are read.
 #[derive(Clone, Debug)]
@@ -28,8 +30,36 @@ pub(in crate::description::mjcf) struct Attributes<'d> {
 struct Written<'d> {
     value: Spanned<&'d str>,
     owner: Rc<str>,
-    /// What the default has, of a list.
-    below: Option<Rc<Written<'d>>>,
+    /// Of a list, what the default has behind the entries that are written here.
+    rest: Vec<Entry<'d>>,
+}
+
+/// An entry of a list, with the words for the element at which it is written.
+#[derive(Clone, Debug)]
+struct Entry<'d> {
+    word: Spanned<&'d str>,
+    owner: Rc<str>,
+}
+
+impl<'d> Written<'d> {
+    fn new(value: Spanned<&'d str>, owner: Rc<str>) -> Self {
+        Self {
+            value,
+            owner,
+            rest: Vec::new(),
+        }
+    }
+
+    /// Takes from what a default has the entries behind those that are there.
+    fn complete(&mut self, default: &Self) {
+        let n_own = self.value.value.split_ascii_whitespace().count() + self.rest.len();
+        let words = words(default.value).map(|word| Entry {
+            word,
+            owner: Rc::clone(&default.owner),
+        });
+        let entries = words.chain(default.rest.iter().cloned());
+        self.rest.extend(entries.take(LONGEST).skip(n_own));
+    }
 }
 
 impl<'d> Attributes<'d> {
@@ -55,15 +85,7 @@ impl<'d> Attributes<'d> {
         for (found, value) in element.attributes() {
             if let Some(name) = known.attributes.iter().find(|name| **name == found.value) {
                 let owner = Rc::clone(&owner);
-                let below = None;
-                values.insert(
-                    *name,
-                    Written {
-                        value,
-                        owner,
-                        below,
-                    },
-                );
+                values.insert(*name, Written::new(value, owner));
             }
         }
         Self {
@@ -81,13 +103,14 @@ impl<'d> Attributes<'d> {
                 continue;
             }
             match self.values.entry(name) {
-                Entry::Vacant(place) => {
+                btree_map::Entry::Vacant(place) => {
                     place.insert(written.clone());
                 }
-                Entry::Occupied(mut own) if LISTS.contains(name) => {
-                    own.get_mut().below = Some(Rc::new(written.clone()));
+                btree_map::Entry::Occupied(mut own) => {
+                    if LISTS.contains(name) {
+                        own.get_mut().complete(written);
+                    }
                 }
-                Entry::Occupied(_) => {}
             }
         }
     }
@@ -106,6 +129,19 @@ impl<'d> Attributes<'d> {
     pub(in crate::description::mjcf) fn what(&self, name: &str) -> String {
         let owner = self.values.get(name).map_or(&self.owner, |w| &w.owner);
         format!("`{name}` of {owner}")
+    }
+
+    /// The words for an entry of a list: an entry may be that of a default.
+    pub(in crate::description::mjcf) fn what_of_entry(&self, name: &str, place: usize) -> String {
+        let written = self.values.get(name);
+        let entry = written.and_then(|written| {
+            let n_own = written.value.value.split_ascii_whitespace().count();
+            written.rest.get(place.checked_sub(n_own)?)
+        });
+        match entry {
+            Some(entry) => format!("`{name}` of {}", entry.owner),
+            None => self.what(name),
+        }
     }
 
     /// The place of an attribute's value, or of the element that has it not.
@@ -166,13 +202,13 @@ impl<'d> Attributes<'d> {
         name: &str,
         most: usize,
     ) -> Option<Vec<Spanned<f64>>> {
-        let mut written = self.values.get(name)?;
-        let what = self.what(name);
-        let mut numbers = reader.some_numbers(written.value, &what, 1, most)?;
-        while let Some(below) = &written.below {
-            written = below;
-            let others = reader.some_numbers(written.value, &what, 1, most)?;
-            numbers.extend(others.into_iter().skip(numbers.len()));
+        let written = self.values.get(name)?;
+        let mut numbers = reader.some_numbers(written.value, &self.what(name), 1, most)?;
+        for entry in &written.rest {
+            if numbers.len() < most {
+                let what = self.what_of_entry(name, numbers.len());
+                numbers.push(reader.number(entry.word, &what)?);
+            }
         }
         Some(numbers)
     }

@@ -26,8 +26,8 @@ pub(in crate::description::mjcf) struct Settings {
     pub(in crate::description::mjcf) balance: Switch,
     /// What the masses of all bodies are scaled to.
     pub(in crate::description::mjcf) total_mass: Option<f64>,
-    /// Where it says that bodies without joints become part of those that carry them.
-    pub(in crate::description::mjcf) fuses: Option<Span>,
+    /// Whether bodies without joints become part of those that carry them.
+    pub(in crate::description::mjcf) fuse: Switch,
     /// Whether meshes without a word about it are filled exactly, as in MuJoCo 3.
     pub(in crate::description::mjcf) exact_meshes: Switch,
     /// Whether floating bodies get the axes of their inertia.
@@ -103,7 +103,7 @@ pub(in crate::description::mjcf) fn read<'d>(
         least_inertia: None,
         balance: Switch::Off,
         total_mass: None,
-        fuses: None,
+        fuse: Switch::Off,
         exact_meshes: Switch::Off,
         align_free: Switch::Off,
         mesh_folder: String::new(),
@@ -123,11 +123,6 @@ pub(in crate::description::mjcf) fn read<'d>(
                 reader.unknown_child(child, "`compiler`", &[]);
             }
         }
-    }
-    if let Some(fuses) = settings.fuses.filter(|_| settings.total_mass.is_some()) {
-        let message = "`settotalmass` of `compiler` beside `fusestatic` leaves out what is fused into the world, which is not supported";
-        let fault = Diagnostic::error(message).at(fuses, "not supported");
-        reader.faults.push(fault.help("leave out `fusestatic`"));
     }
     let mut gravity = Switch::On;
     for element in options {
@@ -180,6 +175,10 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
         attributes.keyword(reader, "balanceinertia", &TRUTH),
     );
     take(
+        &mut settings.fuse,
+        attributes.keyword(reader, "fusestatic", &TRUTH),
+    );
+    take(
         &mut settings.align_free,
         attributes.keyword(reader, "alignfree", &TRUTH),
     );
@@ -194,9 +193,6 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
     }
     if let Some(total) = attributes.number(reader, "settotalmass") {
         settings.total_mass = Some(total.value).filter(|total| *total > 0.0);
-    }
-    if let Some(fuses) = attributes.keyword(reader, "fusestatic", &TRUTH) {
-        settings.fuses = (fuses.value == Switch::On).then_some(fuses.span);
     }
     let coordinates = [("local", Switch::Off), ("global", Switch::On)];
     if let Some(global) = attributes.keyword(reader, "coordinate", &coordinates)
