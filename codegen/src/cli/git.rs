@@ -13,7 +13,7 @@ use crate::cli::{Failures, paths};
 
 /// A file in a revision.
 #[derive(Clone, Debug)]
-pub(in crate::cli) struct Revision {
+pub(crate) struct Revision {
     /// The revision, as git reads it; empty for what is staged.
     name: String,
     /// The file's path from the repository's root, or from the current folder where it begins with `./` or `../`.
@@ -22,7 +22,7 @@ pub(in crate::cli) struct Revision {
 
 impl Revision {
     /// Reads `REVISION:PATH`.
-    pub(in crate::cli) fn parse(text: &str) -> Option<Self> {
+    pub(crate) fn parse(text: &str) -> Option<Self> {
         let (name, path) = text.split_once(':')?;
         (!path.is_empty()).then(|| Self {
             name: name.to_owned(),
@@ -31,7 +31,7 @@ impl Revision {
     }
 
     /// This file, whose path is absolute or relative to the current folder.
-    pub(in crate::cli) fn of(name: &str, file: &Path) -> Result<Self, Failures> {
+    pub(crate) fn of(name: &str, file: &Path) -> Result<Self, Failures> {
         let prefix = git(&["rev-parse", "--show-prefix"]).ok();
         let prefix = prefix.and_then(|output| String::from_utf8(output.stdout).ok());
         let prefix = prefix.unwrap_or_default();
@@ -56,13 +56,13 @@ impl Revision {
     }
 
     /// True where the revision has the file.
-    pub(in crate::cli) fn exists(&self) -> bool {
+    pub(crate) fn exists(&self) -> bool {
         let output = git(&["cat-file", "-e", &self.to_string()]);
         output.is_ok_and(|output| output.status.success())
     }
 
     /// The file's text.
-    pub(in crate::cli) fn read(&self) -> Result<String, Failures> {
+    pub(crate) fn read(&self) -> Result<String, Failures> {
         self.read_by(|from| input::text_from(from))
     }
 
@@ -98,7 +98,7 @@ impl Revision {
     }
 
     /// Reads a file that stands beside this one, in the same revision.
-    pub(in crate::cli) fn beside(&self, path: &str) -> io::Result<Vec<u8>> {
+    pub(crate) fn beside(&self, path: &str) -> io::Result<Vec<u8>> {
         let joined = paths::parent(Path::new(&self.path)).join(path);
         let from_here = self.path.starts_with('.');
         let joined =
@@ -116,7 +116,7 @@ impl Revision {
     }
 
     /// Where the file stands among the user's own, if it does.
-    pub(in crate::cli) fn own_file(&self) -> Option<PathBuf> {
+    pub(crate) fn own_file(&self) -> Option<PathBuf> {
         if self.path.starts_with('.') {
             return Some(PathBuf::from(&self.path));
         }
@@ -135,13 +135,13 @@ impl fmt::Display for Revision {
 }
 
 /// True where the current folder is in a repository.
-pub(in crate::cli) fn is_repository() -> bool {
+pub(crate) fn is_repository() -> bool {
     let output = git(&["rev-parse", "--git-dir"]);
     output.is_ok_and(|output| output.status.success())
 }
 
 /// True for the name of a commit.
-pub(in crate::cli) fn is_commit(name: &str) -> bool {
+pub(crate) fn is_commit(name: &str) -> bool {
     let commit = format!("{name}^{{commit}}");
     let output = git(&[
         "rev-parse",

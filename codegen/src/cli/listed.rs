@@ -23,23 +23,23 @@ use crate::cli::{
 };
 
 /// A `kane.toml` that was read.
-pub(in crate::cli) struct Listed {
+pub(crate) struct Listed {
     /// Its systems.
-    pub(in crate::cli) config: Config,
+    pub(crate) config: Config,
     source: Arc<Source>,
     /// Its folder, absolute.
     root: PathBuf,
     /// Its folder, as it is shown.
-    pub(in crate::cli) shown_root: PathBuf,
+    pub(crate) shown_root: PathBuf,
 }
 
 impl Listed {
-    pub(in crate::cli) fn read(path: &Path) -> Result<Self, Failures> {
+    pub(crate) fn read(path: &Path) -> Result<Self, Failures> {
         Self::of(path, job::read(path)?)
     }
 
     /// Reads it, to generate everything in it: beside its faults those of its models are told.
-    pub(in crate::cli) fn read_whole(path: &Path) -> Result<Self, Failures> {
+    pub(crate) fn read_whole(path: &Path) -> Result<Self, Failures> {
         let source = job::read(path)?;
         let (config, faults) = config::read(&source);
         let listed = Self::new(path, source, config);
@@ -57,7 +57,7 @@ impl Listed {
     }
 
     /// Reads a text that stands at this path, among the files or in a revision.
-    pub(in crate::cli) fn of(path: &Path, source: Source) -> Result<Self, Failures> {
+    pub(crate) fn of(path: &Path, source: Source) -> Result<Self, Failures> {
         let config = config::parse(&source)?;
         Self::new(path, source, config)
     }
@@ -73,7 +73,7 @@ impl Listed {
         })
     }
 
-    pub(in crate::cli) fn job(&self, system: &System) -> Result<Job, Failures> {
+    pub(crate) fn job(&self, system: &System) -> Result<Job, Failures> {
         let place = |text: &str| self.shown_root.join(clean_path(Path::new(text)));
         let relative = clean_path(Path::new(&system.model.value));
         let model = place(&system.model.value);
@@ -95,7 +95,7 @@ impl Listed {
     }
 
     /// The jobs whose model is this very file.
-    pub(in crate::cli) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
+    pub(crate) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
         let file = paths::target(model)?;
         let is_listed = |system: &&System| {
             fs::canonicalize(self.root.join(&system.model.value)).is_ok_and(|listed| listed == file)
@@ -106,10 +106,7 @@ impl Listed {
 }
 
 /// The `kane.toml` for one model: the one that is named, or the nearest in its folder or above it.
-pub(in crate::cli) fn config_of(
-    model: &Path,
-    named: Option<&Path>,
-) -> Result<Option<PathBuf>, Error> {
+pub(crate) fn config_of(model: &Path, named: Option<&Path>) -> Result<Option<PathBuf>, Error> {
     if let Some(path) = named {
         return Ok(Some(path.to_owned()));
     }
@@ -118,7 +115,7 @@ pub(in crate::cli) fn config_of(
 }
 
 /// A model to look at, as the first system of its `kane.toml` has it that lists it, or by default options; with these changes.
-pub(in crate::cli) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
+pub(crate) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
     changes.check()?;
     job::read(model)?;
     let config = config_of(model, None)?;
@@ -138,10 +135,7 @@ pub(in crate::cli) fn looked_at(model: &Path, changes: &ChangesArguments) -> Res
 }
 
 /// The model's path as the banner shows it: relative to `kane.toml`, else the file's name.
-pub(in crate::cli) fn shown_model(
-    model: &Path,
-    listed: Option<&Listed>,
-) -> Result<String, Failures> {
+pub(crate) fn shown_model(model: &Path, listed: Option<&Listed>) -> Result<String, Failures> {
     let name = model.file_name().unwrap_or_default();
     let folder = paths::target(paths::parent(model))?;
     let relative = listed.and_then(|listed| paths::relative(&listed.root, &folder.join(name)));

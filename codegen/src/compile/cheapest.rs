@@ -1,6 +1,6 @@
 //! The cheapest plan of any function: that of its values, and the cheapest way to differentiate these.
 //!
-//! In: the plans of values, a function. Out: a [`Candidate`] of the recursion. Columns of what is long go in lockstep.
+//! In: the plans of values, a function. Out: a [`Planned`] of the recursion. Columns of what is long go in lockstep.
 
 use crate::{
     functions::{Formulation, Request},
@@ -8,7 +8,7 @@ use crate::{
 };
 
 use super::{
-    candidate::{Candidate, operations, program},
+    planned::{Planned, operations, program},
     plans::Plans,
     sweeps,
 };
@@ -19,11 +19,11 @@ const MOST_CACHED: usize = 3_500;
 /// The cheapest plan that was found for the function, and what it derives.
 ///
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Candidate {
+pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if !function.differentiates() {
         let plan = plans.of_values(function);
-        let best = Candidate::new(tree, function, Formulation::Recursive, plan);
+        let best = Planned::new(tree, function, Formulation::Recursive, plan);
         return if function.inverts() {
             in_lockstep(plans, function, best)
         } else {
@@ -60,7 +60,7 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Candidate {
 }
 
 /// The plan with columns in lockstep where a long function is a good deal shorter with it and is run in fewer steps, or as it is.
-fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Candidate) -> Candidate {
+fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if without.contains(&Technique::Lockstep) {
         return one_by_one;
@@ -70,7 +70,7 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Candidate) -> 
         return one_by_one;
     }
     let with = |plan| {
-        let derived = Candidate::new(tree, function, Formulation::Recursive, plan);
+        let derived = Planned::new(tree, function, Formulation::Recursive, plan);
         let program = program(tree, function, &derived.derived);
         // A tenth more operations at most, and a fifth less text.
         let is_short = 5 * program.written() <= 4 * least;

@@ -10,7 +10,7 @@ use crate::{
     tree::Tree,
 };
 
-use super::{candidate::operations, cheapest::cheapest, plans::Plans, sweeps};
+use super::{cheapest::cheapest, planned::operations, plans::Plans, sweeps};
 
 /// From how many nodes on the notes' values are long: their derivatives would take more time than all the rest.
 const LONG: usize = 20_000;

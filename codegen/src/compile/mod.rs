@@ -4,21 +4,21 @@
 //! was asked for, or in the one with fewer operations, and its program is verified.
 
 mod branches;
-mod candidate;
 mod cheapest;
 mod choose;
 mod empty;
 mod option_check;
+mod planned;
 mod plans;
 mod search;
 mod size_check;
 mod sweeps;
 
-pub use candidate::{Candidate, candidate, operations};
 pub use cheapest::cheapest;
 pub use choose::{Choice, choose, of_formulation};
 pub(crate) use empty::warnings;
 pub(crate) use option_check::check as check_options;
+pub use planned::{Planned, by_plan, operations};
 pub use plans::Plans;
 pub use size_check::check as check_size;
 

@@ -15,7 +15,7 @@ use crate::{
     tree::Tree,
 };
 
-use super::candidate::{MOST_NODES, finished, given_sines, operations};
+use super::planned::{MOST_NODES, finished, given_sines, operations};
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;

@@ -11,7 +11,7 @@ use crate::{
     tree::Tree,
 };
 
-use super::candidate::{Candidate, MOST_NODES, finished, operations};
+use super::planned::{MOST_NODES, Planned, finished, operations};
 
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;
@@ -62,7 +62,7 @@ pub(super) fn cheapest_of(
     formulation: Formulation,
     plans: Vec<Plan>,
     most: usize,
-) -> Option<Candidate> {
+) -> Option<Planned> {
     let mut least = most;
     let mut best = None;
     // The last is the most promising.
@@ -75,7 +75,7 @@ pub(super) fn cheapest_of(
         let count = operations(&derived).total();
         if count <= least {
             least = count;
-            best = Some(Candidate { plan, derived });
+            best = Some(Planned { plan, derived });
         }
     }
     best

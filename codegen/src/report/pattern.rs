@@ -11,7 +11,7 @@ use crate::{
 pub fn mass_matrix_pattern(tree: &Tree) -> Vec<Vec<bool>> {
     let request = Request::parse("mass_matrix").expect("report: the catalogue has it");
     let plan = Plan::full(tree).with_parallel(None, false);
-    let derived = compile::candidate(tree, &request, Formulation::Recursive, &plan);
+    let derived = compile::by_plan(tree, &request, Formulation::Recursive, &plan);
     let entries = derived.roots.iter();
     let entries: Vec<bool> = entries
         .map(|&entry| !derived.graph.is_zero(entry))

@@ -193,7 +193,7 @@ impl Function {
 
     fn by(tree: &Tree, text: &str, plan: &Plan) -> Self {
         let request = request(tree, text);
-        let derived = compile::candidate(tree, &request, Formulation::Recursive, plan);
+        let derived = compile::by_plan(tree, &request, Formulation::Recursive, plan);
         let (graph, roots, prepared) = hoisted(tree, &derived.graph, &derived.roots);
         Self {
             request,

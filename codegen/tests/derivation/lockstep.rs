@@ -36,7 +36,7 @@ const REQUESTS: [&str; 6] = [
 ];
 
 fn derived(tree: &Tree, text: &str, plan: &Plan) -> Derived {
-    compile::candidate(tree, &request(tree, text), Formulation::Recursive, plan)
+    compile::by_plan(tree, &request(tree, text), Formulation::Recursive, plan)
 }
 
 /// All one by one, and the ways in which columns go together: those that are solved for, and those that pass inward too.

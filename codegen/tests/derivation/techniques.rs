@@ -334,7 +334,7 @@ fn no_technique_raises_a_count_that_it_is_meant_to_lower() {
             let request = request(function);
             let best = compile::cheapest(&plans, &request).plan;
             let count = |plan: &Plan| {
-                let derived = compile::candidate(&tree, &request, Formulation::Recursive, plan);
+                let derived = compile::by_plan(&tree, &request, Formulation::Recursive, plan);
                 compile::operations(&derived).total()
             };
             let least = count(&best);

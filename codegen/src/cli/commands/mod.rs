@@ -9,6 +9,3 @@ pub(super) mod generate;
 pub(super) mod info;
 pub(super) mod new;
 pub(super) mod verify;
-// What `eval` reads.
-mod state;
-mod unique;

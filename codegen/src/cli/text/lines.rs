@@ -7,7 +7,7 @@ use kane_codegen::diagnostic::{count, first_few};
 use crate::cli::text::text_diff::TextDiff;
 
 /// What changed between two texts.
-pub(in crate::cli) struct ChangedLines {
+pub(crate) struct ChangedLines {
     removed: usize,
     added: usize,
     /// The functions in which lines changed: those of the new text in its order, then those that are gone.
@@ -20,7 +20,7 @@ pub(in crate::cli) struct ChangedLines {
 
 impl ChangedLines {
     /// What a diff of these texts holds.
-    pub(in crate::cli) fn of(diff: &TextDiff<'_>, old: &str, new: &str) -> Self {
+    pub(crate) fn of(diff: &TextDiff<'_>, old: &str, new: &str) -> Self {
         let (old_owners, new_owners) = (owners(old), owners(new));
         let removed = diff.removed().map(|line| old_owners[line].as_deref());
         let added = diff.added().map(|line| new_owners[line].as_deref());
@@ -40,7 +40,7 @@ impl ChangedLines {
     }
 
     /// True where no line of code changed.
-    pub(in crate::cli) fn are_comments(&self) -> bool {
+    pub(crate) fn are_comments(&self) -> bool {
         self.only == Some(Only::Comments)
     }
 }

@@ -3,10 +3,10 @@
 use kane_codegen::report::{Comparison, Counted};
 
 /// What happened, to what, and how: a line.
-pub(in crate::cli) type Row = [String; 3];
+pub(crate) type Row = [String; 3];
 
 /// A line for every function whose operations changed, and for those that came and went.
-pub(in crate::cli) fn rows(comparison: &Comparison) -> Vec<Row> {
+pub(crate) fn rows(comparison: &Comparison) -> Vec<Row> {
     let row = |what: &str, name: &str, how: String| [what.to_owned(), name.to_owned(), how];
     let changed = comparison.changed.iter().map(|change| {
         let (old, new) = (total(&change.old), total(&change.new));
@@ -29,7 +29,7 @@ pub(in crate::cli) fn rows(comparison: &Comparison) -> Vec<Row> {
 }
 
 /// The lines in columns, each with its end.
-pub(in crate::cli) fn text(rows: &[Row]) -> String {
+pub(crate) fn text(rows: &[Row]) -> String {
     let width = |column: usize| {
         let cells = rows.iter().map(|row| row[column].chars().count());
         cells.max().unwrap_or(0)

@@ -5,7 +5,7 @@ use std::ops::Range;
 use imara_diff::{Algorithm, Diff, InternedInput, Token};
 
 /// The lines that one text has and the other lacks.
-pub(in crate::cli) struct TextDiff<'a> {
+pub(crate) struct TextDiff<'a> {
     lines: InternedInput<&'a str>,
     changes: Vec<Change>,
 }
@@ -20,7 +20,7 @@ struct Change {
 const CONTEXT: usize = 3;
 
 impl<'a> TextDiff<'a> {
-    pub(in crate::cli) fn new(old: &'a str, new: &'a str) -> Self {
+    pub(crate) fn new(old: &'a str, new: &'a str) -> Self {
         let lines = InternedInput::new(old, new);
         let mut diff = Diff::compute(Algorithm::Histogram, &lines);
         diff.postprocess_lines(&lines);
@@ -34,17 +34,17 @@ impl<'a> TextDiff<'a> {
     }
 
     /// The lines of the old text that are gone, from 0.
-    pub(in crate::cli) fn removed(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn removed(&self) -> impl Iterator<Item = usize> {
         self.changes.iter().flat_map(|change| change.old.clone())
     }
 
     /// The lines of the new text that the old one lacks, from 0.
-    pub(in crate::cli) fn added(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn added(&self) -> impl Iterator<Item = usize> {
         self.changes.iter().flat_map(|change| change.new.clone())
     }
 
     /// The unified diff of the texts, which `patch` reads, under their names and what each is; empty where they are the same.
-    pub(in crate::cli) fn unified(&self, [old, new]: [(&str, &str); 2]) -> String {
+    pub(crate) fn unified(&self, [old, new]: [(&str, &str); 2]) -> String {
         let is_near = |a: &Change, b: &Change| b.old.start - a.old.end <= 2 * CONTEXT;
         let hunks = self.changes.chunk_by(is_near);
         let hunks: String = hunks.map(|changes| self.hunk(changes)).collect();

@@ -17,14 +17,14 @@ pub(super) const MOST_NODES: usize = 400_000;
 
 /// A plan, and the function by it, as it would be emitted.
 #[derive(Clone, Debug)]
-pub struct Candidate {
+pub struct Planned {
     /// The plan.
     pub plan: Plan,
     /// The function's expressions.
     pub derived: Derived,
 }
 
-impl Candidate {
+impl Planned {
     /// The function in this formulation by this plan.
     pub(super) fn new(
         tree: &Tree,
@@ -32,19 +32,14 @@ impl Candidate {
         formulation: Formulation,
         plan: Plan,
     ) -> Self {
-        let derived = candidate(tree, function, formulation, &plan);
+        let derived = by_plan(tree, function, formulation, &plan);
         Self { plan, derived }
     }
 }
 
 /// The function in this formulation by this plan, as it would be emitted: its sums factored, and sines and cosines inputs
 /// where they are to be given.
-pub fn candidate(
-    tree: &Tree,
-    function: &Request,
-    formulation: Formulation,
-    plan: &Plan,
-) -> Derived {
+pub fn by_plan(tree: &Tree, function: &Request, formulation: Formulation, plan: &Plan) -> Derived {
     let derived = function.derive(tree, formulation, plan);
     finished(tree, function, plan, derived)
 }

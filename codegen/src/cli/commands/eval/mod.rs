@@ -1,5 +1,8 @@
 //! `kane eval`.
 
+mod state;
+mod unique;
+
 use std::{
     io::{self, Write},
     path::{Path, PathBuf},
@@ -22,12 +25,12 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, json};
 
+use self::state::State;
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::changes::ChangesArguments,
     arguments::options,
     arguments::parse,
-    commands::state::{self, State},
     job::Job,
     listed,
     text::json,

@@ -15,7 +15,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, error::Category};
 
-use crate::cli::commands::unique::Unique;
+use crate::cli::commands::eval::unique::Unique;
 
 /// The values of inputs.
 pub(crate) type State = BTreeMap<Input, f64>;
