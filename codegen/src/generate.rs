@@ -5,7 +5,7 @@ pub use crate::origin::OUTPUT_FORMAT;
 use std::path::{Path, PathBuf};
 
 use crate::{
-    companions::{self, Companion, Given},
+    companions::{self, Companion, Ingredients},
     compile,
     description::{self, Description, Include},
     diagnostic::{Diagnostics, Source},
@@ -69,7 +69,7 @@ pub fn generate(
     warnings.extend(compile::warnings(tree, &compiled));
     let origin = Origin::new(tree, shown_path, options);
     let module = Module::new(tree, origin, &compiled);
-    let given = Given {
+    let given = Ingredients {
         tree,
         compiled: &compiled,
         module: &module,

@@ -39,7 +39,7 @@ impl Companion {
 
 /// What files are made from.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Given<'a> {
+pub(crate) struct Ingredients<'a> {
     /// The system.
     pub(crate) tree: &'a Tree,
     /// Its programs.
@@ -50,7 +50,7 @@ pub(crate) struct Given<'a> {
 
 /// The files of these kinds, beside the module `name`, or why one of them cannot be.
 pub(crate) fn of(
-    given: &Given<'_>,
+    given: &Ingredients<'_>,
     kinds: &BTreeSet<CompanionKind>,
     name: &str,
 ) -> Result<Vec<Companion>, Error> {
@@ -63,7 +63,7 @@ pub(crate) fn of(
 }
 
 /// The texts of the files of one kind.
-fn texts(kind: CompanionKind, given: &Given<'_>, name: &str) -> Result<Vec<String>, Error> {
+fn texts(kind: CompanionKind, given: &Ingredients<'_>, name: &str) -> Result<Vec<String>, Error> {
     let module = given.module;
     Ok(match kind {
         CompanionKind::Manifest => vec![json::manifest(module)],

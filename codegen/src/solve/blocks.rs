@@ -16,7 +16,7 @@ use crate::{
 
 /// What a helper is given of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Given {
+enum GivenNumber {
     /// The entry of a speed, by its place among the speeds.
     Entry(usize),
     /// A part of the acceleration of a carrier.
@@ -27,7 +27,7 @@ enum Given {
 struct Block {
     helper: ExprGraph,
     shared: Shared,
-    given: Vec<Given>,
+    given: Vec<GivenNumber>,
     roots: Vec<Expr>,
 }
 
@@ -109,14 +109,14 @@ impl Block {
         let mut sum = self.helper.zero();
         for &(a, factor) in &rule.direct {
             let factor = self.shared.share(graph, &mut self.helper, factor);
-            let entry = self.given(Given::Entry(a.index()));
+            let entry = self.given(GivenNumber::Entry(a.index()));
             let term = self.helper.mul(factor, entry);
             sum = self.helper.add(sum, term);
         }
         if let Some((carrier, feeling)) = &rule.felt {
             let acceleration = [0, 1, 2, 3, 4, 5];
             let acceleration =
-                acceleration.map(|part| self.given(Given::Acceleration(*carrier, part)));
+                acceleration.map(|part| self.given(GivenNumber::Acceleration(*carrier, part)));
             let (shared, helper) = (&mut self.shared, &mut self.helper);
             let feeling = feeling.map(|own| shared.share(graph, helper, own));
             let share = feeling.of(&mut self.helper, &acceleration);
@@ -125,7 +125,7 @@ impl Block {
         sum
     }
 
-    fn given(&mut self, own: Given) -> Expr {
+    fn given(&mut self, own: GivenNumber) -> Expr {
         let known = self.given.iter().position(|known| *known == own);
         let place = known.unwrap_or_else(|| {
             self.given.push(own);
@@ -148,7 +148,7 @@ impl Block {
         columns: &[usize],
     ) {
         let calls = columns.chunks(LANES).map(|columns| {
-            let row = |own: &Given| {
+            let row = |own: &GivenNumber| {
                 let column = |&j: &usize| entries.given(graph, *own, j);
                 let mut row: Vec<Expr> = columns.iter().map(column).collect();
                 row.resize(LANES, graph.zero());
@@ -179,11 +179,11 @@ impl Block {
 }
 
 impl Entries<'_> {
-    fn given(&mut self, graph: &mut ExprGraph, own: Given, j: usize) -> Expr {
+    fn given(&mut self, graph: &mut ExprGraph, own: GivenNumber, j: usize) -> Expr {
         let column = self.order[j].index();
         match own {
-            Given::Entry(speed) => self.h[speed][column],
-            Given::Acceleration(carrier, part) => self.acceleration(graph, carrier, j)[part],
+            GivenNumber::Entry(speed) => self.h[speed][column],
+            GivenNumber::Acceleration(carrier, part) => self.acceleration(graph, carrier, j)[part],
         }
     }
 }

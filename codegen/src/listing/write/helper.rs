@@ -1,6 +1,6 @@
 //! What a function runs on several columns: a function of one column, of which nobody else knows.
 
-use super::Given;
+use super::InputPlaces;
 use crate::listing::{Code, Function, Stage, Step};
 use crate::{
     expr::Input,
@@ -50,7 +50,7 @@ fn given(program: &Program, place: usize) -> (usize, usize) {
 }
 
 /// Where a helper finds what it is given.
-pub(super) fn entries(signature: &Signature, program: &Program) -> Given {
+pub(super) fn entries(signature: &Signature, program: &Program) -> InputPlaces {
     let inputs = program.values.iter().filter_map(ValueFacts::input);
     let entries = inputs.map(|input| {
         let (name, place) = match input {

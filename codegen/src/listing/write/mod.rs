@@ -23,4 +23,4 @@ pub(super) use plain::{nominal, sin_cos};
 pub(super) use writer::Writer;
 
 /// Where inputs of a program stand: the argument, by its name, and the place in it.
-type Given = BTreeMap<Input, (&'static str, Vec<Step>)>;
+type InputPlaces = BTreeMap<Input, (&'static str, Vec<Step>)>;

@@ -1,7 +1,7 @@
 //! Functions of a listing, from programs.
 
 use super::{
-    Given,
+    InputPlaces,
     group::Groups,
     helper, loops,
     name::{self, Numbering},
@@ -112,7 +112,7 @@ impl<'a> Writer<'a> {
         });
         let code = self.code(
             program,
-            (&signature, &Given::new(), &Scratch::default()),
+            (&signature, &InputPlaces::new(), &Scratch::default()),
             (places.collect(), false),
             Numbering::InPreparation,
         );
@@ -122,7 +122,7 @@ impl<'a> Writer<'a> {
     fn code(
         &self,
         program: &Program,
-        (signature, given, scratch): (&Signature, &Given, &Scratch),
+        (signature, given, scratch): (&Signature, &InputPlaces, &Scratch),
         (places, keeps_apart): (Vec<Entry>, bool),
         numbering: Numbering,
     ) -> Code {
@@ -142,7 +142,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Where each input of the equations stands that is no parameter, in a function with these arguments.
-    fn given(&self, arguments: &[Argument]) -> Given {
+    fn given(&self, arguments: &[Argument]) -> InputPlaces {
         let all = arguments.iter().flat_map(|argument| {
             let extent = self.facts.extent(&argument.declared());
             let inputs = argument.inputs(self.tree).enumerate();
@@ -152,7 +152,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Where a function finds an input.
-    fn entry(&self, input: Input, signature: &Signature, given: &Given) -> Entry {
+    fn entry(&self, input: Input, signature: &Signature, given: &InputPlaces) -> Entry {
         let (name, steps) = match input {
             Input::Sine(place) => ("sin_cos", of_member(Member::Sines, place)),
             Input::Cosine(place) => ("sin_cos", of_member(Member::Cosines, place)),

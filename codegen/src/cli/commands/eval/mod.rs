@@ -27,13 +27,8 @@ use serde_json::{Map, Value, json};
 
 use self::state::State;
 use crate::cli::{
-    Failures, Outcome, Voice,
-    arguments::changes::ChangesArguments,
-    arguments::options,
-    arguments::parse,
-    job::Job,
-    listed,
-    text::json,
+    Failures, Outcome, Voice, arguments::changes::ChangesArguments, arguments::options,
+    arguments::parse, job::Job, listed, text::json,
 };
 
 /// Evaluate one function at a state, and print the numbers as JSON
