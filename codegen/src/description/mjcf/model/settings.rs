@@ -163,25 +163,21 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
         attributes.keyword(reader, "angle", &units),
     );
     take(
-        &mut settings.auto_limits,
-        attributes.keyword(reader, "autolimits", &TRUTH),
-    );
-    take(
         &mut settings.from_geoms,
         attributes.keyword(reader, "inertiafromgeom", &from_geoms),
     );
-    take(
-        &mut settings.balance,
-        attributes.keyword(reader, "balanceinertia", &TRUTH),
-    );
-    take(
-        &mut settings.fuse,
-        attributes.keyword(reader, "fusestatic", &TRUTH),
-    );
-    take(
-        &mut settings.align_free,
-        attributes.keyword(reader, "alignfree", &TRUTH),
-    );
+    let switches = [
+        ("autolimits", &mut settings.auto_limits),
+        ("balanceinertia", &mut settings.balance),
+        ("alignfree", &mut settings.align_free),
+        ("fusestatic", &mut settings.fuse),
+        ("strippath", &mut settings.strip_path),
+        ("fitaabb", &mut settings.fit_bounds),
+        ("exactmeshinertia", &mut settings.exact_meshes),
+    ];
+    for (name, switch) in switches {
+        take(switch, attributes.keyword(reader, name, &TRUTH));
+    }
     if let Some(least) = attributes.number(reader, "boundmass") {
         settings.least_mass = Some(least).filter(|least| least.value > 0.0);
     }
@@ -211,29 +207,12 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
         settings.merges = conflict.value.then_some(conflict.span);
     }
     euler_sequence(reader, attributes, settings);
-    mesh_files(reader, attributes, settings);
-}
-
-/// Where mesh files are, and what of them counts.
-fn mesh_files(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Settings) {
     // The second one is for meshes alone.
     for name in ["assetdir", "meshdir"] {
         if let Some(folder) = attributes.text(name) {
             folder.value.clone_into(&mut settings.mesh_folder);
         }
     }
-    take(
-        &mut settings.strip_path,
-        attributes.keyword(reader, "strippath", &TRUTH),
-    );
-    take(
-        &mut settings.fit_bounds,
-        attributes.keyword(reader, "fitaabb", &TRUTH),
-    );
-    take(
-        &mut settings.exact_meshes,
-        attributes.keyword(reader, "exactmeshinertia", &TRUTH),
-    );
 }
 
 fn euler_sequence(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Settings) {
