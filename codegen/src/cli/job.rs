@@ -38,6 +38,8 @@ pub(crate) struct Job {
     pub(crate) budget: Vec<Budget>,
     /// Where it is listed, if it is.
     pub(crate) listing: Option<Listing>,
+    /// Whether something else is asked for than there.
+    pub(crate) is_overridden: bool,
 }
 
 /// Where a `kane.toml` lists a model.
@@ -75,6 +77,7 @@ impl Job {
             target,
             budget: Vec::new(),
             listing: None,
+            is_overridden: false,
         }
     }
 

@@ -90,6 +90,7 @@ impl Listed {
                 prescribed: system.prescribed.clone(),
                 changed: system.changed.clone(),
             }),
+            is_overridden: false,
             model,
         })
     }

@@ -137,6 +137,8 @@ fn options_stand_above_kane_toml() {
     let options = ["--functions", "rotation", "--formulation", "notes"];
     let ran = project.kane(&[&["generate", "models/arm.toml"], &options[..]].concat());
     assert_eq!(ran.code, 0, "{ran:?}");
+    let told = "note: kane.toml asks for something else of this model;";
+    assert!(ran.err.contains(told), "{ran:?}");
     let text = project.read("generated/arm.rs");
     assert!(text.contains("functions: rotation; formulation: notes; snap: 1e-9."));
     assert!(!text.contains("pub fn bias"));

@@ -209,6 +209,7 @@ impl Selection {
         }
         for job in &mut jobs {
             model.clone_into(&mut job.model);
+            let listed = job.options.clone();
             let options = &mut job.options;
             asked.set(options);
             if let Some(listing) = &mut job.listing {
@@ -225,6 +226,8 @@ impl Selection {
             // There the module stands alone.
             if job.target == Target::StandardOutput {
                 options.companions.clear();
+            } else {
+                job.is_overridden = job.listing.is_some() && listed != *options;
             }
         }
         Ok(jobs)

@@ -88,6 +88,11 @@ pub(crate) fn run(
         let seconds = start.elapsed().as_secs_f64();
         voice.say(format_args!("{files}; {}, {seconds:.2} s", size(&modules)));
     }
+    if plan.jobs.iter().any(|job| job.is_overridden) {
+        voice.say(
+            "note: kane.toml asks for something else of this model; `kane check` goes by that",
+        );
+    }
     for (job, module) in plan.jobs.iter().zip(&modules) {
         let excesses = job.excesses(module);
         if !excesses.is_empty() {
