@@ -1,6 +1,6 @@
-//! [`Array`]: what generic code may ask of the fixed-size arrays in a system's signatures.
+//! [`Array`]: the trait by which generic code uses the fixed-size arrays in a system's signatures.
 //!
-//! The sizes of a system are associated types and no const-generic parameters. Stable Rust cannot compute one array length from another, and
+//! The sizes of a system are associated types, not const generics: stable Rust cannot compute one array length from another, and
 //! with associated types no call needs a turbofish.
 
 use core::fmt::Debug;
@@ -8,7 +8,7 @@ use core::ops::{Index, IndexMut};
 
 /// A plain array `[T; N]` whose length is part of the type but not of the name.
 ///
-/// Implemented for every `[T; N]`, and meant for nothing else.
+/// Implemented for every `[T; N]`, and not meant for other types.
 ///
 /// ```
 /// use kane::Array;
@@ -32,10 +32,10 @@ pub trait Array<T>:
     /// The number of elements.
     const LEN: usize;
 
-    /// The array whose every element is `value`.
+    /// The array with every element `value`.
     fn filled(value: T) -> Self;
 
-    /// The array whose element `i` is `element(i)`.
+    /// The array with element `i` equal to `element(i)`.
     fn from_fn(element: impl FnMut(usize) -> T) -> Self;
 }
 

@@ -9,6 +9,6 @@ pub struct BaseTerm {
     pub body: usize,
     /// The parameter among the body's ten, in the order of [`Regressor`](crate::functions::Regressor).
     pub parameter: usize,
-    /// What the parameter is multiplied with: 1, or of the unit that the base parameter's is over its own.
+    /// The factor of the parameter: 1, or in the unit of the base parameter over the parameter's own.
     pub factor: f64,
 }

@@ -1,32 +1,31 @@
 //! [`Block`]: where the compact columns of a partial velocity matrix belong.
 //!
-//! It takes the columns and the pattern of one function, such as [`PartialVelocity`](crate::functions::PartialVelocity), and gives one body's dense
-//! `3 x NU` matrix. Blocks that are always zero (Eqs. 16 and 30) are neither computed nor stored. Use a dense matrix for checks and for other libraries, not in the
-//! control loop.
+//! [`expand`] takes the columns and the pattern of one function, such as [`PartialVelocity`](crate::functions::PartialVelocity), and writes one
+//! body's dense `3 x NU` matrix. Blocks that are always zero (Eqs. 16 and 30) are neither computed nor stored. Use a dense matrix for checks
+//! and for other libraries, not in the control loop.
 
 use crate::Real;
 
-/// One block of a body's partial velocity matrix that is not structurally zero: up to three columns of
-/// three components.
+/// One structurally nonzero block of a body's partial velocity matrix: up to three columns of three components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Block {
-    /// The body whose matrix this is, index from 0.
+    /// The body of the matrix, index from 0.
     pub body: usize,
     /// Index from 0 of the notes' `2 NB` partitions: body `J`'s angles are `J`, its translations `NB + J`.
     pub partition: usize,
     /// Index from 0 in `u` of the block's first speed.
     pub speed: usize,
-    /// 1 to 3: how many coordinates of the partition are free or follow others. Their speeds are consecutive.
+    /// 1 to 3: how many coordinates of the partition are free or mimic others. Their speeds are consecutive.
     pub columns: usize,
     /// Index of the block's first column in the compact array.
     pub first: usize,
 }
 
-/// Writes the dense `3 x NU` matrix of one body, `dense[component][speed]`, zeros included. A speed that moves several
-/// joints, because others follow its coordinate, has several columns, which are added.
+/// Writes the dense `3 x NU` matrix of one body, `dense[component][speed]`, zeros included.
 ///
-/// `columns` and `blocks` are the output and the pattern of one and the same function. A block that does
-/// not fit into `columns` or into `NU` is passed over: it cannot come from one function.
+/// If other joints mimic a coordinate, its speed has several columns, which are added.
+/// `columns` and `blocks` are the output and the pattern of the same function. A block that does
+/// not fit into `columns` or into `NU` is skipped: it cannot come from the same function.
 ///
 /// ```
 /// use kane::{Block, block};
@@ -53,10 +52,10 @@ pub fn expand<R: Real, const NU: usize>(
     });
 }
 
-/// As [`expand`], into a nalgebra matrix or a mutable view of one.
+/// Like [`expand`], into a nalgebra matrix or a mutable view of one.
 ///
 /// # Panics
-/// If `dense` is dynamically sized and has not three rows.
+/// If `dense` is dynamically sized and does not have three rows.
 #[cfg(feature = "nalgebra")]
 pub fn expand_matrix<R, NU, S>(
     columns: &[[R; 3]],

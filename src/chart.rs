@@ -1,14 +1,14 @@
 //! Conversion of states between angles and quaternions: angles to Euler parameters and back, rates to angular velocities and back.
 //!
-//! It takes a state of one system and gives the same motion as a state of another system. Both must be generated from the same model, with different charts. It needs
-//! the feature `std`, because it uses an arc tangent; generated functions never do. Orientations are exact up to rounding. Near `cos(theta_2) = 0`, where
-//! angles are singular, the rates of the angles lose digits.
+//! [`convert`] takes a state of one system and gives the same state of another system, generated from the same model with different
+//! charts. It needs the feature `std` for its arc tangent; generated functions never do. Orientations are exact up to rounding. Near
+//! `cos(theta_2) = 0`, where angles are singular, the rates of the angles lose digits.
 
 use crate::joint::Chart;
 use crate::manifold::of_angles;
 use crate::{Array, Joint, Real, System};
 
-/// An orientation that is free in all directions, and how it changes.
+/// An orientation of three free rotations, and its angular velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
     /// Unit quaternion, scalar first, Hamilton's product: components on the body's side to those on the lower body's.
@@ -34,8 +34,9 @@ impl Turning {
         Self::from_angles(theta, w)
     }
 
-    /// The 1-2-3 body-fixed angles, rad: `theta_2` from -π/2 to π/2, the others from -π to π. Where `cos(theta_2) = 0`
-    /// only the sum or difference of the others means anything: `theta_1` is any, `theta_3` fits it.
+    /// The 1-2-3 body-fixed angles, rad: `theta_2` from -π/2 to π/2, the others from -π to π.
+    ///
+    /// At `cos(theta_2) = 0` only the sum or difference of the others is defined: `theta_1` is arbitrary, and `theta_3` matches it.
     pub fn angles(&self) -> [f64; 3] {
         let [e0, e1, e2, e3] = unit(self.e);
         // Entries of C(e)^T, Eq. (4): s2, -s1 c2, c1 c2.
@@ -80,7 +81,7 @@ fn unit(e: [f64; 4]) -> [f64; 4] {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ConvertError {
-    /// The systems have other bodies or joints, by number or name.
+    /// The systems differ in their bodies or joints, by number or name.
     OtherJoints {
         /// The index, from 0, of the first joint that differs.
         joint: usize,
@@ -102,10 +103,10 @@ impl core::fmt::Display for ConvertError {
 
 impl core::error::Error for ConvertError {}
 
-/// The state of `To` that is the same as `q` and `u` of `From`: two systems of one model that differ in their charts.
+/// Converts the state `q`, `u` of `From` to the same state of `To`, two systems of one model that differ in their charts.
 ///
 /// # Errors
-/// If the systems' joints differ in more than that.
+/// If the systems' joints differ in more than their charts.
 pub fn convert<From: System<f64>, To: System<f64>>(
     q: &From::Q,
     u: &From::U,

@@ -1,8 +1,8 @@
 //! Forward dynamics that checks a state before it solves.
 //!
-//! It takes a state, and limits that say how near to a singularity the state may be. It gives `u_dot`, or an error that names the body and
-//! leaves `u_dot` unchanged. It works for scalars that are one number (`f32`, `f64`, newtypes of them), not for lanes. The result has the same bits as that of
-//! the unchecked function.
+//! [`forward_dynamics`] takes a state, and [`Limits`] on how near to a singularity it may be. It gives `u_dot`, or an error that names the
+//! body and leaves `u_dot` unchanged. It works for scalars that are one number (`f32`, `f64`, newtypes of them), not for lanes. The result
+//! has the same bits as that of the unchecked function.
 
 use core::error::Error;
 use core::fmt;
@@ -14,11 +14,11 @@ use crate::{Array, Real, System};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// The least distance `|cos(theta_2)|` of any body's angles from their singularity. Default 0.01 (0.6°
-    /// away): the mass matrix's condition grows with `1 / distance²`, so this costs four digits, of the
-    /// seven that `f32` has.
+    /// away): the mass matrix's condition number grows with `1 / distance²`, so this costs four of the seven
+    /// digits of `f32`.
     pub least_distance: f64,
-    /// What every pivot of the mass matrix must exceed, in its own unit, kg m² or kg. Default 0, that is
-    /// positive definite: how small a pivot may be depends on the system, and units differ from one to the next.
+    /// The limit that every pivot of the mass matrix must exceed, in the pivot's own unit, kg m² or kg. Default 0, that is,
+    /// positive definite: how small a pivot may be depends on the system, and units differ from one pivot to the next.
     pub least_pivot: f64,
 }
 
@@ -31,7 +31,7 @@ impl Default for Limits {
     }
 }
 
-/// Why there is no `u_dot`: where, what was found, what was required.
+/// Why there is no `u_dot`: the place, the value found, the value required.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CheckError {
@@ -44,9 +44,9 @@ pub enum CheckError {
         /// [`Limits::least_distance`].
         least: f64,
     },
-    /// The mass matrix is not positive definite, or less so than required.
+    /// The mass matrix is not positive definite, or a pivot is smaller than required.
     Pivot {
-        /// The name of the body whose speed it is.
+        /// The name of the speed's body.
         body: &'static str,
         /// The speed's name.
         speed: &'static str,
@@ -55,9 +55,9 @@ pub enum CheckError {
         /// [`Limits::least_pivot`], which it must exceed.
         least: f64,
     },
-    /// The result is infinite or NaN: so is an argument, or it is too large.
+    /// The result is infinite or NaN, because an argument is, or is too large.
     NotFinite {
-        /// The name of the body whose speed it is.
+        /// The name of the speed's body.
         body: &'static str,
         /// The speed's name.
         speed: &'static str,
@@ -98,8 +98,8 @@ impl fmt::Display for CheckError {
 
 impl Error for CheckError {}
 
-/// Writes the `u_dot` that solves `M u_dot + bias = tau`, as
-/// [`ForwardDynamics::forward_dynamics`] does, if the state allows it.
+/// Writes the `u_dot` that solves `M u_dot + bias = tau`, like
+/// [`ForwardDynamics::forward_dynamics`], if the state passes the checks.
 ///
 /// ```
 /// # #[cfg(feature = "eight_body")] {
@@ -117,9 +117,9 @@ impl Error for CheckError {}
 /// ```
 ///
 /// # Errors
-/// In this order, the first breach in the order of bodies and speeds, and `u_dot` is untouched: a body's
+/// The first failure, in the order of these checks, then of bodies and speeds: a body's
 /// angles too near their singularity, a pivot that does not exceed its limit, a result that is not finite.
-/// NaN never passes.
+/// `u_dot` does not change. NaN never passes.
 pub fn forward_dynamics<R, S>(
     system: &S,
     q: &S::Q,
@@ -179,7 +179,7 @@ fn first_failing<R: Real + Into<f64>>(
     numbers.enumerate().find(|(_, number)| !passes(*number))
 }
 
-/// The names of the body of a speed and of the speed.
+/// The names of a speed's body and of the speed.
 fn speed_names<R: Real, S: System<R>>(speed: usize) -> (&'static str, &'static str) {
     let body = S::SPEED_BODIES.get(speed).copied().unwrap_or(usize::MAX);
     (name(S::BODY_NAMES, body), name(S::SPEED_NAMES, speed))

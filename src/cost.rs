@@ -1,10 +1,10 @@
 //! [`Cost`]: what one call of a generated function costs.
 //!
-//! Constants of a generated module, for code that adds up what a loop needs, or refuses a module that needs too much.
+//! Constants of a generated module, for code that adds up the cost of a loop, or rejects a module that costs too much.
 
-/// The operations of one call, whatever the state: generated functions have no branch, and loops of fixed length alone.
+/// The operations of one call, in every state: generated functions have no branch, and only loops of fixed length.
 ///
-/// Signs, absolute values, copies and stores count nothing. A fused multiply-add counts as a multiplication and an addition.
+/// Signs, absolute values, copies and stores do not count. A fused multiply-add counts as a multiplication and an addition.
 ///
 /// ```
 /// # #[cfg(feature = "cart_pole")] {
@@ -17,7 +17,7 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cost {
-    /// The function's name; `Prepared::new` for what is computed once, outside the loop.
+    /// The function's name; `Prepared::new` for the part computed once, outside the loop.
     pub function: &'static str,
     /// Multiplications.
     pub mul: usize,
@@ -30,7 +30,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// The cost of a function: multiplications, additions and subtractions, divisions, sines and cosines.
+    /// The cost of a function, from its multiplications, additions and subtractions, divisions, sines and cosines.
     pub const fn new(function: &'static str, [mul, add, div, trig]: [usize; 4]) -> Self {
         Self {
             function,

@@ -1,11 +1,11 @@
 //! One small trait for each function that a generated module may hold.
 //!
-//! A method is given `q`, `u`, `u_dot`, `tau` and `loads`, as far as the function needs them, in this order. It writes its last
-//! arguments, and overwrites each of them whole. `self` is the module's `Prepared<R>`. No function fails, panics or
-//! allocates; the results are whatever IEEE arithmetic gives. Generic code asks for the functions that it needs, as in
-//! `S: MassMatrix<R> + Bias<R>`.
+//! A method takes those of `q`, `u`, `u_dot`, `tau` and `loads` that the function needs, in this order. It overwrites each of its last
+//! arguments whole. `self` is the module's `Prepared<R>`. No function fails, panics or allocates; the results are whatever IEEE
+//! arithmetic gives. Generic code names the functions that it needs as bounds: `S: MassMatrix<R> + Bias<R>`.
 //!
-//! `K` is a body, `J` its lower body (parent), 0 the inertial frame. The numbers of equations are those of a set of lecture notes, called *the notes* here: J. W. Kamman,
+//! `K` is a body, `J` its lower body (parent), 0 the inertial frame. Equation numbers are those of a set of lecture notes, called *the
+//! notes* here: J. W. Kamman,
 //! *Multibody Dynamics: Equations of Motion for Unconstrained Systems Using Relative Coordinates with Orientation Angles*.
 //!
 //! | trait | method | output | equation |
@@ -76,8 +76,8 @@
 //! | [`Imu`] of a frame | `imu(q, u, u_dot, specific_force, angular_velocity)` | `[R; 3]`, `[R; 3]` | before (33) |
 //!
 //! Derivatives of forward and inverse dynamics have traits too: [`ForwardDynamicsDerivatives`] (by `q`, `u`, `tau`), `..AndDerivatives`,
-//! `..ByParameters`, `..Jvp`, `..Vjp`, `..ParametersJvp`, `..ParametersVjp`, and the same of inverse dynamics. Each names its request.
-//! Those with `Parameters` in their names ask for a [`Parametric`](crate::Parametric) system, which makes systems from arrays of values.
+//! `..ByParameters`, `..Jvp`, `..Vjp`, `..ParametersJvp`, `..ParametersVjp`, and the same for inverse dynamics. Each names its request.
+//! Those with `Parameters` in their names need a [`Parametric`](crate::Parametric) system, which makes systems from arrays of values.
 //!
 //! ```
 //! use kane::functions::{Bias, MassMatrix};
@@ -114,8 +114,8 @@
 
 use crate::{Array, Block, Real, System};
 
-/// One trait a line: its meaning, its name, its method. The method's doc points to the trait's, where the
-/// meaning stands once.
+/// One trait per line: its meaning, its name, its method. The method's doc refers to the trait's, so that the
+/// meaning is written once.
 macro_rules! function_traits {
     ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+);)+) => {$(
         $(#[$meaning])*
@@ -129,7 +129,7 @@ macro_rules! function_traits {
     )+};
 }
 
-/// As `function_traits`, for partial velocities: the compact columns and the pattern that places them.
+/// Like `function_traits`, for partial velocities: the compact columns and the pattern that places them.
 macro_rules! partial_traits {
     ($($(#[$meaning:meta])* $name:ident: $method:ident($($argument:ident: $type:ty),+), $columns:ident, $blocks:ident;)+) => {$(
         $(#[$meaning])*
@@ -139,7 +139,7 @@ macro_rules! partial_traits {
         pub trait $name<R: Real>: System<R> {
             /// `[[R; 3]; n]`: the columns of the blocks that are not structurally zero, block after block.
             type $columns: Array<[R; 3]>;
-            /// Where each block stands, ordered by body, within a body by partition.
+            /// The place of each block, ordered by body, within a body by partition.
             const $blocks: &'static [Block];
             #[doc = concat!("Overwrites `columns`; meaning, frame and unit are those of [`", stringify!($name), "`].")]
             fn $method(&self, $($argument: $type,)+ columns: &mut Self::$columns);
@@ -174,7 +174,7 @@ function_traits! {
     /// the inverse of Eq. (8), Eq. (9), rad/s.
     ///
     /// For bodies with all three angles free. Singular at `cos(theta_2) = 0`, where it gives infinities or
-    /// NaN; [`Singularity`] says how near that is.
+    /// NaN; [`Singularity`] gives the distance from that.
     AngleRates: angle_rates(q: &Self::Q, w_rel: &Self::Vectors, out: &mut Self::Vectors);
 
     /// Angular acceleration of each body in the inertial frame, body components, rad/s². Below Eq. (19).
@@ -223,19 +223,19 @@ partial_traits! {
 function_traits! {
     /// Acceleration of each body's mass centre in the inertial frame, body components, m/s². Before Eq. (33).
     ///
-    /// The acceleration itself, without gravity: zero for a system at rest, `g` for one in free fall.
+    /// The kinematic acceleration, without gravity: zero for a system at rest, `g` for one in free fall.
     MassCenterAcceleration: mass_center_acceleration(q: &Self::Q, u: &Self::U, u_dot: &Self::U, out: &mut Self::Vectors);
 
     /// Generalized forces `tau` of the loads: `sum_K V_G_Kᵀ F_K + W_Kᵀ M_K`, N m and N. Eq. (36).
     ///
-    /// Gravity is not in it (it is in [`Bias`]).
+    /// Gravity is not included; it is in [`Bias`].
     GeneralizedForces: generalized_forces(q: &Self::Q, loads: &Self::Loads, tau: &mut Self::U);
 }
 
-/// Mass matrix `M` (`A` of the notes), symmetric, written whole, `m[row][column]`. Eq. (42); often called
+/// Mass matrix `M` (`A` in the notes), symmetric, written whole, `m[row][column]`. Eq. (42); often called
 /// the joint-space inertia matrix or, by its algorithm, CRBA.
 ///
-/// Units kg m², kg m and kg, by the units of the two speeds.
+/// Units kg m², kg m and kg, depending on the units of the two speeds.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `mass_matrix`; name it in `functions` and generate again"
 )]
@@ -244,10 +244,10 @@ pub trait MassMatrix<R: Real>: System<R> {
     fn mass_matrix(&self, q: &Self::Q, m: &mut Self::Matrix);
 }
 
-/// The entries of the [`MassMatrix`] on and below the diagonal that the tree does not make zero, row after row. Eq. (42).
+/// The entries of the [`MassMatrix`] on and below the diagonal that are not structurally zero, row by row. Eq. (42).
 ///
-/// Entries of two speeds that move no body in common are left out. For a humanoid a quarter of the matrix remains, in the form that
-/// solvers along the tree use. [`unpack`] makes the whole matrix.
+/// Entries of two speeds that move no common body are left out. For a humanoid a quarter of the matrix remains, in the form that
+/// sparse solvers along the tree use. [`unpack`] makes the whole matrix.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `mass_matrix_packed`; name it in `functions` and generate again"
 )]
@@ -260,7 +260,7 @@ pub trait MassMatrixPacked<R: Real>: System<R> {
     fn mass_matrix_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
 }
 
-/// Writes the whole symmetric matrix whose `entries` stand at these `places`; all others become zero.
+/// Writes the whole symmetric matrix with these `entries` at these `places`; all other entries become zero.
 ///
 /// Entries without a place, and places outside the matrix, are ignored.
 pub fn unpack<R: Real, Row: Array<R>>(
@@ -292,8 +292,8 @@ function_traits! {
     /// weight, springs and dampers, N m and N. Also called the nonlinear effects.
     Bias: bias(q: &Self::Q, u: &Self::U, bias: &mut Self::U);
 
-    /// The generalized forces `tau` that hold the system at rest against gravity alone, N m and N: the part of
-    /// [`Bias`] that gravity has, without springs. Often called the gravity torque, `g(q)`.
+    /// The generalized forces `tau` that hold the system at rest against gravity alone, N m and N: the gravity
+    /// part of [`Bias`], without springs. Often called the gravity torque, `g(q)`.
     GravityForces: gravity_forces(q: &Self::Q, tau: &mut Self::U);
 
     /// Inverse dynamics: the generalized forces `tau = M u_dot + bias` that a motion needs, N m and N. Often
@@ -303,14 +303,14 @@ function_traits! {
     /// Forward dynamics: the `u_dot` that solves `M u_dot + bias = tau`, rad/s² and m/s². Eq. (41); often
     /// called by its algorithm, ABA.
     ///
-    /// Where `M` is singular or indefinite (a body without mass or inertia at the end of the tree, angles at
-    /// their singularity) the result is infinite, NaN or simply wrong, without notice.
+    /// If `M` is singular or indefinite (a massless body at the end of the tree, angles at
+    /// their singularity), the result is infinite, NaN or simply wrong, without notice.
     /// [`checked::forward_dynamics`](crate::checked::forward_dynamics) checks first.
     ForwardDynamics: forward_dynamics(q: &Self::Q, u: &Self::U, tau: &Self::U, u_dot: &mut Self::U);
 
     /// The pivots `D` of `M = Lᵀ D L`, one for each speed, in the units of the mass matrix's diagonal.
     ///
-    /// All positive exactly where the mass matrix is positive definite.
+    /// All are positive if and only if the mass matrix is positive definite.
     ForwardDynamicsPivots: forward_dynamics_pivots(q: &Self::Q, pivots: &mut Self::U);
 
     /// How far each body's angles are from their singularity: `|cos(theta_2)|` where `theta_1` and
@@ -331,7 +331,7 @@ function_traits! {
 }
 
 function_traits! {
-    /// Inverse dynamics under loads: [`InverseDynamics`] less the [`GeneralizedForces`] of the loads, N m and N. Often
+    /// Inverse dynamics under loads: [`InverseDynamics`] minus the [`GeneralizedForces`] of the loads, N m and N. Often
     /// called RNEA with external forces.
     LoadedInverseDynamics: loaded_inverse_dynamics(q: &Self::Q, u: &Self::U, u_dot: &Self::U, loads: &Self::Loads, tau: &mut Self::U);
 
@@ -341,19 +341,19 @@ function_traits! {
     /// Nothing is checked, as in [`ForwardDynamics`].
     LoadedForwardDynamics: loaded_forward_dynamics(q: &Self::Q, u: &Self::U, tau: &Self::U, loads: &Self::Loads, u_dot: &mut Self::U);
 
-    /// Kinetic energy of each body in the inertial frame, with that of the rotors of its joint, J.
+    /// Kinetic energy of each body in the inertial frame, including the rotors of its joint, J.
     KineticEnergies: kinetic_energies(q: &Self::Q, u: &Self::U, energies: &mut Self::Scalars);
 
-    /// Potential energy of each body, with that of the springs of its joint, J: that of weight is zero at the inertial
+    /// Potential energy of each body, including the springs of its joint, J: that of weight is zero at the inertial
     /// origin, that of a spring at rest.
     PotentialEnergies: potential_energies(q: &Self::Q, energies: &mut Self::Scalars);
 }
 
-/// The force and moment that each joint transmits from the lower body to its body. Bearings and structures are sized by them.
+/// The force and moment that each joint transmits from the lower body to its body, for sizing bearings and structures.
 ///
 /// `force`, N, and `moment`, N m, are body components, about the point of the body where its joint sits: its origin, or its
-/// `body_attachment` where it has one. They include weight and the loads on all bodies outward of the joint, and motors,
-/// springs and dampers, which act through the joint. Often called joint reactions.
+/// `body_attachment` if it has one. They include weight and the loads on all bodies outward of the joint, and the motors,
+/// springs and dampers that act through the joint. Often called joint reactions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `joint_wrenches`; name it in `functions` and generate again"
 )]
@@ -370,17 +370,17 @@ pub trait JointWrenches<R: Real>: System<R> {
     );
 }
 
-/// Hybrid dynamics: for some speeds the accelerations are given and the forces are found, for the others the reverse.
-/// `M u_dot + bias = tau` holds for the whole `u_dot`, rad/s² and m/s², and the whole `tau`, N m and N. Eqs. (41), (43).
+/// Hybrid dynamics: finds the forces of the speeds with given accelerations, and the accelerations of the speeds with given forces.
 ///
-/// The generator's option `prescribed` says which speeds have given accelerations. Given entries are copied; entries of `u_dot` and
-/// `tau` that are found are not read. If all are prescribed it is [`InverseDynamics`], if none is it is [`ForwardDynamics`]. Nothing is
-/// checked, as in [`ForwardDynamics`].
+/// `M u_dot + bias = tau` holds for the whole `u_dot`, rad/s² and m/s², and the whole `tau`, N m and N. Eqs. (41), (43).
+/// The generator's option `prescribed` selects the speeds with given accelerations. Given entries are copied; entries of `u_dot` and
+/// `tau` to be found are not read. If all speeds are prescribed it is [`InverseDynamics`], if none is it is [`ForwardDynamics`]. Nothing
+/// is checked, as in [`ForwardDynamics`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `hybrid_dynamics`; name it in `functions` and generate again"
 )]
 pub trait HybridDynamics<R: Real>: System<R> {
-    /// The `NU` speeds: true where the acceleration is given.
+    /// For each of the `NU` speeds: true if its acceleration is given.
     const PRESCRIBED: &'static [bool];
     /// Overwrites `whole_u_dot` and `whole_tau`; meaning, frame and unit are those of [`HybridDynamics`].
     fn hybrid_dynamics(
@@ -395,10 +395,10 @@ pub trait HybridDynamics<R: Real>: System<R> {
 }
 
 function_traits! {
-    /// Mass centre of all bodies from the inertial origin, inertial components, m. Often called the centre of mass, `CoM`. Mass
-    /// that is fixed to the inertial frame does not count.
+    /// Mass centre of all bodies from the inertial origin, inertial components, m. Often called the centre of mass, `CoM`.
     ///
-    /// Where no body has mass it is the inertial origin; masses that are zero at run time alone give NaN.
+    /// Mass fixed to the inertial frame does not count. If the model has no mass it is the inertial origin; if all masses are
+    /// zero only at run time, it is NaN.
     CenterOfMass: center_of_mass(q: &Self::Q, position: &mut [R; 3]);
 
     /// Velocity of the mass centre of all bodies in the inertial frame, inertial components, m/s.
@@ -408,13 +408,15 @@ function_traits! {
     /// is this matrix times `u`. Often called the `CoM` Jacobian.
     CenterOfMassJacobian: center_of_mass_jacobian(q: &Self::Q, jacobian: &mut [Self::U; 3]);
 
-    /// Acceleration of the mass centre of all bodies for `u_dot = 0`, inertial components, m/s²: its acceleration without
-    /// gravity is its Jacobian times `u_dot`, and this.
+    /// Acceleration of the mass centre of all bodies for `u_dot = 0`, inertial components, m/s².
+    ///
+    /// For any `u_dot`, the acceleration without gravity is this plus the Jacobian times `u_dot`.
     CenterOfMassJacobianDotU: center_of_mass_jacobian_dot_u(q: &Self::Q, u: &Self::U, acceleration: &mut [R; 3]);
 }
 
-/// Momentum of all bodies about their mass centre for a unit of each speed, inertial components, `[component][speed]`: linear,
-/// kg m/s, and angular, kg m²/s, are these matrices times `u`. Often called the CMM, `A_G`.
+/// Momentum of all bodies about their mass centre per unit of each speed, inertial components, `[component][speed]`.
+///
+/// Linear momentum, kg m/s, and angular momentum, kg m²/s, are these matrices times `u`. Often called the CMM, `A_G`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `centroidal_momentum_matrix`; name it in `functions` and generate again"
 )]
@@ -428,8 +430,9 @@ pub trait CentroidalMomentumMatrix<R: Real>: System<R> {
     );
 }
 
-/// Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`, inertial
-/// components: the part of the rates that [`CentroidalMomentumMatrix`] times `u_dot` does not give. Often called `A_G_dot u`.
+/// Rates of linear momentum, N, and of angular momentum about the mass centre, N m, of all bodies for `u_dot = 0`, inertial components.
+///
+/// For any `u_dot`, the rates are these plus [`CentroidalMomentumMatrix`] times `u_dot`. Often called `A_G_dot u`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `centroidal_momentum_matrix_dot_u`; name it in `functions` and generate again"
 )]

@@ -1,19 +1,18 @@
 //! Fixed-step integration for control loops: the classic fourth-order Runge-Kutta step.
 //!
-//! It takes a state and gives the state one step later, in place. It does not allocate, estimate an error or check anything: a
-//! singular state gives whatever [`ForwardDynamics`] gives. The time is no argument. If your control law depends on it, let the closure count or hold the
-//! time. The module `simulate` integrates to a tolerance instead of with a fixed step;
+//! A step advances a state in place. It does not allocate, estimate an error or check anything: a singular state gives
+//! whatever [`ForwardDynamics`] gives. Time is not an argument. If your control law depends on it, let the closure count or hold
+//! the time. The module `simulate` integrates to a tolerance instead of with a fixed step;
 //! [`discrete`](crate::discrete) has steps with derivatives, exactly on the manifold of quaternions.
 
 use crate::functions::ForwardDynamics;
 use crate::vector::add_scaled;
 use crate::{Array, Real};
 
-/// Advances `q` and `u` by `dt` (s) under generalized forces `tau` that are held over the step, as a
-/// digital controller's are (zero-order hold).
+/// Advances `q` and `u` by `dt` (s) under generalized forces `tau` held constant over the step (zero-order hold).
 ///
-/// Four evaluations of the forward dynamics; the error of a step is of order `dt⁵`. Quaternions among the coordinates
-/// come out with length one.
+/// Evaluates the forward dynamics four times; the error of a step is of order `dt⁵`. Quaternions among the coordinates
+/// have length one after the step.
 ///
 /// ```
 /// # #[cfg(feature = "eight_body")] {
@@ -41,9 +40,9 @@ pub fn rk4_step<R: Real, S: ForwardDynamics<R>>(
     rk4_step_with(system, dt, q, u, |_, _, held| *held = *tau);
 }
 
-/// As [`rk4_step`], with `tau` a function of the state: `control(q, u, tau)` overwrites `tau`, which it finds zero.
+/// Like [`rk4_step`], with `tau` a function of the state: `control(q, u, tau)` overwrites `tau`, which is zero on entry.
 ///
-/// Called four times a step, at the states of the four stages. For whatever acts continuously (springs,
+/// `control` is called four times per step, at the states of the four stages. Use it for forces that act continuously (springs,
 /// dampers, a fast inner loop); a discontinuous law lowers the order.
 pub fn rk4_step_with<R: Real, S: ForwardDynamics<R>>(
     system: &S,

@@ -1,33 +1,33 @@
-//! [`Joint`] and [`Frame`]: the places of a joint's coordinates, and the places of frames that are fixed in bodies.
+//! [`Joint`] and [`Frame`]: the places of a joint's coordinates, and frames fixed in bodies.
 //!
 //! Generated modules hold constants of these types, for code that works with any system: conversion between charts, tools, logs.
 
 use crate::Real;
 
-/// How a joint's orientation is described, and what its speeds are.
+/// The orientation coordinates of a joint, and its rotational speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Chart {
-    /// By those of three 1-2-3 body-fixed angles that are free, rad; the speeds are their rates, Eq. (44).
+    /// The free ones of three 1-2-3 body-fixed angles, rad; the speeds are their rates, Eq. (44).
     AngleRates,
-    /// By three angles, rad; the speeds are components of the relative angular velocity along the body's side of the
+    /// Three angles, rad; the speeds are the relative angular velocity, components along the axes on the body's side of the
     /// joint, rad/s, Eqs. (8), (9).
     Angles,
-    /// By Euler parameters, a unit quaternion, scalar first, Hamilton's product: it maps components on the body's side of
-    /// the joint to those on the lower body's. The speeds as with [`Chart::Angles`].
+    /// Euler parameters, a unit quaternion, scalar first, Hamilton's product: it maps components on the body's side of
+    /// the joint to those on the lower body's. The speeds are those of [`Chart::Angles`].
     EulerParameters,
 }
 
 /// The places of a joint's coordinates and speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Joint {
-    /// The joint's name in the model; its body's where it has none.
+    /// The joint's name in the model, or its body's if it has none.
     pub name: &'static str,
-    /// How its orientation is described.
+    /// Its orientation coordinates.
     pub chart: Chart,
     /// Places in `q`, from 0: `theta_1`, `theta_2`, `theta_3` and none, or `e_0` to `e_3`; then `s_1`, `s_2`, `s_3`. None
-    /// for a coordinate that is locked or follows another joint's.
+    /// for a coordinate that is locked or mimics another joint's.
     pub q: [Option<usize>; 7],
-    /// Places in `u`, from 0: of the three rotations, then of the three translations.
+    /// Places in `u`, from 0: the three rotations, then the three translations.
     pub u: [Option<usize>; 6],
 }
 
@@ -45,21 +45,21 @@ impl Joint {
     }
 }
 
-/// A frame that is fixed in a body: that of a body of the model that is fixed to another, and part of it.
+/// A frame fixed in a body: that of a body of the model that is fixed to another body and part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// The name in the model.
     pub name: &'static str,
-    /// The index, from 0, of the body of which it is part; none for the inertial frame.
+    /// The index, from 0, of the body that it is part of; none for the inertial frame.
     pub body: Option<usize>,
-    /// Components in that body's axes to components in the frame's, by rows.
+    /// Rotation matrix, row by row: components in that body's axes to components in the frame's.
     pub rotation: [[f64; 3]; 3],
     /// From that body's origin to the frame's, that body's components, m; at the parameters' nominal values.
     pub position: [f64; 3],
 }
 
 impl Frame {
-    /// Inertial components to components in the frame's axes, by rows; `rotations` are those of all bodies, Eqs. (2)-(5).
+    /// The rotation matrix from inertial components to the frame's, row by row; `rotations` are those of all bodies, Eqs. (2)-(5).
     ///
     /// # Panics
     /// If `rotations` is not of the frame's system.

@@ -1,8 +1,8 @@
-//! Runtime for robot and multibody dynamics that a compiler wrote as plain Rust.
+//! Runtime for robot and multibody dynamics generated as plain Rust.
 //!
-//! The package `kane-codegen` with its command `kane` reads a model in URDF, MJCF or TOML and writes a Rust module: one function for the mass
-//! matrix, one for inverse dynamics, and so on. The functions have no branch, allocation or panic. This crate is what such a module needs, and
-//! what you do with it: integration, batches of states, inverse kinematics, derivatives of a controller's steps.
+//! The command `kane` of the package `kane-codegen` reads a model in URDF, MJCF or TOML and writes a Rust module: one function for the mass
+//! matrix, one for inverse dynamics, and so on. The functions have no branch, allocation or panic. This crate holds what such a module needs,
+//! and tools to use it: integration, batches of states, inverse kinematics, derivatives of a controller's steps.
 //!
 //! # A control loop
 //!
@@ -39,25 +39,25 @@
 //! | what a function computes, with shapes, units and axes | [`functions`]: a trait for each |
 //! | units, frames, rotations, signs, order of coordinates | [`conventions`] |
 //! | the sizes and names of a system, in generic code | [`System`] |
-//! | which scalars there are | [`Real`] |
+//! | the available scalars | [`Real`] |
 //! | how to integrate | [`integrate`], the module `simulate` to a tolerance, [`discrete`] with derivatives or exactly on quaternions |
 //! | how to check a state before you solve | [`checked`] |
-//! | many states at once | [`batch`], [`Lanes`] |
-//! | coordinates for given poses | [`inverse_kinematics`] |
+//! | how to compute many states at once | [`batch`], [`Lanes`] |
+//! | how to find coordinates for given poses | [`inverse_kinematics`] |
 //! | the orientation error of a controller | [`rotation::error`] |
 //! | discrete steps with their derivatives, for regulators and planners | [`discrete`], [`manifold`] |
-//! | tests that `kane generate --with-tests` writes | [`self_test`] |
+//! | the tests that `kane generate --with-tests` writes | [`self_test`] |
 //!
 //! # Features
 //!
 //! | feature | default | what it adds |
 //! | --- | --- | --- |
-//! | `std` | yes | conversion between angles and quaternions ([`chart`]), fused multiply-add where a module asks for it |
-//! | `nalgebra` | yes | views of arrays as matrices of nalgebra |
+//! | `std` | yes | conversion between angles and quaternions ([`chart`]), fused multiply-add if a module uses it |
+//! | `nalgebra` | yes | views of arrays as nalgebra matrices |
 //! | `eight_body` | yes | a bundled system: eight free bodies |
 //! | `cart_pole` | | a bundled system: a pole on a cart |
 //! | `wide` | | vectors of the crate `wide` as scalars |
-//! | `simulate` | | integration with an adaptive step |
+//! | `simulate` | | integration with adaptive steps |
 
 #![no_std]
 
@@ -157,7 +157,7 @@ mod pages {
 #[path = "../generated/cart_pole.rs"]
 pub mod cart_pole;
 
-/// Eight free bodies, 48 speeds, no gravity: the example of the lecture notes that the equations come from.
+/// Eight free bodies, 48 speeds, no gravity: the example in the lecture notes behind the equations.
 #[cfg(feature = "eight_body")]
 #[allow(clippy::pedantic, reason = "generated: nobody wrote these lines, and nobody will polish them")]
 #[rustfmt::skip]
@@ -175,6 +175,6 @@ pub use parametric::Parametric;
 pub use real::Real;
 pub use store::store;
 pub use system::System;
-/// The crate of vectors for which [`Lanes`] is implemented.
+/// The SIMD crate whose vectors implement [`Lanes`].
 #[cfg(feature = "wide")]
 pub use wide;

@@ -1,14 +1,14 @@
-//! [`Load`]: what acts on a body from outside.
+//! [`Load`]: the external force and moment on a body.
 
 use crate::Real;
 
 /// Resultant force and moment on one body, `F'_K` and `M'_K` of Eq. (36).
 ///
-/// Weight does not belong here: where the description gives gravity, the generated functions hold it already.
+/// Do not include weight: if the model has gravity, the generated functions include it already.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<R> {
-    /// Resultant force, acting at the mass centre of the body with all that is fixed to it, body components, N.
+    /// Resultant force at the mass centre of the body, including all that is fixed to it, body components, N.
     pub force: [R; 3],
     /// Resultant moment (about the mass centre), body components, N m.
     pub moment: [R; 3],

@@ -1,8 +1,8 @@
-//! [`Parametric`]: the values that are set at run time, as an array, for code that estimates or varies them.
+//! [`Parametric`]: the values set at run time as an array, for code that estimates or varies them.
 
 use crate::{Array, Real, System};
 
-/// A [`System`] with values that are set at run time.
+/// A [`System`] with values set at run time.
 ///
 /// ```
 /// use kane::{Array, functions::{InverseDynamics, InverseDynamicsByParameters}};
@@ -33,7 +33,7 @@ use crate::{Array, Real, System};
 pub trait Parametric<R: Real>: System<R> {
     /// `[R; PARAMETERS_LEN]`: one number for each value set at run time, each in the model's unit.
     type Values: Array<R>;
-    /// `[[R; PARAMETERS_LEN]; NU]`: for each speed a number for each value, row by row.
+    /// `[[R; PARAMETERS_LEN]; NU]`: one row per speed, one column per value.
     type ByParameters: Array<Self::Values>;
     /// The names of the values.
     const PARAMETER_NAMES: &'static [&'static str];

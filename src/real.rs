@@ -1,4 +1,4 @@
-//! [`Real`]: the scalar that generated code is written in, and the only functions it calls.
+//! [`Real`]: the scalar of generated code, and the only functions that it calls.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -7,8 +7,8 @@ use crate::sin_cos;
 
 /// A scalar of the generated functions: a real number, or several side by side as lanes.
 ///
-/// Implemented for `f64` and `f32`, with sine and cosine of our own that give the same bits on every
-/// IEEE-754 machine. The trait is open: another provider of sines is a newtype that implements it.
+/// Implemented for `f64` and `f32`, with this crate's own sine and cosine, which give the same bits on every
+/// IEEE-754 machine. To use other sines, implement the trait for a newtype.
 ///
 /// ```
 /// use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -50,19 +50,18 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// The nearest value to `number`, in every lane.
+    /// The value nearest to `number`, in every lane.
     fn from_f64(number: f64) -> Self;
 
     /// Absolute value.
     #[must_use]
     fn abs(self) -> Self;
 
-    /// `self * a + b`: called by code that was generated with fused multiply-add, and by no other.
+    /// `self * a + b`: called only by code generated with fused multiply-add.
     ///
-    /// Rounded once where the crate is compiled for hardware that has the operation (x86 with the target feature
-    /// `fma`, 64-bit Arm) and with the feature `std`; rounded twice elsewhere, never a call of software. So the bits
-    /// depend on the target, but for products that are exact: these are the same everywhere. All scalars and
-    /// lanes of one program round alike.
+    /// Rounded once if the crate has the feature `std` and its target has the instruction (x86 with the target feature
+    /// `fma`, 64-bit Arm); otherwise rounded twice, never emulated in software. So the bits depend on the target,
+    /// except if the product is exact. All scalars and lanes of one program round alike.
     #[must_use]
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -71,15 +70,15 @@ pub trait Real:
 
     /// Sine and cosine of an angle in rad.
     ///
-    /// For `f64` and `f32`: the error is below 0.8 ulp for `|x| <= 10000`. Far beyond it, from `2^30` in `f64` and from `2^16` in `f32`, the
-    /// numbers mean nothing: keep the angles of wheels small. They are in [-1, 1] for any finite argument, and NaN for the others.
+    /// For `f64` and `f32`, the error is below 0.8 ulp for `|x| <= 10000`. Far beyond that, from `2^30` in `f64` and from `2^16` in `f32`,
+    /// the results are meaningless: keep the angles of wheels small. They are in [-1, 1] for finite arguments, and NaN for others.
     /// No branch, no call, no fused multiply-add.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sines and cosines of several angles in rad, lane by lane the bits of [`Self::sin_cos`].
+    /// Sines and cosines of several angles in rad, with the bits of [`Self::sin_cos`] lane by lane.
     ///
-    /// Where [`Self::sin_cos`] has no branches, this vectorises over the angles.
+    /// If [`Self::sin_cos`] has no branches, this vectorises over the angles.
     #[must_use]
     #[inline]
     fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
@@ -87,7 +86,7 @@ pub trait Real:
     }
 }
 
-/// True where a multiplication and an addition are one instruction. `core` alone does not have it.
+/// True if the target has a fused multiply-add instruction. `core` alone does not have the operation.
 #[cfg(any(feature = "std", feature = "wide"))]
 pub(crate) const FUSED: bool = cfg!(all(
     feature = "std",

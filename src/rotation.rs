@@ -1,12 +1,12 @@
-//! How far one orientation is from another, for controllers in task space and solvers.
+//! The error between two orientations, for task-space controllers and solvers.
 
 use crate::{Array, Real};
 
-/// The orientation error: the vector along the axis about which a frame with the rotation matrix `from` has to turn to get that of `to`.
-/// Its length is `2 sin(angle / 2)`, the angle in rad to third order.
+/// The orientation error: the vector along the axis of the rotation that takes a frame from the rotation matrix `from` to `to`.
 ///
-/// Rotation matrices are as [`Pose`](crate::functions::Pose) writes them. The vector's components are those from which they lead:
-/// along the inertial axes, or along those of another frame. It is of the shorter way, and vanishes only where the two agree.
+/// Its length is `2 sin(angle / 2)`, the angle in rad to third order. Rotation matrices are as [`Pose`](crate::functions::Pose) writes
+/// them. The vector has the components that they map from: along the inertial axes, or along those of another frame. It describes the
+/// shorter rotation, and vanishes only if the two orientations agree.
 ///
 /// ```
 /// let from = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,7 +1,7 @@
 //! Checks that hold for every generated module. The tests that `kane generate --with-tests` writes call them.
 //!
-//! A check takes a system and a state, and gives nothing or a [`Mismatch`]: what was found and what was expected. All checks compute in `f64`. Derivatives along
-//! the motion are central differences, extrapolated once. The checks share no code with the generator.
+//! A check takes a system and a state, and returns nothing or a [`Mismatch`], the found and the expected number. All checks compute in
+//! `f64`. Derivatives along the motion are central differences, extrapolated once. The checks share no code with the generator.
 
 use core::error::Error;
 use core::fmt;
@@ -11,14 +11,14 @@ use crate::functions::{
 };
 use crate::{Array, System};
 
-/// Coordinates, speeds and their derivatives at which a system is checked.
+/// The coordinates, speeds and derivatives of the speeds at which a system is checked.
 #[derive(Clone, Copy, Debug)]
 pub struct State<const NQ: usize, const NU: usize> {
     /// Coordinates; quaternions have length one.
     pub q: [f64; NQ],
     /// Speeds.
     pub u: [f64; NU],
-    /// Their derivatives.
+    /// Derivatives of the speeds.
     pub u_dot: [f64; NU],
 }
 
@@ -27,13 +27,13 @@ pub struct State<const NQ: usize, const NU: usize> {
 pub struct Mismatch {
     /// What was compared.
     pub what: &'static str,
-    /// Its place: of an entry, a row, or a speed.
+    /// Its place: the index of an entry, a row, or a speed.
     pub place: usize,
-    /// The number that was found.
+    /// The number found.
     pub found: f64,
-    /// The number that was expected.
+    /// The number expected.
     pub expected: f64,
-    /// How far the two may be from one another.
+    /// The allowed difference between the two.
     pub tolerance: f64,
 }
 
@@ -55,26 +55,26 @@ impl fmt::Display for Mismatch {
 
 impl Error for Mismatch {}
 
-/// Rounding of two ways to one number, relative to the sum of the terms of both: these may themselves be sums of which a
-/// part in ten thousand is left, of some hundred terms.
+/// Rounding of two ways to one number, relative to the sum of the terms of both: these may themselves be sums of some hundred
+/// terms, of which cancellation leaves a part in ten thousand.
 const ROUNDING: f64 = 1e-10;
 
-/// What of the largest force counts as a term of each other one.
+/// The fraction of the largest force that counts as a term of each other one.
 const LARGER: f64 = 1e-5;
 
-/// What differences leave of the rates of which they are taken: their step is [`STEP`], the next term of the series is of its
+/// The truncation error of differences, relative to the rates: their step is [`STEP`], and the next term of the series is of its
 /// fourth power.
 const DIFFERENCE: f64 = 1e-7;
 
-/// Rounding of the numbers that differences are taken of, relative to these, before it is divided by the step.
+/// Rounding of the differenced numbers, relative to these, before division by the step.
 const DIFFERENCED: f64 = 1e-12;
 
 /// Step of differences, s.
 const STEP: f64 = 1e-3;
 
-/// The output of a function against numbers of the model's equations, which the generator evaluated, each with a bound on how
-/// far rounding leads from it: entry for entry, or, of a large output, sum for sum of so many entries with the weights of
-/// [`weight`].
+/// Compares the output of a function with numbers that the generator evaluated from the model's equations, each with a rounding bound.
+///
+/// It compares entry by entry; for a large output it compares sums of `entries` entries each, with the weights of [`weight`].
 ///
 /// # Errors
 /// The first number that differs.
@@ -92,7 +92,7 @@ pub fn has_values(
     is_near("length", 0, n_found as f64, n_expected as f64, 0.0)
 }
 
-/// The weight of an entry in a sum: none is zero, and neighbours have different ones.
+/// The weight of an entry in a sum, never zero and different for neighbours.
 #[must_use]
 pub fn weight(place: usize) -> f64 {
     (1 + place % 7) as f64 / 8.0
@@ -108,12 +108,12 @@ fn sum(entries: &[f64]) -> f64 {
     }
 }
 
-/// `M = M^T`, and all pivots of its elimination are positive, or what rounding may make of such.
+/// Checks that `M = M^T` and that all pivots of its elimination are positive, up to rounding.
 ///
-/// Outer bodies go first, as in the generated solution: a light body on a heavy one loses no digits then.
+/// Outer bodies go first, as in the generated solution, so that a light body on a heavy one loses no digits.
 ///
 /// # Errors
-/// The entry whose mirror image differs, or the pivot.
+/// The entry that differs from its mirror image, or the pivot.
 pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
     system: &S,
     q: &S::Q,
@@ -154,9 +154,9 @@ pub fn mass_matrix_is_positive_definite<S: MassMatrix<f64>>(
     Ok(())
 }
 
-/// Forward dynamics of what inverse dynamics gives is an acceleration that takes the same forces.
+/// Checks that the accelerations that forward dynamics gives for the forces of inverse dynamics need the same forces.
 ///
-/// Forces are compared, for a mass matrix of any condition keeps the digits of these, and not those of accelerations.
+/// It compares forces because an ill-conditioned mass matrix keeps their digits, but not those of accelerations.
 ///
 /// # Errors
 /// The force that differs.
@@ -177,9 +177,9 @@ pub fn forward_undoes_inverse<S: InverseDynamics<f64> + ForwardDynamics<f64>>(
     Ok(())
 }
 
-/// The power of the forces of a motion, less what dampers take, is the rate of kinetic and potential energy.
+/// Checks that the power of the forces of a motion, minus that of dampers, is the rate of kinetic plus potential energy.
 ///
-/// What dampers take is odd in the speeds, as nothing else is.
+/// The damper forces are the part of the forces that is odd in the speeds.
 ///
 /// # Errors
 /// The power and the rate.
@@ -218,8 +218,9 @@ where
     is_near("power and rate of energy", 0, power, rate, tolerance)
 }
 
-/// `dM/dt - 2 C` has no part along the motion: half of `u^T (dM/dt) u` is the power of centrifugal, Coriolis and gyroscopic
-/// forces, which are what `bias` has of second order in the speeds.
+/// Checks that `dM/dt - 2 C` does no work: half of `u^T (dM/dt) u` is the power of centrifugal, Coriolis and gyroscopic forces.
+///
+/// These forces are the part of `bias` that is of second order in the speeds.
 ///
 /// # Errors
 /// The power and half the rate.
@@ -253,11 +254,12 @@ pub fn bias_follows_the_mass_matrix<S: MassMatrix<f64> + Bias<f64>>(
     is_near("power of bias and rate of M", 0, power, rate, tolerance)
 }
 
-/// Inverse dynamics is linear in a parameter: `twice - 2 once + none` is zero, of what it gives with `below`, `at` and `above`
-/// in equal steps of the parameter.
+/// Checks that inverse dynamics is linear in a parameter.
+///
+/// `below`, `at` and `above` are in equal steps of the parameter; the second difference of their forces must be zero.
 ///
 /// # Errors
-/// The force that bends.
+/// The force that is not linear.
 pub fn inverse_dynamics_is_linear<S: InverseDynamics<f64>>(
     [below, at, above]: [&S; 3],
     q: &S::Q,
@@ -300,9 +302,9 @@ fn forces<S: InverseDynamics<f64>>(system: &S, q: &S::Q, u: &S::U, u_dot: &S::U)
     tau
 }
 
-/// Of each force the sum of its terms: of weight and springs, of motion, and of each acceleration. What outer bodies weigh may
-/// be nothing beside inner ones, so each has its own; but a force that is the sum of larger ones, in axes of other bodies, has
-/// the rounding of these.
+/// For each force the sum of its terms: of weight and springs, of motion, and of each acceleration. Outer bodies may weigh
+/// nothing beside inner ones, so each force has its own scale; but a force that is the sum of larger ones, in axes of other
+/// bodies, has the rounding of these.
 fn scales<S: InverseDynamics<f64>>(system: &S, q: &S::Q, u: &S::U, u_dot: &S::U) -> S::U {
     let zero = S::U::filled(0.0);
     let (resting, moving) = (forces(system, q, &zero, &zero), forces(system, q, u, &zero));
@@ -338,7 +340,7 @@ fn bias_at<S: Bias<f64>>(system: &S, q: &S::Q, u: &S::U, factor: f64) -> S::U {
     bias
 }
 
-/// The coordinates that this time leads to at their present rates.
+/// The coordinates after this time at their present rates.
 fn moved_along<S: System<f64>>(system: &S, q: &S::Q, u: &S::U, t: f64) -> S::Q {
     let (mut moved, mut rates) = (*q, S::Q::filled(f64::NAN));
     system.q_dot(q, u, &mut rates);

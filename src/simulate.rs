@@ -1,11 +1,11 @@
 //! Simulation to a tolerance, on the host.
 //!
-//! In: a system, a state, a control law `tau(t, q, u)` and the times at which the motion is wanted. Out: the
-//! motion there. The integrator is DOP853 (Hairer, Nørsett & Wanner 1993, II.10; the crate
-//! `differential-equations`): explicit, order 8 with an error estimate of orders 5 and 3. It steps to each of
-//! the times; nothing is interpolated (the dense output of that crate's version 0.7.0 is of low order), so
-//! times closer than its own steps cost a step each. Not for stiff systems, which it reports. A law that jumps
-//! makes it crawl over the jump: simulate up to it and start again.
+//! In: a system, a state, a control law `tau(t, q, u)` and the output times. Out: the states at these times.
+//! The integrator is DOP853 (Hairer, Nørsett & Wanner 1993, II.10; the crate
+//! `differential-equations`): explicit, order 8 with an error estimate of orders 5 and 3. It steps to each
+//! output time exactly and interpolates nothing (the dense output of that crate's version 0.7.0 is of low order), so
+//! times closer than its own steps cost a step each. It is not for stiff systems, and reports them. At a discontinuity of
+//! the control law its steps become tiny: simulate up to it and restart there.
 
 use core::error::Error;
 use core::fmt;
@@ -19,14 +19,14 @@ use differential_equations::traits::State;
 use crate::functions::ForwardDynamics;
 use crate::{Array, System};
 
-/// How exactly to integrate, and for how long to try.
+/// Error tolerances and the step limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// The local error allowed in each coordinate and speed, relative to its size. Default 1e-9.
     pub relative: f64,
-    /// The local error allowed besides, rad, m, rad/s, m/s. Default 1e-12.
+    /// The additional absolute local error allowed, rad, m, rad/s, m/s. Default 1e-12.
     pub absolute: f64,
-    /// The most steps to try, rejected ones included. Default 1,000,000.
+    /// The maximum number of steps, rejected ones included. Default 1,000,000.
     pub max_steps: usize,
 }
 
@@ -54,13 +54,13 @@ pub struct Sample<Q, U> {
 /// What [`simulate`] returns: the state at each of the times.
 pub type Samples<S> = Vec<Sample<<S as System<f64>>::Q, <S as System<f64>>::U>>;
 
-/// Why there is no motion, or none beyond a time.
+/// Why a simulation failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SimulateError {
     /// The times do not increase, or one of them is not finite.
     Times {
-        /// Index of the first time that is not above the one before it, or not finite.
+        /// Index of the first time that is not greater than the one before it, or not finite.
         index: usize,
         /// That time, s.
         t: f64,
@@ -72,7 +72,7 @@ pub enum SimulateError {
         /// [`Tolerance::absolute`].
         absolute: f64,
     },
-    /// The state, the control law or the forward dynamics is not finite: at a singularity, or overflown.
+    /// The state, the control law or the forward dynamics is not finite: a singularity or an overflow.
     NotFinite {
         /// The time, s.
         t: f64,
@@ -82,14 +82,14 @@ pub enum SimulateError {
         /// The time reached, s.
         t: f64,
     },
-    /// The steps allowed did not suffice.
+    /// The maximum number of steps was not enough.
     MaxSteps {
         /// The time reached, s.
         t: f64,
         /// [`Tolerance::max_steps`].
         max_steps: usize,
     },
-    /// The system is stiff: an explicit method is the wrong one.
+    /// The system is too stiff for an explicit method.
     Stiff {
         /// The time reached, s.
         t: f64,
@@ -137,12 +137,12 @@ impl Error for SimulateError {}
 
 /// Simulates `M u_dot + bias = tau`, `q_dot = q_dot(q, u)` from `q` and `u` at `times[0]`.
 ///
-/// Returns one sample for each of `times` (s, increasing), the first being the initial state; none for
-/// none. `control(t, q, u, tau)` overwrites `tau`, which it finds zero; it is called at the integrator's
-/// stages, several times a step, also for steps that are then rejected. No step goes past one of `times`.
+/// Returns one sample for each of `times` (s, increasing), the first being the initial state; none if `times` is
+/// empty. `control(t, q, u, tau)` overwrites `tau`, which is zero on entry. It is called at the integrator's
+/// stages, several times per step, also for rejected steps. No step goes past one of `times`.
 ///
 /// # Errors
-/// See [`SimulateError`]; never a panic of its own.
+/// See [`SimulateError`]. It never panics itself.
 pub fn simulate<S: ForwardDynamics<f64>>(
     system: &S,
     q: &S::Q,
@@ -222,7 +222,7 @@ fn advance<Y: State<f64>>(
     Ok(())
 }
 
-/// Whether times and tolerances are such as the integrator can work with.
+/// Checks that the integrator can work with the times and tolerances.
 fn check(times: &[f64], tolerance: &Tolerance) -> Result<(), SimulateError> {
     let mut before = f64::NEG_INFINITY;
     for (index, &t) in times.iter().enumerate() {
@@ -244,7 +244,7 @@ fn check(times: &[f64], tolerance: &Tolerance) -> Result<(), SimulateError> {
     }
 }
 
-/// The integrator's failure in our words.
+/// The integrator's failure as our error.
 fn error<Y: State<f64>>(
     failure: &Failure<f64, Y>,
     reached: f64,

@@ -1,7 +1,7 @@
 //! [`System`]: sizes, names and tree of a multibody system, and the two functions that every system has.
 //!
-//! A generated module implements it for its `Prepared<R>`, which holds everything that depends on the parameters
-//! alone. Every other function has a trait of its own in [`functions`](crate::functions); a module implements the traits of
+//! A generated module implements it for its `Prepared<R>`, which holds everything that depends only on the parameters.
+//! Every other function has its own trait in [`functions`](crate::functions); a module implements the traits of
 //! the functions that it holds.
 
 use crate::{Array, Cost, Frame, Joint, Load, Real};
@@ -18,16 +18,16 @@ pub trait System<R: Real> {
     type U: Array<R>;
     /// `[[R; NU]; NU]`: one number for each pair of speeds, row by row.
     type Matrix: Array<Self::U>;
-    /// `[Load<R>; NB]`: one load a body.
+    /// `[Load<R>; NB]`: one load per body.
     type Loads: Array<Load<R>>;
-    /// `[R; NB]`: one number a body.
+    /// `[R; NB]`: one number per body.
     type Scalars: Array<R>;
-    /// `[[R; 3]; NB]`: one vector a body.
+    /// `[[R; 3]; NB]`: one vector per body.
     type Vectors: Array<[R; 3]>;
-    /// `[[[R; 3]; 3]; NB]`: one matrix a body, row by row.
+    /// `[[[R; 3]; 3]; NB]`: one matrix per body, row by row.
     type Rotations: Array<[[R; 3]; 3]>;
 
-    /// The name in the description.
+    /// The name in the model.
     const NAME: &'static str;
     /// The `NB` bodies' names.
     const BODY_NAMES: &'static [&'static str];
@@ -38,32 +38,32 @@ pub trait System<R: Real> {
     /// The body-connection array: for each of the `NB` bodies its lower body (parent), numbered **from 1**
     /// as in the notes, and 0 for the inertial frame.
     const LOWER_BODIES: &'static [usize];
-    /// For each of the `NU` speeds the index, from 0, of the body whose relative motion it is.
+    /// For each of the `NU` speeds the index, from 0, of the body that it moves relative to its lower body.
     const SPEED_BODIES: &'static [usize];
 
-    /// For each of the `NB` bodies its joint: where its coordinates and speeds stand.
+    /// For each of the `NB` bodies its joint: the places of its coordinates and speeds.
     const JOINTS: &'static [Joint] = &[];
     /// The frames of bodies that are fixed to others and part of them.
     const FRAMES: &'static [Frame] = &[];
-    /// The least values of the `NQ` coordinates, rad, m: data only; infinite where there is no limit.
+    /// The lower limits of the `NQ` coordinates, rad, m: data only; infinite if there is no limit.
     const LOWER_LIMITS: &'static [f64] = &[];
-    /// The greatest values of the `NQ` coordinates, rad, m.
+    /// The upper limits of the `NQ` coordinates, rad, m.
     const UPPER_LIMITS: &'static [f64] = &[];
-    /// The greatest magnitudes of the `NU` speeds, rad/s, m/s.
+    /// The maximum magnitudes of the `NU` speeds, rad/s, m/s.
     const VELOCITY_LIMITS: &'static [f64] = &[];
-    /// The greatest magnitudes of the `NU` generalized forces, N m, N.
+    /// The maximum magnitudes of the `NU` generalized forces, N m, N.
     const EFFORT_LIMITS: &'static [f64] = &[];
-    /// Coulomb friction along the `NU` speeds, N m, N, with that of joints that follow, times the size of their multiplier.
+    /// Coulomb friction along the `NU` speeds, N m, N, including that of mimic joints times the magnitude of their multiplier.
     const FRICTION: &'static [f64] = &[];
-    /// Hash of the model: of every name, number, joint and place in it, whatever is generated from it; 0 where none is known.
+    /// Hash of the model, of every name, number, joint and place in it, independent of what is generated; 0 if unknown.
     const FINGERPRINT: u64 = 0;
-    /// What one call of each function of the module costs.
+    /// The cost of one call of each function of the module.
     const OPERATIONS: &'static [Cost] = &[];
 
     /// Writes the derivatives of the coordinates, Eqs. (44), (9), or those of Euler parameters.
     fn q_dot(&self, q: &Self::Q, u: &Self::U, q_dot: &mut Self::Q);
 
-    /// Brings quaternions among the coordinates back to length one, after an integrator's step; nothing where there are none.
+    /// Normalizes quaternions among the coordinates, after an integrator's step; does nothing if there are none.
     fn normalize(&self, q: &mut Self::Q) {
         let _ = q;
     }

@@ -1,4 +1,4 @@
-//! Sums of arrays. Nothing is indexed, so that no panic stays in a linked program.
+//! Sums of arrays. Nothing is indexed, so that no panic remains in a linked program.
 
 use crate::{Array, Real};
 
@@ -55,7 +55,7 @@ pub(crate) fn times<R: Real, U: Array<R>, M: Array<U>>(matrix: &M, v: &U) -> U {
     product
 }
 
-/// A column of a matrix by rows, one entry a speed.
+/// A column of a matrix by rows, one entry per speed.
 pub(crate) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     matrix: &M,
     place: usize,
@@ -69,7 +69,7 @@ pub(crate) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     column
 }
 
-/// Writes such a column.
+/// Overwrites a column of a matrix by rows.
 pub(crate) fn set_column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
     matrix: &mut M,
     place: usize,

@@ -1,9 +1,9 @@
 //! The arrays that generated functions take and write, as vectors and matrices of nalgebra.
 //!
-//! Vectors are viewed without copying. Generated matrices are arrays of rows, nalgebra's are columns, so
-//! what can be viewed without copying is the transpose; for the mass matrix, which is symmetric, that is the
-//! matrix itself. There are no views with strides on purpose: nalgebra 0.35 multiplies those out of
-//! bounds (nalgebra#1616). Into and out of `[R; N]`, nalgebra's vectors convert by themselves:
+//! Vectors are viewed without copying. Generated matrices are row-major, nalgebra's are column-major, so
+//! a view without copying is the transpose; for the mass matrix, which is symmetric, that is the
+//! matrix itself. There are deliberately no strided views: nalgebra 0.35 multiplies those out of
+//! bounds (nalgebra#1616). nalgebra's vectors convert from and into `[R; N]`:
 //! `let q: [f64; 7] = vector.into()`.
 //!
 //! ```
@@ -30,22 +30,22 @@ pub fn vector<R: Scalar, const N: usize>(array: &[R; N]) -> VectorView<'_, R, Co
     VectorView::<R, Const<N>>::from_slice(array)
 }
 
-/// As [`vector`], for writing.
+/// Like [`vector`], for writing.
 pub fn vector_mut<R: Scalar, const N: usize>(array: &mut [R; N]) -> VectorViewMut<'_, R, Const<N>> {
     VectorViewMut::<R, Const<N>>::from_slice(array)
 }
 
 /// The transpose of an array of rows: entry `(i, j)` is `rows[j][i]`.
 ///
-/// Of the mass matrix, the matrix itself; of a body's rotation matrix, its inverse, which turns body
-/// components into inertial ones.
+/// For the mass matrix this is the matrix itself; for a body's rotation matrix its inverse, which maps body
+/// components to inertial ones.
 pub fn transposed<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     rows: &[[R; COLUMNS]; ROWS],
 ) -> MatrixView<'_, R, Const<COLUMNS>, Const<ROWS>> {
     MatrixView::<R, Const<COLUMNS>, Const<ROWS>>::from_slice(rows.as_flattened())
 }
 
-/// As [`transposed`], for writing.
+/// Like [`transposed`], for writing.
 pub fn transposed_mut<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     rows: &mut [[R; COLUMNS]; ROWS],
 ) -> MatrixViewMut<'_, R, Const<COLUMNS>, Const<ROWS>> {
@@ -66,16 +66,15 @@ pub fn to_rows<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     matrix.transpose().into()
 }
 
-/// Copies one body's rotation matrix into nalgebra's type: of `R_K`, Eq. (2), it turns inertial components
-/// into body components, and its inverse turns them back.
+/// Copies one body's rotation matrix into nalgebra's type.
 ///
-/// The nine numbers are taken as they are, orthonormal to rounding.
+/// Like `R_K`, Eq. (2), it maps inertial components to body components. The nine numbers are copied as they are, orthonormal up
+/// to rounding.
 pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
     Rotation3::from_matrix_unchecked(matrix(rows))
 }
 
-/// Copies the derivatives of a discrete step by the state into `A`, of `N` speeds and twice as many rows and columns: changes of `q` stand
-/// before those of `u`.
+/// Copies the derivatives of a discrete step by the state into `A`, for `N` speeds and `N2 = 2 N`: changes of `q` come before those of `u`.
 ///
 /// ```
 /// use kane::discrete::StepDerivatives;
@@ -99,7 +98,7 @@ pub fn step_by_state<R: Scalar, const N: usize, const N2: usize>(
     SMatrix::from_fn(|row, column| blocks[row / N][column / N][row % N][column % N].clone())
 }
 
-/// Copies the derivatives of a discrete step by the forces into `B`, of `N` speeds: two rows and a column a speed.
+/// Copies the derivatives of a discrete step by the forces into `B`, for `N` speeds: two rows and one column per speed.
 pub fn step_by_tau<R: Scalar, const N: usize, const N2: usize>(
     derivatives: &StepDerivatives<[[R; N]; N]>,
 ) -> SMatrix<R, N2, N> {

@@ -1,4 +1,4 @@
-//! The build.rs API: a description in the package to a module in `OUT_DIR`.
+//! Generates modules from a build script: a model in the package becomes a module in `OUT_DIR`.
 //!
 //! ```no_run
 //! // build.rs
@@ -7,7 +7,7 @@
 //!     Ok(())
 //! }
 //! ```
-//! and in the package, which depends on `kane`:
+//! And in the package, which depends on `kane`:
 //! ```text
 //! pub mod arm {
 //!     include!(concat!(env!("OUT_DIR"), "/arm.rs"));
@@ -33,7 +33,7 @@ use crate::{
     recursive::Technique,
 };
 
-/// One description to generate from a build script.
+/// One model to generate from a build script.
 #[derive(Clone, Debug)]
 pub struct Build {
     model: PathBuf,
@@ -43,7 +43,7 @@ pub struct Build {
 }
 
 impl Build {
-    /// Generates `model`, a path relative to the package, into `OUT_DIR` under its own name with the ending `rs`.
+    /// Generates `model`, a path relative to the package, into `OUT_DIR`, under its own name with the extension `rs`.
     pub fn new(model: impl Into<PathBuf>) -> Self {
         let model = model.into();
         let module = model.file_stem().unwrap_or(model.as_os_str());
@@ -60,14 +60,14 @@ impl Build {
         }
     }
 
-    /// Generates these functions in place of the default set; `all` stands for every function of the system.
+    /// Generates these functions instead of the default set; `all` stands for every function of the system.
     #[must_use]
     pub fn functions<S: Into<String>>(mut self, names: impl IntoIterator<Item = S>) -> Self {
         self.options.functions = Functions::of(names.into_iter().map(Into::into));
         self
     }
 
-    /// Names the file `NAME.rs` in place of the model's own name: for several modules of one model.
+    /// Names the file `NAME.rs` instead of after the model: for several modules of one model.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.options.module = name.into();
@@ -75,65 +75,65 @@ impl Build {
         self
     }
 
-    /// Forces a formulation in place of the cheapest.
+    /// Forces a formulation instead of the cheapest.
     #[must_use]
     pub fn formulation(mut self, formulation: Formulation) -> Self {
         self.options.formulation = formulation;
         self
     }
 
-    /// Fuses multiplications and additions (`Real::mul_add`): faster where the hardware has that, but the last bits
-    /// then depend on the machine.
+    /// Uses fused multiply-add (`Real::mul_add`): faster on hardware that has it, but the last bits then depend on the
+    /// machine.
     #[must_use]
     pub fn fma(mut self) -> Self {
         self.options.fma = true;
         self
     }
 
-    /// Leaves out a technique that lowers the number of operations; the values stay the same.
+    /// Disables an operation-saving technique; the values stay the same.
     #[must_use]
     pub fn without(mut self, technique: Technique) -> Self {
         self.options.without.insert(technique);
         self
     }
 
-    /// Says how the root link of a URDF hangs from the inertial frame, in place of fixed.
+    /// Sets the joint between the inertial frame and the root link of a URDF, instead of fixed.
     #[must_use]
     pub fn base(mut self, base: Base) -> Self {
         self.options.reading.base = Some(base);
         self
     }
 
-    /// Says how orientations of free and ball joints of a URDF or MJCF are described, in place of by quaternions.
+    /// Sets the orientation coordinates of free and ball joints of a URDF or MJCF, instead of quaternions.
     #[must_use]
     pub fn chart(mut self, chart: Chart) -> Self {
         self.options.reading.chart = Some(chart);
         self
     }
 
-    /// Ignores parts of an MJCF, with a warning: `equalities`, `fluid`, `tendons` or `gravcomp`, or the equality
-    /// of this name.
+    /// Ignores parts of an MJCF, with a warning: `equalities`, `fluid`, `tendons`, `gravcomp`, or the equality
+    /// with this name.
     #[must_use]
     pub fn leave_out(mut self, what: impl Into<String>) -> Self {
         self.options.reading.leave_out.insert(what.into());
         self
     }
 
-    /// Snaps entries of constant rotations to 0, 1 and -1 where they are as near as `tolerance`, in place of 1e-9.
+    /// Snaps entries of constant rotations to 0, 1 or -1 if they are within `tolerance`, instead of 1e-9.
     #[must_use]
     pub fn snap(mut self, tolerance: f64) -> Self {
         self.options.changes.snap = tolerance;
         self
     }
 
-    /// Holds a coordinate at a value, rad or m; the name is that of the coordinate, or of its joint.
+    /// Locks a coordinate at a value, rad or m; the name is that of the coordinate or of its joint.
     #[must_use]
     pub fn lock(mut self, name: impl Into<String>, value: f64) -> Self {
         self.options.changes.lock.push((name.into(), value));
         self
     }
 
-    /// Fixes a joint where its coordinates are zero; the name is that of the joint, or of its body.
+    /// Fixes a joint at zero coordinates; the name is that of the joint or of its body.
     #[must_use]
     pub fn remove(mut self, name: impl Into<String>) -> Self {
         self.options.changes.remove.push(name.into());
@@ -147,38 +147,38 @@ impl Build {
         self
     }
 
-    /// Prescribes the accelerations of a joint, for `hybrid_dynamics`; the name is that of the joint, or of its body.
+    /// Prescribes the accelerations of a joint for `hybrid_dynamics`; the name is that of the joint or of its body.
     #[must_use]
     pub fn prescribed(mut self, name: impl Into<String>) -> Self {
         self.options.prescribed.push(name.into());
         self
     }
 
-    /// Writes the manifest beside the module too: what it holds, as JSON, `arm.json` for `arm.rs`.
+    /// Also writes the manifest beside the module: its contents as JSON, `arm.json` for `arm.rs`.
     #[must_use]
     pub fn manifest(mut self) -> Self {
         self.options.companions.insert(CompanionKind::Manifest);
         self
     }
 
-    /// Writes the module's functions for other languages beside it too: for C `arm_c.rs` and `arm.h`.
+    /// Also writes an interface for another language beside the module: for C `arm_c.rs` and `arm.h`.
     #[must_use]
     pub fn abi(mut self, abi: Abi) -> Self {
         self.options.companions.insert(CompanionKind::Abi(abi));
         self
     }
 
-    /// Writes tests of the module beside it too, `arm_tests.rs` for `arm.rs`; `kane::self_test` says what they hold.
+    /// Also writes tests of the module beside it, `arm_tests.rs` for `arm.rs`; `kane::self_test` describes them.
     #[must_use]
     pub fn with_tests(mut self) -> Self {
         self.options.companions.insert(CompanionKind::Tests);
         self
     }
 
-    /// Writes the module, tells cargo when to run the script again, and passes warnings on. Returns the module's path.
+    /// Writes the module, tells cargo when to rerun the script, and passes warnings on. Returns the module's path.
     ///
     /// # Errors
-    /// Everything that is wrong with the description; an option that cannot be; a file that cannot be read or written.
+    /// All faults of the model; an impossible option; a file that cannot be read or written.
     #[expect(
         clippy::disallowed_methods,
         reason = "cargo names the output folder of a build script in its environment"
@@ -188,10 +188,10 @@ impl Build {
         self.run_in(Path::new(&folder))
     }
 
-    /// As [`run`](Self::run), into this folder.
+    /// Like [`run`](Self::run), into this folder.
     ///
     /// # Errors
-    /// As those of [`run`](Self::run).
+    /// Those of [`run`](Self::run).
     #[expect(
         clippy::print_stdout,
         reason = "a build script speaks to cargo on standard output"

@@ -1,7 +1,7 @@
 //! Compiler from models of robots and other multibody systems to plain Rust functions for their dynamics.
 //!
-//! Most users run the command `kane`, which this package holds. A build script uses [`build_script::Build`]. A program that generates text itself
-//! calls [`generate`](generate::generate):
+//! Most users run the command `kane` of this package. A build script uses [`build_script::Build`]. A program that generates text
+//! itself calls [`generate`](generate::generate):
 //!
 //! ```
 //! use kane_codegen::{description::no_includes, diagnostic::Source, generate::generate, options::Options};
@@ -33,15 +33,15 @@
 //!
 //! | stage | modules |
 //! | --- | --- |
-//! | A model is read, and every fault is collected with its place. | [`description`], [`diagnostic`] |
-//! | All rules are checked; bodies, coordinates and parameters get numbers. | [`tree`] |
-//! | Equations become expressions: literally, and again with sums over bodies re-associated along the tree. | [`kane`], [`recursive`] |
-//! | Each requested function picks the form with fewer operations. | [`functions`], [`compile`] |
-//! | Expressions become straight-line code. | [`passes`], [`program`] |
-//! | The code gets names, and is printed as Rust, C and JSON. | [`listing`], [`printers`] |
+//! | Read a model, and collect every fault with its place. | [`description`], [`diagnostic`] |
+//! | Check all rules; number bodies, coordinates and parameters. | [`tree`] |
+//! | Turn equations into expressions: literally, and again with sums over bodies re-associated along the tree. | [`kane`], [`recursive`] |
+//! | Pick the form with fewer operations for each requested function. | [`functions`], [`compile`] |
+//! | Turn expressions into straight-line code. | [`passes`], [`program`] |
+//! | Name the values, and print the code as Rust, C and JSON. | [`listing`], [`printers`] |
 //!
-//! Three rules hold everywhere. A [`Tree`](tree::Tree) obeys every rule that a description can break, so no later stage fails because of a user's
-//! mistake. Nothing here reads a clock, the environment or a hash order, so the same description gives the same bytes everywhere.
+//! Three rules hold everywhere. A [`Tree`](tree::Tree) obeys every rule that a description can break, so no later stage fails because of
+//! a user's mistake. Nothing reads a clock, the environment or a hash order, so the same description gives the same bytes everywhere.
 //! Only the command line, [`input`], [`output`], [`build_script`] and `object` touch files; `object` reads what rustc makes of a module.
 
 // Each module imports only from those that stand before it.

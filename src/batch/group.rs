@@ -32,10 +32,10 @@ pub(super) fn groups<L: Lanes>(
 }
 
 impl<L: Lanes> Group<L> {
-    /// Reads the group's states of the first rows, one a value; values beyond the last row stay as they are.
+    /// Reads the group's states from the first rows, one row per value; values beyond the last row do not change.
     ///
     /// # Errors
-    /// The rows are those of a batch of another number of states; nothing is read then.
+    /// The rows belong to a batch with another number of states; nothing is read then.
     #[inline]
     pub fn load(
         &self,
@@ -47,10 +47,10 @@ impl<L: Lanes> Group<L> {
         Ok(())
     }
 
-    /// Writes the group's states of the first rows, one a value; values beyond the last row are dropped.
+    /// Writes the group's states to the first rows, one row per value; values beyond the last row are dropped.
     ///
     /// # Errors
-    /// The rows are those of a batch of another number of states; nothing is written then.
+    /// The rows belong to a batch with another number of states; nothing is written then.
     #[inline]
     pub fn store<'v>(
         &self,
@@ -62,7 +62,7 @@ impl<L: Lanes> Group<L> {
         Ok(())
     }
 
-    /// As [`Self::load`], of rows of the same batch.
+    /// Like [`Self::load`], for rows of the same batch.
     #[inline]
     pub(super) fn read(&self, rows: &Rows<'_, L::Scalar>, values: &mut [L]) {
         if self.states < L::LANES {
@@ -76,7 +76,7 @@ impl<L: Lanes> Group<L> {
         }
     }
 
-    /// As [`Self::store`], to rows of the same batch.
+    /// Like [`Self::store`], for rows of the same batch.
     #[inline]
     pub(super) fn write<'v>(
         &self,
@@ -122,7 +122,7 @@ impl<L: Lanes> Group<L> {
         }
     }
 
-    /// Where the group stands in a row.
+    /// The place of the group in a row.
     #[inline]
     fn first(&self, row: usize) -> usize {
         row.wrapping_mul(self.batch).wrapping_add(self.first)

@@ -1,5 +1,5 @@
-//! Quantities whose groups lie together in memory: a slice of the arrays that the functions take, so that nothing is
-//! moved before a call or after it.
+//! Quantities with contiguous groups: a slice of the arrays that the functions take, so that nothing is
+//! copied before or after a call.
 
 use super::rows::Size;
 use super::{Batch, Group, LengthError};
@@ -7,13 +7,13 @@ use crate::functions::{Bias, ForwardDynamics, InverseDynamics, MassMatrix, MassM
 use crate::{Array, Lanes, System};
 
 impl<L: Lanes> Batch<L> {
-    /// How many groups there are: the states by [`Lanes::LANES`], rounded up.
+    /// The number of groups: the states divided by [`Lanes::LANES`], rounded up.
     #[must_use]
     pub fn n_groups(&self) -> usize {
         self.states.div_ceil(L::LANES.max(1))
     }
 
-    /// From rows to groups: `groups[g][r]` gets what row `r` has of the states of group `g`. Lanes beyond the last state repeat it.
+    /// Converts rows to groups: `groups[g][r]` gets the part of row `r` for the states of group `g`. Lanes beyond the last state repeat it.
     ///
     /// # Errors
     /// A slice of the wrong length; nothing is written then.
@@ -30,7 +30,7 @@ impl<L: Lanes> Batch<L> {
         Ok(())
     }
 
-    /// From groups to rows: the inverse of [`Self::to_groups`].
+    /// Converts groups to rows, the inverse of [`Self::to_groups`].
     ///
     /// # Errors
     /// A slice of the wrong length; nothing is written then.
@@ -46,7 +46,7 @@ impl<L: Lanes> Batch<L> {
         Ok(())
     }
 
-    /// Refuses a slice that has not one array for each group.
+    /// Refuses a slice without exactly one array for each group.
     fn check_groups(&self, argument: &'static str, found: usize) -> Result<(), LengthError> {
         let size = Size {
             argument,
@@ -67,7 +67,7 @@ macro_rules! methods {
             $(#[$documentation])*
             ///
             /// # Errors
-            /// A slice that has not one array for each group; nothing is written then.
+            /// A slice without exactly one array for each group; nothing is written then.
             pub fn $method<S: $trait<L>>(
                 &self,
                 system: &S,

@@ -1,9 +1,8 @@
-//! Many states at once. All inputs and outputs are arrays of one quantity for all states, and each lane of a vector holds one state.
+//! Many states at once: each input and output is an array of one quantity for all states, and each lane of a vector holds one state.
 //!
-//! A quantity of a batch of `n` states is a slice of rows: first the first number of all states, then the second number of all states, and so on
-//! (`q[0]` of every state, `q[1]` of every state, ...). So `q` has `NQ n` numbers, `tau` has `NU n`, and a mass
-//! matrix has `NU NU n`, with the entry `m[r][c]` in row `NU r + c`. States need no order and no padding. If the last group of lanes is not full, it is computed with
-//! repeated states, and the repeated results are not stored.
+//! A quantity of a batch of `n` states is a slice of rows: `q[0]` of every state, then `q[1]` of every state, and so on. So `q` has
+//! `NQ n` numbers, `tau` has `NU n`, and a mass matrix has `NU NU n`, with the entry `m[r][c]` in row `NU r + c`. States need no order and
+//! no padding. If the last group of lanes is not full, it is computed with repeated states, and the repeated results are not stored.
 //!
 //! ```
 //! # #[cfg(all(feature = "eight_body", feature = "wide"))] {
@@ -20,9 +19,9 @@
 //! # Ok::<(), kane::batch::LengthError>(())
 //! ```
 //!
-//! If a program keeps its states for long, keep them in groups: a slice of the arrays that the functions take, `[[L; NQ]]`, of which
-//! each holds [`Lanes::LANES`] states. The methods `.._of_groups` take and write those in place, without reading and writing rows,
-//! which takes about half of a batch's time. [`Batch::to_groups`] and [`Batch::from_groups`] convert. Take rows if other code
+//! If a program keeps its states for long, keep them in groups: a slice of the arrays that the functions take, `[[L; NQ]]`, each with
+//! [`Lanes::LANES`] states. The methods `.._of_groups` use these in place, without reading and writing rows,
+//! which takes about half of a batch's time. [`Batch::to_groups`] and [`Batch::from_groups`] convert. Use rows if other code
 //! (`NumPy`, a recorder, a GPU) wants each number of all states side by side.
 //!
 //! ```
@@ -43,7 +42,7 @@
 //! ```
 //!
 //! Every lane has the bits that the same function gives for that state alone. The usual functions are methods of
-//! [`Batch`]; any other is a loop over its groups:
+//! [`Batch`]; for any other, loop over its groups:
 //!
 //! ```
 //! # #[cfg(feature = "eight_body")] {
@@ -84,7 +83,7 @@ use crate::{Array, Lanes, System};
 pub use group::Group;
 pub use rows::{LengthError, Rows, RowsMut};
 
-/// The most bytes of a tile's matrices, which stand on the stack.
+/// The most bytes of a tile's matrices, which are on the stack.
 const MOST_ON_STACK: usize = 1 << 18;
 
 /// The vector of `f64` that the target of the program has: eight lanes with AVX-512, four with AVX, else two (SSE2, Neon).
@@ -101,7 +100,7 @@ pub type Widest = ::wide::f64x4;
 #[cfg(all(feature = "wide", not(target_feature = "avx")))]
 pub type Widest = ::wide::f64x2;
 
-/// A number of states, computed [`Lanes::LANES`] at a time.
+/// A batch of states, computed [`Lanes::LANES`] at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch<L> {
     states: usize,
@@ -109,7 +108,7 @@ pub struct Batch<L> {
 }
 
 impl<L: Lanes> Batch<L> {
-    /// A batch of this many states.
+    /// A batch with this number of states.
     #[must_use]
     pub fn new(states: usize) -> Self {
         Self {
@@ -123,7 +122,7 @@ impl<L: Lanes> Batch<L> {
         group::groups(0..self.states, self.states)
     }
 
-    /// A quantity with this many `rows`, to be read; `argument` is its name in the error.
+    /// A quantity with this many `rows`, for reading; `argument` is its name in the error.
     ///
     /// # Errors
     /// The slice is not `rows` times as long as there are states.
@@ -138,7 +137,7 @@ impl<L: Lanes> Batch<L> {
         Ok(Rows { values, shape })
     }
 
-    /// As [`Self::rows`], to be written.
+    /// Like [`Self::rows`], for writing.
     ///
     /// # Errors
     /// The slice is not `rows` times as long as there are states.
@@ -163,7 +162,7 @@ impl<L: Lanes> Batch<L> {
 
     /// [`MassMatrix::mass_matrix`] of every state, entry `m[r][c]` in row `NU r + c`.
     ///
-    /// Of many states these matrices are more than a cache holds: [`Self::mass_matrix_packed`] writes half of them or less.
+    /// For many states these matrices do not fit in the cache: [`Self::mass_matrix_packed`] writes half of them or less.
     ///
     /// # Errors
     /// A slice of the wrong length; nothing is written then.
@@ -183,7 +182,7 @@ impl<L: Lanes> Batch<L> {
         Ok(())
     }
 
-    /// [`MassMatrixPacked::mass_matrix_packed`] of every state, a row each of [`MassMatrixPacked::PLACES`].
+    /// [`MassMatrixPacked::mass_matrix_packed`] of every state, one row for each of [`MassMatrixPacked::PLACES`].
     ///
     /// # Errors
     /// A slice of the wrong length; nothing is written then.
@@ -201,7 +200,7 @@ impl<L: Lanes> Batch<L> {
         Ok(())
     }
 
-    /// Takes the coordinates tile by tile; a tile has as many groups as there is room for their matrices.
+    /// Reads the coordinates tile by tile; a tile has as many groups as there is room for their matrices.
     fn matrices<Q: Array<L>, M: Copy>(
         &self,
         q: Rows<'_, L::Scalar>,

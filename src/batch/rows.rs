@@ -3,14 +3,14 @@
 use core::error::Error;
 use core::fmt;
 
-/// A quantity of every state of a batch, row by row: [`Batch::rows`](super::Batch::rows).
+/// A quantity of every state of a batch, row by row, for reading: [`Batch::rows`](super::Batch::rows).
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a, T> {
     pub(super) values: &'a [T],
     pub(super) shape: Size,
 }
 
-/// As [`Rows`], to be written: [`Batch::rows_mut`](super::Batch::rows_mut).
+/// Like [`Rows`], for writing: [`Batch::rows_mut`](super::Batch::rows_mut).
 #[derive(Debug)]
 pub struct RowsMut<'a, T> {
     pub(super) values: &'a mut [T],
@@ -25,16 +25,16 @@ pub(super) struct Size {
     pub(super) states: usize,
 }
 
-/// A slice is not as long as its rows and the batch's states make it; of groups, as there are groups.
+/// A slice has the wrong length: not its rows times the batch's states, or for groups not the number of groups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthError {
     /// The name of the argument.
     pub argument: &'static str,
     /// Its length.
     pub found: usize,
-    /// How many rows it should have; one of groups.
+    /// The number of rows that it should have; for groups one.
     pub rows: usize,
-    /// How many states, or groups, are in a row.
+    /// The number of states, or groups, in a row.
     pub states: usize,
 }
 

@@ -1,7 +1,7 @@
-//! Several groups, which are read and written row by row.
+//! Several groups, read and written row by row.
 //!
-//! Rows are often a power of two apart, and then their lines compete for one place in the cache: it is faster to take
-//! several groups from each than to come back to it for each group.
+//! Rows are often a power of two apart, and then their lines compete for one cache set: it is faster to take
+//! several groups from each row than to return to it for each group.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -10,7 +10,7 @@ use super::group::{self, Group};
 use super::rows::{Rows, RowsMut};
 use crate::{Array, Lanes};
 
-/// How many groups a [`Tile`] has, where nothing is against it: their states fill whole cache lines of a row, at least.
+/// The usual number of groups of a [`Tile`]: their states fill at least whole cache lines of a row.
 pub(super) const GROUPS: usize = 8;
 
 /// Neighbouring groups of a batch.
@@ -22,13 +22,13 @@ pub(super) struct Tile<L, const GROUPS: usize> {
     lanes: PhantomData<L>,
 }
 
-/// What is read: its rows, and its numbers in the groups of a tile.
+/// An input: its rows, and its numbers in the groups of a tile.
 pub(super) struct Input<'a, L: Lanes, A, const GROUPS: usize> {
     rows: Rows<'a, L::Scalar>,
     pub(super) groups: [A; GROUPS],
 }
 
-/// What is written: its rows, and its numbers in the groups of a tile.
+/// An output: its rows, and its numbers in the groups of a tile.
 pub(super) struct Output<'a, L: Lanes, A, const GROUPS: usize> {
     rows: RowsMut<'a, L::Scalar>,
     pub(super) groups: [A; GROUPS],
@@ -70,7 +70,7 @@ impl<'a, L: Lanes, A: Array<L>, const GROUPS: usize> Input<'a, L, A, GROUPS> {
         Self { rows, groups }
     }
 
-    /// As [`Group::load`], one array a group.
+    /// Like [`Group::load`], one array per group.
     pub(super) fn load(&mut self, tile: &Tile<L, GROUPS>) {
         if !tile.is_full() {
             for (group, values) in tile.groups().zip(&mut self.groups) {
@@ -94,7 +94,7 @@ impl<'a, L: Lanes, A: Copy, const GROUPS: usize> Output<'a, L, A, GROUPS> {
         Self { rows, groups }
     }
 
-    /// As [`Group::store`], one output a group, of which `entry` gives what stands in each row.
+    /// Like [`Group::store`], one output per group; `entry` gives the value for each row.
     pub(super) fn store(&mut self, tile: &Tile<L, GROUPS>, entry: impl Fn(&A, usize) -> &L) {
         if !tile.is_full() {
             let n_rows = self.rows.shape.rows;

@@ -1,15 +1,14 @@
-//! What a step makes of changes.
+//! Changes of states, and derivatives of a step.
 
 use crate::vector::{set_column, unit, zero};
 use crate::{Array, Real};
 
-/// A change of a state: of `q` as a direction over the speeds, [`q_plus`](crate::manifold::q_plus), and of `u`; or a multiplier of
-/// both.
+/// A change of a state, of `q` as a direction of [`q_plus`](crate::manifold::q_plus) and of `u`, or a multiplier of both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<U> {
-    /// Over the speeds, rad and m along the axes of `u`.
+    /// The change of `q`, one entry per speed, rad and m along the axes of `u`.
     pub q: U,
-    /// Of `u`, rad/s and m/s.
+    /// The change of `u`, rad/s and m/s.
     pub u: U,
 }
 
@@ -26,7 +25,7 @@ impl<U> Change<U> {
     }
 }
 
-/// What a step is differentiated by.
+/// The variable by which a step is differentiated.
 #[derive(Clone, Copy)]
 pub(super) enum Variable {
     Q,
@@ -35,7 +34,7 @@ pub(super) enum Variable {
 }
 
 impl Variable {
-    /// The change of the state where one entry of the variable changes by one.
+    /// The change of the state if one entry of the variable changes by one.
     pub(super) fn change<R: Real, U: Array<R>>(self, place: usize) -> Change<U> {
         let none = Change::zero();
         match self {
@@ -52,7 +51,7 @@ impl Variable {
     }
 }
 
-/// The derivatives of a step by blocks, `[[R; NU]; NU]` each, by rows: of the state after it by the state before it, and by `tau`.
+/// The derivatives of the state after a step by the state before it and by `tau`, in blocks `[[R; NU]; NU]`, row by row.
 ///
 /// With the changes `q` before `u`, `A = [q_by_q, q_by_u; u_by_q, u_by_u]` and `B = [q_by_tau; u_by_tau]`. With the feature
 /// `nalgebra`, `view::step_by_state` and `view::step_by_tau` make matrices of them.
@@ -73,7 +72,7 @@ pub struct StepDerivatives<M> {
 }
 
 impl<M: Copy> StepDerivatives<M> {
-    /// All blocks as this one, to be overwritten.
+    /// All blocks equal to `block`, as storage to overwrite.
     pub fn filled(block: M) -> Self {
         Self {
             q_by_q: block,
@@ -106,7 +105,7 @@ impl<M: Copy> StepDerivatives<M> {
     }
 }
 
-/// The derivatives of the state after a step by all values set at run time, `[[R; n]; NU]` each, by rows.
+/// The derivatives of the state after a step by all values set at run time, `[[R; n]; NU]` each, row by row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepByParameters<M> {
     /// Of the coordinates.
@@ -116,7 +115,7 @@ pub struct StepByParameters<M> {
 }
 
 impl<M: Copy> StepByParameters<M> {
-    /// Both blocks as this one, to be overwritten.
+    /// Both blocks equal to `block`, as storage to overwrite.
     pub fn filled(block: M) -> Self {
         Self { q: block, u: block }
     }

@@ -1,6 +1,6 @@
-//! The semi-implicit Euler step: speeds by the accelerations before the step, coordinates by the speeds after it.
+//! The semi-implicit Euler step: speeds move by the accelerations before the step, coordinates by the speeds after it.
 //!
-//! `u' = u + dt u_dot(q, u, tau)`, `q' = q_plus(q, dt u')`. Of first order, and of a system without losses the energy does not
+//! `u' = u + dt u_dot(q, u, tau)`, `q' = q_plus(q, dt u')`. It is of first order, and the energy of a system without losses does not
 //! drift over long times.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
@@ -25,7 +25,7 @@ pub fn step<R: Real, S: ForwardDynamics<R>>(
     let _ = moved(system, dt, q, u, &u_dot);
 }
 
-/// Moves the state on, and returns by which direction `q`.
+/// Advances the state, and returns the direction by which `q` moved.
 fn moved<R: Real, S: System<R>>(
     system: &S,
     dt: R,
@@ -39,7 +39,7 @@ fn moved<R: Real, S: System<R>>(
     direction
 }
 
-/// What becomes of a change over a step, where accelerations change by `u_dot`.
+/// The change after a step from that before it, if accelerations change by `u_dot`.
 fn changed<R: Real, S: System<R>>(
     moving: &Reached<R, S>,
     dt: R,
@@ -53,7 +53,7 @@ fn changed<R: Real, S: System<R>>(
     }
 }
 
-/// As [`step`], with its derivatives at the state before it.
+/// Like [`step`], and also gives its derivatives at the state before it.
 pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     system: &S,
     tau: &S::U,
@@ -103,7 +103,7 @@ pub fn by_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsByParameter
     });
 }
 
-/// As [`step`], and the change of the state becomes that after the step, where `tau` changes by `tau_change`.
+/// Like [`step`], and also turns `change`, a change of the state before the step, into that after it, if `tau` changes by `tau_change`.
 pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     system: &S,
     tau: &S::U,
@@ -118,10 +118,10 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     *change = changed(&moving, dt, change, &du_dot);
 }
 
-/// The multiplier of the state after the step becomes that of the state before it, `q`, `u`; `tau_gradient` is overwritten with that of
-/// `tau`.
+/// Turns the multiplier of the state after the step into that of the state before it, `q`, `u`, and overwrites `tau_gradient` with that
+/// of `tau`.
 ///
-/// With the derivatives of [`linearized`], `multiplier · A` and `multiplier · B`.
+/// In terms of [`linearized`], the results are `multiplier · A` and `multiplier · B`.
 pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     system: &S,
     tau: &S::U,

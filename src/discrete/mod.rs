@@ -1,10 +1,10 @@
 //! Steps of a digital controller with their derivatives, for linear-quadratic regulators, trajectory optimization and estimation.
 //!
-//! A step takes a state, forces `tau` that stay constant over the step, and the time `dt` in s. It gives the state after the step, in place. Coordinates move by
-//! [`q_plus`](crate::manifold::q_plus), so quaternions keep length one. A change of a state is therefore `2 NU` numbers for angles and for quaternions: the change of `q` along the
-//! axes of `u`, then the change of `u`. There are two kinds of steps, with the same functions:
+//! A step advances a state in place, under forces `tau` held constant over the step time `dt`, s. Coordinates move by
+//! [`q_plus`](crate::manifold::q_plus), so quaternions keep length one. For angles and for quaternions, a change of a state is therefore
+//! `2 NU` numbers: the change of `q` along the axes of `u`, then the change of `u`. There are two kinds of steps, with the same functions:
 //!
-//! | | [`euler`]: semi-implicit | [`rk4`]: Runge and Kutta |
+//! | | [`euler`]: semi-implicit | [`rk4`]: Runge-Kutta |
 //! | --- | --- | --- |
 //! | error of a step | of order `dt²` | of order `dt⁵` |
 //! | evaluations of forward dynamics | 1 | 4 |
@@ -17,9 +17,10 @@
 //! | `forward` | the step, and `A` and `B` times one change | `forward_dynamics`, `jvp(forward_dynamics; q, u, tau)` |
 //! | `adjoint` | one multiplier times `A` and `B`, backward over the step | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
 //!
-//! The derivatives are those of the computed step, up to rounding, and not those of the exact motion. `forward` and `adjoint` build no matrix, so
-//! the gradient of a long motion costs a few times as much as the motion. Nothing is checked or allocated. Matrices are on the stack: `linearized` needs twelve matrices of
-//! `NU` by `NU` in `rk4` and three in `euler`. `by_parameters` works with matrices of `NU` rows and one column for each value: four more in `rk4`, and one in `euler`.
+//! The derivatives are those of the computed step, up to rounding, not those of the exact motion. `forward` and `adjoint` build no matrix,
+//! so the gradient of a long motion costs a few times as much as the motion. The functions check and allocate nothing. Matrices are on the
+//! stack: `linearized` needs twelve matrices of `NU` by `NU` in `rk4` and three in `euler`. `by_parameters` works with matrices of `NU` rows
+//! and one column for each value: four more in `rk4`, and one in `euler`.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {

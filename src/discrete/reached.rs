@@ -1,16 +1,16 @@
-//! Coordinates that are reached by a direction over the speeds, and how they change.
+//! Coordinates reached by a direction, and their derivatives.
 
 use crate::manifold::{TangentMap, q_plus};
 use crate::vector::plus;
 use crate::{Real, System};
 
-/// Moves coordinates by a direction; quaternions come out with length one.
+/// Moves coordinates by a direction; quaternions then have length one.
 pub(super) fn move_on<R: Real, S: System<R>>(system: &S, q: &mut S::Q, direction: &S::U) {
     *q = q_plus(system, q, direction);
     system.normalize(q);
 }
 
-/// How what is reached by a direction changes.
+/// The derivatives of the coordinates reached by a direction.
 pub(super) struct Reached<R: Real, S: System<R>> {
     by_q: TangentMap<R, S>,
     by_direction: TangentMap<R, S>,
@@ -24,12 +24,12 @@ impl<R: Real, S: System<R>> Reached<R, S> {
         }
     }
 
-    /// What becomes of changes of the coordinates before and of the direction.
+    /// The change reached, from changes of the coordinates before and of the direction.
     pub(super) fn changed(&self, q: &S::U, direction: &S::U) -> S::U {
         plus(&self.by_q.times(q), &self.by_direction.times(direction))
     }
 
-    /// What a multiplier is of the coordinates before and of the direction.
+    /// Turns a multiplier into those of the coordinates before and of the direction.
     pub(super) fn back(&self, multiplier: &S::U) -> (S::U, S::U) {
         (
             self.by_q.transposed_times(multiplier),

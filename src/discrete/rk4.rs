@@ -1,8 +1,8 @@
 //! The classic fourth-order Runge-Kutta step, on the manifold.
 //!
-//! What is integrated is the direction in which [`q_plus`] leads from the coordinates before the step, and the speeds. Where
-//! speeds are rates of coordinates that is the ordinary step, [`rk4_step`](crate::integrate::rk4_step), but for rounding. For
-//! an orientation `d_dot = w + d × w / 2 + d × (d × w) / 12`, of which the rest is beyond the order of the step.
+//! The step integrates the speeds, and the direction by which [`q_plus`] leads from the coordinates before the step. If the
+//! speeds are rates of coordinates, this is the ordinary step, [`rk4_step`](crate::integrate::rk4_step), up to rounding. For
+//! an orientation `d_dot = w + d × w / 2 + d × (d × w) / 12`; the omitted terms are beyond the order of the step.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
 use super::reached::{Reached, move_on};
@@ -36,7 +36,7 @@ type Stages<R, S> = [Stage<<S as System<R>>::Q, <S as System<R>>::U>; 4];
 /// The stages of a step, and the direction and speeds to which it leads.
 type Walk<R, S> = (Stages<R, S>, <S as System<R>>::U, <S as System<R>>::U);
 
-/// Those where `u_dot(stage, q, u)` are the accelerations.
+/// The stages of a step, with the accelerations `u_dot(stage, q, u)`.
 fn stages<R: Real, S: System<R>>(
     system: &S,
     dt: R,
@@ -67,7 +67,7 @@ fn stages<R: Real, S: System<R>>(
     (all, d_after, u_after)
 }
 
-/// Those of the dynamics.
+/// The stages of a step, with the accelerations of the dynamics.
 fn driven<R: Real, S: ForwardDynamics<R>>(
     system: &S,
     tau: &S::U,
@@ -84,7 +84,7 @@ fn driven<R: Real, S: ForwardDynamics<R>>(
 /// The derivatives of the stages' accelerations by `q`, `u` and `tau`.
 type OfAccelerations<M> = [[M; 3]; 4];
 
-/// The stages of the dynamics with these derivatives.
+/// The stages of a step, with the derivatives of their accelerations.
 fn differentiated<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     system: &S,
     tau: &S::U,
@@ -139,7 +139,7 @@ impl<R: Real, S: System<R>> Moved<R, S> {
         }
     }
 
-    /// What becomes of a change, where `du_dot(stage, change)` are those of the accelerations.
+    /// The change after the step, with the changes `du_dot(stage, change)` of the accelerations.
     fn changed(
         &self,
         change: &Change<S::U>,
@@ -167,7 +167,7 @@ impl<R: Real, S: System<R>> Moved<R, S> {
         }
     }
 
-    /// What a multiplier becomes, where `gradient(stage, multiplier)` is that of the accelerations by the stage's state.
+    /// The multiplier before the step, with the gradient `gradient(stage, multiplier)` of the accelerations by the stage's state.
     fn back(
         &self,
         multiplier: &Change<S::U>,
@@ -200,7 +200,7 @@ impl<R: Real, S: System<R>> Moved<R, S> {
     }
 }
 
-/// As [`step`], with its derivatives at the state before it.
+/// Like [`step`], and also gives its derivatives at the state before it.
 pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     system: &S,
     tau: &S::U,
@@ -249,7 +249,7 @@ pub fn by_parameters<
     });
 }
 
-/// As [`step`], and the change of the state becomes that after the step, where `tau` changes by `tau_change`.
+/// Like [`step`], and also turns `change`, a change of the state before the step, into that after it, if `tau` changes by `tau_change`.
 pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     system: &S,
     tau: &S::U,
@@ -277,10 +277,10 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     *u = u_after;
 }
 
-/// The multiplier of the state after the step becomes that of the state before it, `q`, `u`; `tau_gradient` is overwritten with that of
-/// `tau`.
+/// Turns the multiplier of the state after the step into that of the state before it, `q`, `u`, and overwrites `tau_gradient` with that
+/// of `tau`.
 ///
-/// With the derivatives of [`linearized`], `multiplier · A` and `multiplier · B`.
+/// In terms of [`linearized`], the results are `multiplier · A` and `multiplier · B`.
 pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     system: &S,
     tau: &S::U,

@@ -1,18 +1,18 @@
-//! Derivatives of forward and inverse dynamics that controllers call, a trait each.
+//! Derivatives of forward and inverse dynamics for controllers, one trait each.
 //!
-//! A module implements one where it was generated with the request that stands at the trait, with these variables in this
-//! order; the method is the generated function. Other derivatives are functions of the module alone.
+//! A module implements a trait if it was generated with the request in the trait's documentation, with these variables in this
+//! order; the method is the generated function. Other derivatives are plain functions of the module, without a trait.
 //!
-//! Rows are entries of the output, columns those of the variable: `du_dot_dq[i][j]`. A column of `q` belongs to a speed: the derivative while
-//! that speed alone moves the system, per unit of its integral over time; in every chart the direction `d` of
-//! [`q_plus`](crate::manifold::q_plus). Units are those of the output over those of the variable. Directions and gradients of `q` are over
-//! speeds likewise. Parameters are in the order of [`Parametric::PARAMETER_NAMES`], each in the model's unit.
+//! Rows are entries of the output, columns entries of the variable: `du_dot_dq[i][j]`. A column of `q` belongs to a speed: it is the
+//! derivative along the motion of that speed alone, per unit of its integral over time; in every chart the direction `d` of
+//! [`q_plus`](crate::manifold::q_plus). Units are those of the output over those of the variable. Directions and gradients of `q`
+//! also have one entry per speed. Parameters are in the order of [`Parametric::PARAMETER_NAMES`], each in the model's unit.
 
 use crate::{Parametric, Real, System};
 
 /// Derivatives of [`ForwardDynamics`](super::ForwardDynamics), `u_dot` by `q`, `u` and `tau`: `"d(forward_dynamics)/d(q, u, tau)"`.
 ///
-/// The last is the inverse of the mass matrix. Eq. (41), differentiated.
+/// The derivative by `tau` is the inverse of the mass matrix. Eq. (41), differentiated.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `d(forward_dynamics)/d(q, u, tau)`; name it in `functions` and generate again"
 )]
@@ -65,7 +65,7 @@ pub trait ForwardDynamicsByParameters<R: Real>: Parametric<R> {
     );
 }
 
-/// How [`ForwardDynamics`](super::ForwardDynamics) changes along a direction: `"jvp(forward_dynamics; q, u, tau)"`.
+/// The directional derivative of [`ForwardDynamics`](super::ForwardDynamics): `"jvp(forward_dynamics; q, u, tau)"`.
 ///
 /// The [derivatives](ForwardDynamicsDerivatives) times the direction, without forming them.
 #[diagnostic::on_unimplemented(
@@ -86,7 +86,7 @@ pub trait ForwardDynamicsJvp<R: Real>: System<R> {
     );
 }
 
-/// As [`ForwardDynamicsJvp`], along parameters too: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
+/// Like [`ForwardDynamicsJvp`], also along parameters: `"jvp(forward_dynamics; q, u, tau, parameters)"`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jvp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
 )]
@@ -127,7 +127,7 @@ pub trait ForwardDynamicsVjp<R: Real>: System<R> {
     );
 }
 
-/// As [`ForwardDynamicsVjp`], by parameters too: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
+/// Like [`ForwardDynamicsVjp`], also by parameters: `"vjp(forward_dynamics; q, u, tau, parameters)"`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `vjp(forward_dynamics; q, u, tau, parameters)`; name it in `functions` and generate again"
 )]
@@ -149,7 +149,7 @@ pub trait ForwardDynamicsParametersVjp<R: Real>: Parametric<R> {
 
 /// Derivatives of [`InverseDynamics`](super::InverseDynamics), `tau` by `q`, `u` and `u_dot`: `"d(inverse_dynamics)/d(q, u, u_dot)"`.
 ///
-/// The last is the mass matrix. `M u_dot + bias = tau`, differentiated.
+/// The derivative by `u_dot` is the mass matrix. `M u_dot + bias = tau`, differentiated.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `d(inverse_dynamics)/d(q, u, u_dot)`; name it in `functions` and generate again"
 )]
@@ -202,7 +202,7 @@ pub trait InverseDynamicsByParameters<R: Real>: Parametric<R> {
     );
 }
 
-/// How [`InverseDynamics`](super::InverseDynamics) changes along a direction: `"jvp(inverse_dynamics; q, u, u_dot)"`.
+/// The directional derivative of [`InverseDynamics`](super::InverseDynamics): `"jvp(inverse_dynamics; q, u, u_dot)"`.
 ///
 /// The [derivatives](InverseDynamicsDerivatives) times the direction, without forming them.
 #[diagnostic::on_unimplemented(
@@ -223,7 +223,7 @@ pub trait InverseDynamicsJvp<R: Real>: System<R> {
     );
 }
 
-/// As [`InverseDynamicsJvp`], along parameters too: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
+/// Like [`InverseDynamicsJvp`], also along parameters: `"jvp(inverse_dynamics; q, u, u_dot, parameters)"`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jvp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
 )]
@@ -264,7 +264,7 @@ pub trait InverseDynamicsVjp<R: Real>: System<R> {
     );
 }
 
-/// As [`InverseDynamicsVjp`], by parameters too: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
+/// Like [`InverseDynamicsVjp`], also by parameters: `"vjp(inverse_dynamics; q, u, u_dot, parameters)"`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `vjp(inverse_dynamics; q, u, u_dot, parameters)`; name it in `functions` and generate again"
 )]

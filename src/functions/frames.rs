@@ -1,24 +1,24 @@
-//! Functions of frames: where they are, how they move, and what moves them.
+//! Functions of frames: pose, velocity, acceleration, Jacobian, forces.
 //!
-//! A frame `F` is one of the types in the generated module's `frames`, for vectors along inertial axes; [`Local`] means its
-//! own axes, [`Seen`] another frame from which it is seen.
+//! A frame `F` is one of the types in the generated module's `frames`, for vectors in inertial components. [`Local`] gives
+//! components along the frame's own axes; [`Seen`] gives quantities relative to another frame.
 
 use core::marker::PhantomData;
 
 use crate::{Array, Real, System};
 
-/// Asks for components along the frame's own axes, not the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
+/// Selects components along the frame's own axes, not the inertial ones: `Velocity<R, Local<frames::Tool0>>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Local<F>(PhantomData<F>);
 
-/// Asks for a frame relative to another frame, along the axes of the other: `Jacobian<R, Seen<frames::Tool0, frames::Camera>>`.
+/// Selects a frame relative to another frame, along the axes of the other: `Jacobian<R, Seen<frames::Tool0, frames::Camera>>`.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<F, From>(PhantomData<(F, From)>);
 
 /// Pose of the frame `F`.
 ///
-/// `rotation` maps inertial components to components along the frame's axes, by rows; `position` is that of the frame's
-/// origin from the inertial origin, inertial components, m. For [`Seen`] the other frame takes the place of the inertial frame.
+/// `rotation` maps inertial components to components along the frame's axes, row by row; `position` is from the inertial
+/// origin to the frame's origin, inertial components, m. For [`Seen`] the other frame replaces the inertial frame.
 /// Often called the frame placement, or forward kinematics.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `pose(FRAME)` for `{F}`; name it in `functions` and generate again"
@@ -30,8 +30,8 @@ pub trait Pose<R: Real, F>: System<R> {
 
 /// Velocity of the frame `F` in the inertial frame.
 ///
-/// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s: inertial components, or for
-/// [`Local`] components along the frame's own axes. Often called the twist.
+/// `linear` is the velocity of the frame's origin, m/s, `angular` its angular velocity, rad/s, both in inertial components, or for
+/// [`Local`] along the frame's own axes. Often called the twist.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `velocity(FRAME)` for `{F}`; name it in `functions` and generate again"
 )]
@@ -43,7 +43,7 @@ pub trait Velocity<R: Real, F>: System<R> {
 /// Acceleration of the frame `F` in the inertial frame.
 ///
 /// `linear` is the rate of the velocity of the frame's origin, m/s², without gravity, `angular` its angular acceleration,
-/// rad/s²: inertial components, or for [`Local`] components along the frame's own axes.
+/// rad/s², both in inertial components, or for [`Local`] along the frame's own axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `acceleration(FRAME)` for `{F}`; name it in `functions` and generate again"
 )]
@@ -59,10 +59,10 @@ pub trait Acceleration<R: Real, F>: System<R> {
     );
 }
 
-/// Jacobian of the frame `F`: times `u` its [`Velocity`].
+/// Jacobian of the frame `F`: its product with `u` is the frame's [`Velocity`].
 ///
-/// A row for each component, a column for each speed. For [`Local`] the components are along the frame's own axes, for
-/// [`Seen`] the velocity is that relative to the other frame, along that one's axes. Often called the geometric Jacobian.
+/// One row per component, one column per speed. For [`Local`] the components are along the frame's own axes, for
+/// [`Seen`] the velocity is relative to the other frame, along the axes of the other. Often called the geometric Jacobian.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `jacobian(FRAME)` for `{F}`; name it in `functions` and generate again"
 )]
@@ -91,9 +91,9 @@ pub trait JacobianPacked<R: Real, F>: System<R> {
     );
 }
 
-/// Jacobian of a point that is fixed in the frame `F`, for contacts that move.
+/// Jacobian of a point fixed in the frame `F`, for moving contacts.
 ///
-/// As [`Jacobian`], with the point in place of the frame's origin.
+/// Like [`Jacobian`], for the point instead of the frame's origin.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `point_jacobian(FRAME)` for `{F}`; name it in `functions` and generate again"
 )]
@@ -123,7 +123,7 @@ pub trait JacobianDotU<R: Real, F>: System<R> {
 
 /// Generalized forces of a wrench on the frame `F`: the transposed [`Jacobian`] times the wrench, N m and N.
 ///
-/// The force, N, acts at the frame's origin; both are given by inertial components, or for [`Local`] by components along the
+/// The force, N, acts at the frame's origin; force and moment are in inertial components, or for [`Local`] along the
 /// frame's own axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `generalized_force(FRAME)` for `{F}`; name it in `functions` and generate again"
@@ -135,8 +135,8 @@ pub trait GeneralizedForce<R: Real, F>: System<R> {
 
 /// `J M⁻¹ Jᵀ` of the [`Jacobian`] of the frame `F`, or of several, `(F, G)`: the accelerations that unit wrenches on them cause.
 ///
-/// Symmetric, with six rows for each frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). For several contacts it is often called the
-/// Delassus matrix, for one frame the inverse of the operational-space inertia.
+/// Symmetric, six rows per frame, the linear ones first; 1/kg, 1/(kg m), 1/(kg m²). For several contacts it is often called the
+/// Delassus matrix, for one frame the inverse operational-space inertia.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `operational_inverse_inertia(FRAME)` for `{F}`; name it in `functions` and generate again"
 )]
@@ -149,9 +149,9 @@ pub trait OperationalInverseInertia<R: Real, F>: System<R> {
     fn operational_inverse_inertia(&self, q: &Self::Q, inverse_inertia: &mut Self::Rows);
 }
 
-/// What an inertial measurement unit at the frame `F` reads.
+/// The readings of an inertial measurement unit at the frame `F`.
 ///
-/// `specific_force` is the acceleration of the frame's origin less gravity, m/s², `angular_velocity` that of the frame, rad/s;
+/// `specific_force` is the acceleration of the frame's origin minus gravity, m/s², `angular_velocity` that of the frame, rad/s;
 /// both along the frame's own axes. At rest the specific force points up.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `imu(FRAME)` for `{F}`; name it in `functions` and generate again"

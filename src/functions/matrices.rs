@@ -1,18 +1,18 @@
-//! The mass matrix as an operator: what it makes of accelerations and of forces, its inverse, its factors.
+//! The mass matrix as an operator: products, solutions, its inverse, its factors.
 
 use crate::{Array, Real, System};
 
 function_traits! {
     /// The [`MassMatrix`](super::MassMatrix) times accelerations, `tau = M u_dot`, N m and N, rotors included; no matrix is formed. Eq. (42).
     ///
-    /// Inverse dynamics without bias. Often called the mass-matrix-vector product; with speeds in place of `u_dot`, the
+    /// Inverse dynamics without bias. Often called the mass-matrix-vector product; with `u` instead of `u_dot`, the
     /// generalized momentum.
     MassMatrixProduct: mass_matrix_product(q: &Self::Q, u_dot: &Self::U, tau: &mut Self::U);
 
-    /// The accelerations of forces alone, `u_dot = M⁻¹ tau`, rad/s² and m/s²: forward dynamics without bias. Eq. (42).
+    /// The accelerations from forces alone, `u_dot = M⁻¹ tau`, rad/s² and m/s²: forward dynamics without bias. Eq. (42).
     ///
-    /// If `R` holds several numbers ([`Lanes`](crate::Lanes)), several right-hand sides are solved together: each lane
-    /// has one of them, and the same `q` or one of its own. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
+    /// If `R` holds several numbers ([`Lanes`](crate::Lanes)), this solves several right-hand sides together: one per
+    /// lane, with the same `q` or one of its own. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
     MassMatrixSolve: mass_matrix_solve(q: &Self::Q, tau: &Self::U, u_dot: &mut Self::U);
 }
 
@@ -28,7 +28,7 @@ pub trait MassMatrixInverse<R: Real>: System<R> {
     fn mass_matrix_inverse(&self, q: &Self::Q, inverse: &mut Self::Matrix);
 }
 
-/// The entries of the [`MassMatrixInverse`] on and below the diagonal that the tree does not make zero, row after row.
+/// The entries of the [`MassMatrixInverse`] on and below the diagonal that are not structurally zero, row by row.
 ///
 /// Entries of two speeds of separate trees on the inertial frame are left out. [`unpack`](super::unpack) makes the whole matrix.
 #[diagnostic::on_unimplemented(
@@ -43,10 +43,10 @@ pub trait MassMatrixInversePacked<R: Real>: System<R> {
     fn mass_matrix_inverse_packed(&self, q: &Self::Q, entries: &mut Self::Entries);
 }
 
-/// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, without fill but where joints follow others
-/// on several branches: D on the diagonal, beside it L, whose diagonal is one. Eq. (42); a sparse Cholesky factorisation.
+/// The factors of the [`MassMatrix`](super::MassMatrix), `M = Lᵀ D L` along the tree, a sparse Cholesky factorisation. Eq. (42).
 ///
-/// Rows are eliminated from the leaves inward, in an order of their own. [`solve_factored`] solves with them.
+/// D is on the diagonal, L beside it with an implied unit diagonal. There is no fill-in, except where mimic joints couple branches.
+/// Rows are eliminated from the leaves inward, in the order [`Self::ORDER`]. [`solve_factored`] solves with the factors.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `mass_matrix_factors`; name it in `functions` and generate again"
 )]
@@ -55,15 +55,15 @@ pub trait MassMatrixFactors<R: Real>: System<R> {
     type Entries: Array<R>;
     /// The two speeds of each entry, the higher-numbered first; ordered by that one, then by the other.
     const PLACES: &'static [[usize; 2]];
-    /// The `NU` speeds in the order of their elimination: an entry of L is in the row of that of its two speeds which comes
-    /// first here, in the column of the other.
+    /// The `NU` speeds in the order of their elimination. Of the two speeds of an entry of L, the one that comes first here
+    /// is its row, the other its column.
     const ORDER: &'static [usize];
     /// Overwrites the last argument; meaning and units are those of [`MassMatrixFactors`].
     fn mass_matrix_factors(&self, q: &Self::Q, entries: &mut Self::Entries);
 }
 
-/// Coriolis matrix `C`, written whole, `c[row][column]`: `C u` is the [`Bias`](super::Bias) less weight, springs and dampers,
-/// `M_dot = C + Cᵀ`, and `M_dot - 2 C` is skew. Eqs. (15), (20), (32), (33); often called by its effects, centrifugal and Coriolis.
+/// Coriolis matrix `C`, written whole, `c[row][column]`: `C u` is the [`Bias`](super::Bias) without weight, springs and dampers,
+/// `M_dot = C + Cᵀ`, and `M_dot - 2 C` is skew-symmetric. Eqs. (15), (20), (32), (33); often called centrifugal and Coriolis matrix.
 ///
 /// It is the sum of `m Vᵀ V_dot` over all particles, with `V` their partial velocities. If all speeds are rates of coordinates, it is the matrix
 /// that the Christoffel symbols of the first kind give.
@@ -87,7 +87,7 @@ pub trait MassMatrixDot<R: Real>: System<R> {
 
 /// Solves `M x = b` with the factors of `M`, in place: `b` becomes `x`.
 ///
-/// `entries`, `places` and `order` are those of [`MassMatrixFactors`]. What is missing from the lists counts as zero.
+/// `entries`, `places` and `order` are those of [`MassMatrixFactors`]. Entries missing from the lists count as zero.
 ///
 /// ```
 /// use kane::{Array, Real, functions::{MassMatrixFactors, solve_factored}};

@@ -1,18 +1,18 @@
-//! Inverse dynamics as it is linear in the parameters of bodies and joints.
+//! Regressors: inverse dynamics as a linear function of the parameters of bodies and joints.
 
 use crate::{Array, Real, System};
 
-/// Inertia forces and weight as they are linear in the inertial parameters `pi` of the bodies, `y[speed][body][parameter]`:
-/// [`InverseDynamics`](super::InverseDynamics) is the sum of `y pi` over all bodies and parameters, and what springs, dampers and rotors need.
+/// Inertia forces and weight as a linear function of the inertial parameters `pi` of the bodies, `y[speed][body][parameter]`.
 ///
-/// Ten parameters a body, with all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`,
-/// `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's own values
-/// are not read. Often called the joint torque regressor, or identification matrix.
+/// [`InverseDynamics`](super::InverseDynamics) is the sum of `y pi` over all bodies and parameters, plus the forces of springs, dampers
+/// and rotors. Ten parameters per body, including all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`,
+/// `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. The model's
+/// own values are not read. Often called the joint torque regressor, or identification matrix.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `regressor`; name it in `functions` and generate again"
 )]
 pub trait Regressor<R: Real>: System<R> {
-    /// `[[R; 10]; NB]`: of one speed.
+    /// `[[R; 10]; NB]`: the row of one speed.
     type Row: Array<[R; 10]>;
     /// `[[[R; 10]; NB]; NU]`.
     type Rows: Array<Self::Row>;
@@ -20,10 +20,10 @@ pub trait Regressor<R: Real>: System<R> {
     fn regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Rows);
 }
 
-/// The entries of the [`Regressor`] that the tree does not make zero, column after column. A body has entries for the speeds that
-/// move it; for a speed that translates it without turning, only those of its mass and first moment.
+/// The entries of the [`Regressor`] that are not structurally zero, column by column.
 ///
-/// Forces are sums of few entries times the parameters of all bodies, ten a body, one after the other:
+/// A body has entries for the speeds that move it; for a speed that translates it without rotation, only those of its mass and first
+/// moment. Forces are sums of few entries times the parameters of all bodies, ten per body, in the order of the bodies:
 ///
 /// ```
 /// use kane::{Array, Real, functions::RegressorPacked};
@@ -41,39 +41,38 @@ pub trait Regressor<R: Real>: System<R> {
 pub trait RegressorPacked<R: Real>: System<R> {
     /// `[R; n]`, one entry for each place.
     type Entries: Array<R>;
-    /// The row of each entry, which is a speed, and its column, ten times the body and the parameter; ordered by column, within a column by speed.
+    /// The row of each entry, a speed, and its column, ten times the body plus the parameter; ordered by column, within a column by speed.
     const PLACES: &'static [[usize; 2]];
     /// Overwrites the last argument; meaning, frame and unit are those of [`Regressor`].
     fn regressor_packed(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Entries);
 }
 
-/// Inertia forces and weight as they are linear in the base parameters: those columns of the [`Regressor`] that are independent.
+/// Inertia forces and weight as a linear function of the base parameters: the independent columns of the [`Regressor`].
 ///
-/// Base parameters are the fewest combinations of inertial parameters on which forces depend, and all that can be identified
-/// from them. Also known as minimal or reduced regressor, minimal inertial parameters.
+/// Base parameters are the smallest set of combinations of inertial parameters that determines the forces, and all that measured
+/// forces can identify. Also known as minimal or reduced regressor, minimal inertial parameters.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `base_regressor`; name it in `functions` and generate again"
 )]
 pub trait BaseRegressor<R: Real>: System<R> {
-    /// `[R; BASE_PARAMETERS_LEN]`: of one speed.
+    /// `[R; BASE_PARAMETERS_LEN]`: the row of one speed.
     type Row: Array<R>;
     /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
     type Rows: Array<Self::Row>;
-    /// The base parameters in words, one a column: `mcx(upper) + 0.32 m(fore)`.
+    /// The base parameters as text, one per column: `mcx(upper) + 0.32 m(fore)`.
     const NAMES: &'static [&'static str];
-    /// What the base parameters are made of, one after the other; the factors hold for the nominal parameters.
+    /// The terms of the base parameters, one base parameter after the other; the factors hold for the nominal parameters.
     const TERMS: &'static [crate::BaseTerm];
     /// Overwrites the last argument; meaning, frame and unit are those of [`BaseRegressor`].
     fn base_regressor(&self, q: &Self::Q, u: &Self::U, u_dot: &Self::U, y: &mut Self::Rows);
 }
 
-/// Forces of dampers, Coulomb friction and rotors as they are linear in their coefficients: along each speed the sum of its
-/// three numbers, the speed, its sign and its rate, times its viscous damping, N m s or N s/m, its Coulomb friction, N m or N,
-/// and its rotor inertia, kg m² or kg.
+/// Forces of dampers, Coulomb friction and rotors as a linear function of their coefficients.
 ///
-/// A coefficient is the sum over all joints that the speed moves. For a joint that follows another, damper and rotor count times the
-/// square of its multiplier, and friction times its magnitude. The sign is branch-free, `u / (|u| + 1e-30)`: a half at a speed of `1e-30`,
-/// zero at zero, without a dead band.
+/// Each speed has three numbers: the speed, its sign and its rate. Its force is the sum of these times its viscous damping, N m s or
+/// N s/m, its Coulomb friction, N m or N, and its rotor inertia, kg m² or kg. A coefficient is the sum over all joints that the speed
+/// moves. For a mimic joint, damper and rotor count times the square of its multiplier, and friction times its magnitude. The sign is
+/// branch-free, `u / (|u| + 1e-30)`: one half at a speed of `1e-30`, zero at zero, without a dead band.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was generated without `joint_regressor`; name it in `functions` and generate again"
 )]

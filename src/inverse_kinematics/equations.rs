@@ -2,21 +2,21 @@
 
 use crate::{Array, Real};
 
-/// What is missing at some `q`; of each goal along the axes that it is given by, the inertial ones or, for
+/// The error at some `q`: for each goal along the axes of its components, the inertial ones or, for
 /// [`Seen`](crate::functions::Seen), those of the other frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remaining<R> {
-    /// The greatest component of the way to a goal's position, of all goals that ask for one, m.
+    /// The largest component of the position error, over all goals with a position, m.
     pub position: R,
-    /// The greatest component of the turn to a goal's orientation, of all goals that ask for one, rad. A turn by a
+    /// The largest component of the orientation error, over all goals with an orientation, rad. A rotation by a
     /// large angle counts as `2 sin(angle / 2)`.
     pub orientation: R,
-    /// `½ eᵀ W e`: half the sum of the squared components of all goals, each times its weight. What a step makes smaller.
+    /// `½ eᵀ W e`: half the sum of the squared components of all goals, each times its weight. Steps reduce it.
     pub weighted: R,
 }
 
 impl<R: Real + PartialOrd> Remaining<R> {
-    /// True where nothing is further off than this, m and rad.
+    /// True if no component exceeds `tolerance`, m and rad.
     pub fn is_within(&self, tolerance: R) -> bool {
         self.position <= tolerance && self.orientation <= tolerance
     }
@@ -79,7 +79,7 @@ impl<R: Real, const NU: usize> Equations<R, NU> {
         }
     }
 
-    /// The speeds that solve the equations with `damping` on the diagonal, where those that are held have their values.
+    /// The speeds that solve the equations with `damping` on the diagonal; held speeds keep their values.
     pub(super) fn solve(&self, damping: R, held: &[Option<R>; NU]) -> [R; NU] {
         let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
         let mut matrix: [[R; NU]; NU] = Array::from_fn(|i| {
@@ -105,7 +105,7 @@ impl<R: Real, const NU: usize> Equations<R, NU> {
     }
 }
 
-/// `L D Lᵀ` in place of the part on and below the diagonal: `D` on it, `L` below, whose diagonal is one.
+/// Overwrites the part on and below the diagonal with `L D Lᵀ`: `D` on it, the unit triangular `L` below.
 fn factor<R: Real, const NU: usize>(matrix: &mut [[R; NU]; NU]) {
     for i in 0..NU {
         let mut row = matrix[i];

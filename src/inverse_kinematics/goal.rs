@@ -1,4 +1,4 @@
-//! [`Goal`]: where a frame is to be, and what is missing.
+//! [`Goal`]: the desired pose of a frame, and the error from it.
 
 use core::marker::PhantomData;
 
@@ -7,26 +7,25 @@ use crate::{Array, Real, System, rotation};
 
 use super::equations::Equations;
 
-/// Where the frame `F` is to be, and how much that matters.
+/// The desired pose of the frame `F`, with its weights.
 ///
-/// `F` is one of the types in the generated module's `frames`, or [`Seen`](crate::functions::Seen) for a pose relative to
-/// another frame: whatever has both [`Pose`] and [`Jacobian`]. What is said here of the inertial frame is then meant of the
-/// other one.
+/// `F` is any frame with both [`Pose`] and [`Jacobian`]: one of the types in the generated module's `frames`, or
+/// [`Seen`](crate::functions::Seen) for a pose relative to another frame, which then replaces the inertial frame below.
 #[derive(Clone, Copy, Debug)]
 pub struct Goal<R, F> {
-    /// Inertial components to components along the frame's axes, by rows, as [`Pose`] writes it.
+    /// Inertial components to components along the frame's axes, row by row, as [`Pose`] writes it.
     pub rotation: [[R; 3]; 3],
     /// The frame's origin from the inertial origin, inertial components, m, as [`Pose`] writes it.
     pub position: [R; 3],
-    /// The weight of the squared distance, 1/m²; where it is zero, the position is any.
+    /// The weight of the squared distance, 1/m²; if it is zero, any position will do.
     pub position_weight: R,
-    /// The weight of the squared angle, 1/rad²; where it is zero, the orientation is any.
+    /// The weight of the squared angle, 1/rad²; if it is zero, any orientation will do.
     pub orientation_weight: R,
     frame: PhantomData<F>,
 }
 
 impl<R: Real, F> Goal<R, F> {
-    /// Asks for a position and an orientation: a radian weighs as much as a metre.
+    /// A position and an orientation: a radian weighs as much as a metre.
     pub fn pose(rotation: [[R; 3]; 3], position: [R; 3]) -> Self {
         let one = R::from_f64(1.0);
         Self {
@@ -38,14 +37,14 @@ impl<R: Real, F> Goal<R, F> {
         }
     }
 
-    /// Asks for a position, with any orientation: for feet, and for points to look at.
+    /// A position, with any orientation: for feet, and for points to look at.
     pub fn position(position: [R; 3]) -> Self {
         let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
         let rotation = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
         Self::pose(rotation, position).weighing(one, zero)
     }
 
-    /// The same with other weights, 1/m² and 1/rad².
+    /// The same goal with other weights, 1/m² and 1/rad².
     #[must_use]
     pub fn weighing(self, position_weight: R, orientation_weight: R) -> Self {
         Self {
@@ -58,10 +57,10 @@ impl<R: Real, F> Goal<R, F> {
 
 /// One or several goals of the system `S`, which has `NU` speeds.
 ///
-/// Implemented for [`Goal`], for arrays of goals, and for tuples of up to six: these may be of different frames, and tuples
-/// of tuples hold more. Meant to be implemented for nothing else.
+/// Implemented for [`Goal`], for arrays of goals, and for tuples of up to six. The goals of a tuple may be of different frames,
+/// and tuples of tuples hold more. Not meant to be implemented for other types.
 pub trait Goals<R: Real, S: System<R>, const NU: usize> {
-    /// Adds what is missing at `q` to the equations of a step.
+    /// Adds the error at `q` to the equations of a step.
     fn add(&self, system: &S, q: &S::Q, equations: &mut Equations<R, NU>);
 }
 

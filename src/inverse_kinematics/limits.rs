@@ -2,12 +2,12 @@
 
 use crate::{Joint, Real, System};
 
-/// What the coordinates may be, rad, m.
+/// The limits of the coordinates, rad, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits<R, const NQ: usize> {
-    /// The least values; `-∞` where there is no limit.
+    /// The lower limits; `-∞` if there is none.
     pub lower: [R; NQ],
-    /// The greatest values; `∞` where there is no limit.
+    /// The upper limits; `∞` if there is none.
     pub upper: [R; NQ],
 }
 
@@ -20,7 +20,7 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
         }
     }
 
-    /// Those of the model, [`System::LOWER_LIMITS`] and [`System::UPPER_LIMITS`].
+    /// The limits of the model, [`System::LOWER_LIMITS`] and [`System::UPPER_LIMITS`].
     pub fn of<S: System<R, Q = [R; NQ]>>() -> Self {
         let mut limits = Self::none();
         for (limit, given) in limits.lower.iter_mut().zip(S::LOWER_LIMITS) {
@@ -56,7 +56,7 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
         }
     }
 
-    /// The limit beyond which coordinate `i` would be, if it would.
+    /// The limit that coordinate `i` would pass with `value`, if any.
     pub(super) fn passed(&self, i: usize, value: R) -> Option<R> {
         let (lower, upper) = (*self.lower.get(i)?, *self.upper.get(i)?);
         if value < lower {

@@ -1,12 +1,13 @@
-//! Inverse kinematics: coordinates at which frames are where they are to be.
+//! Inverse kinematics: coordinates that bring frames to their goals.
 //!
-//! It takes [`Goal`]s of one or several frames, [`Limits`], and a first `q`. It gives a better `q`, and says by [`Remaining`] how far it is from the goals.
-//! No coordinate passes its limits. Nothing allocates or panics, and the feature `std` is not needed. It does not avoid collisions, and it does not find every solution.
+//! A solver takes [`Goal`]s of one or several frames, [`Limits`], and an initial `q`. It improves `q`, and returns as [`Remaining`] its error
+//! from the goals. No coordinate passes its limits. Nothing allocates or panics, and the feature `std` is not needed. The solver does not
+//! avoid collisions, and it does not find every solution.
 //!
-//! The method is damped least squares (Levenberg, Marquardt). A step is the `u`, for unit time, that makes
-//! `|J u - e|² + λ |u|²` least. `e` is the error with its weights `W`, and the damping `λ` falls with `½ eᵀ W e`.
+//! The method is damped least squares (Levenberg, Marquardt). A step is the `u`, for unit time, that minimizes
+//! `|J u - e|² + λ |u|²`. `e` is the error with its weights `W`, and the damping `λ` falls with `½ eᵀ W e`.
 //! So steps are short if the goals are far or out of reach, and near the goals each step squares the error. A joint that would
-//! pass its limit stops at it and is held there, and the step is computed again for the other joints.
+//! pass its limit is held at it, and the step is computed again for the other joints.
 //!
 //! ```
 //! use kane::functions::{Jacobian, Pose};
@@ -40,40 +41,40 @@ pub use limits::Limits;
 use crate::{Real, System};
 use limits::rated_coordinates;
 
-/// How often joints that would pass their limits are held and the others solved for again, in one step.
+/// The number of rounds, in one step, that hold joints at their limits and solve for the others again.
 const ROUNDS: usize = 8;
 
-/// How often quaternions are brought nearer to length one: from the square root of two to rounding.
+/// The number of normalizations of quaternions: from a length of the square root of two to rounding.
 const NORMALIZATIONS: usize = 8;
 
 /// The least `f` in the damping `λ = f ½ eᵀ W e`: a step is at most `1 / √(2 f)` long, two radians, from which quaternions
 /// recover.
 const LEAST_FACTOR: f64 = 0.125;
 
-/// A solver, for a system with `NQ` coordinates.
+/// A solver for a system with `NQ` coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InverseKinematics<R, const NQ: usize> {
-    /// What the coordinates may be.
+    /// The limits of the coordinates.
     pub limits: Limits<R, NQ>,
-    /// [`Self::solve`] ends where no component is further off than this, m and rad: 1e-6 at first, 1e-5 in single precision.
+    /// [`Self::solve`] ends if no component of the error exceeds this, m and rad. Default 1e-6, 1e-5 in single precision.
     pub tolerance: R,
-    /// The least damping `λ`, which is left at the goal. It bounds steps where the Jacobian is singular, and is to be far
-    /// above the rounding of its squared entries: 1e-12 at first, 1e-4 in single precision.
+    /// The minimum damping `λ`, which remains at the goal. It bounds steps where the Jacobian is singular, and must be far
+    /// above the rounding of its squared entries. Default 1e-12, 1e-4 in single precision.
     pub least_damping: R,
 }
 
-/// A step, and what is missing before it.
+/// A step, and the error before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<R, const NU: usize> {
-    /// The speeds that lead to the goals in unit time, as nearly as they can: rad and m, as long as `q_dot` is thought
-    /// constant. Divided by a time they are speeds for a controller.
+    /// The speeds that lead as near to the goals as possible in unit time, for a constant `q_dot`: rad and m.
+    /// Divided by a time they are speeds for a controller.
     pub u: [R; NU],
-    /// What is missing where the step begins.
+    /// The error before the step.
     pub remaining: Remaining<R>,
 }
 
 impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
-    /// A solver that keeps to the limits.
+    /// A solver that respects the limits.
     pub fn new(limits: Limits<R, NQ>) -> Self {
         // In single precision the sum is one.
         let is_double = R::from_f64(1.0 + 1e-9) > R::from_f64(1.0);
@@ -126,12 +127,11 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
         self.limits.clamp(q);
     }
 
-    /// Steps from `q` until nothing is missing by more than the tolerance, or `steps` are done; returns what is missing at
-    /// the last `q`.
+    /// Steps from `q` until the error is within the tolerance, or after `steps` steps; returns the error at the last `q`.
     ///
-    /// A step that would make things worse is not taken, but tried again with more damping; so `q` is never worse than at
-    /// first, once it is within its limits. From afar, this may end where no small step helps; [`Self::search`] then begins
-    /// elsewhere. Each step costs a pose and a Jacobian of each goal, and of the order of `NU³ / 6` multiplications.
+    /// A step that would increase the error is not taken, but tried again with more damping. So `q`, once it is within its limits,
+    /// never becomes worse than at the start. From afar, this may stop where no small step helps; [`Self::search`] then starts
+    /// elsewhere. Each step costs a pose and a Jacobian of each goal, and on the order of `NU³ / 6` multiplications.
     pub fn solve<S, G, const NU: usize>(
         &self,
         system: &S,
@@ -166,11 +166,11 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
         equations.remaining
     }
 
-    /// As [`Self::solve`], and where that does not reach the goals, again from other places: up to `starts` times in all,
-    /// the first from `q`. `q` is the best found.
+    /// Like [`Self::solve`], and if that does not reach the goals, again from other starting points: up to `starts` times in total,
+    /// the first from `q`. `q` becomes the best found.
     ///
-    /// Another place has each coordinate that has two limits anywhere between them; the others begin as they are in `q`. The
-    /// same call always tries the same places. Of the poses that an arm of six or seven joints can reach, with 100 steps
+    /// Another starting point has each coordinate with two limits at a random value between them; the others start as in `q`. The
+    /// same call always tries the same starting points. Of the poses that an arm of six or seven joints can reach, with 100 steps
     /// each, one start finds about half, ten find 99 of a hundred, fifty all of a thousand that were tried.
     pub fn search<S, G, const NU: usize>(
         &self,
@@ -201,7 +201,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
         best
     }
 
-    /// The solution of the equations, with every joint that would pass a limit held where it is reached.
+    /// The solution of the equations, with every joint that would pass a limit held at it.
     fn within_limits<S, const NU: usize>(
         &self,
         equations: &Equations<R, NU>,
@@ -251,7 +251,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     }
 }
 
-/// What is missing at `q`.
+/// The error at `q`.
 fn missing<R, S, G, const NU: usize>(system: &S, goals: &G, q: &S::Q) -> Equations<R, NU>
 where
     R: Real,

@@ -1,7 +1,7 @@
 //! The vectors of the crate `wide`: as scalars, as lanes, and for the sines.
 //!
-//! All is inlined: a call keeps vectors in memory, and is longer than most of what it calls.
-//! Where the target has no instruction for a vector, `wide` takes smaller ones, down to scalars: the bits are the same.
+//! Everything is inlined: a call passes vectors in memory, and costs more than most functions here.
+//! If the target has no instruction for a vector, `wide` uses smaller ones, down to scalars: the bits are the same.
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, i64x2, i64x4, i64x8};

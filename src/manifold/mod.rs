@@ -1,12 +1,13 @@
-//! Coordinates as points of a manifold: how a constant motion changes them, which motion leads from one point to another, and the derivatives of both.
+//! Coordinates as points of a manifold: their sums with directions, their differences, and the derivatives of both.
 //!
-//! A direction is a vector of `NU` speeds that stay constant for a unit of time. If the speeds are the rates of the coordinates, [`q_plus`] is a
-//! sum and [`q_minus`] a difference. If a spherical or free joint has a quaternion, or speeds that are angular velocities, its orientation turns by the
-//! rotation vector that these three speeds are, along the axes of `u`, which are those on the body's side of the joint. So the `NU` numbers of a direction are independent of each other
-//! for every kind of joint. Differences, derivatives and gains have `NU` entries.
+//! A direction is a vector of `NU` speeds that stay constant for a unit of time. If the speeds are the rates of the coordinates, [`q_plus`] is
+//! a sum and [`q_minus`] a difference. If a spherical or free joint has a quaternion, or angular velocities as speeds, its three speeds are a
+//! rotation vector, by which its orientation turns. Its components are along the axes of `u`, those on the body's side of the joint. So the
+//! `NU` numbers of a direction are independent of each other for every kind of joint. Differences, derivatives and gains have `NU` entries.
 //!
-//! All functions use arithmetic of [`Real`] only, without branches on numbers, allocation or an arc tangent of the machine. So the bits are the same everywhere, also in
-//! lanes, and the module is `no_std`. It depends on a model only through [`System::JOINTS`]. A system without this table has rates of coordinates for speeds.
+//! All functions use only arithmetic of [`Real`], without branches on numbers, allocation or the platform's arc tangent. So the bits are the
+//! same everywhere, also in lanes, and the module is `no_std`. It depends on a model only through [`System::JOINTS`]. Without this table, the
+//! speeds of a system are taken as rates of its coordinates.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {
@@ -33,7 +34,7 @@ use crate::vector::zero;
 use crate::{Array, Joint, Real, System};
 use turn::{Quaternion, Vector};
 
-/// An entry; zero beyond the end, which no table leads to: so that no panic stays in a linked program.
+/// An entry; zero beyond the end, which no table reaches, so that no panic remains in a linked program.
 fn entry<R: Real, A: Array<R>>(array: &A, place: usize) -> R {
     let found = array.as_ref().get(place).copied();
     found.unwrap_or(R::from_f64(0.0))
@@ -46,7 +47,7 @@ fn put<R: Real, A: Array<R>>(array: &mut A, place: usize, value: R) {
     }
 }
 
-/// A joint whose speeds are no rates of its coordinates: where its orientation and angular velocity stand.
+/// A joint whose speeds are not rates of its coordinates: the places of its orientation and angular velocity.
 #[derive(Clone, Copy, Debug)]
 struct TurningPlaces {
     /// The index of its body.
@@ -90,7 +91,7 @@ impl TurningPlaces {
         self.u.map(|place| entry(d, place))
     }
 
-    /// Overwrites these.
+    /// Overwrites the entries of its three speeds.
     fn set<R: Real, A: Array<R>>(self, d: &mut A, turn: Vector<R>) {
         for (place, own) in self.u.into_iter().zip(turn) {
             put(d, place, own);
@@ -98,7 +99,7 @@ impl TurningPlaces {
     }
 }
 
-/// The joints whose speeds are no rates of their coordinates.
+/// The joints whose speeds are not rates of their coordinates.
 fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
     let joints = S::JOINTS.iter().enumerate();
     joints.filter_map(|(body, joint)| TurningPlaces::of(body, joint))
@@ -112,10 +113,10 @@ fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
     (0..all).map(|place| (place, place)).chain(told)
 }
 
-/// Coordinates after unit time at the constant speeds `direction`, from `q`; with speeds times a time, after that time.
+/// Coordinates after unit time at the constant speeds `direction`, starting from `q`; for another time, pass speeds times that time.
 ///
-/// Directions are rad and m along the axes of `u`. Quaternions keep their length to rounding, angles go on from
-/// where they are, beyond π too. Angles with angular velocities for speeds are singular at `cos(theta_2) = 0`, and none of them
+/// Directions are rad and m along the axes of `u`. Quaternions keep their length up to rounding; angles continue from
+/// their values, also beyond π. Angles with angular velocities as speeds are singular at `cos(theta_2) = 0`, and none of them
 /// changes by more than π at once.
 #[must_use]
 pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> S::Q {
@@ -141,9 +142,9 @@ pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> 
     moved
 }
 
-/// The direction, rad and m along the axes of `u`, in which [`q_plus`] leads `from` one `q` `to` another: `to` less `from`.
+/// The direction, rad and m along the axes of `u`, by which [`q_plus`] leads `from` one `q` `to` another: `to` minus `from`.
 ///
-/// Orientations are joined by the shorter turn, of at most half a revolution, also where quaternions differ in their sign. Lengths of
+/// Orientations are connected by the shorter rotation, of at most half a revolution, also if quaternions differ in sign. Lengths of
 /// quaternions do not matter, unless their product is below 1e-30.
 #[must_use]
 pub fn q_minus<R: Real, S: System<R>>(system: &S, from: &S::Q, to: &S::Q) -> S::U {

@@ -1,7 +1,7 @@
-//! How fast the direction grows that leads from fixed coordinates to moving ones.
+//! The rate of the direction that leads from fixed coordinates to moving ones.
 //!
-//! For an orientation `w + d × w / 2 + d × (d × w) / 12`: the inverse right Jacobian of SO(3), to the order of `d` that a step of fourth
-//! order keeps. For every other speed it is the speed.
+//! For an orientation it is `w + d × w / 2 + d × (d × w) / 12`: the inverse right Jacobian of SO(3), to the order of `d` that a
+//! fourth-order step keeps. For every other speed it is the speed.
 
 use super::turn::Vector;
 use super::turnings;
@@ -36,7 +36,7 @@ pub(crate) fn of<R: Real, S: System<R>>(d: &S::U, u: &S::U) -> S::U {
     rate
 }
 
-/// Its change.
+/// The change of the rate.
 pub(crate) fn changed<R: Real, S: System<R>>(
     (d, u): (&S::U, &S::U),
     (d_change, u_change): (&S::U, &S::U),
@@ -52,7 +52,7 @@ pub(crate) fn changed<R: Real, S: System<R>>(
     rate
 }
 
-/// What a multiplier of the rate is of `d` and of `u`.
+/// Turns a multiplier of the rate into those of `d` and of `u`.
 pub(crate) fn back<R: Real, S: System<R>>(
     (d, u): (&S::U, &S::U),
     multiplier: &S::U,

@@ -1,10 +1,10 @@
-//! Lengths and angles without a square root or an arc tangent of the machine: `core` has neither.
+//! Lengths and angles without the platform's square root or arc tangent: `core` has neither.
 //!
-//! Sums, products and quotients of [`Real`] alone: no branch, the same bits on every machine, each lane as alone.
+//! Only sums, products and quotients of [`Real`]: no branch, the same bits on every machine and in every lane.
 
 use crate::Real;
 
-/// What keeps a quotient of zeros finite: nothing beside what is above `1e-14`, and a normal number of `f32`.
+/// Keeps a quotient of zeros finite: it vanishes beside numbers above `1e-14`, and is a normal number of `f32`.
 const TINY: f64 = 1e-30;
 
 /// Square root of `x` between 1/4 and 1, within two roundings.
@@ -19,9 +19,9 @@ fn root<R: Real>(x: R) -> R {
     y
 }
 
-/// The length of a vector of two to four entries; above zero, for none of them too.
+/// The length of a vector of two to four entries; above zero even if all are zero.
 ///
-/// Relative to the sum of the entries' magnitudes it is a number whose square is between 1/4 and 1.
+/// Relative to the sum of the entries' magnitudes it is a number with a square between 1/4 and 1.
 pub(super) fn length<R: Real, const N: usize>(v: [R; N]) -> R {
     let tiny = R::from_f64(TINY);
     let sum = v.iter().fold(tiny, |sum, entry| sum + entry.abs());
@@ -52,7 +52,7 @@ pub(super) fn arc_ratio<R: Real>(mut square: R) -> R {
     ratio * sum
 }
 
-/// The angle, from -π to π, whose sine and cosine are as these two numbers.
+/// The angle, from -π to π, whose sine and cosine are proportional to these two numbers.
 pub(super) fn angle<R: Real>(sine: R, cosine: R) -> R {
     // That to the nearer half of the axis along which the cosine counts: the tangent of its half is from -1 to 1.
     let side = sign(cosine);
@@ -62,14 +62,14 @@ pub(super) fn angle<R: Real>(sine: R, cosine: R) -> R {
     side * nearer + (R::from_f64(1.0) - side) * sign(sine) * quarter
 }
 
-/// 1 or -1, as the number is positive or negative; 1 for zero.
+/// 1 or -1, the sign of the number; 1 for zero.
 pub(super) fn sign<R: Real>(number: R) -> R {
     // What is added is nothing beside a cosine that rounding leaves of a right angle.
     let number = number + R::from_f64(1e-20);
     number / number.abs()
 }
 
-/// A quotient that is meant to be finite where both vanish.
+/// A quotient that is finite where both numbers vanish.
 pub(super) fn guarded<R: Real>(number: R, by: R) -> R {
     number / (by + R::from_f64(TINY))
 }

@@ -1,4 +1,4 @@
-//! How [`q_plus`](super::q_plus) and [`q_minus`](super::q_minus) change: a square block for each orientation, one or
+//! Derivatives of [`q_plus`](super::q_plus) and [`q_minus`](super::q_minus): a square block for each orientation, one or
 //! minus one for every other speed.
 
 use super::turn::{self, Matrix, Vector};
@@ -6,15 +6,15 @@ use super::turnings;
 use crate::vector::unit;
 use crate::{Array, Real, System};
 
-/// A linear map of directions, rad and m along the axes of `u`: a derivative of [`q_plus`](super::q_plus) or
-/// [`q_minus`](super::q_minus), both sides of which are directions.
+/// A linear map from directions to directions, rad and m along the axes of `u`: a derivative of [`q_plus`](super::q_plus) or
+/// [`q_minus`](super::q_minus).
 ///
-/// Where speeds are rates of coordinates it is the identity, or its negative. Of orientations it has the block of their three speeds.
+/// For speeds that are rates of coordinates it is the identity, or its negative. For each orientation it has a block of three speeds.
 #[derive(Debug)]
 pub struct TangentMap<R: Real, S: System<R>> {
-    /// What stands on the diagonal elsewhere.
+    /// The diagonal entry elsewhere.
     diagonal: R,
-    /// A block a body.
+    /// One block per body.
     blocks: S::Rotations,
 }
 
@@ -39,19 +39,19 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         Self { diagonal, blocks }
     }
 
-    /// The derivative of `q_plus(q, direction)` by `q`: of an orientation the inverse turn.
+    /// The derivative of `q_plus(q, direction)` by `q`: for an orientation the inverse rotation.
     #[must_use]
     pub fn of_q_plus_by_q(direction: &S::U) -> Self {
         Self::new(direction, 1.0, turn::matrix_of_inverse)
     }
 
-    /// The derivative of `q_plus(q, direction)` by `direction`: of an orientation the right Jacobian of SO(3).
+    /// The derivative of `q_plus(q, direction)` by `direction`: for an orientation the right Jacobian of SO(3).
     #[must_use]
     pub fn of_q_plus_by_direction(direction: &S::U) -> Self {
         Self::new(direction, 1.0, turn::jacobian)
     }
 
-    /// The derivative of `q_minus(q, q_other)` by `q`, where that is `direction`.
+    /// The derivative of `q_minus(q, q_other)` by `q`, if its value is `direction`.
     #[must_use]
     pub fn of_q_minus_by_q(direction: &S::U) -> Self {
         Self::new(direction, -1.0, |d| {
@@ -60,19 +60,19 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         })
     }
 
-    /// The derivative of `q_minus(q, q_other)` by `q_other`, where that is `direction`.
+    /// The derivative of `q_minus(q, q_other)` by `q_other`, if its value is `direction`.
     #[must_use]
     pub fn of_q_minus_by_q_other(direction: &S::U) -> Self {
         Self::new(direction, 1.0, turn::jacobian_inverse)
     }
 
-    /// The map of a direction.
+    /// The map times a direction.
     #[must_use]
     pub fn times(&self, direction: &S::U) -> S::U {
         self.mapped(direction, turn::times)
     }
 
-    /// The transposed map of a multiplier: `a · map(b) = transposed(a) · b`.
+    /// The transposed map times a multiplier: `a · map(b) = transposed(a) · b`.
     #[must_use]
     pub fn transposed_times(&self, multiplier: &S::U) -> S::U {
         self.mapped(multiplier, turn::transposed_times)
@@ -91,7 +91,7 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         mapped
     }
 
-    /// The map as a matrix, `[[R; NU]; NU]`, by rows.
+    /// The map as a matrix, `[[R; NU]; NU]`, row by row.
     #[must_use]
     pub fn matrix<M: Array<S::U>>(&self) -> M {
         M::from_fn(|row| self.transposed_times(&unit(row)))

@@ -1,7 +1,7 @@
-//! Rotations by rotation vectors: as quaternions, back, and how they change.
+//! Rotation vectors: to quaternions, back, and their derivatives.
 //!
-//! A rotation vector has the turn's axis and, as its length, its angle, rad; a quaternion is scalar first, Hamilton's
-//! product. Everything holds near no turn as it does elsewhere, without a branch.
+//! A rotation vector is along the axis of the rotation, and its length is the angle, rad; a quaternion is scalar first, Hamilton's
+//! product. Everything also holds near zero rotation, without a branch.
 
 use super::root::{angle, arc_ratio, guarded, length, sign};
 use crate::Real;
@@ -26,12 +26,12 @@ pub(super) fn product<R: Real>(a: Quaternion<R>, b: Quaternion<R>) -> Quaternion
     ]
 }
 
-/// The inverse turn.
+/// The inverse rotation.
 pub(super) fn inverse<R: Real>([e0, e1, e2, e3]: Quaternion<R>) -> Quaternion<R> {
     [e0, -e1, -e2, -e3]
 }
 
-/// `sin(a / 2) / a` and `cos(a / 2)` of the angle `a` of a turn, and `a²`.
+/// `sin(a / 2) / a` and `cos(a / 2)` of the angle `a` of a rotation, and `a²`.
 fn half<R: Real>(d: Vector<R>) -> (R, R, R) {
     let angle = length(d);
     let (sine, cosine) = (R::from_f64(0.5) * angle).sin_cos();
@@ -42,13 +42,13 @@ fn half<R: Real>(d: Vector<R>) -> (R, R, R) {
     )
 }
 
-/// The quaternion of a turn.
+/// The quaternion of a rotation vector.
 pub(super) fn exp<R: Real>(d: Vector<R>) -> Quaternion<R> {
     let (ratio, cosine, _) = half(d);
     [cosine, ratio * d[0], ratio * d[1], ratio * d[2]]
 }
 
-/// The turn of a quaternion of any length, by an angle from 0 to π.
+/// The rotation vector of a quaternion of any length, with an angle from 0 to π.
 pub(super) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
     // tan(a / 4) = |v| / (|e| + |e_0|).
     let size = length(e);
@@ -71,8 +71,7 @@ pub(crate) fn of_angles<R: Real>(theta: Vector<R>) -> Quaternion<R> {
     ]
 }
 
-/// The 1-2-3 body-fixed angles of a unit quaternion that are the nearest to others, with `theta_2` on the same side of their
-/// singularity.
+/// The 1-2-3 body-fixed angles of a unit quaternion nearest to `near`, with `theta_2` on the same side of their singularity.
 pub(super) fn angles_near<R: Real>(e: Quaternion<R>, near: Vector<R>) -> Vector<R> {
     let two = R::from_f64(2.0);
     let [e0, e1, e2, e3] = e;
@@ -115,14 +114,14 @@ fn polynomial<R: Real>(d: Vector<R>, a: R, b: R) -> Matrix<R> {
     })
 }
 
-/// The matrix of the inverse turn: what a turn before makes of one after.
+/// The matrix of the inverse rotation: what a rotation before makes of one after.
 pub(super) fn matrix_of_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
     let two = R::from_f64(2.0);
     let (ratio, cosine, _) = half(d);
     polynomial(d, -two * ratio * cosine, two * ratio * ratio)
 }
 
-/// How the turn by `d` moves on, along its own moved axes, as `d` changes: the right Jacobian of SO(3).
+/// The right Jacobian of SO(3): the change of the rotation by `d`, along its own moved axes, as `d` changes.
 pub(super) fn jacobian<R: Real>(d: Vector<R>) -> Matrix<R> {
     let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
     let (ratio, cosine, square) = half(d);
@@ -131,7 +130,7 @@ pub(super) fn jacobian<R: Real>(d: Vector<R>) -> Matrix<R> {
     polynomial(d, -two * ratio * ratio, rest)
 }
 
-/// The inverse of [`jacobian`], for turns below a whole one.
+/// The inverse of [`jacobian`], for less than a full revolution.
 pub(super) fn jacobian_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
     let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
     let (ratio, cosine, square) = half(d);

@@ -9,7 +9,7 @@ use super::word::{Word, select};
 
 /// Adding it rounds to the nearest integer and leaves that integer, mod 2^51, in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
-/// Where the argument is cut, so that nothing below can overflow.
+/// The limit to which the argument is clamped, so that nothing below can overflow.
 const CUT: f64 = 1_073_741_824.0; // 2^30
 
 const TWO_OVER_PI: f64 = core::f64::consts::FRAC_2_PI;
@@ -47,7 +47,7 @@ pub(crate) fn sin_cos<W: Word<Float = f64>>(x: W) -> (W, W) {
     select(quadrant, sin(hi, lo), cos(hi, lo))
 }
 
-/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number; of an argument kept where nothing below can
+/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number; the argument is clamped so that nothing below can
 /// overflow.
 #[inline(always)]
 fn quarter_turns<W: Word<Float = f64>>(x: W) -> (W, W) {

@@ -1,7 +1,6 @@
 //! A function of one number, applied to many side by side.
 
-/// The most angles that are computed in place. More gain from a function of eight, with AVX and with SSE2; on other processors that is
-/// not measured.
+/// The most angles computed in place. More gain from a function of eight, with AVX and with SSE2; other processors are not measured.
 const MOST_OF_FEW: usize = if cfg!(target_feature = "avx") {
     2
 } else if cfg!(target_feature = "sse2") {
@@ -12,11 +11,11 @@ const MOST_OF_FEW: usize = if cfg!(target_feature = "avx") {
 
 /// The two results of `f`, which has no branch, for each of `angles`, all of them scalars.
 ///
-/// A few angles are lanes of [`each`]. Of more, eight at a time go to a function of their own:
-/// where the optimizer sees what the lanes are for, it packs some of them with one another and with results, and five sines
-/// and cosines took as long as one after the other (LLVM 22). What is left is filled up to eight, or goes by four, two or one.
+/// A few angles are lanes of [`each`]. Of more, eight at a time go to a separate function:
+/// if the optimizer sees the use of the lanes, it packs some of them with one another and with results, and five sines
+/// and cosines took as long as one after the other (LLVM 22). The rest is filled up to eight, or goes by four, two or one.
 ///
-/// Up to a hundred angles compile without a loop. This function is inlined: as a call it would copy `angles`, or many
+/// Up to a hundred angles compile without a loop. This function is inlined: a call would copy `angles`, or many
 /// results, by `memcpy`.
 #[expect(
     clippy::inline_always,
@@ -59,7 +58,7 @@ pub(crate) fn scalars<T: Copy, const N: usize>(
     both
 }
 
-/// Those of few angles. The optimizer decides whether it is a call, for so few results need no `memcpy`.
+/// The results of few angles. The optimizer decides whether to inline it, because so few results need no `memcpy`.
 #[inline]
 fn few<T: Copy, const N: usize>(
     angles: [T; N],
@@ -68,12 +67,14 @@ fn few<T: Copy, const N: usize>(
     each(angles, f)
 }
 
-/// Eight numbers in one line of the cache. They are written as one vector and read one by one, which takes longer across two lines.
+/// Eight numbers in one cache line. They are written as one vector and read one by one, which takes longer across two lines.
 #[repr(align(64))]
 struct Line<T>([T; 8]);
 
-/// The two results of eight angles. The angles go to the call one by one, in registers where a processor passes eight. In an array they would be written number by
-/// number and read as a vector, and such a read waits for all stores before it.
+/// The two results of eight angles.
+///
+/// The call passes the angles one by one, in registers if the processor's calling convention has eight. In an array they would be
+/// written number by number and read as a vector, and such a read waits for all stores before it.
 #[expect(clippy::inline_always, reason = "it only passes registers on")]
 #[inline(always)]
 fn eight<T: Copy>(x: [T; 8], f: impl Fn(T) -> (T, T)) -> [Line<T>; 2] {
@@ -103,8 +104,8 @@ fn eight_in_registers<T: Copy>(
 
 /// The two results of `f` for each of `angles`, in groups of eight, four, two and one written out.
 ///
-/// The optimizer turns the lanes of a group into vector instructions; of a loop over single lanes as long as a
-/// sine it does not, at the sizes that systems have. Fewer than sixteen lanes compile without a branch.
+/// The optimizer turns the lanes of a group into vector instructions. It does not do so for a loop over single lanes
+/// as long as a sine, at the sizes of systems. Fewer than sixteen lanes compile without a branch.
 #[expect(
     clippy::inline_always,
     reason = "a call here would keep the lanes apart"
@@ -118,7 +119,7 @@ pub(crate) fn each<T: Copy, const N: usize>(
     let mut cosines = angles;
     let (x, s, c) = (&angles[..], &mut sines[..], &mut cosines[..]);
 
-    /// Takes whole groups off the front of the three slices and evaluates to what is left of them.
+    /// Takes whole groups off the front of the three slices and evaluates to the rest of them.
     macro_rules! groups {
         ($x:ident, $s:ident, $c:ident; $size:literal: $($lane:ident)+) => {{
             let ((xs, x), (ss, s), (cs, c)) =

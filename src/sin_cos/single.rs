@@ -9,7 +9,7 @@ use super::word::{Word, select};
 
 /// Adding it rounds to the nearest integer and leaves that integer, mod 2^22, in the low bits.
 const ROUND: f32 = 12_582_912.0; // 1.5 * 2^23
-/// Where the argument is cut, so that the reduced angle stays below 1.
+/// The limit to which the argument is clamped, so that the reduced angle stays below 1.
 const CUT: f32 = 65_536.0; // 2^16
 
 const TWO_OVER_PI: f32 = core::f32::consts::FRAC_2_PI;
@@ -29,7 +29,7 @@ pub(crate) fn sin_cos<W: Word<Float = f32>>(x: W) -> (W, W) {
     select(quadrant, sin(hi, lo), cos(hi, lo))
 }
 
-/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number; of an argument kept where nothing below can
+/// The integer nearest to `2x/π`: in the low two bits, mod 4, and as a number; the argument is clamped so that nothing below can
 /// overflow.
 #[inline(always)]
 fn quarter_turns<W: Word<Float = f32>>(x: W) -> (W, W) {

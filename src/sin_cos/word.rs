@@ -1,4 +1,4 @@
-//! What the sines need of a scalar: arithmetic, and its bits.
+//! The operations of a scalar that the sines need: arithmetic, and its bits.
 
 #![expect(
     clippy::inline_always,
@@ -7,15 +7,15 @@
 
 use core::ops::{Add, BitAnd, BitXor, Mul, Shl, Sub};
 
-/// A float or several side by side, and the integers of its size in which its bits are turned.
+/// A float or several side by side, and integers of the same size for operations on its bits.
 ///
-/// Every operation is that of IEEE 754, lane by lane, so that all words give the same bits.
+/// Every operation follows IEEE 754, lane by lane, so that all words give the same bits.
 pub(crate) trait Word:
     Copy + From<Self::Float> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
-    /// The float; as a word it stands in every lane.
+    /// The float; as a word it is in every lane.
     type Float;
-    /// As many bits, as two's complement integers.
+    /// The same number of bits, as two's complement integers.
     type Bits: Copy
         + Default
         + BitAnd<Output = Self::Bits>
@@ -26,10 +26,10 @@ pub(crate) trait Word:
     const ONE: Self::Bits;
     /// 2 in every lane.
     const TWO: Self::Bits;
-    /// By how much 2 is shifted to be the sign bit.
+    /// The shift that moves the 2 to the sign bit.
     const SHIFT: u32;
 
-    /// Between `-limit` and `limit`; anything for NaN.
+    /// Clamps to `-limit` and `limit`; anything for NaN.
     fn cut(self, limit: Self::Float) -> Self;
     /// The bits.
     fn to_bits(self) -> Self::Bits;
@@ -37,7 +37,7 @@ pub(crate) trait Word:
     fn from_bits(bits: Self::Bits) -> Self;
 }
 
-/// The pair of the whole angle from that of the reduced one; `quadrant` holds the number of right angles between them in
+/// The pair of the full angle from that of the reduced one; `quadrant` holds the number of right angles between them in
 /// its low two bits, and is not the least integer, which is the zero that has a sign.
 #[inline(always)]
 pub(super) fn select<W: Word>(quadrant: W, sin: W, cos: W) -> (W, W) {

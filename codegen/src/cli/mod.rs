@@ -35,20 +35,20 @@ pub(crate) use text::voice::{Voice, say};
     long_about = "Compiler from multibody systems (trees of rigid bodies) to flat, allocation-free Rust.\n\n\
         A model (TOML, URDF or MJCF) describes the bodies and their joints. `kane generate` writes a Rust module with one \
         straight-line function per quantity: mass matrix, bias, forward dynamics and so on. `kane.toml` lists the \
-        models of a repository and the files generated from them; `kane check` tells in continuous integration \
-        whether those files are what their models say.",
+        models of a repository and the files generated from them; in continuous integration, `kane check` tests \
+        whether those files match their models.",
     after_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or no system produces it; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
         2  bad input, or a file that cannot be read or written; nothing was written",
     after_long_help = "Exit codes:\n  \
         0  done; nothing differs\n  \
-        1  `kane check`: a file differs, is missing, is over budget, or is produced by nothing; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
+        1  `kane check`: a file differs, is missing, is over budget, or no system produces it; `kane diff`: something differs; `kane verify`: a promise is broken\n  \
         2  bad input, or a file that cannot be read or written; nothing was written\n\n\
         Examples:\n  \
         kane new my_arm panda.urdf                         a package with a control loop\n  \
         kane generate                                      everything in kane.toml\n  \
-        kane check                                         is it up to date?\n  \
+        kane check                                         are the files up to date?\n  \
         kane generate models/arm.toml --output src/arm.rs  one model, no kane.toml needed\n  \
         kane diff HEAD:models/arm.toml models/arm.toml     what changed?\n  \
         kane info models/arm.toml                          tree, coordinates, operation counts\n  \
@@ -60,27 +60,27 @@ pub(crate) use text::voice::{Voice, say};
         model = \"models/arm.toml\"\n  \
         output = \"generated/arm.rs\"\n  \
         abi = \"c\"                    # arm_c.rs and arm.h beside it, for programs in C\n  \
-        functions = [\"all\"]          # or names, \"default\" among them; absent: the default set\n  \
+        functions = [\"all\"]          # or names, also \"default\"; absent: the default set\n  \
         formulation = \"cheapest\"     # or notes, recursive; absent: cheapest\n  \
-        fma = true                   # fused multiply-add; absent: false, and the same bits everywhere\n  \
-        without = [\"regroup\"]        # techniques to leave out that lower the number of operations\n  \
+        fma = true                   # fused multiply-add; absent: false, the same bits everywhere\n  \
+        without = [\"regroup\"]        # operation-saving techniques to disable\n  \
         manifest = true              # arm.json beside it\n  \
         tests = true                 # arm_tests.rs beside it\n  \
-        budget = { bias = 60, mass_matrix = { mul = 20, total = 35 } } # operations that `kane check` lets pass\n  \
-        snap = 1e-5                  # tolerance of 0, 1 and -1 in constant rotations; absent: 1e-9\n  \
+        budget = { bias = 60, mass_matrix = { mul = 20, total = 35 } } # the most operations that `kane check` accepts\n  \
+        snap = 1e-5                  # snap entries of constant rotations this near to 0, 1 or -1; absent: 1e-9\n  \
         lock = { elbow = 0.5 }       # coordinates to hold at a value\n  \
         remove = [\"finger_1\"]        # joints to fix at zero\n  \
-        remove_massless = true       # every motion that moves no mass, too\n  \
-        prescribed = [\"base\"]        # joints whose accelerations `hybrid_dynamics` is given\n\n  \
+        remove_massless = true       # also fix every motion that moves no mass\n  \
+        prescribed = [\"base\"]        # joints whose accelerations `hybrid_dynamics` takes as inputs\n\n  \
         [[system]]\n  \
         model = \"models/panda.urdf\"\n  \
         output = \"generated/panda.rs\"\n  \
-        base = \"free\"                # how its root link hangs; absent: fixed\n  \
-        chart = \"angles\"             # of free and ball joints, also of an MJCF; absent: quaternion\n\n  \
+        base = \"free\"                # the root link's joint; absent: fixed\n  \
+        chart = \"angles\"             # coordinates of free and ball joints, also of an MJCF; absent: quaternion\n\n  \
         [[system]]\n  \
         model = \"models/gripper.xml\"\n  \
         output = \"generated/gripper.rs\"\n  \
-        leave_out = [\"fluid\"]        # what to ignore of an MJCF: equalities, fluid, tendons, gravcomp, or an equality"
+        leave_out = [\"fluid\"]        # parts of an MJCF to ignore: equalities, fluid, tendons, gravcomp, or one equality"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]

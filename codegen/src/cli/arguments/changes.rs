@@ -19,19 +19,19 @@ use crate::cli::{
 /// What a URDF or MJCF leaves to the user.
 #[derive(Args, Debug)]
 pub(crate) struct ReadingArguments {
-    /// How the root link of a URDF hangs from the inertial frame [default: fixed]
+    /// The joint between the inertial frame and the root link of a URDF [default: fixed]
     #[arg(long, value_name = "BASE", requires = "model", value_parser = one_of(Base::NAMED))]
     base: Option<Base>,
 
-    /// How orientations of free and ball joints of a URDF or MJCF are described [default: quaternion]
+    /// The orientation coordinates of free and ball joints of a URDF or MJCF [default: quaternion]
     #[arg(long, value_name = "CHART", requires = "model", value_parser = one_of(Chart::NAMED))]
     chart: Option<Chart>,
 
     /// Ignore parts of an MJCF, with a warning: equalities, fluid, tendons, gravcomp, or the name of
-    /// an equality; with commas between them
+    /// an equality; comma-separated
     ///
-    /// `equalities` are all that are active, `connect`, `weld` and so on those of a kind; `fluid` is the forces that `density` and
-    /// `viscosity` make; `tendons` the stiffness, damping, armature and friction of tendons.
+    /// `equalities` are all active equalities; `connect`, `weld` and so on are those of one kind. `fluid` is the forces from `density` and
+    /// `viscosity`. `tendons` is the stiffness, damping, armature and friction of tendons.
     #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',')]
     leave_out: Vec<String>,
 }
@@ -42,27 +42,27 @@ pub(crate) struct ChangesArguments {
     #[command(flatten)]
     reading: ReadingArguments,
 
-    /// Snap entries of constant rotations to 0, 1 and -1 where they are as near as this [default: 1e-9]
+    /// Snap entries of constant rotations to 0, 1 or -1 if they are this near [default: 1e-9]
     ///
-    /// Rounded right angles, such as 1.5708, leave crumbs that cost operations: 1e-5 takes those away. 0 changes nothing.
+    /// Rounded right angles, such as 1.5708, leave small entries that cost operations: 1e-5 removes them. 0 changes nothing.
     #[arg(long, value_name = "TOLERANCE", requires = "model", value_parser = tolerance, allow_negative_numbers = true)]
     snap: Option<f64>,
 
-    /// Hold a coordinate at a value, rad or m; without one at 0. May be repeated
+    /// Lock a coordinate at a value, rad or m; without VALUE at 0. May be repeated
     ///
-    /// The name is that of the coordinate, as `kane info` lists it, or of its joint.
+    /// NAME is the coordinate, as `kane info` lists it, or its joint.
     #[arg(long, value_name = "NAME[=VALUE]", requires = "model", value_parser = lock)]
     lock: Vec<(String, f64)>,
 
-    /// Fix a joint where its coordinates are zero. May be repeated
+    /// Fix a joint at zero coordinates. May be repeated
     ///
-    /// The name is that of the joint, or of its body.
+    /// JOINT is the name of the joint, or of its body.
     #[arg(long, value_name = "JOINT", requires = "model")]
     remove: Vec<String>,
 
-    /// Fix at zero every motion that moves no mass, and say which
+    /// Fix at zero every motion that moves no mass, and list them
     ///
-    /// A finger without mass, a frame that turns about its own axis: such motions leave mass matrices without an inverse.
+    /// Such motions, of a massless finger or a frame that turns about its own axis, make mass matrices singular.
     /// `--remove-massless=false` overrides `remove_massless = true` in `kane.toml`.
     #[arg(
         long,
@@ -74,9 +74,9 @@ pub(crate) struct ChangesArguments {
     )]
     remove_massless: Option<bool>,
 
-    /// Prescribe the accelerations of a joint, for `hybrid_dynamics`, which finds its forces. May be repeated
+    /// Prescribe the accelerations of a joint for `hybrid_dynamics`, which finds its forces. May be repeated
     ///
-    /// The name is that of the joint, or of its body.
+    /// JOINT is the name of the joint, or of its body.
     #[arg(long, value_name = "JOINT", requires = "model")]
     prescribed: Vec<String>,
 }

@@ -24,23 +24,23 @@ use crate::cli::{
 /// What is generated of a model, and how.
 #[derive(Args, Debug)]
 pub(crate) struct OptionsArguments {
-    /// The functions, with commas between them; `all` for every one of the system, `default` for the default set
+    /// The functions, comma-separated; `all` for every function of the system, `default` for the default set
     ///
-    /// `kane info MODEL --functions all` lists those of the system; `mass_matrix+bias` is one function that does both, `bias(sin_cos)` one that is given the
-    /// sines and cosines of the angles. `q_dot` is always among them, and with quaternions `normalize`: the trait
-    /// `kane::System` needs them.
+    /// `kane info MODEL --functions all` lists the functions of the system. `mass_matrix+bias` is one function that computes both;
+    /// `bias(sin_cos)` takes the sines and cosines of the angles as inputs. `q_dot`, and with quaternions `normalize`, are always
+    /// generated: the trait `kane::System` needs them.
     #[arg(long, value_name = "A,B", requires = "model")]
     functions: Option<Vec<String>>,
 
-    /// How sums over bodies are computed: `notes`, term by term as in the lecture notes that docs/equations.md cites; `recursive`,
+    /// How to compute sums over bodies: `notes`, term by term as in the lecture notes that docs/equations.md cites; `recursive`,
     /// along the tree; `cheapest`, whichever needs fewer operations
     #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
 
-    /// Fuse multiplications and additions: faster where the hardware has that, but the last bits then depend on the machine
+    /// Use fused multiply-add: faster on hardware that has it, but the last bits then depend on the machine
     ///
-    /// Calls `kane::Real::mul_add`, which is one instruction where the program is compiled for one (x86 with
-    /// `-C target-feature=+fma` or a `target-cpu` that has it, 64-bit Arm), and two elsewhere. `--fma=false` stands above
+    /// Generated code calls `kane::Real::mul_add`. It is one instruction if the compilation target has one (x86 with
+    /// `-C target-feature=+fma` or a `target-cpu` that has it, 64-bit Arm), else two. `--fma=false` overrides
     /// `fma = true` in `kane.toml`.
     #[arg(
         long,
@@ -52,7 +52,7 @@ pub(crate) struct OptionsArguments {
     )]
     fma: Option<bool>,
 
-    /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
+    /// Operation-saving techniques to disable, comma-separated; the values stay the same
     #[arg(long, value_name = "A,B", requires = "model", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
     without: Vec<Technique>,
 

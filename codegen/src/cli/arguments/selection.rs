@@ -34,7 +34,7 @@ pub(crate) struct Selection {
     #[arg(long, short, value_name = "FILE", requires = "model")]
     output: Option<PathBuf>,
 
-    /// With the manifest beside the module: what it holds, as JSON, `panda.json` for `panda.rs`
+    /// Also write the manifest beside the module: its contents as JSON, `panda.json` for `panda.rs`
     ///
     /// `--manifest=false` overrides `manifest = true` in `kane.toml`.
     #[arg(
@@ -47,7 +47,7 @@ pub(crate) struct Selection {
     )]
     manifest: Option<bool>,
 
-    /// With tests of the module beside it, `panda_tests.rs` for `panda.rs`
+    /// Also write tests of the module beside it, `panda_tests.rs` for `panda.rs`
     ///
     /// `--with-tests=false` overrides `tests = true` in `kane.toml`.
     #[arg(
@@ -60,16 +60,16 @@ pub(crate) struct Selection {
     )]
     with_tests: Option<bool>,
 
-    /// With the module's functions for other languages beside it: for C `panda_c.rs` and `panda.h`
+    /// Also write an interface for another language beside the module: for C `panda_c.rs` and `panda.h`
     ///
-    /// `panda_c.rs` holds `extern "C"` functions for a static library that has both files as modules, `panda.h` declares them.
+    /// `panda_c.rs` holds `extern "C"` functions for a static library that has both Rust files as modules; `panda.h` declares them.
     #[arg(long, value_name = "WHICH", requires = "model", value_parser = one_of(Abi::ALL))]
     abi: Option<Abi>,
 
     #[command(flatten)]
     options: OptionsArguments,
 
-    /// The file that lists the systems, in place of the `kane.toml` found in the current folder or above it
+    /// The file that lists the systems, instead of the nearest `kane.toml` in the current folder or above it
     /// (with MODEL: in the model's folder or above it)
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,

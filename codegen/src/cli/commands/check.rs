@@ -27,14 +27,14 @@ use crate::cli::{
 ///
 /// Generates in memory and compares. If every file is up to date, it prints nothing; --verbose also shows warnings about the models.
 /// For each file that differs, it prints how many lines changed and in which functions, and which functions have other operation
-/// counts, are new or are gone. --lines adds the lines as a unified diff. It then prints the command that brings the files up to
-/// date, and the functions that need more operations than `budget` in kane.toml allows. If it checks all of kane.toml, it also
-/// reports files that nothing in it produces: in a folder named `generated` every file except `mod.rs` and hidden files, and in
+/// counts, are new or are gone. --lines adds the lines as a unified diff. It then prints the command that updates the files,
+/// and the functions that need more operations than `budget` in kane.toml allows. If it checks all of kane.toml, it also
+/// reports files that no system in it produces: in a folder named `generated` every file except `mod.rs` and hidden files, and in
 /// other output folders the files that begin with a banner of `kane`.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every file is up to date\n  \
-    1  a file differs, is missing, is over budget, or is produced by nothing\n  \
+    1  a file differs, is missing, is over budget, or no system produces it\n  \
     2  bad input, or a file that cannot be read\n\n\
     Examples:\n  \
     kane check\n  \

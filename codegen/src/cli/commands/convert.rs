@@ -16,10 +16,10 @@ use crate::cli::{
     job::{self, Target},
 };
 
-/// Write a model in our own format, whichever it is in
+/// Convert a model of any format to kane's TOML format
 ///
-/// The model is checked first, and what was decided in reading it is told. What is written is what the model says,
-/// limits, friction and mimicking joints included: nothing is snapped, locked, removed or renumbered. Comments are lost.
+/// Checks the model first, and reports the decisions made in reading it. The output says what the model says,
+/// limits, friction and mimic joints included: nothing is snapped, locked, removed or renumbered. Comments are lost.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane convert panda.urdf\n  \
@@ -37,7 +37,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     reading: ReadingArguments,
 
-    /// Overwrite a file that is there already
+    /// Overwrite an existing file
     #[arg(long)]
     force: bool,
 }

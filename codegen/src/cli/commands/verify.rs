@@ -15,15 +15,15 @@ use crate::cli::{Failures, Outcome, arguments::parse::one_of, text::json};
 /// Check the machine code of generated functions against the guarantees
 ///
 /// Compiles each module with rustc and reads every instruction of its functions. No function may jump, except in loops of
-/// fixed length: over the columns or branches of a helper, or the pages of a large stack. A function may call only its own stages and helpers and the runtime's sines and cosines, which are read too; so none
-/// can panic. It may use only its arguments, its stack and constants as memory, and no address may depend on a value. The output
-/// is a table of bytes of machine code, bytes of stack and instructions of a call, and a list of broken promises. The numbers
-/// depend on the compiler, its target and its options. --format json is for programs.
+/// fixed length: over the columns or branches of a helper, or the pages of a large stack. A function may call only its own stages and
+/// helpers and the runtime's sines and cosines, which are checked too; so no function can panic. It may access only its arguments, its
+/// stack and constants, and no address may depend on a value. The output is a table (bytes of machine code, bytes of stack,
+/// instructions per call) and a list of broken promises. The numbers depend on the compiler, its target and its options.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Exit codes:\n  \
     0  every promise holds\n  \
     1  a promise is broken\n  \
-    2  a module that cannot be read or compiled, or machine code that cannot be read: that of x86-64 in ELF can\n\n\
+    2  a module that cannot be read or compiled, or machine code that cannot be read (only x86-64 in ELF can)\n\n\
     Examples:\n  \
     kane verify src/arm.rs\n  \
     kane verify generated/*.rs --opt-level 2 --scalar f32")]
@@ -32,15 +32,15 @@ pub(crate) struct Arguments {
     #[arg(value_name = "FILE", required = true)]
     modules: Vec<PathBuf>,
 
-    /// Check machine code: all that is checked, so it need not be said
+    /// Check machine code; the only check, so this option is not needed
     #[arg(long)]
     object: bool,
 
-    /// The scalar of the functions
+    /// The scalar type of the functions
     #[arg(long, value_name = "WHICH", default_value = "f64", value_parser = one_of(Scalar::ALL))]
     scalar: Scalar,
 
-    /// rustc's optimizations
+    /// rustc's optimization level
     #[arg(long, value_name = "LEVEL", default_value = "3", value_parser = one_of(OptLevel::ALL))]
     opt_level: OptLevel,
 
@@ -48,11 +48,11 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
     format: Format,
 
-    /// The processor, as rustc knows it; without it, the least of its kind
+    /// The target CPU, as rustc names it; without it, the baseline of the architecture
     #[arg(long, value_name = "NAME")]
     target_cpu: Option<String>,
 
-    /// The folder of the crate `kane`; without it, the one on which the package in the current folder depends
+    /// The folder of the crate `kane`; without it, the `kane` that the package in the current folder depends on
     #[arg(long, value_name = "FOLDER")]
     kane: Option<PathBuf>,
 }

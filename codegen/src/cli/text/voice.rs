@@ -11,7 +11,7 @@ use kane_codegen::diagnostic::{Diagnostics, Severity, printable};
 /// How much is told.
 #[derive(Args, Clone, Copy, Debug)]
 pub(crate) struct Voice {
-    /// Print everything: each warning and note at full length, and each file
+    /// Print everything: each warning and note in full, and each file
     #[arg(
         long,
         short,

@@ -33,17 +33,19 @@ use crate::cli::{
 
 /// Evaluate one function at a state, and print the numbers as JSON
 ///
-/// Evaluates the expressions from which the function is generated, in f64; no code is compiled. The numbers come in the
-/// shape of the function's output: a number, a list, or nested lists, matrices by rows. A number that is not finite is
-/// null. The compact partial velocities come as the generated module has them: `columns`, a list of 3-vectors, and
-/// `blocks`, which says for each non-zero partition its body, partition, first speed, number of columns and first place in
-/// `columns`, all from 0. Packed matrices come as `entries`, and `places`, the row and column of each, factors with the `order` of elimination; packed Jacobians with the `speeds` that their columns belong to. Of several functions in one, such as `mass_matrix+bias`, they come as an object of its outputs.
+/// Evaluates, in f64, the expressions from which the function is generated; it compiles no code. The numbers have the
+/// shape of the function's output: a number, a list, or nested lists; matrices are stored row by row. A number that is not finite is
+/// null. Compact partial velocities have the form of the generated module: `columns`, a list of 3-vectors, and
+/// `blocks`, which gives for each nonzero partition its body, partition, first speed, number of columns and first place in
+/// `columns`, all from 0. Packed matrices have `entries` and `places`, the row and column of each entry; factors also have the `order`
+/// of elimination. Packed Jacobians have the `speeds` of their columns. For several functions in one, such as `mass_matrix+bias`, the
+/// result is an object of their outputs.
 ///
 /// If the `kane.toml` in the model's folder or the nearest one above lists the model, the options of the first system that does so
 /// hold; options on the command line override them.
 #[derive(Args, Debug)]
 #[command(
-    after_long_help = "The state file holds what the function is given, in SI units:\n  \
+    after_long_help = "The state file holds the inputs of the function, in SI units:\n  \
     {\n    \
     \"q\": [0.1, 0.2],           one number per coordinate, in the order of `kane info`\n    \
     \"u\": [0.0, 1.0],           one number per speed\n    \
@@ -55,9 +57,9 @@ use crate::cli::{
     \"w_rel\": [[0, 0, 1]],      one per body: relative angular velocity, for angle_rates\n    \
     \"point\": [0, 0, 0],         for point_jacobian; \"force\" and \"moment\" for generalized_force\n    \
     \"q_direction\": [1.0, 0.0],  for jvp, one number per column of each variable; \"multiplier\" for vjp and hessian\n    \
-    \"parameters\": {\"arm_mass\": 2.0}    where they differ from the nominal values\n  \
+    \"parameters\": {\"arm_mass\": 2.0}    those that differ from the nominal values\n  \
     }\n\
-    What the function does not need may be absent.\n\n\
+    Inputs that the function does not need may be absent.\n\n\
     Examples:\n  \
     kane eval models/arm.toml --function mass_matrix --state state.json\n  \
     echo '{\"q\": [0.1, 0.2]}' | kane eval models/arm.toml --function rotation --state -"
@@ -70,7 +72,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
-    /// The function, as `--functions` of `kane generate` names it
+    /// The function, as in `kane generate --functions`
     #[arg(long, short, value_name = "NAME")]
     function: String,
 
@@ -78,11 +80,11 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "FILE")]
     state: PathBuf,
 
-    /// How sums over bodies are computed: `notes`, `recursive`, or `cheapest`, whichever needs fewer operations
+    /// How to compute sums over bodies: `notes`, `recursive`, or `cheapest`, whichever needs fewer operations
     #[arg(long, value_name = "WHICH", value_parser = parse::one_of(Formulation::ALL))]
     formulation: Option<Formulation>,
 
-    /// Techniques to leave out that lower the number of operations, with commas between them; the values stay the same
+    /// Operation-saving techniques to disable, comma-separated; the values stay the same
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = parse::one_of(Technique::ALL))]
     without: Vec<Technique>,
 }

@@ -23,7 +23,7 @@ use crate::cli::{
     arguments::parse::one_of, listed, rounded_angles, text::json,
 };
 
-/// Show a model's tree, coordinates, parameters, the mass matrix's zeros and operation counts
+/// Show a model's tree, coordinates, parameters, zeros of the mass matrix and operation counts
 ///
 /// Bodies are numbered from 1, places in q and u from 0, as in code. A partition is the block of columns of a partial velocity that
 /// belongs to one body's angles or translations: of N bodies, partition J belongs to the angles of body J, and partition N + J to
@@ -33,19 +33,19 @@ use crate::cli::{
 /// hold; options on the command line override them.
 #[derive(Args, Debug)]
 #[command(
-    after_long_help = "Keys of --json, which stay as they are; more may come:\n  \
+    after_long_help = "Keys of --json. They are stable; later versions may add more:\n  \
     name            the system's name\n  \
     gravity         inertial components, m/s^2 (nominal)\n  \
     order           \"body\" or \"notes\"\n  \
     bodies          number, user_number (in the model), name, identifier (in code), joint, lower_body (0: inertial\n                  \
     frame), free (list of motions, theta1 or w1 .. s3), locked (object of coordinates and values, rad or m),\n                  \
-    mimics (object of coordinates: coordinate, the place in q of the one that is followed, multiplier, offset),\n                  \
-    gravity_compensation (the part of its weight that is lifted, nominal; absent: none)\n  \
+    mimics (object of coordinates: coordinate, the place in q of the mimicked one, multiplier, offset),\n                  \
+    gravity_compensation (the fraction of its weight that is compensated, nominal; absent: none)\n  \
     coordinates     place (in q), name, body, kind (theta1 .. theta3, e0 .. e3, s1 .. s3), unit\n  \
     speeds          names, in the order of u\n  \
-    frames          what is fixed to bodies and part of them: name, body (0: inertial frame), rotation (by rows, from the\n                  \
+    frames          fixed bodies, each part of another: name, body (0: inertial frame), rotation (by rows, from the\n                  \
     body's axes), position (m, nominal)\n  \
-    markers         frames that only mark places, as frames; absent where there are none\n  \
+    markers         frames that only mark places, same keys as frames; absent if there are none\n  \
     partitions      body, and W, V_O, V_G: the numbers of the partitions that are not zero; null for more than 250 bodies\n  \
     parameters      name, body (null: the system), nominal, unit\n  \
     functions       name, default (in the default set), formulations (notes, recursive: total, mul, add, div, trig),\n                  \
@@ -64,9 +64,9 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
-    /// Count these functions in place of the default set, with commas between them; `all` stands for every function of the system
+    /// Count these functions instead of the default set, comma-separated; `all` stands for every function of the system
     ///
-    /// `mass_matrix+bias` is one function that does both. --json counts all where nothing else is asked for.
+    /// `mass_matrix+bias` is one function that computes both. Without this option, --json counts all functions.
     #[arg(long, value_name = "A,B")]
     functions: Option<Vec<String>>,
 
@@ -74,7 +74,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     partitions: bool,
 
-    /// Techniques to leave out that lower the number of operations, with commas between them
+    /// Operation-saving techniques to disable, comma-separated
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = one_of(Technique::ALL))]
     without: Vec<Technique>,
 

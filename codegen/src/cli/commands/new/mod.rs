@@ -40,12 +40,12 @@ const TAKEN: [&str; 13] = [
     "tests",
 ];
 
-/// Make a package with a model, its generated module, a control loop and a test
+/// Create a package with a model, its generated module, a control loop and a test
 ///
 /// The folder NAME gets `Cargo.toml`, `kane.toml`, the model in `models/`, the generated module with its tests and a control loop in
-/// `src/`, and without --kane a workflow for GitHub. `cargo run` and `cargo test` work at once. With --abi c the control loop is a
-/// program in C with a Makefile, and the functions are a static library; `make run` works at once. A model that needs other files, such
-/// as meshes, is written in our own format.
+/// `src/`, and without --kane a GitHub workflow. `cargo run` and `cargo test` work at once. With --abi c the control loop is a
+/// C program with a Makefile, and the functions are a static library; `make run` works at once. A model that needs other files, such
+/// as meshes, is converted to kane's TOML format.
 #[derive(Args, Debug)]
 #[command(after_long_help = "Examples:\n  \
     kane new pendulum\n  \
@@ -53,7 +53,7 @@ const TAKEN: [&str; 13] = [
     kane new my_dog spot.urdf --base free\n  \
     kane new my_arm panda.urdf --abi c")]
 pub(crate) struct Arguments {
-    /// The package and its folder: ASCII letters, digits and `_`, a letter first
+    /// The name of the package and its folder: ASCII letters, digits and `_`, a letter first
     #[arg(value_name = "NAME")]
     folder: PathBuf,
 
@@ -64,7 +64,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     changes: ChangesArguments,
 
-    /// The language of the control loop, where it is not Rust
+    /// The language of the control loop, if not Rust
     #[arg(long, value_name = "WHICH", value_parser = one_of(Abi::ALL))]
     abi: Option<Abi>,
 
