@@ -5,7 +5,7 @@
 //!
 //! A new option is a field here, and the compiler then asks for it wherever options are taken apart or put together: in
 //! `words`, for it stands in the banner; in [`config`](crate::config), where its key is read; among the flags of the command
-//! (`cli/options.rs`). What it does not ask for is a method of [`Build`](crate::build_script::Build), and the use.
+//! (`cli/arguments/options.rs`). What it does not ask for is a method of [`Build`](crate::build_script::Build), and the use.
 
 pub mod companion;
 mod formulation;
