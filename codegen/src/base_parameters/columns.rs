@@ -1,6 +1,6 @@
 //! The columns of the regressor as numbers: of each body and parameter what it is in seeded states.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, ops::Range};
 
 use crate::{
     drawn::with_unit_quaternions,
@@ -14,6 +14,14 @@ use crate::{
 
 /// States for each body that a speed moves: enough for twice the columns that are compared.
 const STATES: usize = 20;
+
+/// The first moments among a body's parameters.
+const MOMENTS: Range<usize> = 1..4;
+/// The components of its inertia.
+const INERTIAS: Range<usize> = 4..N_INERTIAL;
+
+/// A column is nothing where it is shorter beside the longest of its kind: rotations leave that of zeros.
+const CRUMB: f64 = 1e-13;
 
 /// Columns of unit length.
 pub(super) struct Columns {
@@ -50,7 +58,13 @@ impl Columns {
                 }
             }
         }
-        let columns = numbers.iter().map(|numbers| Column::of(numbers)).collect();
+        let columns = numbers.iter().map(|numbers| Column::of(numbers));
+        let mut columns: Vec<Column> = columns.collect();
+        for of_body in columns.chunks_mut(N_INERTIAL) {
+            for alike in [MOMENTS, INERTIAS] {
+                without_crumbs(&mut of_body[alike]);
+            }
+        }
         Self { columns }
     }
 
@@ -80,6 +94,18 @@ impl Column {
             length,
             error: if length > error { error / length } else { 0.0 },
             is_known,
+        }
+    }
+}
+
+/// Makes zeros of columns that are nothing beside the others.
+fn without_crumbs(columns: &mut [Column]) {
+    let lengths = columns.iter().map(|column| column.length);
+    let longest = lengths.fold(0.0, f64::max);
+    for column in columns {
+        if column.is_known && column.length < CRUMB * longest {
+            column.unit.fill(0.0);
+            column.error = 0.0;
         }
     }
 }

@@ -60,6 +60,8 @@ files! {
     free_joint_in_a_body
     fromto_of_a_point
     full_inertia_turned
+    fused_by_name
+    fused_within_bounds
     global_coordinates
     gravity_too_short
     height_field

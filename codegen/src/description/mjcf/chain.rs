@@ -157,19 +157,39 @@ impl Bodies {
     }
 
     /// Takes the weights of bodies that MuJoCo fuses where it weighs geoms alone: of those that are fused with one another the geoms
-    /// count, or else the `inertial` of the first.
-    pub(super) fn weigh_geoms_of_fused(&mut self) {
-        let first = self.first_of_fused();
+    /// count, or else the `inertial` of the first. True where that changes a mass.
+    pub(super) fn weigh_geoms_of_fused(&mut self) -> bool {
+        let (first, mut is_changed) = (self.first_of_fused(), false);
         let mut has_geoms = vec![false; self.list.len()];
         for (body, first) in self.list.iter().zip(&first) {
             has_geoms[*first] |= body.is_of_geoms;
         }
         for (place, (body, first)) in self.list.iter_mut().zip(first).enumerate() {
             let counts = body.is_of_geoms || place == first && !has_geoms[first];
-            if !counts && let Weight::Given(Some(_)) = body.weight {
+            if !counts && body.mass().is_some_and(|mass| mass != 0.0) {
                 body.weight = Weight::Given(Some(Box::new(MassProperties::massless(body.span))));
+                is_changed = true;
             }
         }
+        is_changed
+    }
+
+    /// Fuses no body.
+    pub(super) fn fuse_none(&mut self) {
+        for body in &mut self.list {
+            body.is_fused = false;
+        }
+    }
+
+    /// True where something that is fused with the world has a mass.
+    pub(super) fn has_mass_in_the_world(&self) -> bool {
+        let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();
+        self.total_mass() != total
+    }
+
+    /// True where some weight is lifted.
+    pub(super) fn lifts_any(&self) -> bool {
+        self.list.iter().any(|body| body.lifted.is_some())
     }
 
     /// For each body the first, by its place, of those with which it is fused: itself where it is not.

@@ -83,11 +83,9 @@ fn xy_axes([x1, x2, x3, y1, y2, y3]: [f64; 6]) -> Option<Rotation> {
 pub(super) fn z_axis(axis: Vector) -> Option<Rotation> {
     let [x, y, z] = unit(axis)?;
     let sine = length([x, y, 0.0]);
-    // For an axis against z, MuJoCo 4 turns about x, and where the square of the sine is below 1e-14.
-    let about_axis = if sine < 1e-7 {
-        IDENTITY[0]
-    } else {
-        [-y / sine, x / sine, 0.0]
-    };
-    Some(about(about_axis, [sine, z]))
+    // MuJoCo 4 takes for z itself, or for the axis against it, what is so near that the square of the sine is below 1e-14.
+    if sine < 1e-7 {
+        return Some(about(IDENTITY[0], [0.0, 1.0_f64.copysign(z)]));
+    }
+    Some(about([-y / sine, x / sine, 0.0], [sine, z]))
 }

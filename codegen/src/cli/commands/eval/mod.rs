@@ -56,7 +56,7 @@ use crate::cli::{
     ],\n    \
     \"w_rel\": [[0, 0, 1]],      one per body: relative angular velocity, for angle_rates\n    \
     \"point\": [0, 0, 0],         for point_jacobian; \"force\" and \"moment\" for generalized_force\n    \
-    \"q_direction\": [1.0, 0.0],  for jvp, one number per column of each variable; \"multiplier\" for vjp and hessian\n    \
+    \"q_direction\": [1.0, 0.0],  for jvp, shaped like the variable (q_direction: like u); \"multiplier\" for vjp and hessian\n    \
     \"parameters\": {\"arm_mass\": 2.0}    those that differ from the nominal values\n  \
     }\n\
     Inputs that the function does not need may be absent.\n\n\

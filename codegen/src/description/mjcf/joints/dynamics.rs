@@ -54,7 +54,8 @@ pub(in crate::description::mjcf) fn dynamics(
             polynomial(reader, given, name);
         }
     }
-    let spring_damper = spring_damper(reader, given, kind);
+    let feels = settings.springs == Switch::On || settings.dampers == Switch::On;
+    let spring_damper = feels.then(|| spring_damper(reader, given, kind)).flatten();
     let same = |value: Option<Spanned<f64>>| {
         value.map_or(PerCoordinate::Absent, |value| {
             PerCoordinate::Same(baked(value))

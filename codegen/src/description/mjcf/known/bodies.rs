@@ -14,8 +14,9 @@ pub(in crate::description::mjcf) const BODY: Known<'static> = Known::attributes(
         "zaxis",
         "euler",
         "gravcomp",
+        "fuse",
     ],
-    &["fuse", "simple", "sleep", "user"],
+    &["simple", "sleep", "user"],
 );
 
 pub(in crate::description::mjcf) const FRAME: Known<'static> = Known::attributes(

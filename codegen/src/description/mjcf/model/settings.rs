@@ -26,8 +26,8 @@ pub(in crate::description::mjcf) struct Settings {
     pub(in crate::description::mjcf) balance: Switch,
     /// What the masses of all bodies are scaled to.
     pub(in crate::description::mjcf) total_mass: Option<f64>,
-    /// Whether bodies without joints become part of those that carry them.
-    pub(in crate::description::mjcf) fuse: Switch,
+    /// Where it says that bodies without joints become part of those that carry them.
+    pub(in crate::description::mjcf) fuse: Option<Span>,
     /// Whether meshes without a word about it are filled exactly, as in MuJoCo 3.
     pub(in crate::description::mjcf) exact_meshes: Switch,
     /// Whether floating bodies get the axes of their inertia.
@@ -103,7 +103,7 @@ pub(in crate::description::mjcf) fn read<'d>(
         least_inertia: None,
         balance: Switch::Off,
         total_mass: None,
-        fuse: Switch::Off,
+        fuse: None,
         exact_meshes: Switch::Off,
         align_free: Switch::Off,
         mesh_folder: String::new(),
@@ -170,7 +170,6 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
         ("autolimits", &mut settings.auto_limits),
         ("balanceinertia", &mut settings.balance),
         ("alignfree", &mut settings.align_free),
-        ("fusestatic", &mut settings.fuse),
         ("strippath", &mut settings.strip_path),
         ("fitaabb", &mut settings.fit_bounds),
         ("exactmeshinertia", &mut settings.exact_meshes),
@@ -189,6 +188,9 @@ fn compiler(reader: &mut Reader, attributes: &Attributes<'_>, settings: &mut Set
     }
     if let Some(total) = attributes.number(reader, "settotalmass") {
         settings.total_mass = Some(total.value).filter(|total| *total > 0.0);
+    }
+    if let Some(fuse) = attributes.keyword(reader, "fusestatic", &TRUTH) {
+        settings.fuse = (fuse.value == Switch::On).then_some(fuse.span);
     }
     let coordinates = [("local", Switch::Off), ("global", Switch::On)];
     if let Some(global) = attributes.keyword(reader, "coordinate", &coordinates)
