@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use crate::mjcf_support::{
-    SAME, Vector, attachment_rotation, close, elementary, number, only, oriented, product, read,
-    transposed, vector,
+    SAME, Vector, attachment_rotation, close, elementary, faults, number, only, oriented, parse,
+    product, read, transposed, vector,
 };
 
 #[test]
@@ -307,6 +307,16 @@ fn what_mujoco_fuses_with_the_world_is_no_part_of_the_total_mass() {
         let bodies = format!("<body {apart}>{geom}</body>{arm}");
         assert_eq!(masses(total, &bodies), [5.0, 5.0]);
     }
+}
+
+#[test]
+fn models_of_other_settings_are_not_fused_with_one_another() {
+    let part = "<mujoco><compiler inertiafromgeom=\"true\"/><worldbody><body name=\"tool\">\
+        <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\"/></body></worldbody></mujoco>";
+    let text = "<mujoco><compiler fusestatic=\"true\"/><asset><model name=\"part\" file=\"part.xml\"/></asset>\
+        <worldbody><body><joint/><geom size=\"0.1\"/><attach model=\"part\" body=\"tool\" prefix=\"a\"/></body></worldbody></mujoco>";
+    let told = faults(&parse(text, &[("part.xml", part)])).to_string();
+    assert!(told.contains("models are attached"), "{told}");
 }
 
 #[test]

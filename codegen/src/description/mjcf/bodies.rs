@@ -3,6 +3,7 @@
 use crate::description::mjcf::chain::{Bodies, JointedBody};
 use crate::description::mjcf::contents::around::Around;
 use crate::description::mjcf::contents::{Contents, Inside, gather};
+use crate::description::mjcf::fused;
 use crate::description::mjcf::joints::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
@@ -20,7 +21,7 @@ use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::placement::Placement;
 use crate::description::mjcf::sites::Site;
 use crate::description::too_many;
-use crate::description::xml::{Element, Reader};
+use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, shown};
 use crate::limits::BODIES;
 
@@ -78,7 +79,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
         let bodies = found.keep(contents);
         push(&mut pending, bodies, found.bodies.count(), moves);
     }
-    fuse(reader, models, &mut found.bodies);
+    fused::settle(reader, models, &mut found.bodies);
     lifted::settle(reader, &mut found.bodies, &found.by_actuators);
     found
 }
@@ -111,55 +112,6 @@ fn push<'d>(
         lower,
         lower_moves,
     }));
-}
-
-/// Sections in which a body can be named, which MuJoCo then does not fuse.
-const NAMING: [&str; 5] = ["actuator", "contact", "custom", "equality", "sensor"];
-
-/// Weighs bodies as MuJoCo does where it fuses them, and refuses what may keep it from that.
-fn fuse(reader: &mut Reader, models: &Models<'_>, bodies: &mut Bodies) {
-    let main = models.main();
-    let settings = &main.settings;
-    let Some(place) = settings.fuse else {
-        bodies.fuse_none();
-        return;
-    };
-    let drops = settings.from_geoms == FromGeoms::Always && bodies.weigh_geoms_of_fused();
-    let leaves_out = settings.total_mass.is_some() && bodies.has_mass_in_the_world();
-    if !(drops || leaves_out) {
-        return;
-    }
-    let cause = if NAMING.iter().any(|name| !main.named(name).is_empty()) {
-        "elements of other sections may name a body, which MuJoCo then does not fuse"
-    } else if models.list.len() > 1 {
-        "models are attached"
-    } else if settings.least_mass.is_some() || settings.least_inertia.is_some() {
-        "`boundmass` and `boundinertia` may keep MuJoCo from fusing"
-    } else if bodies.lifts_any()
-        || main
-            .named("worldbody")
-            .into_iter()
-            .any(|world| aims(main, world))
-    {
-        "`gravcomp` and `target` keep MuJoCo from fusing"
-    } else {
-        return;
-    };
-    let message = format!("which masses `fusestatic` changes is not known: {cause}");
-    let fault = Diagnostic::error(message).at(place, "not supported");
-    reader.faults.push(fault.help("leave out `fusestatic`"));
-}
-
-/// True where a camera or a light in an element follows a body.
-fn aims<'d>(model: &Model<'d>, element: Element<'d>) -> bool {
-    let mut open = vec![element];
-    while let Some(element) = open.pop() {
-        if element.attribute("target").is_some() {
-            return true;
-        }
-        open.extend(model.files.children(element));
-    }
-    false
 }
 
 /// The words for an element of a body.

@@ -14,6 +14,7 @@ mod contents;
 mod equalities;
 mod files;
 mod finite;
+mod fused;
 mod joints;
 mod known;
 mod leaving;
