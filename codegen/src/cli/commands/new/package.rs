@@ -68,8 +68,9 @@ pub(super) fn config(
         leave_out.iter().map(|name| quoted(name)),
     );
     let abi = abi.map(|abi| format!("abi = \"{}\"\n", name_of(&abi, &Abi::ALL)));
-    // Tools are what is fixed last. A model that is generated moves something.
+    // Tools are what is fixed to bodies last. A model that is generated moves something.
     let frames = tree.frames.iter().chain(&tree.markers);
+    let frames = frames.filter(|frame| frame.body.is_some());
     let frames = frames.map(|frame| frame.name.as_str());
     let bodies = tree.bodies.iter().map(|body| body.name.as_str());
     let last = bodies.chain(frames).last().unwrap_or_default();
