@@ -302,23 +302,34 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
     Ok(modules)
 }
 
-/// Tells what should be known about the models, once for each; notes only of those whose files are `written`.
-pub(crate) fn warn(modules: &[Generated], written: &[bool], voice: Voice) {
-    let texts = modules.iter().map(|module| module.warnings.to_string());
-    let texts: Vec<String> = texts.collect();
-    let is_written = |text: &String| {
-        let mut all = texts.iter().zip(written);
-        all.any(|(other, written)| other == text && *written)
-    };
-    for (place, (module, text)) in modules.iter().zip(&texts).enumerate() {
-        if texts[..place].contains(text) {
+/// A module of which is told what should be known.
+pub(crate) struct Told<'a> {
+    pub(crate) job: &'a Job,
+    pub(crate) module: &'a Generated,
+    /// Whether a file of it changes: else notes are no news.
+    pub(crate) is_written: bool,
+}
+
+/// Tells what should be known about the models, once for each.
+pub(crate) fn warn(modules: &[Told<'_>], voice: Voice) {
+    let mut told = Vec::new();
+    // What is told with notes is not told again without.
+    let (written, others): (Vec<&Told<'_>>, Vec<_>) =
+        modules.iter().partition(|module| module.is_written);
+    for Told {
+        module, is_written, ..
+    } in written.into_iter().chain(others)
+    {
+        let text = module.warnings.to_string();
+        if told.contains(&text) {
             continue;
         }
-        if is_written(text) {
+        if *is_written {
             voice.warn(&module.warnings);
         } else {
             voice.warn_without_notes(&module.warnings);
         }
+        told.push(text);
     }
 }
 

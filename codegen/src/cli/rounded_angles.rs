@@ -2,20 +2,16 @@
 
 use std::path::Path;
 
-use kane_codegen::{
-    description::Description, generate::Generated, options::Options, rounded_angles,
-};
+use kane_codegen::{description::Description, options::Options, rounded_angles};
 
-use crate::cli::{Voice, job::Job};
+use crate::cli::{Voice, job::Told};
 
-/// Tells it of the models of those modules that are `written`, once for each model.
-pub(crate) fn tell(jobs: &[Job], modules: &[Generated], written: &[bool], voice: Voice) {
+/// Tells it of the models of those modules that are written, once for each model.
+pub(crate) fn tell(modules: &[Told<'_>], voice: Voice) {
     let mut told: Vec<&Path> = Vec::new();
-    for ((job, module), written) in jobs.iter().zip(modules).zip(written) {
-        if !(*written || voice.is_verbose())
-            || voice.is_quiet()
-            || told.contains(&job.model.as_path())
-        {
+    let is_news = |module: &&Told<'_>| module.is_written || voice.is_verbose();
+    for Told { job, module, .. } in modules.iter().filter(is_news) {
+        if voice.is_quiet() || told.contains(&job.model.as_path()) {
             continue;
         }
         let functions = Some(&module.functions[..]);

@@ -41,10 +41,10 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) {
     let mass: f64 = masses.map(|mass| mass.value.nominal()).sum();
     if mass < SMALL {
         let lengths = lengths(description);
-        findings.extend(long(description, &lengths, mass));
-        findings.extend(wide(description, &lengths, mass));
+        findings.extend(long_lengths(description, &lengths, mass));
+        findings.extend(wide_inertias(description, &lengths, mass));
     }
-    findings.extend(strong(description));
+    findings.extend(strong_gravity(description));
 }
 
 /// All limits of a file have one unit: where one looks like degrees, all that are too large for radians do.
@@ -157,7 +157,7 @@ fn lengths(description: &Description) -> Vec<Length> {
 
 /// One warning, at the longest, where most are long; else one for each mass centre that stands out. What hangs far away, on a tether,
 /// has its mass centre near its origin.
-fn long(description: &Description, lengths: &[Length], mass: f64) -> Vec<Diagnostic> {
+fn long_lengths(description: &Description, lengths: &[Length], mass: f64) -> Vec<Diagnostic> {
     let Some(longest) = lengths.last() else {
         return Vec::new();
     };
@@ -200,7 +200,7 @@ fn radius(body: &WrittenBody) -> Option<f64> {
 }
 
 /// A warning for each inertia that has its mass far beyond all of the system.
-fn wide(description: &Description, lengths: &[Length], total: f64) -> Vec<Diagnostic> {
+fn wide_inertias(description: &Description, lengths: &[Length], total: f64) -> Vec<Diagnostic> {
     let longest = lengths.last().map_or(0.0, |length| length.metres);
     let far = FAR.max(WIDE * longest);
     let stands = standing(description);
@@ -223,7 +223,7 @@ fn wide(description: &Description, lengths: &[Length], total: f64) -> Vec<Diagno
 }
 
 /// A warning where gravity is too strong for any place that has robots.
-fn strong(description: &Description) -> Option<Diagnostic> {
+fn strong_gravity(description: &Description) -> Option<Diagnostic> {
     let mut components = description.gravity.iter().flatten();
     let strong = components.find(|component| component.value.nominal().abs() > STRONG)?;
     let message = format!(

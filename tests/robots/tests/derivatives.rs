@@ -69,11 +69,11 @@ fn loops_of_the_humanoids_helpers_compute_what_differences_do() {
                 expected_q[row][column] = (8.0 * near[row] - far[row]) / (6.0 * step);
             }
         }
-        // Of the fourth order, with steps of 1e-3: 1e-12 of the largest entry, and as much by rounding.
+        // Of the largest entry: differences of the fourth order with steps of 1e-3 leave 1e-12, rounding a few 1e-14.
         for (name, found, expected, tolerance) in [
-            ("dtau_dq", by_q, expected_q, 1e-9),
-            ("dtau_du", by_u, expected_u, 1e-12),
-            ("dtau_du_dot", by_u_dot, expected_u_dot, 1e-12),
+            ("dtau_dq", by_q, expected_q, 1e-11),
+            ("dtau_du", by_u, expected_u, 1e-13),
+            ("dtau_du_dot", by_u_dot, expected_u_dot, 1e-13),
         ] {
             let [found, expected] = [&found, &expected].map(|matrix| matrix.as_flattened());
             assert_close(name, found, expected, Tolerance::relative(tolerance));

@@ -16,7 +16,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
-    job::{self, Target},
+    job::{self, Target, Told},
     stray,
     text::lines::ChangedLines,
     text::operations,
@@ -78,7 +78,13 @@ pub(crate) fn run(
     let plan = arguments.selection.plan()?;
     let modules = job::generate(&plan.jobs)?;
     if voice.is_verbose() {
-        job::warn(&modules, &vec![true; modules.len()], voice);
+        let told = plan.jobs.iter().zip(&modules);
+        let told = told.map(|(job, module)| Told {
+            job,
+            module,
+            is_written: true,
+        });
+        job::warn(&told.collect::<Vec<_>>(), voice);
     }
     let mut failures = Failures::default();
     let files = plan.jobs.iter().zip(&modules);

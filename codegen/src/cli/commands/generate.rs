@@ -16,7 +16,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
-    job::{self, Job, Target},
+    job::{self, Job, Target, Told},
     rounded_angles,
     text::operations,
 };
@@ -62,18 +62,22 @@ pub(crate) fn run(
     };
     let mut failures = Failures::default();
     let mut files = Vec::new();
-    let mut written = Vec::new();
+    let mut news = Vec::new();
     for (job, module) in plan.jobs.iter().zip(&modules) {
         let staged = failures
             .keep(stage(job, module, overwrite))
             .unwrap_or_default();
         let are_written = staged.iter().any(|(_, staged)| !staged.is_up_to_date());
-        written.push(are_written || job.target == Target::StandardOutput);
+        news.push(Told {
+            job,
+            module,
+            is_written: are_written || job.target == Target::StandardOutput,
+        });
         files.extend(staged);
     }
-    job::warn(&modules, &written, voice);
+    job::warn(&news, voice);
     failures.none()?;
-    rounded_angles::tell(&plan.jobs, &modules, &written, voice);
+    rounded_angles::tell(&news, voice);
     for (job, module) in plan.jobs.iter().zip(&modules) {
         if job.target == Target::StandardOutput {
             out.write_all(module.source.as_bytes())?;
@@ -81,10 +85,10 @@ pub(crate) fn run(
     }
     let paths: Vec<PathBuf> = plan.jobs.iter().flat_map(Job::files).collect();
     let n_files = files.len();
-    let committed = commit(files, voice)?;
+    let written = commit(files, voice)?;
     output::sweep(paths.iter().map(PathBuf::as_path));
     if n_files > 0 {
-        let files = told(&committed, &paths);
+        let files = told(&written, &paths);
         let seconds = start.elapsed().as_secs_f64();
         voice.say(format_args!("{files}; {}, {seconds:.2} s", size(&modules)));
     }

@@ -166,8 +166,9 @@ fn body<'d>(
     };
     let written_at = (element.span(), &own);
     let own_word = given.keyword(reader, "fuse", &TRUTH);
-    let may_fuse = own_word.is_none_or(|own| own.value == Switch::On);
-    let is_fused = may_fuse && joints.is_empty() && !is_captured;
+    let is_apart = own_word.is_some_and(|own| own.value == Switch::Off);
+    let fuses = models.main().settings.fuse.is_some();
+    let is_fused = fuses && joints.is_empty() && !is_captured && !is_apart;
     let (mass, is_of_geoms) = mass(
         reader,
         models,

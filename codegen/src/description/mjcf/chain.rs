@@ -174,13 +174,6 @@ impl Bodies {
         is_changed
     }
 
-    /// Fuses no body.
-    pub(super) fn fuse_none(&mut self) {
-        for body in &mut self.list {
-            body.is_fused = false;
-        }
-    }
-
     /// True where something that is fused with the world has a mass.
     pub(super) fn has_mass_in_the_world(&self) -> bool {
         let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();

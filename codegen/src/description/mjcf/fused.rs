@@ -14,7 +14,6 @@ const NAMING: [&str; 5] = ["actuator", "contact", "custom", "equality", "sensor"
 pub(super) fn settle(reader: &mut Reader, models: &Models<'_>, bodies: &mut Bodies) {
     let settings = &models.main().settings;
     let Some(place) = settings.fuse else {
-        bodies.fuse_none();
         return;
     };
     let drops = settings.from_geoms == FromGeoms::Always && bodies.weigh_geoms_of_fused();

@@ -50,15 +50,20 @@ impl<'d> Written<'d> {
         }
     }
 
+    /// How many entries stand where it is written.
+    fn n_own(&self) -> usize {
+        words(self.value).count()
+    }
+
     /// Takes from what a default has the entries behind those that are there.
     fn complete(&mut self, default: &Self) {
-        let n_own = self.value.value.split_ascii_whitespace().count() + self.rest.len();
+        let n_there = self.n_own() + self.rest.len();
         let words = words(default.value).map(|word| Entry {
             word,
             owner: Rc::clone(&default.owner),
         });
         let entries = words.chain(default.rest.iter().cloned());
-        self.rest.extend(entries.take(LONGEST).skip(n_own));
+        self.rest.extend(entries.take(LONGEST).skip(n_there));
     }
 }
 
@@ -134,10 +139,8 @@ impl<'d> Attributes<'d> {
     /// The words for an entry of a list: an entry may be that of a default.
     pub(in crate::description::mjcf) fn what_of_entry(&self, name: &str, place: usize) -> String {
         let written = self.values.get(name);
-        let entry = written.and_then(|written| {
-            let n_own = written.value.value.split_ascii_whitespace().count();
-            written.rest.get(place.checked_sub(n_own)?)
-        });
+        let entry =
+            written.and_then(|written| written.rest.get(place.checked_sub(written.n_own())?));
         match entry {
             Some(entry) => format!("`{name}` of {}", entry.owner),
             None => self.what(name),
