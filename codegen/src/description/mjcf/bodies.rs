@@ -8,14 +8,13 @@ use crate::description::mjcf::joints::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
 use crate::description::mjcf::lifted;
-use crate::description::mjcf::mass::geoms::{self, Moves};
-use crate::description::mjcf::mass::inertial::{self, MassProperties};
-use crate::description::mjcf::mass::solid::together;
+use crate::description::mjcf::mass::geoms::Moves;
+use crate::description::mjcf::mass::weight::{self, Weighed};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::defaults::ElementKind;
 use crate::description::mjcf::model::models::Models;
-use crate::description::mjcf::model::settings::{FromGeoms, Switch, TRUTH};
+use crate::description::mjcf::model::settings::{Switch, TRUTH};
 use crate::description::mjcf::names::Wish;
 use crate::description::mjcf::orientation::placement;
 use crate::description::mjcf::placement::Placement;
@@ -59,8 +58,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
             reader.faults.push(fault);
         }
         for geom in &contents.geoms {
-            let owner = owner(geom, "geom", "the world");
-            geom_attributes(reader, models, geom, &owner);
+            weight::geom(reader, models, geom, "the world");
         }
         let bodies = found.keep(contents);
         push(&mut pending, bodies, 0, Moves::No);
@@ -114,14 +112,6 @@ fn push<'d>(
     }));
 }
 
-/// The words for an element of a body.
-fn owner(inside: &Inside<'_>, what: &str, body: &str) -> String {
-    match inside.name() {
-        Some(name) => format!("{what} `{}`", shown(&name.value)),
-        None => format!("a {what} of {body}"),
-    }
-}
-
 /// Reads a body, and adds it, behind those that its joints make.
 fn body<'d>(
     reader: &mut Reader,
@@ -164,19 +154,19 @@ fn body<'d>(
         Some(name) => Wish::Given(name),
         None => Wish::None(element.span()),
     };
-    let written_at = (element.span(), &own);
     let own_word = given.keyword(reader, "fuse", &TRUTH);
     let is_apart = own_word.is_some_and(|own| own.value == Switch::Off);
     let fuses = models.main().settings.fuse.is_some();
     let is_fused = fuses && joints.is_empty() && !is_captured && !is_apart;
-    let (mass, is_of_geoms) = mass(
-        reader,
-        models,
-        &contents,
-        written_at,
-        (&owner, around),
+    let weighed = Weighed {
+        owner: &owner,
+        span: element.span(),
+        around,
+        contents: &contents,
+        place: &own,
         moves,
-    );
+    };
+    let weight = weighed.weight(reader, models);
     let lifted = lifted::of_body(reader, models.main(), &given);
     let by_actuators = joints.iter().filter_map(JointElement::by_actuator);
     found.by_actuators.extend(by_actuators);
@@ -186,8 +176,7 @@ fn body<'d>(
         span: given.span,
         lower: next.lower,
         wish,
-        mass,
-        is_of_geoms,
+        weight,
         is_fused,
         lifted,
     });
@@ -213,7 +202,7 @@ fn warn_of_mocap(reader: &mut Reader, given: &Attributes<'_>) -> bool {
 
 fn joint(reader: &mut Reader, model: &Model<'_>, inside: &Inside<'_>, body: &str) -> JointElement {
     let element = inside.element;
-    let owner = owner(inside, "joint", body);
+    let owner = inside.owner("joint", body);
     for child in model.files.children(element) {
         reader.unknown_child(child, &owner, &[]);
     }
@@ -303,88 +292,4 @@ fn check_free(
             "write `align=\"false\"`",
         );
     }
-}
-
-/// A geom's attributes, with warnings of those that are not known.
-fn geom_attributes<'d>(
-    reader: &mut Reader,
-    models: &Models<'d>,
-    geom: &Inside<'d>,
-    owner: &str,
-) -> Attributes<'d> {
-    let model = &models.list[geom.around.model];
-    for child in model.files.children(geom.element) {
-        if child.name() != "plugin" {
-            reader.unknown_child(child, owner, &[]);
-        }
-    }
-    model.defaults.attributes(
-        reader,
-        geom.element,
-        owner,
-        ElementKind::Geom,
-        geom.around.class,
-    )
-}
-
-/// The mass of a body, `None` where it is faulty; whether it is that of geoms.
-fn mass(
-    reader: &mut Reader,
-    models: &Models<'_>,
-    contents: &Contents<'_>,
-    (span, place): (Span, &Placement),
-    (body, around): (&str, &Around),
-    moves: Moves,
-) -> (Option<MassProperties>, bool) {
-    let settings = &models.list[around.model].settings;
-    let mut written = None;
-    for (index, inside) in contents.inertials.iter().enumerate() {
-        let owner = format!("`inertial` of {body}");
-        if index > 0 {
-            let fault = Diagnostic::error(format!("{body} has two `inertial`"));
-            reader
-                .faults
-                .push(fault.at(inside.element.span(), "the second one"));
-            continue;
-        }
-        let given = Attributes::of(reader, inside.element, &owner, &known::INERTIAL);
-        written = Some(inertial::read(
-            reader,
-            &given,
-            settings,
-            &inside.around.frame,
-        ));
-    }
-    let infer = match settings.from_geoms {
-        FromGeoms::Always => true,
-        FromGeoms::Auto => written.is_none(),
-        FromGeoms::Never => false,
-    };
-    // With a total to reach, every mass counts.
-    let counts = if settings.total_mass.is_some() {
-        Moves::Yes
-    } else {
-        moves
-    };
-    let matters = (counts, settings.groups);
-    let mut solids = Vec::new();
-    for inside in &contents.geoms {
-        let owner = owner(inside, "geom", body);
-        let given = geom_attributes(reader, models, inside, &owner);
-        let model = &models.list[inside.around.model];
-        if infer {
-            let solid = geoms::solid(reader, &given, model, &inside.around.frame, matters);
-            solids.extend(solid);
-        }
-    }
-    let inferred = together(&solids).map(|solid| Some(MassProperties::of(&solid, span)));
-    let is_of_geoms = inferred.is_some();
-    let mass = inferred.or(written);
-    let mass =
-        mass.unwrap_or_else(|| Some(MassProperties::bounded(reader, settings, body, place, span)));
-    let mass = mass.map(|mut mass| {
-        mass.adjust(settings);
-        mass
-    });
-    (mass, is_of_geoms)
 }

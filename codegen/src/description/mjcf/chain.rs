@@ -6,6 +6,7 @@ use crate::description::mjcf::joints::seat::{fixed, held, joined};
 use crate::description::mjcf::joints::ties::Held;
 use crate::description::mjcf::mass::inertial::{MassProperties, WrittenMass};
 use crate::description::mjcf::mass::solid::Solid;
+use crate::description::mjcf::mass::weight::Weight;
 use crate::description::mjcf::names::{self, Wish};
 use crate::description::mjcf::placement::Placement;
 use crate::description::xml::Reader;
@@ -33,21 +34,10 @@ struct ChainedBody {
     lower: usize,
     wish: Wish,
     weight: Weight,
-    /// Whether it is the weight of geoms.
-    is_of_geoms: bool,
     /// Whether it is part of its lower body, in MuJoCo.
     is_fused: bool,
     /// The share of its weight that is lifted.
     lifted: Optional<Scalar>,
-}
-
-/// What a body weighs.
-#[derive(Debug)]
-enum Weight {
-    /// Nothing: it is there for a joint alone.
-    Nothing,
-    /// What the file says; `None` where that is faulty.
-    Given(Option<Box<MassProperties>>),
 }
 
 /// A body with its joints.
@@ -59,10 +49,7 @@ pub(super) struct JointedBody {
     /// The number of its lower body.
     pub(super) lower: usize,
     pub(super) wish: Wish,
-    /// `None` where it is faulty.
-    pub(super) mass: Option<MassProperties>,
-    /// Whether it is the mass of geoms.
-    pub(super) is_of_geoms: bool,
+    pub(super) weight: Weight,
     /// Whether it is part of its lower body, in MuJoCo.
     pub(super) is_fused: bool,
     /// The share of its weight that is lifted; absent: zero.
@@ -135,7 +122,6 @@ impl Bodies {
                     span,
                 },
                 weight: Weight::Nothing,
-                is_of_geoms: false,
                 is_fused: false,
                 lifted: None,
             });
@@ -149,8 +135,7 @@ impl Bodies {
             joint_span: parts.span,
             lower,
             wish: parts.wish,
-            weight: Weight::Given(parts.mass.map(Box::new)),
-            is_of_geoms: parts.is_of_geoms,
+            weight: parts.weight,
             is_fused: parts.is_fused,
             lifted: parts.lifted,
         });
@@ -162,12 +147,12 @@ impl Bodies {
         let (first, mut is_changed) = (self.first_of_fused(), false);
         let mut has_geoms = vec![false; self.list.len()];
         for (body, first) in self.list.iter().zip(&first) {
-            has_geoms[*first] |= body.is_of_geoms;
+            has_geoms[*first] |= body.weight.is_of_geoms();
         }
         for (place, (body, first)) in self.list.iter_mut().zip(first).enumerate() {
-            let counts = body.is_of_geoms || place == first && !has_geoms[first];
+            let counts = body.weight.is_of_geoms() || place == first && !has_geoms[first];
             if !counts && body.mass().is_some_and(|mass| mass != 0.0) {
-                body.weight = Weight::Given(Some(Box::new(MassProperties::massless(body.span))));
+                body.weight = Weight::zero(body.span);
                 is_changed = true;
             }
         }
@@ -283,10 +268,7 @@ impl Bodies {
 
 impl ChainedBody {
     fn mass(&self) -> Option<f64> {
-        match &self.weight {
-            Weight::Nothing => None,
-            Weight::Given(mass) => Some(mass.as_ref()?.mass()),
-        }
+        Some(self.weight.properties()?.mass())
     }
 
     /// The joint's coordinate where the model is drawn, rad, m.
@@ -309,17 +291,15 @@ impl ChainedBody {
     }
 
     fn solid(&self, factor: Option<f64>) -> Option<Solid> {
-        let Weight::Given(Some(mass)) = &self.weight else {
-            return None;
-        };
-        Some(factor.map_or(**mass, |factor| mass.scaled(factor)).solid())
+        let mass = self.weight.properties()?;
+        Some(factor.map_or(*mass, |factor| mass.scaled(factor)).solid())
     }
 
     fn written(self, name: Spanned<String>, factor: Option<f64>, held: &Held) -> WrittenBody {
         let joint = self.seated(held);
-        let mass = match self.weight {
+        let mass = match &self.weight {
             Weight::Nothing => Some(MassProperties::massless(self.span)),
-            Weight::Given(mass) => mass.map(|mass| match factor {
+            weight => weight.properties().map(|mass| match factor {
                 Some(factor) => mass.scaled(factor),
                 None => *mass,
             }),

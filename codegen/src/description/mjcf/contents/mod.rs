@@ -12,7 +12,7 @@ use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::models::Models;
 use crate::description::mjcf::orientation::placement;
 use crate::description::xml::{Element, Reader};
-use crate::diagnostic::{Diagnostic, Spanned};
+use crate::diagnostic::{Diagnostic, Spanned, shown};
 
 /// An element of a body, and what is around it.
 #[derive(Clone, Debug)]
@@ -27,6 +27,14 @@ impl Inside<'_> {
         let name = self.element.attribute("name");
         let name = name.filter(|name| !name.value.is_empty())?;
         Some(Spanned::new(self.around.name(name.value), name.span))
+    }
+
+    /// The words for an element of a body.
+    pub(in crate::description::mjcf) fn owner(&self, what: &str, body: &str) -> String {
+        match self.name() {
+            Some(name) => format!("{what} `{}`", shown(&name.value)),
+            None => format!("a {what} of {body}"),
+        }
     }
 }
 

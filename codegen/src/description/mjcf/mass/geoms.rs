@@ -27,13 +27,21 @@ pub(in crate::description::mjcf) enum Moves {
     No,
 }
 
-/// The mass of a geom; `None` where it has none, or where it is faulty. `groups` are the first and the last that count for its body.
+/// What counts for a body.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::description::mjcf) struct Counted {
+    pub(in crate::description::mjcf) moves: Moves,
+    /// The first and the last group of geoms.
+    pub(in crate::description::mjcf) groups: [f64; 2],
+}
+
+/// The mass of a geom; `None` where it has none, or where it is faulty.
 pub(in crate::description::mjcf) fn solid(
     reader: &mut Reader,
     geom: &Attributes<'_>,
     model: &Model<'_>,
     around: &Placement,
-    (moves, groups): (Moves, [f64; 2]),
+    Counted { moves, groups }: Counted,
 ) -> Option<Solid> {
     let settings = &model.settings;
     let group = geom

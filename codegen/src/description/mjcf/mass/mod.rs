@@ -6,3 +6,4 @@ pub(in crate::description::mjcf) mod geoms;
 pub(in crate::description::mjcf) mod inertial;
 pub(in crate::description::mjcf) mod segment;
 pub(in crate::description::mjcf) mod solid;
+pub(in crate::description::mjcf) mod weight;
