@@ -38,7 +38,7 @@ pub(super) struct ProgramContext<'a> {
 }
 
 /// The statements of a program that stores to these places.
-pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entry>) -> Code {
+pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: &[Entry]) -> Code {
     let mut writer = Writer {
         program,
         known,
@@ -56,7 +56,7 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: Vec<Entr
         "listing: outputs have a place for each store"
     );
     let constant = |operand| writer.operand(operand);
-    let outputs = places.into_iter().zip(program.stores.iter().copied());
+    let outputs = places.iter().cloned().zip(program.stores.iter().copied());
     let outputs = Stores::of(program, outputs, constant);
     let scratch = Stores::of(program, known.scratch.stores(program), constant);
     writer.code.statements = scratch.of_constants;

@@ -27,6 +27,20 @@ pub(in crate::listing) struct Writer<'a> {
     fields: Vec<usize>,
 }
 
+/// A program that becomes the body of a function.
+struct Body<'b> {
+    program: &'b Program,
+    signature: &'b Signature,
+    /// Where inputs stand among the arguments.
+    given: InputPlaces,
+    scratch: &'b Scratch,
+    /// Where outputs go.
+    places: Vec<Entry>,
+    /// See [`ProgramContext::keeps_apart`].
+    keeps_apart: bool,
+    numbering: Numbering,
+}
+
 impl<'a> Writer<'a> {
     pub(in crate::listing) fn new(
         tree: &'a Tree,
@@ -44,18 +58,18 @@ impl<'a> Writer<'a> {
     pub(in crate::listing) fn function(&self, emittable: &Emittable) -> Function {
         let (request, program) = (&emittable.function, &emittable.program);
         let signature = request.signature();
-        let places = places(&signature, self.facts);
         let arguments = request.arguments();
-        let given = self.given(&arguments);
         let scratch = Scratch::of(program, signature.arguments.len());
-        // Vectors of neighbours pay where these are copies of what calls compute, and where they are products with the same factors.
-        let keeps_apart = program.helpers.is_empty() && !request.differentiates_accelerations();
-        let code = self.code(
+        let code = self.code(&Body {
             program,
-            (&signature, &given, &scratch),
-            (places, keeps_apart),
-            Numbering::InFunction,
-        );
+            signature: &signature,
+            given: self.given(&arguments),
+            scratch: &scratch,
+            places: places(&signature, self.facts),
+            // Vectors of neighbours pay where these are copies of what calls compute, and where they are products with the same factors.
+            keeps_apart: program.helpers.is_empty() && !request.differentiates_accelerations(),
+            numbering: Numbering::InFunction,
+        });
         let stages = stages::of(&signature, &scratch.declared, &code);
         let helpers =
             (0..program.helpers.len()).map(|place| self.helper(&signature, program, place));
@@ -79,15 +93,15 @@ impl<'a> Writer<'a> {
     fn helper(&self, of: &Signature, program: &Program, place: usize) -> Function {
         let signature = helper::signature(&of.name, program, place);
         let own = &program.helpers[place];
-        let given = helper::entries(&signature, own);
-        let places = places(&signature, self.facts);
-        let scratch = Scratch::default();
-        let code = self.code(
-            own,
-            (&signature, &given, &scratch),
-            (places, false),
-            Numbering::InFunction,
-        );
+        let code = self.code(&Body {
+            program: own,
+            signature: &signature,
+            given: helper::entries(&signature, own),
+            scratch: &Scratch::default(),
+            places: places(&signature, self.facts),
+            keeps_apart: false,
+            numbering: Numbering::InFunction,
+        });
         let loops = loops::of(&signature, &code);
         Function::helper(signature, own, code, loops)
     }
@@ -110,35 +124,33 @@ impl<'a> Writer<'a> {
             argument,
             steps: vec![Step::Member(Member::Prepared(field))],
         });
-        let code = self.code(
+        let code = self.code(&Body {
             program,
-            (&signature, &InputPlaces::new(), &Scratch::default()),
-            (places.collect(), false),
-            Numbering::InPreparation,
-        );
+            signature: &signature,
+            given: InputPlaces::new(),
+            scratch: &Scratch::default(),
+            places: places.collect(),
+            keeps_apart: false,
+            numbering: Numbering::InPreparation,
+        });
         Function::plain(signature, program.operations(), code)
     }
 
-    fn code(
-        &self,
-        program: &Program,
-        (signature, given, scratch): (&Signature, &InputPlaces, &Scratch),
-        (places, keeps_apart): (Vec<Entry>, bool),
-        numbering: Numbering,
-    ) -> Code {
+    fn code(&self, body: &Body<'_>) -> Code {
+        let (program, signature) = (body.program, body.signature);
         let groups = Groups::of(program);
-        let arguments = signature.arguments.iter().chain(&scratch.declared);
+        let arguments = signature.arguments.iter().chain(&body.scratch.declared);
         let arguments = arguments.map(|argument| argument.name.as_str());
-        let names = name::names(program, &groups, self.tree, arguments, numbering);
+        let names = name::names(program, &groups, self.tree, arguments, body.numbering);
         let known = ProgramContext {
             groups: &groups,
             names: &names,
             tree: self.tree,
-            entry: &|input| self.entry(input, signature, given),
-            scratch,
-            keeps_apart,
+            entry: &|input| self.entry(input, body),
+            scratch: body.scratch,
+            keeps_apart: body.keeps_apart,
         };
-        statements::of(program, &known, places)
+        statements::of(program, &known, &body.places)
     }
 
     /// Where each input of the equations stands that is no parameter, in a function with these arguments.
@@ -152,7 +164,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Where a function finds an input.
-    fn entry(&self, input: Input, signature: &Signature, given: &InputPlaces) -> Entry {
+    fn entry(&self, input: Input, body: &Body<'_>) -> Entry {
         let (name, steps) = match input {
             Input::Sine(place) => ("sin_cos", of_member(Member::Sines, place)),
             Input::Cosine(place) => ("sin_cos", of_member(Member::Cosines, place)),
@@ -164,8 +176,9 @@ impl<'a> Writer<'a> {
                 "p",
                 vec![Step::Member(Member::Prepared(self.fields[place]))],
             ),
-            input => given[&input].clone(),
+            input => body.given[&input].clone(),
         };
+        let signature = body.signature;
         let mut arguments = signature.arguments.iter();
         let argument = arguments.position(|argument| argument.name == name);
         let argument =

@@ -1,5 +1,6 @@
 //! `kane new`: a package with a model, its module, a control loop, a test and a workflow.
 
+mod config;
 mod model;
 mod package;
 
@@ -110,7 +111,7 @@ pub(crate) fn run(
     let module = folder.join(format!("src/{name}.rs"));
     let abi = arguments.abi;
     let manifest = package::manifest(&name, &dependency, abi);
-    let config = package::config(&name, (&shown, &model.tree), &options, abi);
+    let config = config::config(&name, &shown, &model.tree, &options, abi);
     let (program, next) = package::program(&name, &model.tree, abi);
     let workflow = package::workflow(&dependency);
     let mut files: Vec<(PathBuf, &str)> = generated.files(&module);
