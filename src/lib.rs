@@ -72,8 +72,9 @@ extern crate self as kane;
 // Sines and cosines, the same bits on every machine.
 mod sin_cos;
 
-// The scalar.
+// The scalar, and what `core` lacks of it.
 mod real;
+mod square_root;
 
 // What the generated functions take and give.
 mod array;

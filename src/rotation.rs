@@ -1,6 +1,6 @@
 //! The error between two orientations, for task-space controllers and solvers.
 
-use crate::{Array, Real};
+use crate::{Array, Real, square_root::square_root};
 
 /// The orientation error: the vector along the axis of the rotation that takes a frame from the rotation matrix `from` to `to`.
 ///
@@ -40,18 +40,9 @@ pub fn error<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 
         let square = one - x - y + z;
         (square, odd[2], [even(0, 2), even(1, 2), square])
     };
-    let factor = one / square_root(square);
+    // The square is from 1 to 4.
+    let (half, quarter) = (R::from_f64(0.5), R::from_f64(0.25));
+    let factor = half / square_root(quarter * square);
     let factor = if scalar < zero { -factor } else { factor };
     vector.map(|entry| factor * entry)
-}
-
-/// The square root of a number from 1 to 4, by Newton's method: `core` has none.
-fn square_root<R: Real>(x: R) -> R {
-    let half = R::from_f64(0.5);
-    // From at most a quarter off, in five steps to rounding.
-    let mut root = half + half * x;
-    for _ in 0..5 {
-        root = half * (root + x / root);
-    }
-    root
 }

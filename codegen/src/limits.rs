@@ -57,5 +57,5 @@ pub const DIFFERENTIATED: usize = 20_000;
 pub const SECOND: usize = 4_000_000;
 /// Speeds, and parts, of a system of which `kane info` counts the operations of all functions.
 pub const COUNTED: usize = 100;
-/// Bodies of a system of which `kane info` draws the tree and the partitions.
-pub const DRAWN_BODIES: usize = 250;
+/// Bodies of a system of which `kane info` shows the tree and the partitions.
+pub const PICTURED_BODIES: usize = 250;

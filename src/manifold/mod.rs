@@ -21,8 +21,8 @@
 //! # }
 //! ```
 
+mod angle;
 pub(crate) mod rate;
-mod root;
 mod tangent;
 mod turn;
 

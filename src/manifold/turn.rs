@@ -3,7 +3,7 @@
 //! A rotation vector is along the axis of the rotation, and its length is the angle, rad; a quaternion is scalar first, Hamilton's
 //! product. Everything also holds near zero rotation, without a branch.
 
-use super::root::{angle, arc_ratio, guarded, length, sign};
+use super::angle::{angle, arc_ratio, guarded, length, sign};
 use crate::Real;
 
 /// A unit quaternion.

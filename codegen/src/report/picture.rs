@@ -23,16 +23,16 @@ use crate::{
 /// `-- 3 panel (2 in the model): s2
 /// ```
 pub fn picture(tree: &Tree, width: usize) -> String {
-    let picture = drawn(tree, false);
+    let picture = lines(tree, false);
     if picture.lines().all(|line| line.chars().count() <= width) {
         picture
     } else {
-        drawn(tree, true)
+        lines(tree, true)
     }
 }
 
 /// The picture; where it is narrow, only what branches goes further in.
-fn drawn(tree: &Tree, is_narrow: bool) -> String {
+fn lines(tree: &Tree, is_narrow: bool) -> String {
     let coordinates = tree.coordinate_names();
     let mut text = String::from("0 inertial frame\n");
     let mut bodies_on = vec![Vec::new(); tree.bodies.len() + 1];

@@ -279,7 +279,7 @@ fn ten_thousand_bodies_are_read_and_told_to_be_too_many_to_generate() {
     assert_eq!(ran.code, 0);
     assert!(
         ran.out
-            .contains("\nThe tree is drawn of at most 250 bodies\n")
+            .contains("\nA tree of more than 250 bodies is not shown\n")
     );
     let ran = project.kane(&["convert", "long.toml", "--output", "converted.toml"]);
     assert_eq!(ran.code, 0);

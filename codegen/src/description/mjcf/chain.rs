@@ -1,7 +1,7 @@
 //! A body with several joints as several bodies: one without mass for each joint but the last.
 
 use crate::description::mjcf::joints::JointElement;
-use crate::description::mjcf::joints::free_inertia::{DrawnBody, inertias};
+use crate::description::mjcf::joints::free_inertia::{PosedBody, inertias};
 use crate::description::mjcf::joints::seat::{fixed, held, joined};
 use crate::description::mjcf::joints::ties::Held;
 use crate::description::mjcf::mass::inertial::{MassProperties, WrittenMass};
@@ -61,7 +61,7 @@ pub(super) struct WrittenBodies {
     pub(super) list: Vec<WrittenBody>,
     /// Of each the number of its lower body, from 1, or 0 for the world.
     pub(super) lower: Vec<Given<i64>>,
-    /// Of each its joint's coordinate where the model is drawn, rad, m.
+    /// Of each its joint's coordinate in the reference pose, rad, m.
     pub(super) references: Vec<f64>,
 }
 
@@ -197,13 +197,13 @@ impl Bodies {
         if joints.all(|joint| joint.spring_damper().is_none()) {
             return;
         }
-        let drawn = self.list.iter().map(|body| DrawnBody {
+        let posed = self.list.iter().map(|body| PosedBody {
             lower: body.lower,
             place: &body.place,
             joint: body.joint.as_ref(),
             mass: body.solid(factor),
         });
-        let Some(inertias) = inertias(&drawn.collect::<Vec<_>>()) else {
+        let Some(inertias) = inertias(&posed.collect::<Vec<_>>()) else {
             let mut joints = self.list.iter().filter_map(|body| body.joint.as_ref());
             let message = format!(
                 "springs of `springdamper` follow from the mass matrix, which takes more than {SPRING_UPDATES} steps here"
@@ -271,7 +271,7 @@ impl ChainedBody {
         Some(self.weight.properties()?.mass())
     }
 
-    /// The joint's coordinate where the model is drawn, rad, m.
+    /// The joint's coordinate in the reference pose, rad, m.
     fn reference(&self) -> f64 {
         self.joint.as_ref().map_or(0.0, |joint| joint.reference)
     }

@@ -15,7 +15,7 @@ use crate::{
     id::SpeedId,
     recursive::{
         links::wrench::Wrench,
-        matrices::{coriolis::Column as Carrying, lever::Levered},
+        matrices::{coriolis::column::CoriolisColumn, lever::Levered},
     },
     tree::Motion,
 };
@@ -177,7 +177,7 @@ impl Hinge {
         let known = [wrench(0), wrench(2)];
         graph.enter(start.body);
         Column {
-            carrying: Carrying::known(graph, start.body, (motion, axis), known, vector(4)),
+            carrying: CoriolisColumn::known(graph, start.body, (motion, axis), known, vector(4)),
             displaced: Levered::new(graph, wrench(5)),
         }
     }

@@ -6,7 +6,7 @@ use crate::{
     recursive::{
         links::{rotation::Turn, wrench::Wrench},
         matrices::{
-            coriolis::Column as Carrying,
+            coriolis::column::CoriolisColumn,
             lever::Levered,
             shortcut::{Next, Sent, Shortcut},
         },
@@ -18,7 +18,7 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Column {
     /// For its speed: what is needed of a change of it, momentum and couple.
-    pub(super) carrying: Carrying,
+    pub(super) carrying: CoriolisColumn,
     /// What is needed of a change of its coordinate.
     pub(super) displaced: Levered,
 }
@@ -26,7 +26,7 @@ pub(super) struct Column {
 impl Column {
     /// All of its numbers.
     pub(super) fn parts_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
-        let Carrying {
+        let CoriolisColumn {
             needed,
             momentum,
             couple,

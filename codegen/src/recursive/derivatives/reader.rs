@@ -3,7 +3,7 @@
 use super::way::{At, doubled};
 use crate::{
     expr::{Expr, ExprGraph, Vector},
-    recursive::matrices::coriolis::Column as Carrying,
+    recursive::matrices::coriolis::column::CoriolisColumn,
     tree::Motion,
 };
 
@@ -54,7 +54,7 @@ impl Reader {
     }
 
     /// How the force along a motion farther out changes with the coordinate.
-    pub(super) fn displaced(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
+    pub(super) fn displaced(&self, graph: &mut ExprGraph, of: &CoriolisColumn) -> Expr {
         let [d, a, u] = self.by_q;
         let (turned, carried) = (
             graph.dot(d, of.momentum.wrench.moment),
@@ -66,7 +66,7 @@ impl Reader {
     }
 
     /// How it changes with the speed.
-    pub(super) fn driven(&self, graph: &mut ExprGraph, of: &Carrying) -> Expr {
+    pub(super) fn driven(&self, graph: &mut ExprGraph, of: &CoriolisColumn) -> Expr {
         let [turned, lever] = self.by_u;
         let (turned, lever) = (
             graph.dot(turned, of.momentum.wrench.moment),

@@ -12,7 +12,10 @@ use crate::{
     recursive::{
         links::{link_motion::LinkMotion, wrench::Wrench},
         matrices::{
-            coriolis::{Column as Carrying, Masses, Velocity},
+            coriolis::{
+                column::{CoriolisColumn, Masses},
+                velocities::Velocity,
+            },
             lever::Levered,
             moments::{Moments, Rates},
         },
@@ -46,7 +49,8 @@ impl Start {
         } = self;
         let axis = reader.place;
         let velocity: Velocity = [doubled(graph, at.after.w), at.v];
-        let mut carrying = Carrying::of_turn(graph, self.masses(), reader.motion, axis, velocity);
+        let mut carrying =
+            CoriolisColumn::of_turn(graph, self.masses(), reader.motion, axis, velocity);
         let e = graph.unit_vector(axis);
         let own = graph.cross(own, e);
         let (spun, swept) = (
@@ -92,7 +96,8 @@ impl Start {
     pub(super) fn shift(&self, graph: &mut ExprGraph, reader: &Reader) -> Column {
         let (axis, moments, at) = (reader.place - 3, &self.moments, &self.at);
         let velocity: Velocity = [doubled(graph, at.lower.w), at.v];
-        let carrying = Carrying::of_shift(graph, self.masses(), reader.motion, axis, velocity);
+        let carrying =
+            CoriolisColumn::of_shift(graph, self.masses(), reader.motion, axis, velocity);
         let (e, d) = (graph.unit_vector(axis), reader.by_q[1]);
         let moment = [
             graph.cross(e, self.wrench.force),

@@ -3,7 +3,7 @@
 use kane_codegen::{
     functions::Formulation,
     id::BodyId,
-    limits::DRAWN_BODIES,
+    limits::PICTURED_BODIES,
     program::Operations,
     report::Counts,
     tree::{RigidPart, Tree},
@@ -22,8 +22,8 @@ pub(super) struct Shown {
 }
 
 /// True where there is room for the tree and its partitions.
-pub(super) fn is_drawn(tree: &Tree) -> bool {
-    tree.bodies.len() <= DRAWN_BODIES
+pub(super) fn is_pictured(tree: &Tree) -> bool {
+    tree.bodies.len() <= PICTURED_BODIES
 }
 
 /// True for a function of the default set.

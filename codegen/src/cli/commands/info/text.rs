@@ -8,12 +8,12 @@ use std::{
 use kane_codegen::{
     diagnostic::count,
     functions::Formulation,
-    limits::{COUNTED, DRAWN_BODIES},
+    limits::{COUNTED, PICTURED_BODIES},
     report::{self, Cell, Counts, Partitions},
     tree::{Frame, Order, Tree},
 };
 
-use super::facts::{Shown, gravity, is_default, is_drawn, lifted, lower_number, operations};
+use super::facts::{Shown, gravity, is_default, is_pictured, lifted, lower_number, operations};
 
 /// Columns of a line.
 const WIDTH: usize = 100;
@@ -35,10 +35,13 @@ pub(super) fn write(
         count(tree.n_speeds, "speed"),
         gravity.join(", ")
     )?;
-    if is_drawn(tree) {
+    if is_pictured(tree) {
         write!(out, "{}", report::picture(tree, WIDTH))?;
     } else {
-        writeln!(out, "The tree is drawn of at most {DRAWN_BODIES} bodies")?;
+        writeln!(
+            out,
+            "A tree of more than {PICTURED_BODIES} bodies is not shown"
+        )?;
     }
     let lower = tree.body_ids().map(|body| lower_number(tree, body));
     let lower = lower.map(|number| number.to_string());
@@ -50,10 +53,10 @@ pub(super) fn write(
     write_coordinates(out, tree)?;
     write_parameters(out, tree)?;
     write_pattern(out, &shown.pattern)?;
-    if shown.partitions && !is_drawn(tree) {
+    if shown.partitions && !is_pictured(tree) {
         writeln!(
             out,
-            "\nPartitions are drawn of at most {DRAWN_BODIES} bodies"
+            "\nPartitions of more than {PICTURED_BODIES} bodies are not shown"
         )?;
     } else if shown.partitions {
         write_partitions(out, tree, &report::partitions(tree))?;

@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use crate::cli::text::json;
 
-use super::facts::{gravity, is_default, is_drawn, lifted, lower_number};
+use super::facts::{gravity, is_default, is_pictured, lifted, lower_number};
 
 pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
     let order = match tree.order {
@@ -32,7 +32,7 @@ pub(super) fn value(tree: &Tree, counts: &[Counts]) -> Value {
         "coordinates": coordinates_value(tree),
         "speeds": tree.speed_names(),
         "frames": tree.frames.iter().map(frame_value).collect::<Value>(),
-        "partitions": is_drawn(tree).then(|| partitions_value(&report::partitions(tree))),
+        "partitions": is_pictured(tree).then(|| partitions_value(&report::partitions(tree))),
         "parameters": tree.parameters.iter().map(parameter).collect::<Value>(),
         "functions": counts,
     });

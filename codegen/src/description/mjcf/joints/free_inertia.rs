@@ -1,4 +1,4 @@
-//! What a force at one joint feels where the model is drawn, while all other joints are free.
+//! What a force at one joint feels in the reference pose, while all other joints are free.
 
 use crate::description::mjcf::joints::JointElement;
 use crate::description::mjcf::joints::joint_type::JointType;
@@ -7,8 +7,8 @@ use crate::description::mjcf::placement::Placement;
 use crate::geometry::{Vector, cross, dot, scaled, sum};
 use crate::limits::SPRING_UPDATES;
 
-/// A body where the model is drawn, behind its lower body in the list.
-pub(in crate::description::mjcf) struct DrawnBody<'b> {
+/// A body in the reference pose, `qpos0` of MuJoCo, behind its lower body in the list.
+pub(in crate::description::mjcf) struct PosedBody<'b> {
     /// Its lower body's number, from 1, or 0 for the world.
     pub(in crate::description::mjcf) lower: usize,
     /// Where it stands in its lower body.
@@ -42,7 +42,7 @@ struct Row {
 }
 
 /// The inertia of each body's joint, if that has one speed; kg m² or kg. `None` where that takes too many steps.
-pub(in crate::description::mjcf) fn inertias(bodies: &[DrawnBody<'_>]) -> Option<Vec<Option<f64>>> {
+pub(in crate::description::mjcf) fn inertias(bodies: &[PosedBody<'_>]) -> Option<Vec<Option<f64>>> {
     let mut places = vec![Placement::SAME];
     let mut composites = vec![Inertia::NONE];
     let mut rows: Vec<Row> = Vec::new();

@@ -31,9 +31,9 @@ pub(in crate::description::mjcf) struct JointElement {
     pub(in crate::description::mjcf) anchor: Vector,
     /// Of length one, body components; `None` for ball and free joints, or where it is faulty.
     pub(in crate::description::mjcf) axis: Option<Vector>,
-    /// The coordinate where the model is drawn, rad, m.
+    /// The coordinate in the reference pose, rad, m.
     pub(in crate::description::mjcf) reference: f64,
-    /// Sine and cosine of the coordinate where the model is drawn.
+    /// Sine and cosine of the coordinate in the reference pose.
     pub(in crate::description::mjcf) reference_turn: [f64; 2],
     /// Whether a free joint gets the axes of its body's inertia, where it says so.
     pub(in crate::description::mjcf) align: Option<Switch>,
@@ -50,8 +50,8 @@ impl JointElement {
         Self { name, ..self }
     }
 
-    /// The joint as if the model were drawn where its coordinate is this; rad, m.
-    pub(in crate::description::mjcf) fn drawn_at(&self, reference: f64) -> Self {
+    /// The joint as if its coordinate were this in the reference pose; rad, m.
+    pub(in crate::description::mjcf) fn with_reference(&self, reference: f64) -> Self {
         let (sine, cosine) = libm::sincos(reference);
         Self {
             reference,

@@ -42,7 +42,7 @@ pub(in crate::description::mjcf) fn held(
     span: Span,
     by: f64,
 ) -> WrittenJoint {
-    let moved = element.drawn_at(-by);
+    let moved = element.with_reference(-by);
     let joined = joined(&moved, place, span);
     WrittenJoint {
         name: joined.name,
@@ -61,7 +61,7 @@ fn seat(element: &JointElement, place: &Placement) -> Placement {
         rotation: place.rotation,
     };
     match (element.kind, element.axis) {
-        // Its coordinates are those of the body in the world, wherever it is drawn.
+        // Its coordinates are those of the body in the world, whatever its reference pose.
         (JointType::Free, _) => Placement::SAME,
         (JointType::Hinge, Some(axis)) if element.reference != 0.0 => {
             let [sine, cosine] = element.reference_turn;

@@ -1,6 +1,6 @@
 //! `springdamper`: a spring and a damper that give a joint its time constant and damping ratio.
 //!
-//! As in MuJoCo the joint's inertia is one over its entry in the diagonal of the inverse mass matrix where the model is drawn, rotors
+//! As in MuJoCo the joint's inertia is one over its entry in the diagonal of the inverse mass matrix in the reference pose, rotors
 //! among it ([`free_inertia`](super::free_inertia)).
 
 /// MuJoCo divides by nothing smaller.

@@ -1,6 +1,6 @@
 //! Joints that linear equalities tie: to another joint, which they follow, or to a constant, at which they are held.
 //!
-//! MuJoCo counts from where the model is drawn: `q1 - ref1 = shift + factor (q2 - ref2)`.
+//! MuJoCo counts from the reference pose: `q1 - ref1 = shift + factor (q2 - ref2)`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,7 +30,7 @@ pub(in crate::description::mjcf) struct Ties {
     pub(in crate::description::mjcf) equalities: BTreeSet<String>,
 }
 
-/// How far joints are held from where the model is drawn, rad, m.
+/// How far joints are held from the reference pose, rad, m.
 pub(in crate::description::mjcf) type Held = BTreeMap<String, f64>;
 
 impl Ties {
@@ -78,7 +78,7 @@ impl Ties {
         held
     }
 
-    /// Lets joints follow others; `references` are the coordinates of all joints where the model is drawn.
+    /// Lets joints follow others; `references` are the coordinates of all joints in the reference pose.
     pub(in crate::description::mjcf) fn apply(
         &self,
         reader: &mut Reader,
@@ -97,7 +97,7 @@ impl Ties {
             let joint_name = shown(&equation.joint.value);
             if let Some(by) = held.get(&equation.joint.value) {
                 let message = format!(
-                    "{} holds joint `{joint_name}`, {by} from where the model is drawn",
+                    "{} holds joint `{joint_name}`, {by} from the reference pose",
                     equation.owner
                 );
                 let note = Diagnostic::note(message).at(equation.span, "held");

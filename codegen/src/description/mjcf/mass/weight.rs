@@ -9,7 +9,7 @@ use crate::description::mjcf::mass::solid::{Solid, together};
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::defaults::ElementKind;
 use crate::description::mjcf::model::models::Models;
-use crate::description::mjcf::model::settings::{FromGeoms, Settings};
+use crate::description::mjcf::model::settings::FromGeoms;
 use crate::description::mjcf::placement::Placement;
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span};
@@ -64,7 +64,11 @@ impl Weighed<'_, '_> {
         models: &Models<'_>,
     ) -> Weight {
         let settings = &models.list[self.around.model].settings;
-        let inertial = self.inertial(reader, settings);
+        let inertial = self.inertial(reader).map(|inside| {
+            let owner = format!("`inertial` of {}", self.owner);
+            let given = Attributes::of(reader, inside.element, &owner, &known::INERTIAL);
+            inertial::read(reader, &given, settings, &inside.around.frame)
+        });
         let infers = match settings.from_geoms {
             FromGeoms::Always => true,
             FromGeoms::Auto => inertial.is_none(),
@@ -87,18 +91,15 @@ impl Weighed<'_, '_> {
         Weight::Written(properties.map(adjusted))
     }
 
-    /// What the body's `inertial` says, if it has one.
-    fn inertial(&self, reader: &mut Reader, settings: &Settings) -> Option<Option<MassProperties>> {
+    /// The body's `inertial`, if it has one.
+    fn inertial(&self, reader: &mut Reader) -> Option<&Inside<'_>> {
         let (first, others) = self.contents.inertials.split_first()?;
         for other in others {
             let fault = Diagnostic::error(format!("{} has two `inertial`", self.owner));
             let fault = fault.at(other.element.span(), "the second one");
             reader.faults.push(fault);
         }
-        let owner = format!("`inertial` of {}", self.owner);
-        let given = Attributes::of(reader, first.element, &owner, &known::INERTIAL);
-        let frame = &first.around.frame;
-        Some(inertial::read(reader, &given, settings, frame))
+        Some(first)
     }
 
     /// What the body's geoms weigh, if that is asked; their attributes are looked at in any case.

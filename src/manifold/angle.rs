@@ -1,23 +1,11 @@
-//! Lengths and angles without the platform's square root or arc tangent: `core` has neither.
+//! Lengths and angles without an arc tangent, which `core` has not.
 //!
 //! Only sums, products and quotients of [`Real`]: no branch, the same bits on every machine and in every lane.
 
-use crate::Real;
+use crate::{Real, square_root::square_root};
 
 /// Keeps a quotient of zeros finite: it vanishes beside numbers above `1e-14`, and is a normal number of `f32`.
 const TINY: f64 = 1e-30;
-
-/// Square root of `x` between 1/4 and 1, within two roundings.
-fn root<R: Real>(x: R) -> R {
-    // The chord is within 5 % there; Newton's step halves the square of the error: 1e-3, 1e-6, 1e-12, 1e-24.
-    let (slope, offset) = (R::from_f64(2.0 / 3.0), R::from_f64(0.354));
-    let half = R::from_f64(0.5);
-    let mut y = slope * x + offset;
-    for _ in 0..4 {
-        y = half * (y + x / y);
-    }
-    y
-}
 
 /// The length of a vector of two to four entries; above zero even if all are zero.
 ///
@@ -30,7 +18,7 @@ pub(super) fn length<R: Real, const N: usize>(v: [R; N]) -> R {
         let ratio = entry / sum;
         square = square + ratio * ratio;
     }
-    sum * root(square)
+    sum * square_root(square)
 }
 
 /// `atan(t) / t` for `t²` from 0 to 1, from `t²`.
@@ -40,7 +28,7 @@ pub(super) fn arc_ratio<R: Real>(mut square: R) -> R {
     let mut ratio = one;
     // tan(a / 2) = t / (1 + sqrt(1 + t²)): three times, and tan² is below 0.01.
     for _ in 0..3 {
-        let by = one / (one + two * root(quarter * (one + square)));
+        let by = one / (one + two * square_root(quarter * (one + square)));
         ratio = two * ratio * by;
         square = square * by * by;
     }
