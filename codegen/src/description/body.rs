@@ -29,7 +29,7 @@ pub struct WrittenBody {
 impl WrittenBody {
     /// What its joint is called elsewhere: by its own name, or by the body's, which means no joint where the body is fixed.
     pub fn joint_name(&self) -> Option<&Spanned<String>> {
-        let is_fixed = |kind: &Spanned<JointKind>| kind.value == JointKind::Fixed;
+        let is_fixed = |kind: &Spanned<JointKind>| kind.value.is_fixed();
         let of_body = self.name.as_ref();
         let of_body = of_body.filter(|_| !self.joint.kind.as_ref().is_some_and(is_fixed));
         self.joint.name.as_ref().or(of_body)

@@ -88,10 +88,39 @@ impl JointKind {
 
     /// True for a joint about or along an axis that has to be given.
     pub fn has_axis(&self) -> bool {
-        matches!(
-            self,
-            Self::Revolute | Self::Continuous | Self::Prismatic | Self::Cylindrical | Self::Planar
-        )
+        match self {
+            Self::Revolute
+            | Self::Continuous
+            | Self::Prismatic
+            | Self::Cylindrical
+            | Self::Planar => true,
+            Self::Fixed | Self::Universal | Self::Spherical | Self::Free | Self::List(_) => false,
+        }
+    }
+
+    /// True for a joint that leaves nothing free.
+    pub fn is_fixed(&self) -> bool {
+        match self {
+            Self::Fixed => true,
+            Self::List(coordinates) => coordinates.is_empty(),
+            Self::Revolute
+            | Self::Continuous
+            | Self::Prismatic
+            | Self::Cylindrical
+            | Self::Planar
+            | Self::Universal
+            | Self::Spherical
+            | Self::Free => false,
+        }
+    }
+
+    /// True where all that the joint leaves free are angles.
+    pub fn is_angular(&self) -> bool {
+        match self {
+            Self::Revolute | Self::Continuous | Self::Universal | Self::Spherical => true,
+            Self::List(coordinates) => coordinates.iter().all(|own| own.value.is_angle()),
+            Self::Fixed | Self::Prismatic | Self::Cylindrical | Self::Planar | Self::Free => false,
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::joint::coordinate;
 use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Vector, transpose},
-    tree::{Coordinate, Joint, Tree, snapped_sin_cos},
+    tree::{Attitude, Coordinate, Joint, Tree, snapped_sin_cos},
 };
 
 /// Sine and cosine of a joint's three angles.
@@ -38,14 +38,16 @@ pub fn trigonometry(graph: &mut ExprGraph, tree: &Tree, angles: [Coordinate; 3])
 
 /// From the joint's axes in the lower body to the body's: Eq. (4), or `C(e)^T`.
 pub fn of_joint(graph: &mut ExprGraph, tree: &Tree, joint: &Joint) -> Matrix {
-    if let Some(angles) = joint.angles() {
-        let trigonometry = trigonometry(graph, tree, angles);
-        return body_fixed_123(graph, &trigonometry);
+    match joint.attitude() {
+        Attitude::Angles(angles) => {
+            let trigonometry = trigonometry(graph, tree, angles);
+            body_fixed_123(graph, &trigonometry)
+        }
+        Attitude::EulerParameters(parameters) => {
+            let e = parameters.map(|parameter| graph.input(Input::Q(parameter)));
+            transpose(&quaternion(graph, e))
+        }
     }
-    let e = joint
-        .euler_parameters()
-        .map(|parameter| graph.input(Input::Q(parameter)));
-    transpose(&quaternion(graph, e))
 }
 
 /// `C(e)` of a unit quaternion, scalar first, Hamilton's product: body components to lower-body components.

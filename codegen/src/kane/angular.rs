@@ -14,7 +14,7 @@ use crate::{
 /// `P_K`, Eq. (17): speeds of rotation to relative angular velocity, body components; where these are the speeds, the
 /// identity.
 pub fn rate_matrix(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Block {
-    let Orientation::Rates(angles) = tree.body(body).joint.orientation else {
+    let Some(angles) = tree.body(body).joint.angles_with_rates() else {
         return Block::Identity;
     };
     let t = trigonometry(graph, tree, angles);
@@ -31,7 +31,7 @@ pub fn rate_matrix(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Block {
 pub fn rate_matrix_dot(graph: &mut ExprGraph, tree: &Tree, body: BodyId) -> Matrix {
     let joint = &tree.body(body).joint;
     let zero = graph.zero();
-    let Orientation::Rates(angles) = joint.orientation else {
+    let Some(angles) = joint.angles_with_rates() else {
         return [[zero; 3]; 3];
     };
     let t = trigonometry(graph, tree, angles);

@@ -4,7 +4,7 @@ use crate::{
     expr::{Expr, ExprGraph, Input, Matrix, Purpose},
     given::{self, orientation},
     id::BodyMap,
-    tree::{ChartCoordinates, Orientation, Tree},
+    tree::Tree,
 };
 
 /// `JR_K`, Eq. (4), after the constant `A_K`: lower-body components to body components, for every body.
@@ -44,11 +44,7 @@ pub fn normalized(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
         for (_, coordinate) in joint.coordinates() {
             coordinates[coordinate.index()] = graph.input(Input::Q(coordinate));
         }
-        if let Orientation::AngularVelocity {
-            chart: ChartCoordinates::EulerParameters(parameters),
-            ..
-        } = joint.orientation
-        {
+        if let Some(parameters) = joint.euler_parameters() {
             let mut e = parameters.map(|parameter| graph.input(Input::Q(parameter)));
             for _ in 0..2 {
                 e = nearer_to_unit(graph, e);

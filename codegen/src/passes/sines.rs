@@ -9,7 +9,7 @@ use super::rebuild::Rebuilt;
 use crate::{
     expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
     id::{BodyId, CoordinateId},
-    tree::Tree,
+    tree::{CoordinateKind, Tree},
 };
 
 /// An angle among the coordinates.
@@ -19,20 +19,22 @@ pub struct Angle {
     pub coordinate: CoordinateId,
     /// The body that it turns.
     pub body: BodyId,
-    /// "theta1", "theta2" or "theta3".
-    pub kind: &'static str,
+    /// Which of the three, from 0.
+    pub axis: usize,
 }
 
 /// The angles among the coordinates, in the order of `q`: each has the place of its sine and cosine.
 pub fn angles(tree: &Tree) -> Vec<Angle> {
     let mut angles = Vec::new();
     for body in tree.body_ids() {
-        let coordinates = tree.body(body).joint.coordinates().into_iter();
-        let turning = coordinates.filter(|(kind, _)| kind.starts_with("theta"));
-        angles.extend(turning.map(|(kind, coordinate)| Angle {
-            coordinate,
-            body,
-            kind,
+        let own = tree.body(body).joint.coordinates().into_iter();
+        angles.extend(own.filter_map(|(kind, coordinate)| match kind {
+            CoordinateKind::Angle(axis) => Some(Angle {
+                coordinate,
+                body,
+                axis,
+            }),
+            CoordinateKind::EulerParameter(_) | CoordinateKind::Translation(_) => None,
         }));
     }
     angles.sort_by_key(|angle| angle.coordinate);

@@ -51,7 +51,7 @@ pub fn prepared_fields(preparation: &Preparation, tree: &Tree) -> Vec<String> {
 pub(crate) struct InputNames {
     q: Vec<String>,
     /// The body and axis of each angle: `hinge` and `3`.
-    angles: Vec<(String, &'static str)>,
+    angles: Vec<(String, usize)>,
     u: Vec<String>,
     u_dot: Vec<String>,
     tau: Vec<String>,
@@ -64,10 +64,7 @@ impl InputNames {
             q: tree.coordinate_names(),
             angles: sines::angles(tree)
                 .into_iter()
-                .map(|angle| {
-                    let axis = angle.kind.trim_start_matches("theta");
-                    (tree.body(angle.body).identifier.clone(), axis)
-                })
+                .map(|angle| (tree.body(angle.body).identifier.clone(), angle.axis + 1))
                 .collect(),
             u: tree.speed_names(),
             u_dot: tree.along_speeds("_ddot", "_dot"),

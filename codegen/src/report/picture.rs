@@ -3,7 +3,7 @@
 use crate::{
     geometry::apply,
     id::BodyId,
-    tree::{Body, Coordinate, Joint, Orientation, Tree, is_translation},
+    tree::{Body, Coordinate, Joint, Tree},
 };
 
 /// A line for the inertial frame and for each body, with its number, joint and, where it differs, the user's number.
@@ -71,7 +71,7 @@ fn single(joint: &Joint) -> Option<usize> {
         Some(_) => true,
         None => false,
     };
-    let is_turned = matches!(joint.orientation, Orientation::AngularVelocity { .. });
+    let is_turned = joint.angular_velocity().is_some();
     let mut moving = (0..6).filter(moves);
     let single = moving.next().filter(|_| joint.is_named && !is_turned);
     single.filter(|_| moving.next().is_none())
@@ -104,13 +104,10 @@ fn line(tree: &Tree, id: BodyId, coordinates: &[String]) -> String {
     let names = joint.motion_names();
     let mut free: Vec<String> = Vec::new();
     let mut locked = Vec::new();
-    if let Orientation::AngularVelocity { .. } = joint.orientation {
-        let turning = joint.coordinates().into_iter().map(|(name, _)| name);
-        free.extend(
-            turning
-                .take_while(|name| !is_translation(name))
-                .map(str::to_owned),
-        );
+    if joint.angular_velocity().is_some() {
+        let own = joint.coordinates().into_iter().map(|(kind, _)| kind);
+        let turning = own.filter(|kind| !kind.is_translation());
+        free.extend(turning.map(|kind| kind.name().to_owned()));
     }
     let single = single(joint);
     for (motion, name) in names.into_iter().enumerate() {

@@ -13,7 +13,7 @@ use crate::{
     options::companion::SCALES,
     random::Random,
     recursive::Plan,
-    tree::{Tree, is_translation},
+    tree::Tree,
 };
 
 /// All that the equations are given in a state.
@@ -113,7 +113,7 @@ impl<'a> Sampler<'a> {
 fn translations(tree: &Tree) -> impl Iterator<Item = Input> + '_ {
     let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
     coordinates
-        .filter(|&(kind, _)| is_translation(kind))
+        .filter(|&(kind, _)| kind.is_translation())
         .map(|(_, coordinate)| Input::Q(coordinate))
 }
 

@@ -6,10 +6,7 @@
 use std::fmt::Write as _;
 
 use crate::geometry::{IDENTITY, Rotation};
-use crate::tree::{
-    Coordinate, Joint, Mechanics, NamedFrame, Offset, Order, Orientation, Step, Tree, Value,
-    is_translation,
-};
+use crate::tree::{Coordinate, Joint, Mechanics, NamedFrame, Offset, Order, Step, Tree, Value};
 
 /// The canonical text of a tree.
 pub fn canonical(tree: &Tree) -> String {
@@ -117,12 +114,13 @@ fn joint(text: &mut String, tree: &Tree, joint: &Joint) {
         ),
     );
     let mut coordinates: Vec<String> = Vec::new();
-    if let Orientation::AngularVelocity { speeds, .. } = joint.orientation {
+    if let Some(speeds) = joint.angular_velocity() {
         let speeds = speeds.map(|speed| format!(" u{}", speed.index()));
         coordinates.push(format!(" angular velocity{}", speeds.concat()));
         let places = joint.coordinates();
-        let turning = places.iter().filter(|(name, _)| !is_translation(name));
-        coordinates.extend(turning.map(|(name, place)| format!(" {name} q{}", place.index())));
+        let turning = places.iter().filter(|(kind, _)| !kind.is_translation());
+        coordinates
+            .extend(turning.map(|(kind, place)| format!(" {} q{}", kind.name(), place.index())));
     }
     coordinates.extend((0..6).filter_map(|motion| Some(coordinate(joint.coordinate_of(motion)?))));
     line(text, format_args!("coordinates{}", coordinates.concat()));

@@ -50,6 +50,16 @@ pub enum ChartCoordinates {
     EulerParameters([CoordinateId; 4]),
 }
 
+/// What an orientation is a function of, whatever its speeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attitude {
+    /// 1-2-3 body-fixed angles. Where the speeds are components of an angular velocity, each angle bears the one of its place, which
+    /// is not its rate.
+    Angles([Coordinate; 3]),
+    /// Euler parameters.
+    EulerParameters([CoordinateId; 4]),
+}
+
 /// One of the six relative coordinates of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Coordinate {
@@ -75,6 +85,45 @@ pub enum Coordinate {
     Locked(f64),
 }
 
+/// What one of a joint's own coordinates is, with its number, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CoordinateKind {
+    /// `theta_1`, `theta_2` or `theta_3`, rad.
+    Angle(usize),
+    /// `e_0` to `e_3`.
+    EulerParameter(usize),
+    /// `s_1`, `s_2` or `s_3`, m.
+    Translation(usize),
+}
+
+impl CoordinateKind {
+    /// What it is called within the joint: `theta1`, `e0`, `s3`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Angle(i) => ["theta1", "theta2", "theta3"][i],
+            Self::EulerParameter(i) => ["e0", "e1", "e2", "e3"][i],
+            Self::Translation(i) => ["s1", "s2", "s3"][i],
+        }
+    }
+
+    /// "rad", "m" or "1".
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Angle(_) => "rad",
+            Self::EulerParameter(_) => "1",
+            Self::Translation(_) => "m",
+        }
+    }
+
+    /// True for a length.
+    pub fn is_translation(self) -> bool {
+        match self {
+            Self::Angle(_) | Self::EulerParameter(_) => false,
+            Self::Translation(_) => true,
+        }
+    }
+}
+
 /// What a speed does to a relative motion: the motion's own speed is `factor` times it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
@@ -85,36 +134,53 @@ pub struct Motion {
 }
 
 impl Joint {
-    /// The angles, where the orientation has these coordinates; in the second kind of orientation their speeds are none
-    /// of theirs.
-    pub fn angles(&self) -> Option<[Coordinate; 3]> {
+    /// What the orientation is a function of.
+    pub fn attitude(&self) -> Attitude {
         match self.orientation {
-            Orientation::Rates(angles) => Some(angles),
-            Orientation::AngularVelocity {
-                chart: ChartCoordinates::Angles(angles),
-                speeds,
-            } => Some(std::array::from_fn(|i| Coordinate::Free {
-                coordinate: angles[i],
-                speed: speeds[i],
-            })),
-            Orientation::AngularVelocity {
-                chart: ChartCoordinates::EulerParameters(_),
-                ..
-            } => None,
+            Orientation::Rates(angles) => Attitude::Angles(angles),
+            Orientation::AngularVelocity { chart, speeds } => match chart {
+                ChartCoordinates::Angles(angles) => {
+                    Attitude::Angles(std::array::from_fn(|i| Coordinate::Free {
+                        coordinate: angles[i],
+                        speed: speeds[i],
+                    }))
+                }
+                ChartCoordinates::EulerParameters(parameters) => {
+                    Attitude::EulerParameters(parameters)
+                }
+            },
         }
     }
 
-    /// The Euler parameters of an orientation that has no angles.
-    ///
-    /// # Panics
-    /// If it has angles.
-    pub fn euler_parameters(&self) -> [CoordinateId; 4] {
+    /// The angles, where the orientation is a function of them.
+    pub fn angles(&self) -> Option<[Coordinate; 3]> {
+        match self.attitude() {
+            Attitude::Angles(angles) => Some(angles),
+            Attitude::EulerParameters(_) => None,
+        }
+    }
+
+    /// The Euler parameters, where the orientation is a function of them.
+    pub fn euler_parameters(&self) -> Option<[CoordinateId; 4]> {
+        match self.attitude() {
+            Attitude::Angles(_) => None,
+            Attitude::EulerParameters(parameters) => Some(parameters),
+        }
+    }
+
+    /// The angles whose rates are the speeds; `None` where components of the angular velocity are.
+    pub fn angles_with_rates(&self) -> Option<[Coordinate; 3]> {
         match self.orientation {
-            Orientation::AngularVelocity {
-                chart: ChartCoordinates::EulerParameters(parameters),
-                ..
-            } => parameters,
-            _ => unreachable!("tree: an orientation has angles or Euler parameters"),
+            Orientation::Rates(angles) => Some(angles),
+            Orientation::AngularVelocity { .. } => None,
+        }
+    }
+
+    /// The speeds that are components of the relative angular velocity, where they are.
+    pub fn angular_velocity(&self) -> Option<[SpeedId; 3]> {
+        match self.orientation {
+            Orientation::Rates(_) => None,
+            Orientation::AngularVelocity { speeds, .. } => Some(speeds),
         }
     }
 
@@ -147,23 +213,23 @@ impl Joint {
         }
     }
 
-    /// The coordinates that are the joint's own, with what they are called: `theta1` or `e0`, to `s3`.
-    pub fn coordinates(&self) -> Vec<(&'static str, CoordinateId)> {
+    /// The coordinates that are the joint's own, with what they are: angles or Euler parameters, then translations.
+    pub fn coordinates(&self) -> Vec<(CoordinateKind, CoordinateId)> {
+        let own = |kind: fn(usize) -> CoordinateKind, coordinates: [Coordinate; 3]| {
+            let own = coordinates.into_iter().enumerate();
+            own.filter_map(move |(i, own)| Some((kind(i), own.place()?)))
+        };
         let mut coordinates = Vec::new();
-        match self.orientation {
-            Orientation::Rates(angles) => {
-                coordinates.extend(own(["theta1", "theta2", "theta3"], angles));
+        match self.attitude() {
+            Attitude::Angles(angles) => coordinates.extend(own(CoordinateKind::Angle, angles)),
+            Attitude::EulerParameters(parameters) => {
+                let parameters = parameters.into_iter().enumerate();
+                let parameters =
+                    parameters.map(|(i, own)| (CoordinateKind::EulerParameter(i), own));
+                coordinates.extend(parameters);
             }
-            Orientation::AngularVelocity {
-                chart: ChartCoordinates::Angles(angles),
-                ..
-            } => coordinates.extend(["theta1", "theta2", "theta3"].into_iter().zip(angles)),
-            Orientation::AngularVelocity {
-                chart: ChartCoordinates::EulerParameters(parameters),
-                ..
-            } => coordinates.extend(["e0", "e1", "e2", "e3"].into_iter().zip(parameters)),
         }
-        coordinates.extend(own(["s1", "s2", "s3"], self.translations));
+        coordinates.extend(own(CoordinateKind::Translation, self.translations));
         coordinates
     }
 
@@ -207,24 +273,18 @@ impl Joint {
     }
 }
 
-/// The coordinates that are free, not those that follow others.
-fn own(
-    names: [&'static str; 3],
-    coordinates: [Coordinate; 3],
-) -> impl Iterator<Item = (&'static str, CoordinateId)> {
-    names
-        .into_iter()
-        .zip(coordinates)
-        .filter_map(|(name, coordinate)| match coordinate {
-            Coordinate::Free { coordinate, .. } => Some((name, coordinate)),
-            Coordinate::Mimic { .. } | Coordinate::Locked(_) => None,
-        })
-}
-
 impl Coordinate {
     /// True for a coordinate with a place of its own in `q`.
     pub fn is_free(self) -> bool {
         matches!(self, Self::Free { .. })
+    }
+
+    /// Its own place in `q`.
+    fn place(self) -> Option<CoordinateId> {
+        match self {
+            Self::Free { coordinate, .. } => Some(coordinate),
+            Self::Mimic { .. } | Self::Locked(_) => None,
+        }
     }
 
     /// The speed that moves it, if any does.
@@ -240,9 +300,4 @@ impl Coordinate {
             Self::Locked(_) => None,
         }
     }
-}
-
-/// True for the name of a coordinate that is a length: `s1`, `s2` or `s3`.
-pub fn is_translation(name: &str) -> bool {
-    name.starts_with('s')
 }

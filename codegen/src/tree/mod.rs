@@ -52,7 +52,9 @@ pub use build::{Checked, build, build_with};
 pub use canonical::{canonical, canonical_frame};
 pub use changes::Changes;
 pub use frames::Frame;
-pub use joint::{ChartCoordinates, Coordinate, Joint, Motion, Orientation, is_translation};
+pub use joint::{
+    Attitude, ChartCoordinates, Coordinate, CoordinateKind, Joint, Motion, Orientation,
+};
 pub use mechanics::Mechanics;
 pub(crate) use mobility::Units;
 pub use mobility::idle_motions;

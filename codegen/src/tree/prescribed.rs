@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{Description, JointKind, WrittenBody};
+use crate::description::{Description, WrittenBody};
 use crate::tree::names::{self, joint_named};
 use crate::tree::system::Tree;
 
@@ -155,11 +155,8 @@ fn unknown(tree: &Tree, name: &str) -> PrescribedFault {
 }
 
 fn held(body: &WrittenBody, name: &str) -> PrescribedFault {
-    let is_fixed = match body.joint.kind.as_ref().map(|kind| &kind.value) {
-        Some(JointKind::Fixed) => true,
-        Some(JointKind::List(motions)) => motions.is_empty(),
-        _ => false,
-    };
+    let kind = body.joint.kind.as_ref();
+    let is_fixed = kind.is_some_and(|kind| kind.value.is_fixed());
     PrescribedFault::Held {
         name: name.to_owned(),
         why: match &body.joint.mimic {

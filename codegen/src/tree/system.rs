@@ -8,7 +8,7 @@ use crate::id::{BodyId, CoordinateId, SpeedId};
 use crate::tree::base_parameter::BaseParameters;
 use crate::tree::body::{Body, RigidPart};
 use crate::tree::frames::Frame;
-use crate::tree::joint::{ChartCoordinates, Coordinate, Joint, Orientation};
+use crate::tree::joint::{Coordinate, Joint};
 use crate::tree::value::{Parameter, Value};
 
 /// A tree of rigid bodies that obeys every rule a description can break.
@@ -76,7 +76,7 @@ impl Tree {
             let coordinates = body.joint.coordinates();
             let is_only = coordinates.len() == 1;
             for (kind, coordinate) in coordinates {
-                names[coordinate.index()] = body.joint.name_of(kind, is_only);
+                names[coordinate.index()] = body.joint.name_of(kind.name(), is_only);
             }
         }
         names
@@ -148,7 +148,7 @@ impl Tree {
     pub fn order_dependent_turns(&self) -> BTreeSet<[usize; 2]> {
         let mut pairs = BTreeSet::new();
         for body in &self.bodies {
-            if let Orientation::AngularVelocity { speeds, .. } = body.joint.orientation {
+            if let Some(speeds) = body.joint.angular_velocity() {
                 let [a, b, c] = speeds.map(SpeedId::index);
                 pairs.extend([[a, b], [a, c], [b, c]].map(|[i, j]| [i.max(j), i.min(j)]));
             }
@@ -189,15 +189,8 @@ impl Tree {
 
     /// The bodies whose orientation is described by a quaternion, each with its four coordinates.
     pub fn quaternions(&self) -> impl Iterator<Item = (&Body, [CoordinateId; 4])> {
-        self.bodies
-            .iter()
-            .filter_map(|body| match body.joint.orientation {
-                Orientation::AngularVelocity {
-                    chart: ChartCoordinates::EulerParameters(parameters),
-                    ..
-                } => Some((body, parameters)),
-                _ => None,
-            })
+        let bodies = self.bodies.iter();
+        bodies.filter_map(|body| Some((body, body.joint.euler_parameters()?)))
     }
 
     /// True where some orientation is described by a quaternion.

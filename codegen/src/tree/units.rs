@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::description::{Description, JointKind, Limits, PerCoordinate, WrittenBody};
+use crate::description::{Description, Limits, PerCoordinate, WrittenBody};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::tree::names::shown;
 
@@ -80,19 +80,11 @@ fn limits(description: &Description, findings: &mut Vec<Diagnostic>) {
 
 /// The limits of angles.
 fn angular_limits(body: &WrittenBody) -> Vec<&Limits> {
-    let is_angular = |kind: &JointKind| match kind {
-        JointKind::Revolute
-        | JointKind::Continuous
-        | JointKind::Universal
-        | JointKind::Spherical => true,
-        JointKind::List(names) => names.iter().all(|name| name.value.is_angle()),
-        _ => false,
-    };
     match &body.joint.limits {
         PerCoordinate::Absent => Vec::new(),
         PerCoordinate::Same(limits) => {
             let kind = body.joint.kind.as_ref();
-            let is_angular = kind.is_some_and(|kind| is_angular(&kind.value));
+            let is_angular = kind.is_some_and(|kind| kind.value.is_angular());
             is_angular.then_some(&limits.value).into_iter().collect()
         }
         PerCoordinate::Each(limits) => {
@@ -260,5 +252,5 @@ fn standing(description: &Description) -> Vec<bool> {
 
 fn is_fixed(body: &WrittenBody) -> bool {
     let kind = body.joint.kind.as_ref();
-    kind.is_some_and(|kind| kind.value == JointKind::Fixed)
+    kind.is_some_and(|kind| kind.value.is_fixed())
 }

@@ -178,7 +178,7 @@ fn sums_of_angles_and_parameters_keep_their_values_and_parameters_leave_the_loop
     let known = [0, 1].map(|place| Angle {
         coordinate: coordinate(place),
         body: BodyId::new(0),
-        kind: "theta1",
+        axis: 0,
     });
     let (given, given_roots) = sines::run(&graph, &roots, &known);
     let q = [0.7, -1.9, 2.3];

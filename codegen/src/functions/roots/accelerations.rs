@@ -12,7 +12,7 @@ use crate::{
         forces::{gravity, inverse_dynamics},
     },
     solve::{self, Carriers, Factors, Inversion, LockstepSolver, SpeedMatrix},
-    tree::{Mechanics, Orientation, Tree},
+    tree::{Mechanics, Tree},
 };
 
 /// Accelerations, the inverse of the mass matrix, and its product with columns.
@@ -268,9 +268,7 @@ fn turned_roots(
 fn turning_roots(tree: &Tree) -> Vec<(BodyId, [SpeedId; 3])> {
     let turning = |body: BodyId| {
         let joint = &tree.body(body).joint;
-        let Orientation::AngularVelocity { speeds, .. } = joint.orientation else {
-            return None;
-        };
+        let speeds = joint.angular_velocity()?;
         let is_free = joint.translations.iter().all(|own| own.is_free());
         let has_rotors = joint.mechanics.iter().any(Mechanics::has_rotor);
         (tree.lower(body).is_none() && is_free && !has_rotors).then_some((body, speeds))

@@ -2,7 +2,7 @@
 
 use crate::{
     id::BodyId,
-    tree::{self, Orientation},
+    tree::{self, CoordinateKind, Orientation},
 };
 
 /// A body's joint.
@@ -43,11 +43,13 @@ pub struct Frame {
 }
 
 impl JointChart {
-    /// The kinds of the coordinates that have a place in [`Joint::q`]; of angles the fourth place has none.
-    pub(crate) fn coordinates(self) -> [&'static str; 7] {
-        match self {
-            Self::AngleRates | Self::Angles => ["theta1", "theta2", "theta3", "", "s1", "s2", "s3"],
-            Self::EulerParameters => ["e0", "e1", "e2", "e3", "s1", "s2", "s3"],
+    /// What stands at a place of [`Joint::q`]; of angles there is none at the fourth.
+    pub(crate) fn coordinate(self, place: usize) -> Option<CoordinateKind> {
+        match (place, self) {
+            (4.., _) => Some(CoordinateKind::Translation(place - 4)),
+            (_, Self::EulerParameters) => Some(CoordinateKind::EulerParameter(place)),
+            (3, Self::AngleRates | Self::Angles) => None,
+            (_, Self::AngleRates | Self::Angles) => Some(CoordinateKind::Angle(place)),
         }
     }
 
@@ -80,12 +82,13 @@ impl Joint {
                 ..
             } => JointChart::EulerParameters,
         };
-        let kinds = chart.coordinates();
         let mut q = [None; 7];
         for (kind, coordinate) in joint.coordinates() {
-            let slot = kinds.iter().position(|known| *known == kind);
-            let slot = slot.unwrap_or_else(|| unreachable!("listing: {kind} has no place"));
-            q[slot] = Some(coordinate.index());
+            let place = match kind {
+                CoordinateKind::Angle(i) | CoordinateKind::EulerParameter(i) => i,
+                CoordinateKind::Translation(i) => 4 + i,
+            };
+            q[place] = Some(coordinate.index());
         }
         let mut u = [None; 6];
         for (motion, speed) in joint.speeds() {

@@ -140,7 +140,7 @@ fn branch(tree: &Tree, kinds: &[usize], first: BodyId) -> Vec<BodyId> {
 
 /// By which coordinates and speeds a joint moves.
 fn moves(joint: &Joint) -> String {
-    let coordinates = joint.coordinates().into_iter().map(|(name, _)| name);
+    let coordinates = joint.coordinates().into_iter().map(|(kind, _)| kind.name());
     let motions = joint
         .speeds()
         .into_iter()

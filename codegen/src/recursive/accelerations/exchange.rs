@@ -6,7 +6,7 @@ use crate::{
     id::{BodyId, SpeedId},
     recursive::links::{linkage::Linkage, rotation::Turn},
     solve::{self, SpeedMatrix},
-    tree::{Motion, Orientation, Tree},
+    tree::{Motion, Tree},
 };
 
 /// Generalized forces of the speeds, as those of the motions that are solved for.
@@ -47,7 +47,7 @@ pub(in crate::recursive) fn accelerations(
         let joint = &tree.body(body).joint;
         let passage = &links[body].passage;
         let [turns, shifts] = axes[body].motions(joint);
-        if let (Some(motions), Orientation::Rates(angles)) = (turns, joint.orientation) {
+        if let (Some(motions), Some(angles)) = (turns, joint.angles_with_rates()) {
             exchange(solution, motions, |w_dot| {
                 orientation::rates(graph, tree, angles, w_dot)
             });
@@ -94,7 +94,7 @@ pub(in crate::recursive) fn compliance(
 }
 
 fn has_rates(tree: &Tree, body: BodyId) -> bool {
-    matches!(tree.body(body).joint.orientation, Orientation::Rates(_))
+    tree.body(body).joint.angles_with_rates().is_some()
 }
 
 fn exchange(entries: &mut [Expr], motions: [Motion; 3], new: impl FnOnce(Vector) -> Vector) {

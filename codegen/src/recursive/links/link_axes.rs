@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use crate::{
     id::{BodyMap, SpeedId},
     recursive::plan::{Plan, Technique},
-    tree::{Coordinate, Joint, Mechanics, Motion, Orientation, Tree},
+    tree::{Coordinate, Joint, Mechanics, Motion, Tree},
 };
 
 /// Which of a joint's motions are taken along the axes of its link: the others are about the angles' axes and along the
@@ -26,7 +26,7 @@ impl LinkAxes {
     /// The motions as the speeds are.
     pub(in crate::recursive) fn of_speeds(joint: &Joint) -> Self {
         Self {
-            turns: matches!(joint.orientation, Orientation::AngularVelocity { .. }),
+            turns: joint.angular_velocity().is_some(),
             shifts: false,
         }
     }
@@ -40,10 +40,9 @@ impl LinkAxes {
         if !plan.uses(Technique::LinkAxes) || is_any_among(&joint.motions(), prescribed) {
             return Self::of_speeds(joint);
         }
-        let turns = match joint.orientation {
-            Orientation::Rates(angles) => are_free(angles) && !has_rotors(&joint.mechanics[..3]),
-            Orientation::AngularVelocity { .. } => true,
-        };
+        let turns = joint
+            .angles_with_rates()
+            .is_none_or(|angles| are_free(angles) && !has_rotors(&joint.mechanics[..3]));
         let shifts = turns && are_free(joint.translations) && !has_rotors(&joint.mechanics[3..]);
         Self { turns, shifts }
     }

@@ -1,7 +1,7 @@
 //! Bodies as the recursion sees them, how they move, and the way through their joints.
 //!
 //! In: a tree and a plan. Out: links, each with its inertia about an origin, along axes, of the plan's choice; their velocities and
-//! accelerations. Afterwards: `passage` is the one place that opens a joint; whatever passes it, a wrench too, is a passenger.
+//! accelerations. Afterwards: `passage` is the one place that walks through a joint; whatever passes it, a wrench too, is a passenger.
 
 pub(super) mod inertia;
 pub(super) mod layout;

@@ -2,15 +2,13 @@
 
 use crate::{
     expr::Axis,
-    tree::{Coordinate, Joint, Orientation},
+    tree::{Coordinate, Joint},
 };
 
 impl Joint {
     /// The axis of a joint that turns about one alone, and translates along that at most.
     pub(in crate::recursive) fn turning_axis(&self) -> Option<Axis> {
-        let Orientation::Rates(angles) = self.orientation else {
-            return None;
-        };
+        let angles = self.angles_with_rates()?;
         let mut turning = Axis::ALL
             .into_iter()
             .filter(|axis| angles[axis.index()].motion().is_some());
@@ -29,6 +27,6 @@ impl Joint {
 
     /// True for a joint that never turns its body.
     pub(in crate::recursive) fn only_translates(&self) -> bool {
-        self.orientation == Orientation::Rates([Coordinate::Locked(0.0); 3])
+        self.angles_with_rates() == Some([Coordinate::Locked(0.0); 3])
     }
 }

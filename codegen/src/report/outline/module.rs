@@ -5,6 +5,7 @@ use syn::{Attribute, Expr, ExprLit, File, Item, Lit, Member, Meta, ext::IdentExt
 use crate::{
     listing::{JointChart, constants, read_nominal},
     rust,
+    tree::CoordinateKind,
 };
 
 use super::system::{Body, INERTIAL, LOWER, Layout, Outline, Values};
@@ -172,13 +173,12 @@ fn kinds(joint: &Expr) -> String {
     };
     let chart = field(joint, "chart").and_then(name);
     let chart = chart.and_then(|name| JointChart::named(&name));
-    let names = chart
-        .unwrap_or(JointChart::Angles)
-        .coordinates()
-        .into_iter();
-    let places = field(joint, "q").map_or_else(Vec::new, entries);
-    let free = names.zip(places).filter(|(_, place)| some(place).is_some());
-    let names: Vec<&str> = free.map(|(name, _)| name).collect();
+    let chart = chart.unwrap_or(JointChart::Angles);
+    let entries = field(joint, "q").map_or_else(Vec::new, entries);
+    let entries = entries.into_iter().take(7).enumerate();
+    let free = entries.filter(|(_, entry)| some(entry).is_some());
+    let kinds = free.filter_map(|(place, _)| chart.coordinate(place));
+    let names: Vec<&str> = kinds.map(CoordinateKind::name).collect();
     names.join(" ")
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::description::{Description, JointKind, Mimic};
+use crate::description::{Description, Mimic};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::tree::joints::resolved::{Freedom, ResolvedJoint};
 use crate::tree::names::{by_joints, joint_name, shown};
@@ -230,14 +230,8 @@ fn link(
         });
         return None;
     };
-    let is_fixed = match &description.bodies[leader].joint.kind {
-        Some(kind) => match &kind.value {
-            JointKind::Fixed => true,
-            JointKind::List(axes) => axes.is_empty(),
-            _ => false,
-        },
-        None => false,
-    };
+    let kind = description.bodies[leader].joint.kind.as_ref();
+    let is_fixed = kind.is_some_and(|kind| kind.value.is_fixed());
     if joints[leader].leading.is_none() {
         let has = if is_fixed {
             "no coordinate"

@@ -12,7 +12,7 @@ use crate::tree::mobility::masses::{debts, own};
 use crate::tree::mobility::rows::{Twist, dot, project_out};
 use crate::tree::mobility::sweep::{IDLE, SHARE};
 use crate::tree::mobility::units::Units;
-use crate::tree::{Coordinate, Tree, is_translation};
+use crate::tree::{Coordinate, Tree};
 
 /// The motions that move no mass at a state that `random` chooses: for each the coordinates that take part.
 pub(crate) fn idle(
@@ -120,7 +120,7 @@ pub(super) fn state(tree: &Tree, units: &Units, random: &mut Random) -> Vec<f64>
     let mut q = vec![0.0; tree.n_coordinates];
     for body in &tree.bodies {
         for (kind, place) in body.joint.coordinates() {
-            let size = if is_translation(kind) {
+            let size = if kind.is_translation() {
                 units.length
             } else {
                 3.0

@@ -2,7 +2,7 @@
 
 use crate::geometry::{self, cross};
 use crate::id::{BodyId, SpeedId};
-use crate::tree::joint::{Coordinate, Joint, Orientation};
+use crate::tree::joint::{Attitude, Coordinate, Joint};
 use crate::tree::mobility::rows::{Twist, dot, join};
 use crate::tree::mobility::units::Units;
 use crate::tree::system::Tree;
@@ -26,20 +26,23 @@ pub(crate) fn kinematics(
 ) -> Kinematics {
     let joint = &tree.body(body).joint;
     // Whatever describes an orientation, some angles lead to it.
-    let angles = joint.angles().unwrap_or_else(|| {
-        let [coordinates @ .., _] = joint.euler_parameters();
-        let speed = SpeedId::new(0);
-        coordinates.map(|coordinate| Coordinate::Free { coordinate, speed })
-    });
+    let angles = match joint.attitude() {
+        Attitude::Angles(angles) => angles,
+        Attitude::EulerParameters([coordinates @ .., _]) => {
+            let speed = SpeedId::new(0);
+            coordinates.map(|coordinate| Coordinate::Free { coordinate, speed })
+        }
+    };
     let angles = angles.map(|angle| value(angle, true));
     let shift = joint.translations.map(|shift| value(shift, false));
     let turned = geometry::body_fixed_123(angles);
     let whole = geometry::then(&joint.rotation, &turned);
     let [_, (s2, c2), (s3, c3)] = angles.map(|angle| (libm::sin(angle), libm::cos(angle)));
     // P_K by columns, Eq. (17).
-    let turns = match joint.orientation {
-        Orientation::Rates(_) => [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]],
-        Orientation::AngularVelocity { .. } => geometry::IDENTITY,
+    let turns = if joint.angles_with_rates().is_some() {
+        [[c2 * c3, -c2 * s3, s2], [s3, c3, 0.0], [0.0, 0.0, 1.0]]
+    } else {
+        geometry::IDENTITY
     };
     let columns = std::array::from_fn(|motion| match motion {
         0..3 => join(turns[motion], [0.0; 3]),

@@ -7,7 +7,7 @@ use kane_codegen::{
     diagnostic::Source,
     expr::Input,
     functions::Argument,
-    tree::{self, Changes, Orientation, Tree},
+    tree::{self, Changes, CoordinateKind, Orientation, Tree},
 };
 use kane_test_support::{json::flat, numeric::Matrix, rotation::Rotation};
 use serde_json::Value;
@@ -89,11 +89,11 @@ impl Robot {
             inputs.extend(argument.inputs(&self.tree).zip(own));
         }
         for body in &self.tree.bodies {
-            for (name, coordinate) in body.joint.coordinates() {
-                let value = match name {
-                    "e0" => q[6],
-                    "e1" | "e2" | "e3" if self.floats => q[2 + place(name)],
-                    "s1" | "s2" | "s3" if body.lower.is_none() && self.floats => q[place(name) - 1],
+            for (kind, coordinate) in body.joint.coordinates() {
+                let value = match kind {
+                    CoordinateKind::EulerParameter(0) => q[6],
+                    CoordinateKind::EulerParameter(i) if self.floats => q[2 + i],
+                    CoordinateKind::Translation(i) if body.lower.is_none() && self.floats => q[i],
                     _ => {
                         let (_, speed) = body.joint.speeds()[0];
                         q[self.places[speed.index()] + usize::from(self.floats)]
@@ -138,10 +138,6 @@ pub(super) fn base(q: &[f64]) -> Rotation {
             1.0 - 2.0 * (x * x + y * y),
         ],
     ]
-}
-
-fn place(name: &str) -> usize {
-    name[1..].parse().expect("a digit")
 }
 
 pub(super) fn vector(all: &[f64], first: usize) -> [f64; 3] {

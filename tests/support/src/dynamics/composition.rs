@@ -8,7 +8,7 @@ use kane_codegen::{
     description::{Description, JointKind, Scalar, WrittenBody, WrittenJoint, toml},
     diagnostic::{Source, Spanned},
     id::BodyId,
-    tree::{Frame, Tree},
+    tree::{CoordinateKind, Frame, Tree},
 };
 
 use crate::{
@@ -122,11 +122,7 @@ impl Composition {
 
     /// True for a joint without free coordinates as it is written.
     fn is_held(&self, place: usize) -> bool {
-        match self.kind(place) {
-            JointKind::Fixed => true,
-            JointKind::List(axes) => axes.is_empty(),
-            _ => false,
-        }
+        self.kind(place).is_fixed()
     }
 
     pub fn follows(&self, place: usize) -> bool {
@@ -203,10 +199,11 @@ impl Composition {
             values[axes[0].value.index()] = self.link(place).value(q);
         } else if let Some(body) = self.moving[place] {
             for (kind, coordinate) in self.tree.body(body).joint.coordinates() {
-                let named = ["theta1", "theta2", "theta3", "s1", "s2", "s3"];
-                match named.iter().position(|name| *name == kind) {
-                    Some(motion) => values[motion] = q[coordinate.index()],
-                    None => parameters.push(q[coordinate.index()]),
+                let value = q[coordinate.index()];
+                match kind {
+                    CoordinateKind::Angle(i) => values[i] = value,
+                    CoordinateKind::EulerParameter(_) => parameters.push(value),
+                    CoordinateKind::Translation(i) => values[3 + i] = value,
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     id::CoordinateId,
-    tree::{ChartCoordinates, Orientation, Tree},
+    tree::{ChartCoordinates, CoordinateKind, Orientation, Tree},
 };
 
 use super::{numbering::Maps, rates::q_dot};
@@ -35,13 +35,13 @@ impl State {
             let singular = body.joint.has_singular_chart();
             let mut parameters = Vec::new();
             for (kind, coordinate) in body.joint.coordinates() {
-                let most = match kind {
+                let most = match kind.name() {
                     "theta2" if singular => 1.3,
                     "theta1" | "theta2" | "theta3" => 3.0,
                     _ => 1.0,
                 };
                 q[coordinate.index()] = most * random.symmetric();
-                if kind.starts_with('e') {
+                if matches!(kind, CoordinateKind::EulerParameter(_)) {
                     parameters.push(coordinate.index());
                 }
             }

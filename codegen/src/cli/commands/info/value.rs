@@ -96,13 +96,8 @@ fn coordinates_value(tree: &Tree) -> Value {
     let names = tree.coordinate_names();
     for (body, number) in tree.bodies.iter().zip(1..) {
         for (kind, coordinate) in body.joint.coordinates() {
-            let unit = match kind.as_bytes()[0] {
-                b't' => "rad",
-                b's' => "m",
-                _ => "1",
-            };
             let place = coordinate.index();
-            values[place] = json!({ "place": place, "name": names[place], "body": number, "kind": kind, "unit": unit });
+            values[place] = json!({ "place": place, "name": names[place], "body": number, "kind": kind.name(), "unit": kind.unit() });
         }
     }
     values.into()

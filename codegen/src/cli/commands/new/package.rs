@@ -1,6 +1,10 @@
 //! The texts of a new package, beside the model and its module.
 
-use kane_codegen::{companions::Abi, listing::Limits, tree::Tree};
+use kane_codegen::{
+    companions::Abi,
+    listing::Limits,
+    tree::{CoordinateKind, Tree},
+};
 
 /// The program, with `{{..}}` for what differs.
 const PROGRAM: &str = include_str!("main.rs.txt");
@@ -97,7 +101,9 @@ fn start(tree: &Tree, line: impl Fn(&str, &str) -> String) -> String {
     });
     let mut start: Vec<String> = start.collect();
     let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
-    for (_, coordinate) in coordinates.filter(|(kind, _)| *kind == "e0") {
+    for (_, coordinate) in
+        coordinates.filter(|(kind, _)| *kind == CoordinateKind::EulerParameter(0))
+    {
         "1.0".clone_into(&mut start[coordinate.index()]);
     }
     let lines = start.iter().zip(&names);
