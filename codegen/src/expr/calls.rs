@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use super::{
     graph::ExprGraph,
     lockstep::{Call, Helper, Lockstep, Met},
-    node::{Expr, Input, Node, NodeId, Solved},
+    node::{CallId, CallResult, Expr, Input, Node, NodeId},
 };
 
 impl ExprGraph {
@@ -36,26 +36,28 @@ impl ExprGraph {
         assert!(known.is_none(), "expr: lockstep {number} is there already");
     }
 
-    /// Calls a helper on columns. The number of the call.
+    /// Calls a helper on columns.
     ///
     /// # Panics
     /// For the 65,537th call of a lockstep.
-    pub fn add_call(&mut self, lockstep: u16, call: Call) -> u16 {
+    pub fn add_call(&mut self, lockstep: u16, call: Call) -> CallId {
         let own = self.locksteps.get_mut(&lockstep);
         let of = own.expect("expr: a lockstep is there before its calls");
         let number = u16::try_from(of.calls.len()).expect("expr: calls are numbered in 16 bits");
         of.calls.insert(number, call);
-        number
+        CallId {
+            lockstep,
+            call: number,
+        }
     }
 
     /// What a call computes of a lane, by its place.
     ///
     /// # Panics
     /// For the 65,537th number that a helper computes.
-    pub fn solved(&mut self, (lockstep, call): (u16, u16), lane: usize, place: usize) -> Expr {
+    pub fn call_result(&mut self, call: CallId, lane: usize, place: usize) -> Expr {
         let narrow = |number: usize| u16::try_from(number).expect("expr: 65,536 numbers a column");
-        self.input(Input::Solved(Solved {
-            lockstep,
+        self.input(Input::CallResult(CallResult {
             call,
             lane: narrow(lane),
             place: narrow(place),
@@ -68,11 +70,10 @@ impl ExprGraph {
     /// For the 65,537th call of a lockstep.
     pub fn call(&mut self, lockstep: u16, call: Call) -> Vec<Vec<Expr>> {
         let of = &self.lockstep(lockstep).helpers[call.helper];
-        let (lanes, n_solved) = (of.lanes, of.roots.len());
-        let number = self.add_call(lockstep, call);
+        let (lanes, n_roots) = (of.lanes, of.roots.len());
+        let call = self.add_call(lockstep, call);
         let mut column = |lane| {
-            let places = 0..n_solved;
-            let own = places.map(|place| self.solved((lockstep, number), lane, place));
+            let own = (0..n_roots).map(|place| self.call_result(call, lane, place));
             own.collect()
         };
         (0..lanes).map(&mut column).collect()
@@ -84,40 +85,45 @@ impl ExprGraph {
     }
 
     /// All that a call reads: what is shared, and what is of its columns.
-    pub fn read_by(&self, (lockstep, call): (u16, u16)) -> impl Iterator<Item = Expr> + use<'_> {
-        let of = self.lockstep(lockstep);
-        of.shared.iter().copied().chain(of.calls[&call].operands())
+    pub fn read_by(&self, call: CallId) -> impl Iterator<Item = Expr> + use<'_> {
+        let of = self.lockstep(call.lockstep);
+        let shared = of.shared.iter().copied();
+        shared.chain(of.calls[&call.call].operands())
     }
 
     /// What calls read that compute some of these nodes, each once.
     pub fn called(&self, is_needed: impl Fn(NodeId) -> bool) -> Vec<Expr> {
         let mut met = Met::default();
-        let solved = self.ids().filter_map(|id| match self.node(id) {
-            Node::Input(Input::Solved(solved)) if is_needed(id) => Some(solved),
+        let results = self.ids().filter_map(|id| match self.node(id) {
+            Node::Input(Input::CallResult(result)) if is_needed(id) => Some(result),
             _ => None,
         });
-        let calls = solved.filter_map(|solved| self.newly_called(solved, &mut met));
+        let calls = results.filter_map(|result| self.newly_called(result.call, &mut met));
         calls.flatten().collect()
     }
 
-    /// What the call reads that computes a number; `None` where it was met before.
+    /// What the call reads; `None` where it was met before.
     pub(super) fn newly_called(
         &self,
-        Solved { lockstep, call, .. }: Solved,
+        call: CallId,
         met: &mut Met,
     ) -> Option<impl Iterator<Item = Expr> + use<'_>> {
-        if !met.calls.insert((lockstep, call)) {
+        if !met.calls.insert(call) {
             return None;
         }
-        let of = self.lockstep(lockstep);
-        let is_first = met.locksteps.insert(lockstep);
+        let of = self.lockstep(call.lockstep);
+        let is_first = met.locksteps.insert(call.lockstep);
         let shared = of.shared.iter().filter(move |_| is_first).copied();
-        Some(shared.chain(of.calls[&call].operands()))
+        Some(shared.chain(of.calls[&call.call].operands()))
     }
 
-    /// Takes the call that computes a number of another graph over, on what stands here for its operands, unless it is there.
-    pub fn take_call(&mut self, other: &Self, solved: Solved, of: impl Fn(Expr) -> Expr) {
-        let Solved { lockstep, call, .. } = solved;
+    /// Takes a call of another graph over, on what stands here for its operands, unless it is there.
+    pub fn take_call(
+        &mut self,
+        other: &Self,
+        CallId { lockstep, call }: CallId,
+        of: impl Fn(Expr) -> Expr,
+    ) {
         let theirs = other.lockstep(lockstep);
         let own = self.locksteps.entry(lockstep);
         let own = own.or_insert_with(|| Lockstep {

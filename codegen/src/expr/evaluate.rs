@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Expr, ExprGraph, Input, Node, Solved};
+use super::{CallId, Expr, ExprGraph, Input, Node};
 use crate::number::Number;
 
 impl ExprGraph {
@@ -20,12 +20,11 @@ impl ExprGraph {
             let of = |expr: Expr| signed(expr, values[expr.node().index()]);
             values[id.index()] = match self.node(id) {
                 Node::Number(bits) => N::folded(self.rounded(id, f64::from_bits(bits))),
-                Node::Input(Input::Solved(solved)) => {
-                    let call = (solved.lockstep, solved.call);
+                Node::Input(Input::CallResult(result)) => {
                     let lanes = called
-                        .entry(call)
-                        .or_insert_with(|| self.evaluate_call(solved, of));
-                    lanes[usize::from(solved.lane)][usize::from(solved.place)]
+                        .entry(result.call)
+                        .or_insert_with(|| self.evaluate_call(result.call, of));
+                    lanes[usize::from(result.lane)][usize::from(result.place)]
                 }
                 Node::Input(given) => input(given),
                 Node::Sin(a) => values[a.index()].sin_cos().0,
@@ -45,7 +44,7 @@ impl ExprGraph {
     /// What a call computes for each column, where its operands have these values.
     fn evaluate_call<N: Number>(
         &self,
-        Solved { lockstep, call, .. }: Solved,
+        CallId { lockstep, call }: CallId,
         of: impl Fn(Expr) -> N,
     ) -> Vec<Vec<N>> {
         let lockstep = self.lockstep(lockstep);

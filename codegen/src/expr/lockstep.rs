@@ -8,7 +8,7 @@ use std::{
     sync::Arc,
 };
 
-use super::node::Expr;
+use super::node::{CallId, Expr};
 
 /// How many columns of a matrix a call takes: vectors of AVX2 have as many, and fewer than that of a last call are wasted.
 pub const LANES: usize = 4;
@@ -55,5 +55,5 @@ impl Call {
 #[derive(Debug, Default)]
 pub(super) struct Met {
     pub(super) locksteps: BTreeSet<u16>,
-    pub(super) calls: BTreeSet<(u16, u16)>,
+    pub(super) calls: BTreeSet<CallId>,
 }

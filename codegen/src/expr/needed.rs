@@ -22,8 +22,12 @@ impl ExprGraph {
             for operand in node.operands() {
                 uses[operand.index()] += 1;
             }
-            if let Node::Input(Input::Solved(solved)) = node {
-                for read in self.newly_called(solved, &mut met).into_iter().flatten() {
+            if let Node::Input(Input::CallResult(result)) = node {
+                for read in self
+                    .newly_called(result.call, &mut met)
+                    .into_iter()
+                    .flatten()
+                {
                     uses[read.node().index()] += 1;
                 }
             }

@@ -66,7 +66,7 @@ pub enum Input {
     /// In a helper of a lockstep: what it is given of one column, by its place.
     Side(usize),
     /// What a call of a helper computes.
-    Solved(Solved),
+    CallResult(CallResult),
     /// A number of a direction or multiplier, which a product with derivatives is given: of which, and its place there.
     Product(usize, usize),
     /// A field of `Parameters`.
@@ -75,13 +75,20 @@ pub enum Input {
     Prepared(usize),
 }
 
-/// One number that a call computes.
+/// A call of a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Solved {
+pub struct CallId {
     /// The lockstep, by its number in the graph.
     pub lockstep: u16,
-    /// The call.
+    /// The call, by its number there.
     pub call: u16,
+}
+
+/// One number that a call computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CallResult {
+    /// The call.
+    pub call: CallId,
     /// The column.
     pub lane: u16,
     /// Which of the helper's roots.
@@ -162,7 +169,7 @@ impl Node {
     /// True for numbers, and for inputs other than what calls compute.
     pub(super) fn has_own_name(self) -> bool {
         match self {
-            Self::Input(input) => !matches!(input, Input::Solved(_)),
+            Self::Input(input) => !matches!(input, Input::CallResult(_)),
             node => matches!(node, Self::Number(_)),
         }
     }

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use super::{
     graph::ExprGraph,
     lockstep::{Call, Helper},
-    node::{Expr, Input, Node, NodeId},
+    node::{CallId, Expr, Input, Node, NodeId},
     shared::Shared,
 };
 
@@ -41,7 +41,7 @@ impl ExprGraph {
                     return *root;
                 };
                 place += 1;
-                graph.solved(call, lane, place - 1)
+                graph.call_result(call, lane, place - 1)
             });
             own.collect()
         };
@@ -57,12 +57,7 @@ impl ExprGraph {
     }
 
     /// The call of a helper on columns, which may be there already.
-    fn once(
-        &mut self,
-        helper: Helper<Self>,
-        shared: Vec<Expr>,
-        sides: Vec<Vec<Expr>>,
-    ) -> (u16, u16) {
+    fn once(&mut self, helper: Helper<Self>, shared: Vec<Expr>, sides: Vec<Vec<Expr>>) -> CallId {
         let all = self.locksteps.iter();
         let alike =
             all.filter(|(_, own)| own.helpers.len() == 1 && is_same(&own.helpers[0], &helper));
@@ -70,9 +65,8 @@ impl ExprGraph {
         if let Some(&(&lockstep, own)) = alike.iter().find(|(_, own)| own.shared == shared) {
             let mut calls = own.calls.iter();
             let known = calls.find(|(_, call)| call.sides == sides);
-            let known = known.map(|(call, _)| *call);
-            let call = known.unwrap_or_else(|| self.add_call(lockstep, Call { helper: 0, sides }));
-            return (lockstep, call);
+            let known = known.map(|(&call, _)| CallId { lockstep, call });
+            return known.unwrap_or_else(|| self.add_call(lockstep, Call { helper: 0, sides }));
         }
         let known = alike.first().map(|(_, own)| own.helpers[0].clone());
         let lockstep = self.next_lockstep();
@@ -81,7 +75,7 @@ impl ExprGraph {
             shared,
             vec![known.unwrap_or_else(|| Arc::new(helper))],
         );
-        (lockstep, self.add_call(lockstep, Call { helper: 0, sides }))
+        self.add_call(lockstep, Call { helper: 0, sides })
     }
 }
 

@@ -34,8 +34,8 @@ impl Rebuilt {
 
     /// The node as it was, of rebuilt operands.
     pub(super) fn copy(&self, graph: &mut ExprGraph, old: &ExprGraph, id: NodeId) -> Expr {
-        if let Node::Input(Input::Solved(solved)) = old.node(id) {
-            graph.take_call(old, solved, |expr| self.expr(expr));
+        if let Node::Input(Input::CallResult(result)) = old.node(id) {
+            graph.take_call(old, result.call, |expr| self.expr(expr));
         }
         graph.copied(old.node(id), |operand| self.node(operand))
     }

@@ -7,7 +7,7 @@ use std::{
 };
 
 use super::{Instruction, Operation, Program};
-use crate::expr::{Binding, Expr, ExprGraph, Input, Node, NodeId};
+use crate::expr::{Binding, CallId, Expr, ExprGraph, Input, Node, NodeId};
 
 /// How many operations of each kind a program performs. Signs, absolute values, copies and stores count nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,15 +36,15 @@ impl Operations {
                 Node::Mul(..) => operations.mul += 1,
                 Node::Div(..) => operations.div += 1,
                 Node::Sin(angle) | Node::Cos(angle) => _ = angles.insert(angle),
-                Node::Input(Input::Solved(solved)) => {
-                    calls.insert((solved.lockstep, solved.call));
+                Node::Input(Input::CallResult(result)) => {
+                    calls.insert(result.call);
                 }
                 Node::Number(_) | Node::Input(_) | Node::Abs(_) => {}
             }
         }
         operations.trig = 2 * angles.len();
         let mut helpers = BTreeMap::new();
-        for (lockstep, call) in calls {
+        for CallId { lockstep, call } in calls {
             let of = graph.lockstep(lockstep);
             let helper = of.calls[&call].helper;
             let own = helpers.entry((lockstep, helper));

@@ -11,7 +11,7 @@ use std::{
 
 use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
 use crate::{
-    expr::{self, Expr, ExprGraph, Input, Node, NodeId, Solved},
+    expr::{self, CallId, CallResult, Expr, ExprGraph, Input, Node, NodeId},
     id::BodyId,
 };
 
@@ -27,7 +27,7 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
         sines: sines(graph, &needed),
         wanted: wanted_signs(graph, &stored),
         stored,
-        solved: solved(graph, &needed),
+        results: results(graph, &needed),
         needed,
         shared: BTreeSet::new(),
         helpers: Vec::new(),
@@ -61,7 +61,7 @@ struct Flattening<'a> {
     /// For each node that is stored, whether its negative is.
     stored: Vec<Option<bool>>,
     /// What is needed of each call that was not made yet.
-    solved: BTreeMap<(u16, u16), Vec<(Solved, NodeId)>>,
+    results: BTreeMap<CallId, Vec<(CallResult, NodeId)>>,
     /// The locksteps whose shared values were told.
     shared: BTreeSet<u16>,
     /// The helpers that are among the program's, in their order.
@@ -118,8 +118,8 @@ impl Flattening<'_> {
         let of = |id| Expr::of(id);
         match self.graph.node(id) {
             Node::Number(bits) => Operand::Number(f64::from_bits(bits)),
-            Node::Input(Input::Solved(solved)) => {
-                self.call(solved);
+            Node::Input(Input::CallResult(result)) => {
+                self.call(result.call);
                 self.operands[id.index()].expect("program: a call holds what is needed of it")
             }
             Node::Input(input) => Operand::Value {
@@ -213,8 +213,9 @@ impl Flattening<'_> {
         }
     }
 
-    /// The call that computes a number, with all that is needed of it.
-    fn call(&mut self, Solved { lockstep, call, .. }: Solved) {
+    /// A call, with all that is needed of it.
+    fn call(&mut self, id: CallId) {
+        let CallId { lockstep, call } = id;
         let of = self.graph.lockstep(lockstep);
         let number = usize::from(lockstep);
         if !of.shared.is_empty() && self.shared.insert(lockstep) {
@@ -227,11 +228,11 @@ impl Flattening<'_> {
         let expr::Call { helper, sides } = &of.calls[&call];
         let own = &of.helpers[*helper];
         let mut results = vec![vec![None; own.lanes]; own.roots.len()];
-        for (solved, id) in self.solved.remove(&(lockstep, call)).unwrap_or_default() {
-            let result = self.value(Definition::Instruction, id, false);
-            results[usize::from(solved.place)][usize::from(solved.lane)] = Some(result);
+        for (result, id) in self.results.remove(&id).unwrap_or_default() {
+            let value = self.value(Definition::Instruction, id, false);
+            results[usize::from(result.place)][usize::from(result.lane)] = Some(value);
             self.operands[id.index()] = Some(Operand::Value {
-                id: result,
+                id: value,
                 negative: false,
             });
         }
@@ -312,12 +313,11 @@ impl Flattening<'_> {
 }
 
 /// What is needed of each call.
-fn solved(graph: &ExprGraph, needed: &[bool]) -> BTreeMap<(u16, u16), Vec<(Solved, NodeId)>> {
+fn results(graph: &ExprGraph, needed: &[bool]) -> BTreeMap<CallId, Vec<(CallResult, NodeId)>> {
     let mut calls: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for id in graph.ids().filter(|id| needed[id.index()]) {
-        if let Node::Input(Input::Solved(solved)) = graph.node(id) {
-            let call = (solved.lockstep, solved.call);
-            calls.entry(call).or_default().push((solved, id));
+        if let Node::Input(Input::CallResult(result)) = graph.node(id) {
+            calls.entry(result.call).or_default().push((result, id));
         }
     }
     calls
@@ -340,7 +340,7 @@ fn ready(graph: &ExprGraph) -> Vec<bool> {
     for node in graph.ids().map(|id| graph.node(id)) {
         let is_late = matches!(
             node,
-            Node::Sin(_) | Node::Cos(_) | Node::Input(Input::Solved(_))
+            Node::Sin(_) | Node::Cos(_) | Node::Input(Input::CallResult(_))
         );
         ready.push(!is_late && node.operands().all(|operand| ready[operand.index()]));
     }

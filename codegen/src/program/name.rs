@@ -102,7 +102,7 @@ impl InputNames {
             Input::FrameMoment(axis) => of_frame("moment", axis),
             Input::Shared(place) => format!("shared_{place}"),
             Input::Side(place) => format!("side_{place}"),
-            Input::Solved(_) => unreachable!("program: what calls compute is no input"),
+            Input::CallResult(_) => unreachable!("program: what calls compute is no input"),
             Input::Product(of, place) => format!("product_{of}_{place}"),
             Input::Parameter(parameter) => tree.parameters[parameter.index()].name.clone(),
             Input::Prepared(place) => format!("prepared_{place}"),

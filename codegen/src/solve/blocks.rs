@@ -170,7 +170,7 @@ impl Block {
             for (lane, &j) in columns.iter().enumerate() {
                 for (place, &i) in rows.iter().enumerate() {
                     graph.enter(entries.order[i].body);
-                    let entry = graph.solved((lockstep, call), lane, place);
+                    let entry = graph.call_result(call, lane, place);
                     entries.set(graph, [i, j], entry);
                 }
             }

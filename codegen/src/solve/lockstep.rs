@@ -128,7 +128,7 @@ impl<'a> LockstepSolver<'a> {
             for (lane, &column) in own.iter().enumerate() {
                 for (place, &speed) in found.iter().enumerate() {
                     graph.enter(bodies[&speed]);
-                    solved[column][speed] = graph.solved((lockstep, call), lane, place);
+                    solved[column][speed] = graph.call_result(call, lane, place);
                 }
             }
         }

@@ -151,7 +151,7 @@ pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
         Input::FrameForce(axis) => FRAME_FORCE[axis],
         Input::FrameMoment(axis) => FRAME_MOMENT[axis],
         Input::Product(of, place) => product(of, place),
-        Input::Shared(_) | Input::Side(_) | Input::Solved(_) => {
+        Input::Shared(_) | Input::Side(_) | Input::CallResult(_) => {
             unreachable!("calls compute these")
         }
         Input::Parameter(id) => tree.parameters[id.index()].nominal,

@@ -73,7 +73,7 @@ fn input(case: &Value, tree: &Tree, input: Input) -> f64 {
         }
         Input::Shared(_)
         | Input::Side(_)
-        | Input::Solved(_)
+        | Input::CallResult(_)
         | Input::Point(_)
         | Input::FrameForce(_)
         | Input::FrameMoment(_)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::groups::{Group, Groups};
-use crate::expr::{Expr, ExprGraph, Input, Node, NodeId};
+use crate::expr::{CallId, Expr, ExprGraph, Input, Node, NodeId};
 
 /// For each node, how many layers of groups come before it.
 pub(super) struct Layers<'a> {
@@ -28,16 +28,18 @@ impl<'a> Layers<'a> {
     /// Puts each node after what it needs; false if all were there.
     fn move_all(&mut self, graph: &ExprGraph, needed: &[NodeId]) -> bool {
         let mut has_moved = false;
-        let mut of_calls: BTreeMap<(u16, u16), usize> = BTreeMap::new();
+        let mut of_calls: BTreeMap<CallId, usize> = BTreeMap::new();
         for &id in needed {
             let alone = [id];
             let group = self.groups.group(id).map(|group| &self.groups.all[group]);
             let (members, layer) = match (group, graph.node(id)) {
                 (Some(group), _) => (&group.members[..], self.after_operands(group)),
-                (None, Node::Input(Input::Solved(solved))) => {
-                    let call = (solved.lockstep, solved.call);
-                    let read = || self.after(graph.read_by(call).map(Expr::node), false);
-                    (&alone[..], *of_calls.entry(call).or_insert_with(read))
+                (None, Node::Input(Input::CallResult(result))) => {
+                    let read = || self.after(graph.read_by(result.call).map(Expr::node), false);
+                    (
+                        &alone[..],
+                        *of_calls.entry(result.call).or_insert_with(read),
+                    )
                 }
                 (None, node) => (&alone[..], self.after(node.operands(), false)),
             };

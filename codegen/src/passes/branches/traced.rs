@@ -9,7 +9,7 @@ use super::{
     given::{Given, Givens},
 };
 use crate::{
-    expr::{Expr, ExprGraph, Input, Node, NodeId, Solved},
+    expr::{CallId, CallResult, Expr, ExprGraph, Input, Node, NodeId},
     id::BodyId,
 };
 
@@ -26,8 +26,8 @@ pub(super) struct Traced {
     pub(super) needed: Vec<bool>,
 }
 
-/// A lockstep, a call and a lane.
-type Column = [u16; 3];
+/// A lane of a call.
+type Column = (CallId, u16);
 
 /// What makes a colour.
 #[derive(PartialEq, Eq, Hash)]
@@ -52,16 +52,10 @@ struct Called {
 
 impl Called {
     /// What the next number of a body is, where the body is in a branch.
-    fn get(&mut self, body: Option<BodyId>, solved: Solved) -> Option<(Kind, Branch)> {
+    fn get(&mut self, body: Option<BodyId>, result: CallResult) -> Option<(Kind, Branch)> {
         let body = body?;
         let &(branch, place) = self.bodies.get(&body)?;
-        let Solved {
-            lockstep,
-            call,
-            lane,
-            ..
-        } = solved;
-        let column = [lockstep, call, lane];
+        let column = (result.call, result.lane);
         let n_own = self.n_own.entry((column, body)).or_insert(0);
         *n_own += 1;
         Some((Kind::Called(column, [branch.team, place, *n_own]), branch))
@@ -89,7 +83,8 @@ impl Traced {
             let node = graph.node(id);
             let (kind, branch) = match node {
                 Node::Number(_) | Node::Input(Input::Parameter(_) | Input::Prepared(_)) => continue,
-                Node::Input(Input::Solved(solved)) => match called.get(graph.scope(id), solved) {
+                Node::Input(Input::CallResult(result)) => match called.get(graph.scope(id), result)
+                {
                     Some((kind, branch)) => (kind, Some(branch)),
                     None => (Kind::Itself(id), None),
                 },

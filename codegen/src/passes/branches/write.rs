@@ -10,7 +10,7 @@ use super::{
     groups::{Group, Groups, Operand},
 };
 use crate::{
-    expr::{Call, Expr, ExprGraph, Helper, Input, Node, NodeId},
+    expr::{Call, CallId, Expr, ExprGraph, Helper, Input, Node, NodeId},
     passes::rebuild::Rebuilt,
 };
 
@@ -50,7 +50,7 @@ struct Writer<'a> {
     graph: ExprGraph,
     rebuilt: Rebuilt,
     /// Calls of the old graph all of whose operands are there.
-    read: BTreeSet<(u16, u16)>,
+    read: BTreeSet<CallId>,
 }
 
 /// A helper while it is written.
@@ -124,8 +124,8 @@ impl Writer<'_> {
         for (place, &group) in found.iter().enumerate() {
             for (lane, &member) in self.groups.all[group].members.iter().enumerate() {
                 self.graph.enter_like(self.old, member);
-                let solved = self.graph.solved((number, call), lane, place);
-                let expr = solved.signed(self.groups.is_negative(group, lane));
+                let result = self.graph.call_result(call, lane, place);
+                let expr = result.signed(self.groups.is_negative(group, lane));
                 self.graph.name_like(expr, self.old, member);
                 self.rebuilt.set(member, expr);
             }
@@ -144,10 +144,9 @@ impl Writer<'_> {
                 continue;
             }
             match self.old.node(id) {
-                Node::Input(Input::Solved(solved)) => {
-                    let read = (solved.lockstep, solved.call);
-                    if self.read.insert(read) {
-                        open.extend(self.old.read_by(read).map(Expr::node));
+                Node::Input(Input::CallResult(result)) => {
+                    if self.read.insert(result.call) {
+                        open.extend(self.old.read_by(result.call).map(Expr::node));
                     }
                 }
                 node => open.extend(node.operands()),
