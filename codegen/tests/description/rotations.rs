@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use kane_codegen::geometry::{IDENTITY, body_fixed_123, cross, length, then, transposed};
+use kane_codegen::geometry::{IDENTITY, Rotation, body_fixed_123, cross, length, then, transposed};
 use kane_codegen::tree::{Alignment, orthonormal, snapped, snapped_sin_cos};
 use kane_test_support::compare::largest;
 
@@ -20,10 +20,28 @@ fn a_rounded_right_angle_becomes_exact() {
 #[test]
 fn what_is_snapped_is_orthonormal_again() {
     let (snapped, _) = snapped(&body_fixed_123([ROUNDED[1], 0.2, -0.7]), 1e-5);
-    let back = transposed(&snapped);
-    for (i, row) in then(&back, &snapped).iter().enumerate() {
+    assert_orthonormal(&snapped);
+}
+
+#[test]
+fn a_product_of_what_is_not_exact_is_not_made_exact_alone() {
+    // Sines and cosines of -4e-6 and 7e-6, whose product is within the tolerance: where that was zero, columns would not be normal to
+    // one another by as much.
+    let turns = [[ROUNDED[1], 0.0, 0.0], [0.0, 0.0, 7e-6]].map(body_fixed_123);
+    for rotation in [then(&turns[0], &turns[1]), then(&turns[1], &turns[0])] {
+        let (snapped, change) = snapped(&rotation, 1e-9);
+        assert_orthonormal(&snapped);
+        assert!(change < 1e-15, "{change}");
+    }
+    // A tolerance that takes both takes their product too.
+    let (snapped, _) = snapped(&then(&turns[0], &turns[1]), 1e-5);
+    assert_eq!(snapped, snapped.map(|row| row.map(f64::round)));
+}
+
+/// Within a few roundings of numbers below one.
+fn assert_orthonormal(rotation: &Rotation) {
+    for (i, row) in then(&transposed(rotation), rotation).iter().enumerate() {
         for (j, entry) in row.iter().enumerate() {
-            // A few roundings of numbers below one.
             assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
         }
     }
@@ -45,11 +63,7 @@ fn a_rotation_of_few_digits_is_made_orthonormal() {
     let exact = body_fixed_123([0.3, -0.8, 1.2]);
     let rounded = exact.map(|row| row.map(|entry| (entry * 1e6).round() / 1e6));
     let found = orthonormal(&rounded);
-    for (i, row) in then(&transposed(&found), &found).iter().enumerate() {
-        for (j, entry) in row.iter().enumerate() {
-            assert!((entry - IDENTITY[i][j]).abs() < 1e-15);
-        }
-    }
+    assert_orthonormal(&found);
     assert_eq!(orthonormal(&exact), exact);
 }
 
