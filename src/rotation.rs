@@ -17,6 +17,14 @@ use crate::{Array, Real, square_root::square_root};
 /// assert!(x == 0.0 && y == 0.0 && (z - 0.2).abs() < 1e-3);
 /// ```
 pub fn error<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 3] {
+    error_and_cosine(from, to).0
+}
+
+/// The orientation error, and the cosine of half its angle.
+pub(crate) fn error_and_cosine<R: Real + PartialOrd>(
+    from: &[[R; 3]; 3],
+    to: &[[R; 3]; 3],
+) -> ([R; 3], R) {
     // The turn of vectors that are fixed in the frame.
     let turn: [[R; 3]; 3] = Array::from_fn(|i| {
         Array::from_fn(|j| to[0][i] * from[0][j] + to[1][i] * from[1][j] + to[2][i] * from[2][j])
@@ -44,5 +52,5 @@ pub fn error<R: Real + PartialOrd>(from: &[[R; 3]; 3], to: &[[R; 3]; 3]) -> [R; 
     let (half, quarter) = (R::from_f64(0.5), R::from_f64(0.25));
     let factor = half / square_root(quarter * square);
     let factor = if scalar < zero { -factor } else { factor };
-    vector.map(|entry| factor * entry)
+    (vector.map(|entry| factor * entry), half * factor * scalar)
 }

@@ -72,12 +72,12 @@ pub enum SimulateError {
         /// [`Tolerance::absolute`].
         absolute: f64,
     },
-    /// The state, the control law or the forward dynamics is not finite: a singularity or an overflow.
+    /// The initial state is not finite, the control law or the forward dynamics there is not, or a state that a step reaches.
     NotFinite {
         /// The time, s.
         t: f64,
     },
-    /// The step became too small for the tolerance: near a singularity, or where the control law jumps.
+    /// The step became too small for the tolerance: near a singularity, where the control law jumps, or where it ceases to be finite.
     StepSize {
         /// The time reached, s.
         t: f64,

@@ -1,7 +1,8 @@
 //! The semi-implicit Euler step: speeds move by the accelerations before the step, coordinates by the speeds after it.
 //!
-//! `u' = u + dt u_dot(q, u, tau)`, `q' = q_plus(q, dt u')`. It is of first order, and the energy of a system without losses does not
-//! drift over long times.
+//! `u' = u + dt u_dot(q, u, tau)`, `q' = q_plus(q, dt u')`. It is of first order. Where the mass matrix is constant and forces depend on `q`
+//! alone, the energy of a system without losses does not drift over long times. Elsewhere it does: forces from speeds, Coriolis and
+//! gyroscopic ones too, are those before the step. For long motions without losses take [`rk4`](super::rk4), or short steps.
 
 use super::derivatives::{Change, StepByParameters, StepDerivatives, Variable};
 use super::reached::{Reached, move_on};

@@ -8,6 +8,7 @@
 //! | --- | --- | --- |
 //! | error of a step | of order `dt²` | of order `dt⁵` |
 //! | evaluations of forward dynamics | 1 | 4 |
+//! | longest stable `dt` with a damper `d` at a joint where forces meet an inertia `I` | `2 I / d` | `2.7 I / d` |
 //!
 //! | function | what it computes | functions that the module must have |
 //! | --- | --- | --- |

@@ -11,7 +11,8 @@ pub struct Remaining<R> {
     /// The largest component of the orientation error, over all goals with an orientation, rad. A rotation by a
     /// large angle counts as `2 sin(angle / 2)`.
     pub orientation: R,
-    /// `½ eᵀ W e`: half the sum of the squared components of all goals, each times its weight. Steps reduce it.
+    /// What steps reduce: half the sum of the squared distances and angles of all goals, each times its weight. A large angle counts as
+    /// `4 sin(angle / 4)`, whose square has the slope that steps follow.
     pub weighted: R,
 }
 
@@ -43,6 +44,9 @@ fn raise<R: Real + PartialOrd>(peak: &mut R, values: &[R; 3]) {
     }
 }
 
+/// Keeps the damping above zero where no speed moves a goal.
+const TINY: f64 = 1e-30;
+
 /// `Jᵀ W J`, `Jᵀ W e`, and how large `e` is: sums over all components of all goals.
 #[derive(Clone, Copy, Debug)]
 pub struct Equations<R, const NU: usize> {
@@ -69,7 +73,6 @@ impl<R: Real, const NU: usize> Equations<R, NU> {
     /// Adds that `row u` is to be `error`; the row is zero but for `speeds`, in order.
     pub(super) fn add(&mut self, row: &[R; NU], error: R, weight: R, speeds: &[usize]) {
         let weighted = weight * error;
-        self.remaining.weighted = self.remaining.weighted + R::from_f64(0.5) * weighted * error;
         for (count, &i) in speeds.iter().enumerate() {
             let entry = weight * row[i];
             self.right[i] = self.right[i] + row[i] * weighted;
@@ -77,6 +80,22 @@ impl<R: Real, const NU: usize> Equations<R, NU> {
                 self.matrix[i][j] = self.matrix[i][j] + entry * row[j];
             }
         }
+    }
+
+    /// Adds what remains of a goal to what steps reduce.
+    pub(super) fn weigh(&mut self, weight: R, square: R) {
+        let half = R::from_f64(0.5);
+        self.remaining.weighted = self.remaining.weighted + half * weight * square;
+    }
+
+    /// The greatest entry on the diagonal, of one's own scale where all are zero.
+    pub(super) fn scale(&self) -> R
+    where
+        R: PartialOrd,
+    {
+        let least = R::from_f64(TINY);
+        let diagonal = self.matrix.iter().enumerate().map(|(i, row)| row[i]);
+        diagonal.fold(least, |most, own| if own > most { own } else { most })
     }
 
     /// The speeds that solve the equations with `damping` on the diagonal; held speeds keep their values.

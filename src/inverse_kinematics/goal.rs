@@ -11,18 +11,28 @@ use super::equations::Equations;
 ///
 /// `F` is any frame with both [`Pose`] and [`Jacobian`]: one of the types in the generated module's `frames`, or
 /// [`Seen`](crate::functions::Seen) for a pose relative to another frame, which then replaces the inertial frame below.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Goal<R, F> {
     /// Inertial components to components along the frame's axes, row by row, as [`Pose`] writes it.
     pub rotation: [[R; 3]; 3],
     /// The frame's origin from the inertial origin, inertial components, m, as [`Pose`] writes it.
     pub position: [R; 3],
-    /// The weight of the squared distance, 1/m²; if it is zero, any position will do.
+    /// The weight of the squared distance, 1/m²; if it is zero, any position will do. Weights count against one another: all of them
+    /// times a number are the same goals.
     pub position_weight: R,
     /// The weight of the squared angle, 1/rad²; if it is zero, any orientation will do.
     pub orientation_weight: R,
     frame: PhantomData<F>,
 }
+
+// Whatever the frame's type.
+impl<R: Copy, F> Clone for Goal<R, F> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Copy, F> Copy for Goal<R, F> {}
 
 impl<R: Real, F> Goal<R, F> {
     /// A position and an orientation: a radian weighs as much as a metre.
@@ -77,7 +87,12 @@ where
         system.jacobian(q, &mut linear, &mut angular);
 
         let way = <[R; 3]>::from_fn(|i| self.position[i] - position[i]);
-        let turn = rotation::error(&rotation, &self.rotation);
+        let (turn, cosine) = rotation::error_and_cosine(&rotation, &self.rotation);
+        let square = |[x, y, z]: [R; 3]| x * x + y * y + z * z;
+        // `(4 sin(angle / 4))²`, from `2 sin(angle / 2)`.
+        let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
+        equations.weigh(self.position_weight, square(way));
+        equations.weigh(self.orientation_weight, square(turn) * two / (one + cosine));
         let speeds = <S as Jacobian<R, F>>::SPEEDS;
         for i in 0..3 {
             equations.add(&linear[i], way[i], self.position_weight, speeds);

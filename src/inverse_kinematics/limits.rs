@@ -1,6 +1,7 @@
 //! Limits of coordinates, and which speeds lead to them.
 
-use crate::{Joint, Real, System};
+use crate::joint::Chart;
+use crate::{Real, System, manifold};
 
 /// The limits of the coordinates, rad, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,14 +45,20 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
         }
     }
 
-    /// Draws each coordinate that has two limits, between them; `seed` is another one afterwards.
-    pub(super) fn draw(&self, q: &mut [R; NQ], seed: &mut u64) {
-        for ((q, lower), upper) in q.iter_mut().zip(self.lower).zip(self.upper) {
+    /// Draws each coordinate that has two limits, between them, and each angle of hinges that has not, of a full turn; `seed` is another
+    /// one afterwards.
+    pub(super) fn draw<S: System<R, Q = [R; NQ]>>(&self, q: &mut [R; NQ], seed: &mut u64) {
+        let turns = turns::<R, S, NQ>();
+        let ranges = self.lower.into_iter().zip(self.upper).zip(turns);
+        for (q, ((lower, upper), turns)) in q.iter_mut().zip(ranges) {
             let part = R::from_f64(uniform(seed));
             let drawn = lower + part * (upper - lower);
             // Neither infinite nor NaN: that is what lacks a limit on one side or both.
             if drawn >= lower && drawn <= upper && upper - lower < R::from_f64(f64::INFINITY) {
                 *q = drawn;
+            } else if turns {
+                let half = R::from_f64(core::f64::consts::PI);
+                *q = (part + part - R::from_f64(1.0)) * half;
             }
         }
     }
@@ -72,12 +79,26 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
 /// For each speed the coordinate whose rate it is; none for components of angular velocities.
 pub(super) fn rated_coordinates<R: Real, S: System<R>, const NU: usize>() -> [Option<usize>; NU] {
     let mut coordinates = [None; NU];
-    for (q, u) in S::JOINTS.iter().flat_map(Joint::rates) {
+    for (q, u) in manifold::rates::<R, S>() {
         if let Some(place) = coordinates.get_mut(u) {
             *place = Some(q);
         }
     }
     coordinates
+}
+
+/// For each coordinate whether it is an angle whose rate is a speed.
+fn turns<R: Real, S: System<R>, const NQ: usize>() -> [bool; NQ] {
+    let mut turns = [false; NQ];
+    let hinges = S::JOINTS
+        .iter()
+        .filter(|joint| joint.chart == Chart::AngleRates);
+    for place in hinges.flat_map(|joint| &joint.q[..3]).flatten() {
+        if let Some(own) = turns.get_mut(*place) {
+            *own = true;
+        }
+    }
+    turns
 }
 
 /// A number from 0 to 1, of Steele, Lea and Flood's `SplitMix64`.

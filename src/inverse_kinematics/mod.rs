@@ -5,7 +5,7 @@
 //! avoid collisions, and it does not find every solution.
 //!
 //! The method is damped least squares (Levenberg, Marquardt). A step is the `u`, for unit time, that minimizes
-//! `|J u - e|² + λ |u|²`. `e` is the error with its weights `W`, and the damping `λ` falls with `½ eᵀ W e`.
+//! `|J u - e|² + λ |u|²`. `e` is the error with its weights `W`, and the damping `λ` falls with [`Remaining::weighted`].
 //! So steps are short if the goals are far or out of reach, and near the goals each step squares the error. A joint that would
 //! pass its limit is held at it, and the step is computed again for the other joints.
 //!
@@ -38,7 +38,7 @@ pub use equations::{Equations, Remaining};
 pub use goal::{Goal, Goals};
 pub use limits::Limits;
 
-use crate::{Real, System};
+use crate::{Real, System, manifold};
 use limits::rated_coordinates;
 
 /// The number of rounds, in one step, that hold joints at their limits and solve for the others again.
@@ -47,7 +47,7 @@ const ROUNDS: usize = 8;
 /// The number of normalizations of quaternions: from a length of the square root of two to rounding.
 const NORMALIZATIONS: usize = 8;
 
-/// The least `f` in the damping `λ = f ½ eᵀ W e`: a step is at most `1 / √(2 f)` long, two radians, from which quaternions
+/// The least `f` in the damping `λ = f w`, with `w` that [`Remaining::weighted`] is: a step is at most `1 / √(2 f)` long, two radians, from which quaternions
 /// recover.
 const LEAST_FACTOR: f64 = 0.125;
 
@@ -58,8 +58,8 @@ pub struct InverseKinematics<R, const NQ: usize> {
     pub limits: Limits<R, NQ>,
     /// [`Self::solve`] ends if no component of the error exceeds this, m and rad. Default 1e-6, 1e-5 in single precision.
     pub tolerance: R,
-    /// The minimum damping `λ`, which remains at the goal. It bounds steps where the Jacobian is singular, and must be far
-    /// above the rounding of its squared entries. Default 1e-12, 1e-4 in single precision.
+    /// The minimum damping, which remains at the goal, as a part of the greatest diagonal entry of `Jᵀ W J`. It bounds steps where the
+    /// Jacobian is singular, and must be far above rounding. Default 1e-12, 1e-4 in single precision.
     pub least_damping: R,
 }
 
@@ -120,7 +120,8 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
 
     /// Brings quaternions to length one and coordinates to within their limits.
     fn admit<S: System<R, Q = [R; NQ]>>(&self, system: &S, q: &mut [R; NQ]) {
-        // A step of `normalize` squares what is wrong with the length, and steps here are not as small as an integrator's.
+        manifold::scale_quaternions::<R, S>(q);
+        // Of a system without a table of joints. Steps here are not as small as an integrator's.
         for _ in 0..NORMALIZATIONS {
             system.normalize(q);
         }
@@ -169,8 +170,9 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// Like [`Self::solve`], and if that does not reach the goals, again from other starting points: up to `starts` times in total,
     /// the first from `q`. `q` becomes the best found.
     ///
-    /// Another starting point has each coordinate with two limits at a random value between them; the others start as in `q`. The
-    /// same call always tries the same starting points. Of the poses that an arm of six or seven joints can reach, with 100 steps
+    /// Another starting point has each coordinate with two limits at a random value between them, and each angle of a hinge without at a
+    /// random one of a full turn. The others start as in `q`: translations without limits, and orientations that are free. The same call
+    /// always tries the same starting points. Of the poses that an arm of six or seven joints can reach, with 100 steps
     /// each, one start finds about half, ten find 99 of a hundred, fifty all of a thousand that were tried.
     pub fn search<S, G, const NU: usize>(
         &self,
@@ -192,9 +194,14 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
                 break;
             }
             let mut other = begin;
-            self.limits.draw(&mut other, &mut seed);
+            self.limits.draw::<S>(&mut other, &mut seed);
+            if other == begin {
+                break;
+            }
             let remaining = self.solve(system, goals, &mut other, steps);
-            if remaining.weighted < best.weighted {
+            let is_lost = best.weighted.partial_cmp(&best.weighted).is_none();
+            if is_lost || remaining.is_within(self.tolerance) || remaining.weighted < best.weighted
+            {
                 (*q, best) = (other, remaining);
             }
         }
@@ -212,7 +219,8 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
         S: System<R, Q = [R; NQ], U = [R; NU]>,
     {
         let coordinates = rated_coordinates::<R, S, NU>();
-        let damping = damping * equations.remaining.weighted + self.least_damping;
+        let least = self.least_damping * equations.scale();
+        let damping = damping * equations.remaining.weighted + least;
         let mut held = [None; NU];
         let mut u = equations.solve(damping, &held);
         for _ in 0..ROUNDS {

@@ -32,6 +32,7 @@ pub(crate) use turn::of_angles;
 use crate::joint::Chart;
 use crate::vector::zero;
 use crate::{Array, Joint, Real, System};
+use angle::length;
 use turn::{Quaternion, Vector};
 
 /// An entry; zero beyond the end, which no table reaches, so that no panic remains in a linked program.
@@ -105,8 +106,19 @@ fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
     joints.filter_map(|(body, joint)| TurningPlaces::of(body, joint))
 }
 
+/// Brings quaternions to length one, from any length above 1e-30 that does not overflow.
+pub(crate) fn scale_quaternions<R: Real, S: System<R>>(q: &mut S::Q) {
+    for joint in turnings::<R, S>().filter(|joint| joint.is_quaternion) {
+        let e = joint.quaternion(q);
+        let length = length(e);
+        for (place, own) in joint.q.into_iter().zip(e) {
+            put(q, place, own / length);
+        }
+    }
+}
+
 /// The places, in `q` and in `u`, of coordinates whose rates are speeds.
-fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
+pub(crate) fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usize)> {
     let is_told = !S::JOINTS.is_empty();
     let all = if is_told { 0 } else { S::U::LEN };
     let told = S::JOINTS.iter().flat_map(Joint::rates);
@@ -145,7 +157,7 @@ pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> 
 /// The direction, rad and m along the axes of `u`, by which [`q_plus`] leads `from` one `q` `to` another: `to` minus `from`.
 ///
 /// Orientations are connected by the shorter rotation, of at most half a revolution, also if quaternions differ in sign. Lengths of
-/// quaternions do not matter, unless their product is below 1e-30.
+/// quaternions do not matter, unless their product is below 1e-30 or overflows.
 #[must_use]
 pub fn q_minus<R: Real, S: System<R>>(system: &S, from: &S::Q, to: &S::Q) -> S::U {
     let _ = system;

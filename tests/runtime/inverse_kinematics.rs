@@ -63,7 +63,7 @@ fn a_step_is_that_of_damped_least_squares() {
     let goal = Goal::<f64, Tool>::position([0.3, -0.4, 1.2]).weighing(2.0, 0.0);
     let step = solver.step(&Gantry, &goal, &[0.0; 3]);
     let weighted = 0.3_f64.powi(2) + 0.4_f64.powi(2) + 1.2_f64.powi(2);
-    let damping = weighted + solver.least_damping;
+    let damping = weighted + 2.0 * solver.least_damping;
     for (u, e) in step.u.iter().zip(goal.position) {
         let expected = 2.0 * e / (2.0 + damping);
         assert!((u - expected).abs() < 1e-15, "{u} and not {expected}");
@@ -86,6 +86,19 @@ fn goals_add_up() {
     let nested = ((goal(1.0),), [goal(2.0)]);
     assert_eq!(solver.solve(&Gantry, &nested, &mut other, 200), remaining);
     assert_eq!(other, q);
+}
+
+#[test]
+fn weights_times_a_number_are_the_same_goals() {
+    let solver = InverseKinematics::new(Limits::none());
+    let goal = Goal::<f64, Tool>::position([0.3, -0.4, 1.2]);
+    let plain = solver.step::<_, _, 3>(&Gantry, &goal, &[0.0; 3]);
+    for weight in [1e-12, 1e12] {
+        let step = solver.step::<_, _, 3>(&Gantry, &goal.weighing(weight, 0.0), &[0.0; 3]);
+        for (u, plain) in step.u.iter().zip(plain.u) {
+            assert!((u - plain).abs() < 1e-13, "{u} and not {plain}");
+        }
+    }
 }
 
 #[test]
@@ -147,7 +160,9 @@ fn what_is_missing_of_a_turn_is_along_its_axis_for_any_angle() {
 
             let step = solver.step(&hinge, &goal, &[0.5]);
             let chord = 2.0 * <f64 as Real>::sin_cos(angle / 2.0).0;
-            let expected = chord / (1.0 + 0.5 * chord * chord + solver.least_damping);
+            let weighted = 8.0 * <f64 as Real>::sin_cos(angle / 4.0).0.powi(2);
+            let expected = chord / (1.0 + weighted + solver.least_damping);
+            assert!((step.remaining.weighted - weighted).abs() < 1e-13);
             assert!((step.u[0] - expected).abs() < 1e-13, "{axis} {angle}");
             assert!((step.remaining.orientation - chord.abs()).abs() < 1e-13);
 

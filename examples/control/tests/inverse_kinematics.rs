@@ -105,6 +105,100 @@ fn limits_are_never_left_though_the_goal_is_out_of_reach() {
 }
 
 #[test]
+fn it_ends_where_no_small_step_helps() {
+    // Poses at random, most of them out of reach.
+    let system = panda::Prepared::nominal();
+    let solver = exact(Limits::of::<panda::Prepared<f64>>());
+    let mut draws = Noise::new(3);
+    let mut n_stationary = 0;
+    for _ in 0..100 {
+        let q = between(&mut draws, &solver.limits);
+        let turned = goal::<panda::frames::Payload, _>(&system, &q).rotation;
+        let place = from_fn(|_| 2.0 * symmetric(&mut draws));
+        let goal = Goal::<_, panda::frames::Payload>::pose(turned, place);
+        let mut q = between(&mut draws, &solver.limits);
+        let _ = solver.solve(&system, &goal, &mut q, 5000);
+        n_stationary += usize::from(slope(&system, &goal, &solver.limits, &q) < 1e-4);
+    }
+    // Damping that has grown ends a few before.
+    assert!(n_stationary >= 97, "{n_stationary}");
+}
+
+/// How fast the error could fall along coordinates that no limit holds, by differences.
+fn slope<F>(
+    system: &panda::Prepared<f64>,
+    goal: &Goal<f64, F>,
+    limits: &Limits<f64, { panda::NQ }>,
+    q: &[f64; panda::NQ],
+) -> f64
+where
+    panda::Prepared<f64>: Pose<f64, F> + Jacobian<f64, F>,
+{
+    let free = InverseKinematics::new(Limits::none());
+    let error = |i: usize, by: f64| {
+        let mut moved = *q;
+        moved[i] += by;
+        let step = free.step::<_, _, { panda::NU }>(system, goal, &moved);
+        step.remaining.weighted
+    };
+    let along = |i: usize| {
+        let rate = (error(i, 1e-5) - error(i, -1e-5)) / 2e-5;
+        let is_held = if rate > 0.0 {
+            q[i] == limits.lower[i]
+        } else {
+            q[i] == limits.upper[i]
+        };
+        if is_held { 0.0 } else { rate.abs() }
+    };
+    (0..panda::NQ).map(along).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_search_begins_elsewhere_whatever_q_is() {
+    let system = panda::Prepared::nominal();
+    let mut draws = Noise::new(5);
+    let limited = exact(Limits::of::<panda::Prepared<f64>>());
+    for solver in [limited, exact(Limits::none())] {
+        for _ in 0..50 {
+            let there = between(&mut draws, &limited.limits);
+            let goal = goal::<panda::frames::Payload, _>(&system, &there);
+            for first in [f64::NAN, f64::INFINITY, 0.3] {
+                let mut q = between(&mut draws, &limited.limits);
+                q[0] = first;
+                let remaining = solver.search(&system, &goal, &mut q, 100, 50);
+                assert!(remaining.is_within(1e-10), "{there:?}: {remaining:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_search_keeps_what_it_has_reached() {
+    // Orientations count next to nothing, but have a tolerance.
+    let system = panda::Prepared::nominal();
+    let mut solver = exact(Limits::of::<panda::Prepared<f64>>());
+    solver.tolerance = 1e-3;
+    let mut draws = Noise::new(4);
+    for _ in 0..300 {
+        let there = between(&mut draws, &solver.limits);
+        let goal = goal::<panda::frames::Payload, _>(&system, &there).weighing(1.0, 1e-4);
+        let begin = between(&mut draws, &solver.limits);
+        let mut n_starts = 1;
+        let first = loop {
+            let mut q = begin;
+            let remaining = solver.search(&system, &goal, &mut q, 10, n_starts);
+            if remaining.is_within(1e-3) || n_starts == 10 {
+                break remaining;
+            }
+            n_starts += 1;
+        };
+        let mut q = begin;
+        let remaining = solver.search(&system, &goal, &mut q, 10, 10);
+        assert_eq!(remaining, first);
+    }
+}
+
+#[test]
 fn a_joint_at_its_limit_leaves_the_rest_to_the_others() {
     // The hand goes on where the pose of the goal needs the fourth joint beyond a limit that is drawn tighter.
     let system = panda::Prepared::nominal();

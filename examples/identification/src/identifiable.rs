@@ -1,7 +1,7 @@
 //! What torques can tell: the independent columns of the regressors, and the least squares on them.
 //!
-//! The columns of `base_regressor` are independent, but not of those of the rotors: the rotor of a joint whose body turns about a fixed axis
-//! is felt as that body's moment of inertia is. Such a column is left out, and its rotor is added to what has its column.
+//! The columns of `base_regressor` are independent, but not of those of the rotors: where a body's moment of inertia about its joint's axis
+//! is felt at this joint alone, the joint's rotor is felt alike. Such a column is left out, and its rotor is added to what has its column.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -55,7 +55,7 @@ pub(super) fn program(
         None => {
             let mut uses = [
                 (name, "{NQ, NU, Prepared}"),
-                ("kane", "integrate::rk4_step"),
+                ("kane", "integrate::rk4_step_with"),
             ];
             // As rustfmt has them.
             uses.sort_unstable();
