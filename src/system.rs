@@ -45,7 +45,8 @@ pub trait System<R: Real> {
     const JOINTS: &'static [Joint] = &[];
     /// The frames of bodies that are fixed to others and part of them.
     const FRAMES: &'static [Frame] = &[];
-    /// The lower limits of the `NQ` coordinates, rad, m: data only; infinite if there is no limit.
+    /// The lower limits of the `NQ` coordinates, rad, m: data only; infinite if there is no limit. Those of joints that follow a coordinate
+    /// count.
     const LOWER_LIMITS: &'static [f64] = &[];
     /// The upper limits of the `NQ` coordinates, rad, m.
     const UPPER_LIMITS: &'static [f64] = &[];

@@ -20,31 +20,69 @@ pub struct Limits {
 impl Limits {
     /// Those of a tree.
     pub fn of(tree: &Tree) -> Self {
+        let (lower, upper) = ranges(tree).into_iter().unzip();
+        let mut velocity = along_speeds(tree, |mechanics| mechanics.velocity);
+        for (Motion { speed, factor }, mechanics) in following(tree) {
+            let own = &mut velocity[speed.index()];
+            *own = own.min(mechanics.velocity / factor.abs());
+        }
         Self {
-            lower: along_coordinates(tree, |mechanics| mechanics.range[0], f64::NEG_INFINITY),
-            upper: along_coordinates(tree, |mechanics| mechanics.range[1], f64::INFINITY),
-            velocity: along_speeds(tree, |mechanics| mechanics.velocity),
+            lower,
+            upper,
+            velocity,
             effort: along_speeds(tree, |mechanics| mechanics.effort),
             friction: friction(tree),
         }
     }
 }
 
-fn along_coordinates(tree: &Tree, of: impl Fn(&Mechanics) -> f64, none: f64) -> Vec<f64> {
-    let mut values = vec![none; tree.n_coordinates];
-    for body in &tree.bodies {
-        let joint = &body.joint;
+/// The least and the greatest value of each coordinate at which no joint that it moves passes a limit: those that follow count, unless
+/// nothing would be left.
+fn ranges(tree: &Tree) -> Vec<(f64, f64)> {
+    let mut own = vec![(f64::NEG_INFINITY, f64::INFINITY); tree.n_coordinates];
+    let mut all = own.clone();
+    for joint in tree.bodies.iter().map(|body| &body.joint) {
         let angles = joint.angles().into_iter().flatten();
         let angles = angles.zip(&joint.mechanics);
-        let translations = joint.translations.iter().copied();
-        let translations = translations.zip(&joint.mechanics[3..]);
+        let translations = joint.translations.into_iter().zip(&joint.mechanics[3..]);
         for (coordinate, mechanics) in angles.chain(translations) {
-            if let Coordinate::Free { coordinate, .. } = coordinate {
-                values[coordinate.index()] = of(mechanics);
+            let [lower, upper] = mechanics.range;
+            match coordinate {
+                Coordinate::Free { coordinate, .. } => {
+                    own[coordinate.index()] = (lower, upper);
+                    let all = &mut all[coordinate.index()];
+                    *all = (all.0.max(lower), all.1.min(upper));
+                }
+                Coordinate::Mimic {
+                    coordinate,
+                    multiplier,
+                    offset,
+                    ..
+                } => {
+                    let [a, b] = [lower, upper].map(|limit| (limit - offset) / multiplier);
+                    let all = &mut all[coordinate.index()];
+                    *all = (all.0.max(a.min(b)), all.1.min(a.max(b)));
+                }
+                Coordinate::Locked(_) => {}
             }
         }
     }
-    values
+    let pairs = own.into_iter().zip(all);
+    let ranges = pairs.map(|(own, all)| if all.0 <= all.1 { all } else { own });
+    ranges.collect()
+}
+
+/// The motions of joints that follow others.
+fn following(tree: &Tree) -> impl Iterator<Item = (Motion, &Mechanics)> {
+    tree.bodies.iter().flat_map(|body| {
+        let joint = &body.joint;
+        (0..6).filter_map(|place| match joint.coordinate_of(place) {
+            Some(Coordinate::Mimic { .. }) => {
+                Some((joint.motions()[place]?, &joint.mechanics[place]))
+            }
+            _ => None,
+        })
+    })
 }
 
 fn along_speeds(tree: &Tree, of: impl Fn(&Mechanics) -> f64) -> Vec<f64> {
