@@ -1,7 +1,7 @@
 //! What differs between two systems.
 //!
 //! In: two outlines. Out: [`Differences`]. Bodies are the same where they have the same name: one that was given another is one that
-//! went and one that came.
+//! went and one that came. Where the tree is the same, what has another name at its old place was renamed.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use super::outline::{Body, Layout, Outline, Values};
 /// What differs; nothing where all lists are empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Differences {
-    /// Arrays whose places changed: code that indexes them by number means something else now.
+    /// Arrays whose places or their names changed.
     pub layouts: Vec<LayoutChange>,
     /// Bodies of the new system alone, in its order.
     pub added: Vec<Body>,
@@ -20,7 +20,7 @@ pub struct Differences {
     pub values: Vec<ValueChange>,
 }
 
-/// An array whose places changed.
+/// An array whose places or their names changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LayoutChange {
     /// The array.
@@ -31,6 +31,15 @@ pub struct LayoutChange {
     pub removed: Vec<(String, usize)>,
     /// What has another place now: the old and the new one.
     pub moved: Vec<(String, [usize; 2])>,
+    /// What has another name and its old place: the old and the new name, and the place.
+    pub renamed: Vec<([String; 2], usize)>,
+}
+
+impl LayoutChange {
+    /// True where code that indexes the array by number means something else now.
+    pub fn is_breaking(&self) -> bool {
+        !(self.added.is_empty() && self.removed.is_empty() && self.moved.is_empty())
+    }
 }
 
 /// A value that changed, came or went.
@@ -49,7 +58,7 @@ pub struct ValueChange {
 impl Differences {
     /// True where an array's places changed.
     pub fn is_breaking(&self) -> bool {
-        !self.layouts.is_empty()
+        self.layouts.iter().any(LayoutChange::is_breaking)
     }
 }
 
@@ -70,8 +79,6 @@ impl ValueChange {
 
 /// Compares two systems.
 pub fn differences(old: &Outline, new: &Outline) -> Differences {
-    let layouts = old.layouts.iter().zip(&new.layouts);
-    let layouts = layouts.filter_map(|((layout, old), (_, new))| layout_change(*layout, old, new));
     let without = |bodies: &[Body], others: &[Body]| -> Vec<Body> {
         let is_there = |body: &&Body| others.iter().any(|other| other.name == body.name);
         let bodies = bodies.iter().filter(|body| !is_there(body));
@@ -84,10 +91,25 @@ pub fn differences(old: &Outline, new: &Outline) -> Differences {
             values.extend(value_changes(Some(&body.name), &old.values, &body.values));
         }
     }
+    let added = without(&new.bodies, &old.bodies);
+    let removed = without(&old.bodies, &new.bodies);
+    let mut values_of_the_tree = values.iter().filter(|change| change.is_of_the_tree());
+    let is_same_tree = added.is_empty()
+        && removed.is_empty()
+        && values_of_the_tree.all(|change| change.key == "joint_name");
+    let layouts = old.layouts.iter().zip(&new.layouts);
+    let layouts = layouts.filter_map(|((layout, old), (_, new))| {
+        let change = layout_change(*layout, old, new)?;
+        Some(if is_same_tree {
+            renamed(change)
+        } else {
+            change
+        })
+    });
     Differences {
         layouts: layouts.collect(),
-        added: without(&new.bodies, &old.bodies),
-        removed: without(&old.bodies, &new.bodies),
+        added,
+        removed,
         values,
     }
 }
@@ -114,7 +136,31 @@ fn layout_change(layout: Layout, old: &[String], new: &[String]) -> Option<Layou
         added: alone(new, &old_places),
         removed: alone(old, &new_places),
         moved: moved.collect(),
+        renamed: Vec::new(),
     })
+}
+
+/// With what came where something went as one thing that was renamed.
+fn renamed(change: LayoutChange) -> LayoutChange {
+    let LayoutChange {
+        added,
+        mut removed,
+        mut renamed,
+        ..
+    } = change;
+    let mut left = Vec::new();
+    for (name, place) in added {
+        match removed.iter().position(|(_, own)| *own == place) {
+            Some(old) => renamed.push(([removed.remove(old).0, name], place)),
+            None => left.push((name, place)),
+        }
+    }
+    LayoutChange {
+        added: left,
+        removed,
+        renamed,
+        ..change
+    }
 }
 
 fn value_changes(body: Option<&str>, old: &Values, new: &Values) -> Vec<ValueChange> {

@@ -95,6 +95,24 @@ fn added_body_breaks_every_layout_that_it_is_in() {
 }
 
 #[test]
+fn renamed_joint_moves_nothing() {
+    let (code, said) = edited(|text| {
+        let joint = "joint = [\"theta2\"]\n";
+        assert!(text.contains(joint), "{text}");
+        text.replacen(joint, &format!("joint_name = \"elbow\"\n{joint}"), 1)
+    });
+    assert_eq!(code, 1);
+    insta::assert_snapshot!(said, @"
+    names in q
+      renamed  fore_theta2 -> elbow  2
+    names in u
+      renamed  fore_theta2_dot -> elbow_dot  2
+    bodies and joints
+      added    fore: joint_name  elbow
+    ");
+}
+
+#[test]
 fn removed_body_is_told_with_the_place_that_it_had() {
     let project = Project::empty();
     let new = model("arm", "2.0");

@@ -65,6 +65,7 @@ fn files(systems: &Systems) -> Vec<Section> {
     let removed = removed.map(|name| row("removed", name, String::new()));
     let changed = systems.breaking().map(|report| {
         let layouts = report.differences.layouts.iter();
+        let layouts = layouts.filter(|change| change.is_breaking());
         let layouts: Vec<&str> = layouts.map(|change| change.layout.name()).collect();
         row("changed", &report.names[1], layouts.join(", "))
     });
@@ -165,9 +166,19 @@ fn layout(change: &LayoutChange) -> Section {
     let removed = removed.map(|(name, place)| row("removed", name, place.to_string()));
     let moved = change.moved.iter();
     let moved = moved.map(|(name, [old, new])| row("moved", name, format!("{old} -> {new}")));
+    let renamed = change.renamed.iter();
+    let renamed = renamed.map(|([old, new], place)| {
+        let name = format!("{old} -> {new}");
+        row("renamed", &name, place.to_string())
+    });
+    let array = change.layout.name();
     Section {
-        title: format!("BREAKING: the places in {} changed", change.layout.name()),
-        rows: added.chain(removed).chain(moved).collect(),
+        title: if change.is_breaking() {
+            format!("BREAKING: the places in {array} changed")
+        } else {
+            format!("names in {array}")
+        },
+        rows: added.chain(removed).chain(moved).chain(renamed).collect(),
     }
 }
 

@@ -48,11 +48,13 @@ fn layout(change: &LayoutChange) -> Value {
     let place = |(name, place): &(String, usize)| json!({ "name": name, "place": place });
     let moved =
         |(name, [old, new]): &(String, [usize; 2])| json!({ "name": name, "old": old, "new": new });
+    let renamed = |([old, new], place): &([String; 2], usize)| json!({ "old": old, "new": new, "place": place });
     json!({
         "array": change.layout.name(),
         "added": change.added.iter().map(place).collect::<Value>(),
         "removed": change.removed.iter().map(place).collect::<Value>(),
         "moved": change.moved.iter().map(moved).collect::<Value>(),
+        "renamed": change.renamed.iter().map(renamed).collect::<Value>(),
     })
 }
 
