@@ -34,6 +34,8 @@ pub(super) struct Column {
     pub(super) unit: Vec<f64>,
     /// Its length.
     pub(super) length: f64,
+    /// Its length over that of the longest of its body and kind.
+    pub(super) share: f64,
     /// How far rounding may have moved the unit.
     pub(super) error: f64,
     /// False where some number is too large for f64: nothing is known of it.
@@ -62,7 +64,7 @@ impl Columns {
         let mut columns: Vec<Column> = columns.collect();
         for of_body in columns.chunks_mut(N_INERTIAL) {
             for alike in [MOMENTS, INERTIAS] {
-                without_crumbs(&mut of_body[alike]);
+                compare(&mut of_body[alike]);
             }
         }
         Self { columns }
@@ -92,18 +94,23 @@ impl Column {
         Self {
             unit: numbers.iter().map(unit).collect(),
             length,
+            share: 1.0,
             error: if length > error { error / length } else { 0.0 },
             is_known,
         }
     }
 }
 
-/// Makes zeros of columns that are nothing beside the others.
-fn without_crumbs(columns: &mut [Column]) {
+/// Compares columns of a kind by length, and makes zeros of those that are nothing beside the others.
+fn compare(columns: &mut [Column]) {
     let lengths = columns.iter().map(|column| column.length);
     let longest = lengths.fold(0.0, f64::max);
     for column in columns {
-        if column.is_known && column.length < CRUMB * longest {
+        if !column.is_known || longest == 0.0 {
+            continue;
+        }
+        column.share = column.length / longest;
+        if column.share < CRUMB {
             column.unit.fill(0.0);
             column.error = 0.0;
         }

@@ -38,7 +38,7 @@ fn found(tree: &Tree) -> Vec<BaseParameter> {
         let columns = Columns::new(tree, &with_gravity(tree, nominal, &changed));
         relations::like(tree, &columns, &pattern)
     };
-    combined(&relations)
+    combined(&relations.of)
 }
 
 /// The nominal values, but with gravity of others. Where the nominal one is zero or along an axis, columns that gravity alone

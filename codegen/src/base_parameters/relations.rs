@@ -1,8 +1,8 @@
 //! Which columns others give.
 
 use super::{
-    columns::{self, Columns},
-    span::Span,
+    columns::{self, Column, Columns},
+    span::{Projected, Span},
 };
 use crate::{
     id::BodyId,
@@ -22,50 +22,112 @@ pub(super) enum Relation {
 /// divides by the distance, which may be zero.
 const ORDER: [usize; N_INERTIAL] = [4, 5, 6, 7, 8, 9, 1, 2, 3, 0];
 
+/// How columns are related.
+pub(super) struct Relations {
+    /// Of each column whether others give it.
+    pub(super) of: Vec<Relation>,
+    /// Of each column whether it was taken after the others of its body: it was nearly given, so that they may give it, and it them only
+    /// by huge factors.
+    has_waited: Vec<bool>,
+}
+
 /// Of each column whether earlier ones give it.
-pub(super) fn found(tree: &Tree, columns: &Columns) -> Vec<Relation> {
-    related(tree, columns, |_, is_within| is_within)
+pub(super) fn found(tree: &Tree, columns: &Columns) -> Relations {
+    related(tree, columns, None)
 }
 
 /// The factors with which the columns of other values give those that are given in `pattern`.
-pub(super) fn like(tree: &Tree, columns: &Columns, pattern: &[Relation]) -> Vec<Relation> {
-    related(tree, columns, |place, _| pattern[place] != Relation::Left)
+pub(super) fn like(tree: &Tree, columns: &Columns, pattern: &Relations) -> Relations {
+    related(tree, columns, Some(pattern))
 }
 
-fn related(
-    tree: &Tree,
-    columns: &Columns,
-    is_given: impl Fn(usize, bool) -> bool,
-) -> Vec<Relation> {
-    let mut relations = vec![Relation::Left; columns.len()];
-    // All that are left: where joints follow others, two branches may move alike.
-    let mut left = Span::default();
+fn related(tree: &Tree, columns: &Columns, pattern: Option<&Relations>) -> Relations {
+    let mut relating = Relating {
+        columns,
+        pattern,
+        has_followers: tree.has_followers(),
+        relations: Relations {
+            of: vec![Relation::Left; columns.len()],
+            has_waited: vec![false; columns.len()],
+        },
+        left: Span::default(),
+    };
     for body in tree.body_ids() {
-        let mut near = of_lower(tree, columns, body, &relations);
-        for place in ORDER.map(|own| columns::place(body, own)) {
-            let column = columns.at(place);
-            if !column.is_known {
-                continue;
-            }
-            let by_near = near.project(column);
-            let is_far = tree.has_followers() && !by_near.is_within(column);
-            let by_left = is_far.then(|| left.project(column));
-            let is_within = by_left.as_ref().unwrap_or(&by_near).is_within(column);
-            if is_given(place, is_within) {
-                let terms = match &by_left {
-                    Some(by_left) => left.terms(column, by_left),
-                    None => near.terms(column, &by_near),
-                };
-                relations[place] = Relation::Given(terms);
-            } else if !is_within {
-                near.add(place, column, &by_near);
-                if let Some(by_left) = &by_left {
-                    left.add(place, column, by_left);
-                }
+        let mut near = of_lower(tree, columns, body, &relating.relations.of);
+        let mut waiting = ORDER.map(|own| columns::place(body, own)).to_vec();
+        waiting.retain(|&place| relating.waits(&mut near, place));
+        for place in waiting {
+            relating.relate(&mut near, place);
+        }
+    }
+    relating.relations
+}
+
+/// The relations of the columns that were taken.
+struct Relating<'a> {
+    columns: &'a Columns,
+    /// Whose columns are given.
+    pattern: Option<&'a Relations>,
+    has_followers: bool,
+    relations: Relations,
+    /// All that are left: where joints follow others, two branches may move alike.
+    left: Span<'a>,
+}
+
+impl<'a> Relating<'a> {
+    /// Whether a column is to be taken after the others of its body. If not, it is taken.
+    fn waits(&mut self, near: &mut Span<'a>, place: usize) -> bool {
+        let column = self.columns.at(place);
+        let waits = match self.pattern {
+            Some(pattern) => pattern.has_waited[place],
+            None => column.is_known && self.is_nearly_given(near, column),
+        };
+        self.relations.has_waited[place] = waits;
+        if !waits {
+            self.relate(near, place);
+        }
+        waits
+    }
+
+    fn is_nearly_given(&self, near: &Span<'_>, column: &Column) -> bool {
+        let (by_near, by_left) = self.project(near, column);
+        let nearest = by_left.unwrap_or(by_near);
+        !nearest.is_within(column) && nearest.is_nearly_within(column)
+    }
+
+    /// A column beside those that are near it and, where these do not give it and others may, beside all that are left.
+    fn project(&self, near: &Span<'_>, column: &Column) -> (Projected, Option<Projected>) {
+        let by_near = near.project(column);
+        let is_far = self.has_followers && !by_near.is_within(column);
+        let by_left = is_far.then(|| self.left.project(column));
+        (by_near, by_left)
+    }
+
+    /// Relates a column to those that are near it and to those that are left.
+    fn relate(&mut self, near: &mut Span<'a>, place: usize) {
+        let column = self.columns.at(place);
+        if !column.is_known {
+            return;
+        }
+        let (by_near, by_left) = self.project(near, column);
+        let nearest = by_left.as_ref().unwrap_or(&by_near);
+        let is_within = nearest.is_within(column);
+        let is_given = self
+            .pattern
+            .map_or(is_within, |pattern| pattern.of[place] != Relation::Left);
+        if is_given {
+            let terms = match &by_left {
+                Some(by_left) => self.left.terms(column, by_left),
+                None => near.terms(column, &by_near),
+            };
+            self.relations.of[place] = Relation::Given(terms);
+        } else if !is_within {
+            near.add(place, column, &by_near);
+            if let Some(by_left) = &by_left {
+                self.left.add(place, column, by_left);
             }
         }
     }
-    relations
 }
 
 /// What the columns of a body's lower body span: first those that are left, then those that are given.

@@ -20,6 +20,9 @@ pub(super) struct Projected {
 /// A rest that is smaller is rounding, of a column of unit length.
 const NOTHING: f64 = 1e-9;
 
+/// A rest that is smaller is little: what rounded angles leave.
+const LITTLE: f64 = 1e-4;
+
 /// A rest that is smaller than so many times what rounding can have done is rounding, too.
 const ROUNDINGS: f64 = 10.0;
 
@@ -76,8 +79,15 @@ impl<'a> Span<'a> {
         let pairs = of_units.iter().zip(&self.columns);
         let found = pairs.map(|(of_unit, (_, other))| of_unit * column.length / other.length);
         let found: Vec<f64> = found.collect();
-        let pairs = found.iter().zip(&of_units);
-        let plain: Vec<f64> = pairs.map(|(factor, unit)| meant(*factor, *unit)).collect();
+
+        let plain = found.iter().zip(&of_units).map(|(factor, of_unit)| {
+            if of_unit.abs() <= NO_TERM {
+                0.0
+            } else {
+                meant(*factor)
+            }
+        });
+        let plain: Vec<f64> = plain.collect();
         // What is meant gives the column as well as what was found.
         let bound = FITS * (self.distance(column, &found) + f64::EPSILON);
         let fits = self.distance(column, &plain) <= bound;
@@ -109,14 +119,17 @@ impl Projected {
     pub(super) fn is_within(&self, column: &Column) -> bool {
         self.length() <= NOTHING.max(ROUNDINGS * column.error)
     }
+
+    /// True for a column of which little is not in the span, beside the longest of its kind.
+    pub(super) fn is_nearly_within(&self, column: &Column) -> bool {
+        self.length() * column.share <= LITTLE
+    }
 }
 
-/// A factor without its noise, where nothing is meant, or a number with few digits; `of_unit` is that of columns of unit length.
-fn meant(factor: f64, of_unit: f64) -> f64 {
+/// A factor without its noise, where a number with few digits is meant.
+fn meant(factor: f64) -> f64 {
     let short: f64 = format!("{factor:.9e}").parse().unwrap_or(factor);
-    if of_unit.abs() <= NO_TERM {
-        0.0
-    } else if (short - factor).abs() <= MEANT * factor.abs() {
+    if (short - factor).abs() <= MEANT * factor.abs() {
         short
     } else {
         factor

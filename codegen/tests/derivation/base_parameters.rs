@@ -7,7 +7,7 @@
 use kane_codegen::{
     base_parameters,
     functions::Formulation,
-    tree::{N_INERTIAL, Tree},
+    tree::{BaseParameter, N_INERTIAL, Tree},
 };
 use kane_test_support::{
     compare::{assert_within, larger, largest, relative_to},
@@ -109,6 +109,34 @@ fn factors_hold_whatever_gravity_is_set_to() {
         "{ runtime = 0.0 }, { runtime = 0.0 }, { runtime = -9.81 }",
     ] {
         assert_eq!(pendulum(gravity), baked, "{gravity}");
+    }
+}
+
+/// Three bodies on hinges, the first and the last about this axis: their base parameters.
+fn arm(axis: &str) -> Vec<BaseParameter> {
+    let lean = format!("\"revolute\"\naxis = {axis}");
+    let bodies = [("a", &*lean), ("b", "[\"theta3\"]"), ("c", &*lean)];
+    let bodies = bodies.map(|(name, joint)| {
+        let turn =
+            "attachment_rotation = [[0.6, 0.8, 0.0], [-0.64, 0.48, 0.6], [0.48, -0.36, 0.8]]\n";
+        format!("{}{turn}", body(name, joint))
+    });
+    let text = format!(
+        "name = \"arm\"\nlower_bodies = [0, 1, 2]\n{}",
+        bodies.concat()
+    );
+    base_parameters::of(&build(&text).expect("a sound description").tree).to_vec()
+}
+
+#[test]
+fn rounded_axes_add_no_base_parameters_and_no_huge_factors() {
+    let exact = arm("[1.0, 0.0, 0.0]");
+    for axis in ["[1.0, 7e-8, 0.0]", "[1.0, -3e-7, 2e-8]", "[1.0, 4e-6, 0.0]"] {
+        let leaned = arm(axis);
+        assert_eq!(leaned.len(), exact.len(), "{axis}");
+        for (_, factor) in leaned.iter().flat_map(|base| &base.terms) {
+            assert!(factor.abs() < 10.0, "{axis}: {factor}");
+        }
     }
 }
 

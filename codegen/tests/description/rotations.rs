@@ -83,6 +83,34 @@ fn an_axis_that_leans_keeps_its_lean() {
 }
 
 #[test]
+fn directions_across_an_axis_do_not_depend_on_the_tolerance() {
+    // On either side of what counts as a coordinate axis, and its opposite.
+    for axis in [
+        [0.0, 3e-6, 1.0],
+        [0.0, 5e-10, 1.0],
+        [2e-6, 0.0, -1.0],
+        [1.0, 0.0, -1e-10],
+    ] {
+        let (exact, change) = Alignment::with_directions(axis, 0.0);
+        assert_eq!(change, 0.0);
+        for tolerance in [1e-12, 1e-9, 1e-5] {
+            let (snapped, change) = Alignment::with_directions(axis, tolerance);
+            assert_eq!(snapped.place, exact.place);
+            let pairs = snapped.rotation.as_flattened().iter();
+            for (snapped, exact) in pairs.zip(exact.rotation.as_flattened()) {
+                assert!((snapped - exact).abs() <= change + 1e-15, "{axis:?}");
+            }
+            assert_orthonormal(&snapped.rotation);
+        }
+        let (snapped, _) = Alignment::with_directions(axis, 1e-5);
+        assert_eq!(
+            snapped.rotation,
+            snapped.rotation.map(|row| row.map(f64::round))
+        );
+    }
+}
+
+#[test]
 fn the_frame_of_an_axis_is_right_handed_and_has_it() {
     for axis in [
         [0.0, 0.0, -2.0],

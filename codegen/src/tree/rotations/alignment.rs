@@ -1,6 +1,9 @@
 //! Axes that have a joint's axis among them.
 
-use crate::geometry::{IDENTITY, Rotation, Vector, cross, length};
+use crate::geometry::{IDENTITY, Rotation, Vector, cross, dot, length};
+
+/// An axis that leans less from a coordinate axis has the directions of this one.
+const ALONG: f64 = 1e-9;
 
 /// Axes of which one is that of a joint.
 #[derive(Clone, Copy, Debug)]
@@ -15,13 +18,7 @@ impl Alignment {
     /// Axes with `axis` (of any length) among them, as few of them turned as possible, and by how much snapping changed an
     /// entry of the axis. About a coordinate axis, or its opposite, its place is its own.
     pub fn of(axis: Vector, tolerance: f64) -> (Self, f64) {
-        let largest = axis
-            .iter()
-            .fold(0.0, |most: f64, part| most.max(part.abs()));
-        // Scaled first, so that no square overflows or vanishes.
-        let scaled = axis.map(|part| part / largest);
-        let size = length(scaled);
-        let given = scaled.map(|part| part / size);
+        let given = unit(axis);
         let unit = snapped_unit(given, tolerance);
         let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
         // What is 1 may be rounded: the others must be zero.
@@ -57,6 +54,39 @@ impl Alignment {
         let rotation = [first, cross(unit, first), unit];
         (Self { rotation, place: 2 }, change)
     }
+
+    /// The same of an axis across which two directions count: whatever the tolerance, they follow from what the axis is within
+    /// [`ALONG`].
+    pub fn with_directions(axis: Vector, tolerance: f64) -> (Self, f64) {
+        let (along, _) = Self::of(axis, ALONG);
+        let given = unit(axis);
+        let unit = snapped_unit(given, tolerance);
+        let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
+        let Self {
+            mut rotation,
+            place,
+        } = along;
+        if rotation[place] != unit {
+            let (next, last) = ((place + 1) % 3, (place + 2) % 3);
+            let lean = dot(rotation[next], unit);
+            let across = std::array::from_fn(|i| rotation[next][i] - lean * unit[i]);
+            let size = length(across);
+            rotation[place] = unit;
+            rotation[next] = across.map(|part| part / size);
+            rotation[last] = cross(unit, rotation[next]);
+        }
+        (Self { rotation, place }, change)
+    }
+}
+
+/// A vector of any length but zero, of length one.
+fn unit(vector: Vector) -> Vector {
+    let parts = vector.iter();
+    let largest = parts.fold(0.0, |most: f64, part| most.max(part.abs()));
+    // Scaled first, so that no square overflows or vanishes.
+    let scaled = vector.map(|part| part / largest);
+    let size = length(scaled);
+    scaled.map(|part| part / size)
 }
 
 /// A unit vector with its entries near zero made exact.

@@ -3,7 +3,7 @@
 //! In: rotations and axes as written. Out: those of every body, by its place in the user's list, and which of them were
 //! changed. Afterwards: rotations are orthonormal, and entries near 0, 1 and -1 are exact.
 
-use crate::description::{Description, WrittenBody, WrittenJoint};
+use crate::description::{Description, JointKind, WrittenBody, WrittenJoint};
 use crate::diagnostic::{Diagnostic, Spanned};
 use crate::geometry::{IDENTITY, Rotation};
 use crate::tree::rotations::alignment::Alignment;
@@ -70,9 +70,13 @@ impl Snapped {
     }
 
     fn axis(&mut self, joint: &WrittenJoint) -> Option<Alignment> {
-        let has_axis = joint.kind.as_ref()?.value.has_axis();
-        let axis = joint.axis.filter(|_| has_axis)?;
-        let (alignment, change) = Alignment::of(axis.value, self.tolerance);
+        let kind = &joint.kind.as_ref()?.value;
+        let axis = joint.axis.filter(|_| kind.has_axis())?;
+        let (alignment, change) = if *kind == JointKind::Planar {
+            Alignment::with_directions(axis.value, self.tolerance)
+        } else {
+            Alignment::of(axis.value, self.tolerance)
+        };
         self.note_change("axis", change);
         Some(alignment)
     }
