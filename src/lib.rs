@@ -44,6 +44,7 @@
 //! | how to check a state before you solve | [`checked`] |
 //! | how to compute many states at once | [`batch`], [`Lanes`] |
 //! | how to find coordinates for given poses | [`inverse_kinematics`] |
+//! | the place of a name in `q`, `u` or the bodies | [`place`] |
 //! | the orientation error of a controller | [`rotation::error`] |
 //! | discrete steps with their derivatives, for regulators and planners | [`discrete`], [`manifold`] |
 //! | the tests that `kane generate --with-tests` writes | [`self_test`] |
@@ -84,6 +85,7 @@ mod cost;
 mod joint;
 mod lanes;
 mod load;
+mod place;
 mod store;
 
 // A system as generic code sees it.
@@ -173,6 +175,7 @@ pub use joint::{Chart, Frame, Joint};
 pub use lanes::Lanes;
 pub use load::Load;
 pub use parametric::Parametric;
+pub use place::place;
 pub use real::Real;
 pub use store::store;
 pub use system::System;

@@ -15,7 +15,7 @@
 //! assert_eq!(tau, [1.0, -2.0]);
 //! ```
 //!
-//! [`step_by_state`] makes the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`.
+//! [`stacked`] makes a Jacobian of six rows, [`step_by_state`] the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`.
 //!
 //! Without `std`, decompositions and norms need nalgebra's feature `libm`.
 
@@ -64,6 +64,25 @@ pub fn to_rows<R: Scalar, const ROWS: usize, const COLUMNS: usize>(
     matrix: &SMatrix<R, ROWS, COLUMNS>,
 ) -> [[R; COLUMNS]; ROWS] {
     matrix.transpose().into()
+}
+
+/// Copies two arrays of three rows into one matrix of six: a Jacobian from its linear and angular rows, in the order in which they are
+/// given. Linear rows come first in Pinocchio and here, angular ones in Drake.
+///
+/// ```
+/// use kane::view;
+///
+/// let (linear, angular) = ([[1.0], [2.0], [3.0]], [[4.0], [5.0], [6.0]]);
+/// let jacobian = view::stacked(&linear, &angular);
+/// assert_eq!(jacobian[(1, 0)], 2.0);
+/// assert_eq!(jacobian[(5, 0)], 6.0);
+/// ```
+pub fn stacked<R: Scalar, const COLUMNS: usize>(
+    first: &[[R; COLUMNS]; 3],
+    second: &[[R; COLUMNS]; 3],
+) -> SMatrix<R, 6, COLUMNS> {
+    let rows = [first, second];
+    SMatrix::from_fn(|i, j| rows[i / 3][i % 3][j].clone())
 }
 
 /// Copies one body's rotation matrix into nalgebra's type.

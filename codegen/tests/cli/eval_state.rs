@@ -23,6 +23,33 @@ fn all_faults_of_the_state_are_reported() {
 }
 
 #[test]
+fn places_may_be_named() {
+    let function = "bias+loaded_forward_dynamics";
+    let listed = arm(
+        function,
+        r#"{"q": [0.0, 0.2, 0.3], "u": [1, 0, 2], "tau": [0, 0, 0],
+            "loads": [{"force": [0, 0, 0], "moment": [0, 0, 0]}, {"force": [1, 2, 3], "moment": [0, 0, 1]}]}"#,
+    );
+    let named = arm(
+        function,
+        r#"{"q": {"fore_theta2": 0.3, "upper_s2": 0.2}, "u": {"upper_theta1": 1, "fore_theta2_dot": 2}, "tau": {},
+            "loads": {"fore": {"force": [1, 2, 3], "moment": [0, 0, 1]}}}"#,
+    );
+    assert_eq!((listed.code, &listed.out), (0, &named.out));
+    let ran = arm("bias", r#"{"q": {"fore_theta": 0.3}, "u": {"fore": [1]}}"#);
+    assert_eq!(ran.code, 2);
+    insta::assert_snapshot!(ran.err, @"
+    error: `q.fore_theta` names none of the coordinates
+    --> state.json
+     = help: did you mean `fore_theta2`?
+
+    error: `u.fore` names none of the speeds
+    --> state.json
+     = help: the speeds are upper_theta1, upper_s2, fore_theta2
+    ");
+}
+
+#[test]
 fn what_the_function_does_not_need_may_be_absent() {
     assert_eq!(arm("rotation", r#"{"q": [0, 0, 0]}"#).code, 0);
     let ran = arm("inverse_dynamics", r#"{"q": [0, 0, 0]}"#);

@@ -79,8 +79,9 @@ fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("pose(\"tool0\"\")"), ("expected `\"`", 14..14));
     let by = "expected `/d(VARIABLES)`, as in `d(forward_dynamics)/d(q, u, tau)`";
     assert_eq!(expected("d(bias)/q"), (by, 8..9));
-    let by = "expected `; VARIABLES`, as in `vjp(inverse_dynamics; q, u)`";
+    let by = "expected `; VARIABLES`, as in `jvp(inverse_dynamics; q, u)`";
     assert_eq!(expected("jvp(bias)"), (by, 8..9));
+    let by = "expected `; VARIABLES`, as in `hessian(inverse_dynamics; q, u)`";
     assert_eq!(expected("hessian(bias)"), (by, 12..13));
     assert_eq!(expected("packed(d(bias)/d(q)"), ("expected `)`", 19..19));
     let parts = "differentiate each part by itself, and join what comes of them with `+`";

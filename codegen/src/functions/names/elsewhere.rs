@@ -127,6 +127,8 @@ pub(super) const REQUESTS: [(&str, &[&str]); 33] = [
             "framejacobiantimevariation",
             "mjjacdot",
             "biasspatialacceleration",
+            "drift",
+            "driftacceleration",
         ],
     ),
     ("generalized_force(FRAME)", &["mjapplyft", "wrench"]),
@@ -189,6 +191,9 @@ pub(super) const REQUESTS: [(&str, &[&str]); 33] = [
         &[
             "rneaderivatives",
             "inversedynamicsderivatives",
+            "diddq",
+            "diddu",
+            "dtaudq",
             "mjdinversefd",
         ],
     ),
@@ -197,6 +202,9 @@ pub(super) const REQUESTS: [(&str, &[&str]); 33] = [
         &[
             "abaderivatives",
             "forwarddynamicsderivatives",
+            "dfddq",
+            "dfddu",
+            "dfddtau",
             "mjdtransitionfd",
         ],
     ),
@@ -229,7 +237,9 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
         "kane::discrete",
         &[
             "mjstep",
+            "step",
             "linearize",
+            "linearized",
             "linearise",
             "linearization",
             "linearisation",
@@ -243,7 +253,28 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
 ];
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 7] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 10] = [
+    (
+        "forces of contacts follow from `operational_inverse_inertia(FRAME, ..)` and `acceleration(FRAME)`: docs/dictionary.md, \"Contact\"",
+        &[
+            "contact",
+            "contacts",
+            "contactforces",
+            "constraint",
+            "constraints",
+            "constraintdynamics",
+            "constrainedforwarddynamics",
+            "kkt",
+        ],
+    ),
+    (
+        "it is `bias` less `gravity_forces`, springs and dampers, or `coriolis_matrix` times `u`",
+        &["coriolisvector", "coriolisforces", "cu"],
+    ),
+    (
+        "a module has `LOWER_LIMITS`, `UPPER_LIMITS`, `VELOCITY_LIMITS` and `EFFORT_LIMITS`",
+        &["limits", "jointlimits", "positionlimits", "torquelimits"],
+    ),
     (
         "`operational_inverse_inertia(FRAME)` writes its inverse",
         &[

@@ -4,7 +4,7 @@ use super::elsewhere::NO_FRAMES;
 use crate::functions::{
     argument::Argument,
     function::{Function, Of},
-    parse::syntax::AT_SIN_COS,
+    parse::syntax::{AT_SIN_COS, Product},
     variable::PARAMETERS,
 };
 
@@ -34,13 +34,13 @@ fn of_part(name: &str) -> Option<String> {
     }
     let (kind, rest) = name.split_once('_')?;
     let (function, by) = split_function(rest)?;
-    match kind {
-        "d" => match by.strip_suffix("_packed") {
-            Some(by) => derivative("d", function, by).map(|whole| format!("packed({whole})")),
-            None => derivative("d", function, by),
-        },
-        "jvp" | "vjp" | "hessian" => derivative(kind, function, by),
-        _ => None,
+    if Product::NAMED.iter().any(|(own, _)| *own == kind) {
+        return derivative(kind, function, by);
+    }
+    match by.strip_suffix("_packed") {
+        _ if kind != "d" => None,
+        Some(by) => derivative("d", function, by).map(|whole| format!("packed({whole})")),
+        None => derivative("d", function, by),
     }
 }
 

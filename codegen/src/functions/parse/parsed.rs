@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::{
     parsed_subject::ParsedSubject,
     request_error::{RequestError, all_or_faults},
-    syntax::{self, AT_SIN_COS, Kind, Unexpected, Word, written},
+    syntax::{self, AT_SIN_COS, Kind, Product, Unexpected, Word, written},
 };
 use crate::{
     functions::{
@@ -134,11 +134,11 @@ impl ParsedPart {
                 }
                 _ => Err(not_packed(text, inner)),
             },
-            Kind::Product { name, of, along } => {
-                let kind = match name.text.as_str() {
-                    "jvp" => DerivativeKind::Jvp,
-                    "vjp" => DerivativeKind::Vjp,
-                    _ => DerivativeKind::Hessian,
+            Kind::Product { product, of, along } => {
+                let kind = match product {
+                    Product::Jvp => DerivativeKind::Jvp,
+                    Product::Vjp => DerivativeKind::Vjp,
+                    Product::Hessian => DerivativeKind::Hessian,
                 };
                 Self::derivative(text, part, of, (kind, along))
             }

@@ -49,10 +49,44 @@ pub enum Kind {
     Packed { of: Box<Part> },
     /// `jvp(bias; q, u)`.
     Product {
-        name: Word,
+        product: Product,
         of: Box<Part>,
         along: Vec<Word>,
     },
+}
+
+/// What is made of derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Product {
+    /// Their product with a direction.
+    Jvp,
+    /// A multiplier's product with them.
+    Vjp,
+    /// Second derivatives, times a multiplier.
+    Hessian,
+}
+
+impl Product {
+    /// All of them, with their names.
+    pub const NAMED: [(&str, Self); 3] = [
+        ("jvp", Self::Jvp),
+        ("vjp", Self::Vjp),
+        ("hessian", Self::Hessian),
+    ];
+
+    fn named(name: &str) -> Option<Self> {
+        let mut named = Self::NAMED.into_iter();
+        named.find(|(own, _)| *own == name).map(|(_, own)| own)
+    }
+
+    /// What stands where variables are lacking.
+    fn expected_variables(self) -> &'static str {
+        match self {
+            Self::Jvp => "expected `; VARIABLES`, as in `jvp(inverse_dynamics; q, u)`",
+            Self::Vjp => "expected `; VARIABLES`, as in `vjp(inverse_dynamics; q, u)`",
+            Self::Hessian => "expected `; VARIABLES`, as in `hessian(inverse_dynamics; q, u)`",
+        }
+    }
 }
 
 /// A name, without its quotes.
@@ -202,10 +236,11 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let name = self.word()?;
         let is_operator = !name.is_quoted && self.rest().starts_with('(');
-        let kind = match name.text.as_str() {
-            "d" if is_operator => self.derivative()?,
-            "packed" if is_operator => self.packed()?,
-            "jvp" | "vjp" | "hessian" if is_operator => self.product(name)?,
+        let product = Product::named(&name.text).filter(|_| is_operator);
+        let kind = match (name.text.as_str(), product) {
+            (_, Some(product)) => self.product(product)?,
+            ("d", None) if is_operator => self.derivative()?,
+            ("packed", None) if is_operator => self.packed()?,
             _ if self.is_at_suffix() || !self.take('(') => Kind::Named {
                 name,
                 of: Vec::new(),
@@ -259,14 +294,11 @@ impl<'a> Reader<'a> {
         Ok(Kind::Packed { of })
     }
 
-    fn product(&mut self, name: Word) -> Result<Kind, Unexpected> {
+    fn product(&mut self, product: Product) -> Result<Kind, Unexpected> {
         let of = self.inner()?;
-        self.expect(
-            ';',
-            self.unless_sum("expected `; VARIABLES`, as in `vjp(inverse_dynamics; q, u)`"),
-        )?;
+        self.expect(';', self.unless_sum(product.expected_variables()))?;
         let along = self.words()?;
-        Ok(Kind::Product { name, of, along })
+        Ok(Kind::Product { product, of, along })
     }
 
     /// Words up to the bracket that closes them.

@@ -1,5 +1,6 @@
 //! `kane eval`.
 
+mod by_name;
 mod state;
 mod unique;
 
@@ -59,7 +60,8 @@ use crate::cli::{
     \"q_direction\": [1.0, 0.0],  for jvp, shaped like the variable (q_direction: like u); \"multiplier\" for vjp and hessian\n    \
     \"parameters\": {\"arm_mass\": 2.0}    those that differ from the nominal values\n  \
     }\n\
-    Inputs that the function does not need may be absent.\n\n\
+    Inputs that the function does not need may be absent. Coordinates, speeds and bodies may also be named, what is not named is zero:\n  \
+    {\"q\": {\"elbow\": 0.3}, \"u\": {}}\n\n\
     Examples:\n  \
     kane eval models/arm.toml --function mass_matrix --state state.json\n  \
     echo '{\"q\": [0.1, 0.2]}' | kane eval models/arm.toml --function rotation --state -"

@@ -15,7 +15,7 @@ use kane_codegen::{
 };
 use serde_json::{Map, Value, error::Category};
 
-use crate::cli::commands::eval::unique::Unique;
+use crate::cli::commands::eval::{by_name::Places, unique::Unique};
 
 /// The values of inputs.
 pub(crate) type State = BTreeMap<Input, f64>;
@@ -111,6 +111,9 @@ impl Reader<'_> {
     fn argument(&mut self, argument: Argument, value: &Value) {
         let lengths = argument.lengths(self.tree);
         let expected = self.expected(argument);
+        if let (Value::Object(named), Some(places)) = (value, Places::of(self.tree, argument)) {
+            return self.by_name(argument, named, &places);
+        }
         let mut place = 0;
         self.array(
             argument,
@@ -119,6 +122,29 @@ impl Reader<'_> {
             (&lengths, &expected),
             &mut place,
         );
+    }
+
+    /// An argument whose places are given by names.
+    fn by_name(&mut self, argument: Argument, named: &Map<String, Value>, places: &Places) {
+        let lengths = argument.lengths(self.tree);
+        let inner = lengths.get(1..).unwrap_or_default();
+        let n_own = inner.iter().product::<usize>() * argument.element().n_numbers();
+        for (place, &number) in places.otherwise.iter().enumerate() {
+            let inputs = (place * n_own..(place + 1) * n_own).map(|own| argument.input(own));
+            self.state.extend(inputs.map(|input| (input, number)));
+        }
+        for (name, value) in named {
+            let what = format!("{}.{}", argument.name(), name.escape_debug());
+            if let Some(place) = places.place(name) {
+                let mut first = place * n_own;
+                self.array(argument, &what, value, (inner, &numbers(inner)), &mut first);
+            } else if !self.faults.is_full(Severity::Error) {
+                let fault =
+                    Diagnostic::error(format!("`{what}` names none of the {}", places.kind));
+                let help = known_names(name, &places.names(), places.kind);
+                self.faults.push(fault.help(help));
+            }
+        }
     }
 
     /// An array of these lengths, or one element; `place` counts the numbers before it.

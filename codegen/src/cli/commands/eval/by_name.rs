@@ -1,0 +1,64 @@
+//! Arguments that are given by names: `{"q": {"elbow": 0.3}}`. What is not named is zero, and quaternions are no rotation.
+
+use kane_codegen::{
+    functions::{Argument, Dimension},
+    tree::{CoordinateKind, Tree},
+};
+
+/// What the places of an argument's outer list are called.
+pub(super) struct Places {
+    /// For each its names.
+    names: Vec<Vec<String>>,
+    /// For each the number that it has where it is not named.
+    pub(super) otherwise: Vec<f64>,
+    /// What they are, in words.
+    pub(super) kind: &'static str,
+}
+
+impl Places {
+    /// Those of an argument over coordinates, speeds or bodies; `None` for another one.
+    pub(super) fn of(tree: &Tree, argument: Argument) -> Option<Self> {
+        let (names, kind) = match argument.shape().dimensions.first()? {
+            Dimension::Coordinates => (alone(tree.coordinate_names()), "coordinates"),
+            Dimension::Speeds => {
+                let plain = tree.along_speeds("", "").into_iter();
+                let both = plain.zip(tree.speed_names());
+                (both.map(|(own, rate)| vec![own, rate]).collect(), "speeds")
+            }
+            Dimension::Bodies => {
+                let bodies = tree.bodies.iter().map(|body| body.name.clone());
+                (alone(bodies.collect()), "bodies")
+            }
+            _ => return None,
+        };
+        let mut otherwise = vec![0.0; names.len()];
+        if argument == Argument::Q {
+            let own = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
+            for (kind, coordinate) in own {
+                if kind == CoordinateKind::EulerParameter(0) {
+                    otherwise[coordinate.index()] = 1.0;
+                }
+            }
+        }
+        Some(Self {
+            names,
+            otherwise,
+            kind,
+        })
+    }
+
+    /// The place with this name.
+    pub(super) fn place(&self, name: &str) -> Option<usize> {
+        let is_own = |names: &Vec<String>| names.iter().any(|own| own == name);
+        self.names.iter().position(is_own)
+    }
+
+    /// The first name of each.
+    pub(super) fn names(&self) -> Vec<&str> {
+        self.names.iter().map(|names| names[0].as_str()).collect()
+    }
+}
+
+fn alone(names: Vec<String>) -> Vec<Vec<String>> {
+    names.into_iter().map(|name| vec![name]).collect()
+}
