@@ -28,6 +28,11 @@ pub fn of(tree: &Tree) -> &[BaseParameter] {
     tree.base_parameters.get_or_find(|| found(tree))
 }
 
+/// Finds them, for copies of the tree with other numbers.
+pub(crate) fn find_now(tree: &Tree) {
+    let _ = of(tree);
+}
+
 fn found(tree: &Tree) -> Vec<BaseParameter> {
     let nominal = parameters::nominal(tree);
     let relations = if tree.parameters.is_empty() {

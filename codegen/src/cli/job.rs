@@ -303,7 +303,7 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
 }
 
 /// A module of which is told what should be known.
-pub(crate) struct Told<'a> {
+pub(crate) struct Reported<'a> {
     pub(crate) job: &'a Job,
     pub(crate) module: &'a Generated,
     /// Whether a file of it changes: else notes are no news.
@@ -311,12 +311,12 @@ pub(crate) struct Told<'a> {
 }
 
 /// Tells what should be known about the models, once for each.
-pub(crate) fn warn(modules: &[Told<'_>], voice: Voice) {
+pub(crate) fn warn(modules: &[Reported<'_>], voice: Voice) {
     let mut told = Vec::new();
     // What is told with notes is not told again without.
-    let (written, others): (Vec<&Told<'_>>, Vec<_>) =
+    let (written, others): (Vec<&Reported<'_>>, Vec<_>) =
         modules.iter().partition(|module| module.is_written);
-    for Told {
+    for Reported {
         module, is_written, ..
     } in written.into_iter().chain(others)
     {

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use kane_codegen::{description::Description, options::Options, rounded_angles};
 
-use crate::cli::{Voice, job::Told};
+use crate::cli::{Voice, job::Reported};
 
 /// Tells it of the models of those modules that are written, once for each model.
-pub(crate) fn tell(modules: &[Told<'_>], voice: Voice) {
+pub(crate) fn tell(modules: &[Reported<'_>], voice: Voice) {
     let mut told: Vec<&Path> = Vec::new();
-    let is_news = |module: &&Told<'_>| module.is_written || voice.is_verbose();
-    for Told { job, module, .. } in modules.iter().filter(is_news) {
+    let is_news = |module: &&Reported<'_>| module.is_written || voice.is_verbose();
+    for Reported { job, module, .. } in modules.iter().filter(is_news) {
         if voice.is_quiet() || told.contains(&job.model.as_path()) {
             continue;
         }

@@ -32,14 +32,14 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
     }
     let forward = plans
         .of_values(&function.values())
-        .with(Technique::Composite, false)
+        .with(Technique::DirectDerivatives, false)
         .with(Technique::Reverse, false);
     let mut ways = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
-    if !without.contains(&Technique::Composite) && function.differentiates_dynamics() {
+    if !without.contains(&Technique::DirectDerivatives) && function.differentiates_directly() {
         // Most of what they cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("cheapest: the catalogue has it");
         let columns = plans.of_values(&columns);
-        let swept = if function.sweeps_beside_dynamics() {
+        let swept = if function.sweeps_beside_direct() {
             ways.clone()
         } else {
             vec![forward.clone()]
@@ -47,12 +47,12 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
         for way in swept {
             let is_reverse = way.uses(Technique::Reverse);
             let columns = columns.with(Technique::Reverse, is_reverse);
-            ways.extend([&way, &columns].map(|plan| plan.with(Technique::Composite, true)));
+            ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
     let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways, usize::MAX);
     let best = best.expect("cheapest: one way has the least");
-    if best.plan.uses(Technique::Composite) {
+    if best.plan.uses(Technique::DirectDerivatives) {
         in_lockstep(plans, function, best)
     } else {
         best

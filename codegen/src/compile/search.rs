@@ -309,7 +309,7 @@ impl Search<'_> {
             Technique::LinkAxes | Technique::Fall => self.function.solves(),
             Technique::Carriers => self.function.inverts(),
             Technique::Inward => self.function.is_of_frames(),
-            Technique::Composite | Technique::Reverse | Technique::Lockstep => false,
+            Technique::DirectDerivatives | Technique::Reverse | Technique::Lockstep => false,
             Technique::Slide
             | Technique::Turn
             | Technique::Parallel

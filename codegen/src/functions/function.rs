@@ -39,9 +39,9 @@ pub struct Function {
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
-    pub(super) derivatives: Option<Jacobians>,
+    pub(super) derivatives: Option<JacobiansFn>,
     /// The forces that given accelerations need, where its output is the accelerations that given forces make.
-    pub(super) needed: Option<Needed>,
+    pub(super) inverse_dynamics: Option<InverseDynamicsFn>,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
     /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
@@ -50,17 +50,17 @@ pub struct Function {
 }
 
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
-pub(super) type Jacobians = fn(&mut ExprGraph, &Tree, &Plan) -> Told;
+pub(super) type JacobiansFn = fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians;
 
 /// How a function changes with what it is given, a matrix for each argument; and its values, where the matrices needed them.
 #[derive(Debug)]
-pub(super) struct Told {
+pub(super) struct Jacobians {
     pub(super) by: Vec<(Argument, SpeedMatrix)>,
     pub(super) values: Option<Vec<Expr>>,
 }
 
 /// Forces that accelerations need, which are inputs.
-pub(super) type Needed = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>;
+pub(super) type InverseDynamicsFn = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +93,7 @@ pub(super) const PLAIN: Function = Function {
     solves_for: None,
     prescribes: false,
     derivatives: None,
-    needed: None,
+    inverse_dynamics: None,
     doc: &[],
     candidates: &[],
 };

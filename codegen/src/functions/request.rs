@@ -261,20 +261,20 @@ impl Request {
     }
 
     /// True where some part is a derivative of dynamics that has a way of its own, beside the sweeps.
-    pub fn differentiates_dynamics(&self) -> bool {
+    pub fn differentiates_directly(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(Part::has_own_way)
+        parts.any(Part::has_direct_derivatives)
     }
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way.
-    pub fn sweeps_beside_dynamics(&self) -> bool {
-        self.parts.iter().any(Part::is_swept_beside_dynamics)
+    pub fn sweeps_beside_direct(&self) -> bool {
+        self.parts.iter().any(Part::is_swept_beside_direct)
     }
 
     /// True where some of these are of accelerations that forces make.
     pub fn differentiates_accelerations(&self) -> bool {
         let mut parts = self.parts.iter();
-        parts.any(|part| part.has_own_way() && part.function.needed.is_some())
+        parts.any(|part| part.has_direct_derivatives() && part.function.inverse_dynamics.is_some())
     }
 
     /// True where some part is a second derivative.

@@ -38,7 +38,7 @@ pub enum Technique {
     Fall,
     /// Derivatives of dynamics come from composite bodies, products with those of accelerations from forces and one more solution,
     /// and not from the values' own operations.
-    Composite,
+    DirectDerivatives,
     /// Derivatives are carried from the outputs to what they depend on, and not outward from that.
     Reverse,
     /// Columns of long derivatives of dynamics, and of long inverses, go four at a time, by helpers that are called. So do branches
@@ -63,7 +63,7 @@ impl Technique {
         ("link_axes", Self::LinkAxes),
         ("carriers", Self::Carriers),
         ("fall", Self::Fall),
-        ("composite", Self::Composite),
+        ("composite", Self::DirectDerivatives),
         ("reverse", Self::Reverse),
         ("lockstep", Self::Lockstep),
         ("factor", Self::Factor),

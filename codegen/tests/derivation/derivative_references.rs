@@ -38,7 +38,10 @@ pub(crate) type Inputs = BTreeMap<Input, f64>;
 /// By composite bodies, as is emitted, and by a sweep.
 fn plans(tree: &Tree) -> [Plan; 2] {
     let composite = Plan::full(tree);
-    [composite.with(Technique::Composite, false), composite]
+    [
+        composite.with(Technique::DirectDerivatives, false),
+        composite,
+    ]
 }
 
 /// The matrices that a function writes, by rows.

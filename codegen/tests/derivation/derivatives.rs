@@ -59,7 +59,7 @@ pub(crate) fn values(tree: &Tree, request: &Request, plan: &Plan, state: &State)
 /// Ways to differentiate by the notes' equations or the recursion.
 pub(crate) fn ways(tree: &Tree) -> [(Formulation, Plan); 5] {
     let [sweep, reverse] = [false, true].map(|is_reverse| {
-        let plan = Plan::full(tree).with(Technique::Composite, false);
+        let plan = Plan::full(tree).with(Technique::DirectDerivatives, false);
         plan.with(Technique::Reverse, is_reverse)
     });
     [

@@ -124,7 +124,7 @@ fn products_of_accelerations_by_forces_are_those_by_a_sweep_through_the_solution
         };
         let by_forces = Plan::full(&tree);
         let by_factors = by_forces.with(Technique::Articulated, false);
-        let swept = by_forces.with(Technique::Composite, false);
+        let swept = by_forces.with(Technique::DirectDerivatives, false);
         for (function, by) in [
             ("forward_dynamics", "q, u, tau"),
             ("loaded_forward_dynamics", "loads, tau, u, q"),

@@ -118,19 +118,19 @@ fn it_ends_where_no_small_step_helps() {
         let goal = Goal::<_, panda::frames::Payload>::pose(turned, place);
         let mut q = between(&mut draws, &solver.limits);
         let _ = solver.solve(&system, &goal, &mut q, 5000);
-        n_stationary += usize::from(slope(&system, &goal, &solver.limits, &q) < 1e-4);
+        n_stationary += usize::from(is_stationary(&system, &goal, &solver.limits, &q));
     }
     // Damping that has grown ends a few before.
     assert!(n_stationary >= 97, "{n_stationary}");
 }
 
-/// How fast the error could fall along coordinates that no limit holds, by differences.
-fn slope<F>(
+/// True where the error falls along no coordinate that no limit holds, by differences.
+fn is_stationary<F>(
     system: &panda::Prepared<f64>,
     goal: &Goal<f64, F>,
     limits: &Limits<f64, { panda::NQ }>,
     q: &[f64; panda::NQ],
-) -> f64
+) -> bool
 where
     panda::Prepared<f64>: Pose<f64, F> + Jacobian<f64, F>,
 {
@@ -141,16 +141,16 @@ where
         let step = free.step::<_, _, { panda::NU }>(system, goal, &moved);
         step.remaining.weighted
     };
-    let along = |i: usize| {
+    let is_level = |i: usize| {
         let rate = (error(i, 1e-5) - error(i, -1e-5)) / 2e-5;
         let is_held = if rate > 0.0 {
             q[i] == limits.lower[i]
         } else {
             q[i] == limits.upper[i]
         };
-        if is_held { 0.0 } else { rate.abs() }
+        is_held || rate.abs() < 1e-4
     };
-    (0..panda::NQ).map(along).fold(0.0, f64::max)
+    (0..panda::NQ).all(is_level)
 }
 
 #[test]

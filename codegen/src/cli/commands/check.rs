@@ -16,7 +16,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
-    job::{self, Target, Told},
+    job::{self, Reported, Target},
     stray,
     text::lines::ChangedLines,
     text::operations,
@@ -79,7 +79,7 @@ pub(crate) fn run(
     let modules = job::generate(&plan.jobs)?;
     if voice.is_verbose() {
         let told = plan.jobs.iter().zip(&modules);
-        let told = told.map(|(job, module)| Told {
+        let told = told.map(|(job, module)| Reported {
             job,
             module,
             is_written: true,

@@ -16,7 +16,7 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
-    job::{self, Job, Target, Told},
+    job::{self, Job, Reported, Target},
     rounded_angles,
     text::operations,
 };
@@ -68,7 +68,7 @@ pub(crate) fn run(
             .keep(stage(job, module, overwrite))
             .unwrap_or_default();
         let are_written = staged.iter().any(|(_, staged)| !staged.is_up_to_date());
-        news.push(Told {
+        news.push(Reported {
             job,
             module,
             is_written: are_written || job.target == Target::StandardOutput,

@@ -78,7 +78,7 @@ pub(super) const BIAS: Function = Function {
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("bias", Shape::SPEEDS)],
     is_default: true,
-    derivatives: Some(roots::derivatives::bias),
+    derivatives: Some(roots::jacobians::forces::bias),
     doc: &[
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
@@ -95,7 +95,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
     trait_name: Some("GravityForces"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
-    derivatives: Some(roots::derivatives::gravity_forces),
+    derivatives: Some(roots::jacobians::forces::gravity_forces),
     doc: &[
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
@@ -113,7 +113,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     is_default: true,
-    derivatives: Some(roots::derivatives::of_inverse_dynamics),
+    derivatives: Some(roots::jacobians::forces::inverse_dynamics),
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
@@ -132,8 +132,8 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
     solves_for: Some(Unknown::Accelerations),
-    derivatives: Some(roots::accelerations::forward_dynamics),
-    needed: Some(roots::dynamics::inverse_dynamics_recursive),
+    derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
+    inverse_dynamics: Some(roots::dynamics::inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",

@@ -14,7 +14,7 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     trait_name: Some("LoadedInverseDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
-    derivatives: Some(roots::derivatives::loaded_inverse_dynamics),
+    derivatives: Some(roots::jacobians::forces::loaded_inverse_dynamics),
     doc: &[
         "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
@@ -33,8 +33,8 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
-    derivatives: Some(roots::accelerations::loaded_forward_dynamics),
-    needed: Some(roots::loaded::loaded_inverse_dynamics_recursive),
+    derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
+    inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",

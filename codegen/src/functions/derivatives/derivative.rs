@@ -31,6 +31,15 @@ pub enum DerivativeKind {
     Hessian,
 }
 
+/// What is wanted of derivatives.
+#[derive(Clone, Copy)]
+pub(in crate::functions) struct Asked<'a> {
+    /// The arguments by which they are multiplied, where they are.
+    pub(in crate::functions) multipliers: &'a [Argument],
+    /// Which entries are not structurally zero, where others are left out.
+    pub(in crate::functions) sparsity: Option<&'a Sparsity>,
+}
+
 /// A derivative of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Derivative {
@@ -211,17 +220,19 @@ impl Derivative {
         }))
     }
 
-    /// Puts the derivatives in the place of the values that were derived last, the entries of outputs with `sizes`; `own` is the
-    /// multipliers where it has any, and which entries are not structurally zero where others are left out.
+    /// Adds the derivatives of these values, the entries of outputs with `sizes`, to what is derived.
     pub(in crate::functions) fn apply(
         &self,
         derived: &mut Derived,
         tree: &Tree,
-        (first, sizes): (usize, &[usize]),
+        values: &[Expr],
+        sizes: &[usize],
         is_reverse: bool,
-        (multipliers, sparsity): (&[Argument], Option<&Sparsity>),
+        Asked {
+            multipliers,
+            sparsity,
+        }: Asked<'_>,
     ) {
-        let values = derived.roots.split_off(first);
         let graph = &mut derived.graph;
         graph.enter(None);
         let (seeds, columns) = self.seeds(graph, tree);
@@ -230,7 +241,7 @@ impl Derivative {
         let sweep = if is_reverse { reverse } else { forward };
         match self.kind {
             DerivativeKind::Jacobian => {
-                let rows = sweep(graph, &values, &seeds);
+                let rows = sweep(graph, values, &seeds);
                 let mut rest = &rows[..];
                 for &size in sizes {
                     let (own, others) = rest.split_at(size);
@@ -243,7 +254,7 @@ impl Derivative {
                 }
             }
             DerivativeKind::PackedJacobian => {
-                let rows = sweep(graph, &values, &seeds);
+                let rows = sweep(graph, values, &seeds);
                 for &[row, column] in places {
                     let entry = entry(graph, &rows[row], column);
                     derived.roots.push(entry);
@@ -251,17 +262,17 @@ impl Derivative {
             }
             DerivativeKind::Jvp => {
                 let seeds = self.along(graph, tree, seeds);
-                for row in sweep(graph, &values, &seeds) {
+                for row in sweep(graph, values, &seeds) {
                     derived.extend_by(&row, 0..1);
                 }
             }
             DerivativeKind::Vjp => {
-                let weighted = weighted(graph, tree, multipliers, &values);
+                let weighted = weighted(graph, tree, multipliers, values);
                 let rows = sweep(graph, &[weighted], &seeds);
                 derived.extend_by(&rows[0], 0..n_columns);
             }
             DerivativeKind::Hessian => {
-                let weighted = (multipliers, &values[..]);
+                let weighted = (multipliers, values);
                 let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
                 let rows = sweep(graph, &gradient, &seeds);
                 let mixing = self.mixing(tree, &columns);

@@ -3,14 +3,14 @@
 
 use super::{
     derivative::{Derivative, DerivativeKind},
-    solved::{is_worth_an_inverse, solved},
+    solved::{Solution, is_worth_an_inverse, solved},
     sparsity::Sparsity,
 };
 use crate::{
     expr::Expr,
     functions::{
-        argument::Argument, candidate::Formulation, derived::Derived, function::Told, part::Part,
-        variable::Variable,
+        argument::Argument, candidate::Formulation, derived::Derived, function::Jacobians,
+        part::Part, variable::Variable,
     },
     recursive::{Plan, Technique},
     solve::SpeedMatrix,
@@ -33,7 +33,7 @@ impl Part {
         tree: &Tree,
         formulation: Formulation,
         plan: &Plan,
-    ) -> Option<Told> {
+    ) -> Option<Jacobians> {
         let (derivative, jacobians) = (self.derivative.as_ref()?, self.function.derivatives?);
         let (known, others): (Vec<&Variable>, Vec<&Variable>) =
             derivative.by.iter().partition(|by| is_known(by));
@@ -58,10 +58,10 @@ impl Part {
 
     /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, and
     /// of forces by what that way does not know. By that, accelerations are solved for.
-    pub(in crate::functions) fn is_swept_beside_dynamics(&self) -> bool {
-        let is_solved_for = self.function.needed.is_some();
+    pub(in crate::functions) fn is_swept_beside_direct(&self) -> bool {
+        let is_solved_for = self.function.inverse_dynamics.is_some();
         let is_swept = |derivative: &Derivative| {
-            !self.has_own_way() || !is_solved_for && !derivative.by.iter().all(is_known)
+            !self.has_direct_derivatives() || !is_solved_for && !derivative.by.iter().all(is_known)
         };
         self.derivative.as_ref().is_some_and(is_swept)
     }
@@ -73,22 +73,28 @@ impl Part {
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
         others: Derivative,
-        told: &Told,
+        told: &Jacobians,
     ) -> Vec<Matrix> {
         if others.by.is_empty() {
             return Vec::new();
         }
-        if let (Some(needed), Some(u_dot)) = (self.function.needed, &told.values) {
+        if let (Some(inverse_dynamics), Some(u_dot)) =
+            (self.function.inverse_dynamics, &told.values)
+        {
             let graph = &mut derived.graph;
             // No sweep goes through calls.
             let plan = &plan.with(Technique::Lockstep, false);
-            let columns = others.columns(graph, tree, plan, (needed, u_dot));
+            let solution = Solution {
+                u_dot,
+                inverse_dynamics,
+            };
+            let columns = others.columns(graph, tree, plan, &solution);
             // Where the inverse is asked for it costs nothing more.
             let tau = Variable::Given(Argument::Tau);
             let is_asked_for = self.derivative.iter().any(|own| own.by.contains(&tau));
             let is_worth_it = is_asked_for || is_worth_an_inverse(tree, &columns);
             let inverse = told.by(&tau).filter(|_| is_worth_it);
-            let solved = solved(graph, tree, plan, (inverse, columns));
+            let solved = solved(graph, tree, plan, inverse, columns);
             return others.of_columns(tree, &solved);
         }
         let sizes: Vec<usize> = others.by.iter().map(|own| own.n_entries(tree)).collect();
@@ -110,7 +116,7 @@ impl Part {
     }
 }
 
-impl Told {
+impl Jacobians {
     fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
         let mut by = self.by.iter();
         let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;

@@ -5,42 +5,48 @@
 
 use std::collections::BTreeMap;
 
-use super::{
-    derivative::{Derivative, DerivativeKind, entry, gradient},
-    sparsity::Sparsity,
-};
+use super::derivative::{Asked, Derivative, DerivativeKind, entry, gradient};
 use crate::{
     differentiate::forward,
     expr::{Expr, ExprGraph, Input},
-    functions::{argument::Argument, derived::Derived, function::Needed, roots},
+    functions::{argument::Argument, derived::Derived, function::InverseDynamicsFn, roots},
     recursive::{Plan, accelerations::inverse_mass},
     solve::{self, SpeedMatrix},
     tree::Tree,
 };
 
+/// Accelerations that were solved for.
+pub(in crate::functions) struct Solution<'a> {
+    pub(in crate::functions) u_dot: &'a [Expr],
+    /// The forces that they need.
+    pub(in crate::functions) inverse_dynamics: InverseDynamicsFn,
+}
+
 impl Derivative {
-    /// Puts the derivatives, or the product, in the place of the accelerations that were derived last; `needed` gives the forces that
-    /// accelerations need, and `multipliers` are the product's own.
+    /// Adds the derivatives of these accelerations, or the product, to what is derived.
     pub(in crate::functions) fn apply_to_solution(
         &self,
         derived: &mut Derived,
-        (tree, plan): (&Tree, &Plan),
-        (first, needed): (usize, Needed),
-        (multipliers, sparsity): (&[Argument], Option<&Sparsity>),
+        tree: &Tree,
+        plan: &Plan,
+        solution: &Solution<'_>,
+        Asked {
+            multipliers,
+            sparsity,
+        }: Asked<'_>,
     ) {
-        let u_dot = derived.roots.split_off(first);
         let graph = &mut derived.graph;
         if matches!(
             self.kind,
             DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
         ) {
-            let columns = self.columns(graph, tree, plan, (needed, &u_dot));
+            let columns = self.columns(graph, tree, plan, solution);
             let inverse = is_worth_an_inverse(tree, &columns);
             let inverse = inverse.then(|| inverse_mass::inverse(graph, tree, plan));
-            let solved = solved(graph, tree, plan, (inverse.as_ref(), columns));
+            let solved = solved(graph, tree, plan, inverse.as_ref(), columns);
             return derived.put(&self.of_columns(tree, &solved), sparsity);
         }
-        let (lacking, mut values) = lacking(graph, tree, plan, (needed, &u_dot));
+        let (lacking, mut values) = lacking(graph, tree, plan, solution);
         let (seeds, columns) = self.seeds(graph, tree);
         if self.kind == DerivativeKind::Jvp {
             let seeds = self.along(graph, tree, seeds);
@@ -72,9 +78,9 @@ impl Derivative {
         graph: &mut ExprGraph,
         tree: &Tree,
         plan: &Plan,
-        needed: (Needed, &[Expr]),
+        solution: &Solution<'_>,
     ) -> Vec<Vec<Expr>> {
-        let (lacking, values) = lacking(graph, tree, plan, needed);
+        let (lacking, values) = lacking(graph, tree, plan, solution);
         let (seeds, columns) = self.seeds(graph, tree);
         let rows = forward(graph, &lacking, &seeds);
         let n_columns = columns.last().map_or(0, |last| last.end);
@@ -91,14 +97,14 @@ fn lacking(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-    (needed, u_dot): (Needed, &[Expr]),
+    solution: &Solution<'_>,
 ) -> (Vec<Expr>, BTreeMap<Input, Expr>) {
     graph.enter(None);
     let mut lacking = roots::dynamics::applied(graph, tree);
-    let needed = needed(graph, tree, plan);
+    let needed = (solution.inverse_dynamics)(graph, tree, plan);
     solve::subtract(graph, tree, &mut lacking, &needed);
     let accelerations = Argument::UDot.inputs(tree);
-    let values = accelerations.zip(u_dot.iter().copied()).collect();
+    let values = accelerations.zip(solution.u_dot.iter().copied()).collect();
     graph.enter(None);
     (lacking, values)
 }
@@ -113,7 +119,8 @@ pub(in crate::functions) fn solved(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-    (inverse, columns): (Option<&SpeedMatrix>, Vec<Vec<Expr>>),
+    inverse: Option<&SpeedMatrix>,
+    columns: Vec<Vec<Expr>>,
 ) -> Vec<Vec<Expr>> {
     let columns = columns.into_iter().map(|own| match inverse {
         Some(inverse) => product(graph, inverse, &own),

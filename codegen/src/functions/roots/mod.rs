@@ -3,15 +3,14 @@
 //!
 //! In: a tree, of the recursive formulation a plan too. Out: the entries of all outputs, row-major, in the user's axes.
 
-pub(super) mod accelerations;
 pub(super) mod center;
 pub(super) mod coordinates;
 pub(super) mod coriolis;
-pub(super) mod derivatives;
 pub(super) mod dynamics;
 pub(super) mod energy;
 pub(super) mod frames;
 pub(super) mod hybrid;
+pub(super) mod jacobians;
 pub(super) mod kinematics;
 pub(super) mod loaded;
 pub(super) mod matrices;

@@ -1,11 +1,11 @@
 //! Derivatives of dynamics, put together from composite bodies and from what acts in joints.
 
-use super::dynamics;
 use crate::{
     differentiate::{Row, Seeds, forward, reverse},
     expr::ExprGraph,
     functions::{
-        argument::Argument, derivatives::derivative::entries, function::Told, variable::Variable,
+        argument::Argument, derivatives::derivative::entries, function::Jacobians, roots::dynamics,
+        variable::Variable,
     },
     given::{Accelerations, Loads},
     recursive::{
@@ -17,11 +17,11 @@ use crate::{
     tree::Tree,
 };
 
-pub(in crate::functions) fn of_inverse_dynamics(
+pub(in crate::functions) fn inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Told {
+) -> Jacobians {
     of_forces(graph, tree, plan, (Accelerations::Given, Loads::Absent))
 }
 
@@ -29,11 +29,11 @@ pub(in crate::functions) fn loaded_inverse_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Told {
+) -> Jacobians {
     of_forces(graph, tree, plan, (Accelerations::Given, Loads::Given))
 }
 
-pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Told {
+pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
     of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Absent))
 }
 
@@ -42,7 +42,7 @@ pub(in crate::functions) fn gravity_forces(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Told {
+) -> Jacobians {
     let potential = energy::of_weights(graph, tree, plan);
     let mut seeds = Seeds::new();
     Variable::Given(Argument::Q).seed(graph, tree, 0, &mut seeds);
@@ -55,7 +55,7 @@ pub(in crate::functions) fn gravity_forces(
     for [row, column] in pairs.filter(|pair| !kept.contains(pair)) {
         by_q[column][row] = by_q[row][column];
     }
-    Told {
+    Jacobians {
         by: vec![(Argument::Q, by_q)],
         values: Some(forces),
     }
@@ -73,7 +73,7 @@ fn of_forces(
     tree: &Tree,
     plan: &Plan,
     (accelerations, loads): (Accelerations<'_>, Loads),
-) -> Told {
+) -> Jacobians {
     let found =
         derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads, Wanted::ALL);
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
@@ -81,7 +81,7 @@ fn of_forces(
         all.push((Argument::UDot, found.by_u_dot));
     }
     add_mechanics(graph, tree, plan, accelerations, &mut all);
-    Told {
+    Jacobians {
         by: all,
         values: None,
     }

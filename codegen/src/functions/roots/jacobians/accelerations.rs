@@ -1,9 +1,9 @@
 //! Derivatives of accelerations: of the forces that they need, solved for column by column.
 
-use super::{derivatives::add_mechanics, dynamics};
+use super::forces::add_mechanics;
 use crate::{
     expr::{Expr, ExprGraph, Input, LANES, Purpose},
-    functions::{argument::Argument, function::Told},
+    functions::{argument::Argument, function::Jacobians, roots::dynamics},
     given::{self, Accelerations, Loads, mechanics, orientation},
     id::{BodyId, SpeedId},
     recursive::{
@@ -34,7 +34,7 @@ pub(in crate::functions) fn forward_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Told {
+) -> Jacobians {
     of_accelerations(graph, tree, plan, Loads::Absent)
 }
 
@@ -42,12 +42,12 @@ pub(in crate::functions) fn loaded_forward_dynamics(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
-) -> Told {
+) -> Jacobians {
     of_accelerations(graph, tree, plan, Loads::Given)
 }
 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.
-fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Told {
+fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Loads) -> Jacobians {
     let zero = Accelerations::Zero;
     let in_lockstep = plan.uses(Technique::Lockstep);
     // Columns pass twice and share what they have in common, which calls do not.
@@ -76,7 +76,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
             row[speed.index()] = entry;
         }
     }
-    Told {
+    Jacobians {
         by: vec![
             (Argument::Q, by_q),
             (Argument::U, by_u),

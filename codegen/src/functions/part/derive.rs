@@ -1,0 +1,98 @@
+//! From a part to the expressions of its outputs.
+
+use super::Part;
+use crate::{
+    expr::Expr,
+    functions::{
+        candidate::{Candidate, Formulation},
+        derivatives::{derivative::Asked, solved::Solution},
+        derived::Derived,
+    },
+    recursive::{Plan, Technique},
+    tree::{Tree, Value},
+};
+
+impl Part {
+    /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
+    /// alone.
+    pub(super) fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
+        let formulation = if self.is_by_turn(tree) {
+            Formulation::Notes
+        } else {
+            wanted
+        };
+        self.function.candidate(formulation)
+    }
+
+    /// True where an entry of its frames' rotations is a variable.
+    fn is_by_turn(&self, tree: &Tree) -> bool {
+        let (Some(subject), Some(derivative)) = (&self.subject, &self.derivative) else {
+            return false;
+        };
+        let frames = subject.frames.iter();
+        let turns = frames.filter_map(|frame| tree.frame_turn(frame.frame));
+        let mut entries = turns.flat_map(|turn| turn.as_flattened());
+        entries.any(|entry| match entry {
+            Value::Baked(_) => false,
+            Value::Runtime(id) => derivative.by.iter().any(|variable| variable.has(*id)),
+        })
+    }
+
+    /// True where `other` is derivatives of this function that may have computed its values.
+    pub(in crate::functions) fn may_be_told_by(&self, other: &Self) -> bool {
+        let is_solved = self.function.inverse_dynamics.is_some() && self.derivative.is_none();
+        is_solved && other.is_whole_derivative() && other.values().name() == self.name()
+    }
+
+    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns the values of
+    /// what it differentiates, where the derivatives needed them.
+    pub(in crate::functions) fn derive_in(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) -> Option<Vec<Expr>> {
+        let candidate = self.candidate(tree, formulation);
+        let first = derived.roots.len();
+        let is_direct = candidate.formulation == Formulation::Recursive
+            && plan.uses(Technique::DirectDerivatives);
+        if is_direct
+            && self.is_whole_derivative()
+            && let Some(told) = self.derive_matrices(derived, tree, formulation, plan)
+        {
+            return told.values;
+        }
+        // No sweep goes through calls.
+        let is_swept = self.derivative.is_some();
+        let one_by_one = is_swept.then(|| plan.with(Technique::Lockstep, false));
+        let plan = one_by_one.as_ref().unwrap_or(plan);
+        candidate.derive_in(derived, tree, plan, self.subject.as_ref());
+        if let Some(derivative) = &self.derivative {
+            let own_length = |dimension| self.own_length(dimension, tree, 0);
+            let outputs = self.function.outputs.iter();
+            let lengths = outputs.map(|output| output.shape.lengths(tree, own_length));
+            let sizes: Vec<usize> = lengths.map(|lengths| lengths.iter().product()).collect();
+            let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
+            let values = derived.roots.split_off(first);
+            let asked = Asked {
+                multipliers: &multipliers,
+                sparsity: self.sparsity(tree),
+            };
+            if is_direct
+                && !self.is_second_derivative()
+                && let Some(inverse_dynamics) = self.function.inverse_dynamics
+            {
+                let solution = Solution {
+                    u_dot: &values,
+                    inverse_dynamics,
+                };
+                derivative.apply_to_solution(derived, tree, plan, &solution, asked);
+                return None;
+            }
+            let is_reverse = plan.uses(Technique::Reverse);
+            derivative.apply(derived, tree, &values, &sizes, is_reverse, asked);
+        }
+        None
+    }
+}

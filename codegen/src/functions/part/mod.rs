@@ -1,0 +1,218 @@
+//! A part of a request: a function of the catalogue, and what it is of.
+
+mod derive;
+mod doc;
+mod rows;
+mod size;
+
+use std::borrow::Cow;
+
+use super::{
+    argument::Argument,
+    candidate::Formulation,
+    derivatives::{
+        derivative::{Derivative, DerivativeKind},
+        sparsity::Sparsity,
+    },
+    derived::Derived,
+    function::{Function, Output},
+    parse::syntax::written,
+    shape::{Dimension, Shape},
+    subject::{Subject, View},
+};
+use crate::{base_parameters, recursive::Plan, tree::Tree};
+
+pub use rows::Rows;
+
+/// What stands behind a frame whose own axes are meant.
+pub(super) const LOCAL: &str = "local";
+
+/// A part of a request, on the tree of a model.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The function of the catalogue.
+    pub function: &'static Function,
+    /// The frames that it is of; `None` of the whole system.
+    pub subject: Option<Subject>,
+    /// By what it is differentiated; `None` for its values.
+    pub derivative: Option<Derivative>,
+}
+
+/// A function of frames as it is asked for: `velocity(tool0, local)`.
+pub(super) fn text_of<'a>(
+    function: &Function,
+    frames: impl Iterator<Item = &'a str>,
+    view: View,
+) -> String {
+    let mut words: Vec<String> = frames.map(written).collect();
+    words.extend((view == View::Local).then(|| LOCAL.to_owned()));
+    format!("{}({})", function.name, words.join(", "))
+}
+
+impl Part {
+    /// As it is asked for.
+    pub fn text(&self) -> String {
+        let of = self.text_of_values();
+        match &self.derivative {
+            None => of,
+            Some(derivative) => Derivative::text(derivative.kind, &of, &derivative.joined(", ")),
+        }
+    }
+
+    fn text_of_values(&self) -> String {
+        let Some(subject) = &self.subject else {
+            return self.function.name.to_owned();
+        };
+        let frames = subject.frames.iter().map(|frame| frame.name.as_str());
+        text_of(self.function, frames, subject.view)
+    }
+
+    /// Its name in generated code: `bias`, `tool0_velocity_local`.
+    pub fn name(&self) -> String {
+        let of = self.name_of(self.function.name);
+        match &self.derivative {
+            None => of,
+            Some(derivative) => derivative.name(&of),
+        }
+    }
+
+    /// The same, not differentiated.
+    #[must_use]
+    pub fn values(&self) -> Self {
+        Self {
+            derivative: None,
+            ..self.clone()
+        }
+    }
+
+    /// What its frames and how they are seen make of a name.
+    fn name_of(&self, name: &str) -> String {
+        let Some(subject) = &self.subject else {
+            return name.to_owned();
+        };
+        let frames = subject.frames.iter();
+        let frames: Vec<&str> = frames.map(|frame| frame.identifier.as_str()).collect();
+        match (subject.view, &frames[..]) {
+            (View::Other, [frame, other]) => format!("{frame}_{name}_from_{other}"),
+            (View::Local, frames) => format!("{}_{name}_{LOCAL}", frames.join("_")),
+            (_, frames) => format!("{}_{name}", frames.join("_")),
+        }
+    }
+
+    /// The constant that says which speeds move the frame that it is of.
+    pub fn speeds_constant(&self) -> String {
+        self.name_of("speeds").to_uppercase()
+    }
+
+    /// The constant that says how many these are.
+    pub fn speeds_len_constant(&self) -> String {
+        self.name_of("speeds_len").to_uppercase()
+    }
+
+    /// What it is given besides the parameters.
+    pub(super) fn arguments(&self) -> Vec<Argument> {
+        let derivative = self.derivative.iter();
+        let own = derivative.flat_map(|derivative| {
+            derivative.arguments(self.function.outputs, self.own_of_subject())
+        });
+        let arguments = self.function.arguments.iter().copied();
+        arguments.chain(own).collect()
+    }
+
+    /// The length of the dimensions of its values that its subject decides, zero where none is.
+    fn own_of_subject(&self) -> usize {
+        let writes = |dimension| self.function.writes(dimension);
+        match &self.subject {
+            Some(subject) if writes(Dimension::FrameSpeeds) => subject.n_speeds,
+            Some(subject) if writes(Dimension::FrameComponents) => 6 * subject.frames.len(),
+            _ => 0,
+        }
+    }
+
+    /// True where all derivatives are asked for, as the function's composite bodies give them.
+    pub(super) fn is_whole_derivative(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| {
+            matches!(
+                derivative.kind,
+                DerivativeKind::Jacobian | DerivativeKind::PackedJacobian
+            )
+        })
+    }
+
+    /// True where a product of derivatives with a direction or a multiplier is asked for.
+    fn is_product(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative
+            .any(|derivative| matches!(derivative.kind, DerivativeKind::Jvp | DerivativeKind::Vjp))
+    }
+
+    /// True where its derivatives have a way of their own, beside the sweeps.
+    pub(super) fn has_direct_derivatives(&self) -> bool {
+        self.is_whole_derivative() && self.function.derivatives.is_some()
+            || self.is_product() && self.function.inverse_dynamics.is_some()
+    }
+
+    /// True where entries are left out that the tree makes zero.
+    pub(super) fn is_packed(&self) -> bool {
+        let mut outputs = self.outputs().into_owned().into_iter();
+        outputs.any(|output| output.shape == Shape::ENTRIES)
+    }
+
+    /// True where the product of a multiplier with derivatives is asked for.
+    pub(super) fn is_gradient(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| derivative.kind == DerivativeKind::Vjp)
+    }
+
+    /// True where second derivatives are asked for.
+    pub(super) fn is_second_derivative(&self) -> bool {
+        let mut derivative = self.derivative.iter();
+        derivative.any(|derivative| derivative.kind == DerivativeKind::Hessian)
+    }
+
+    /// Which entries of a packed derivative it writes; `None` where it is none.
+    pub fn sparsity(&self, tree: &Tree) -> Option<&Sparsity> {
+        let derivative = self.derivative.as_ref()?;
+        if self.function.writes(Dimension::BaseParameters) {
+            // Which there are follows from the model's own numbers: the trees of drawn numbers take them over.
+            base_parameters::find_now(tree);
+        }
+        let of = (self.function.outputs, self.own_of_subject());
+        derivative.sparsity(tree, of, |tree| {
+            let mut derived = Derived::default();
+            let candidate = self.candidate(tree, Formulation::Recursive);
+            let (plan, subject) = (Plan::plain(tree), self.subject.as_ref());
+            candidate.derive_in(&mut derived, tree, &plan, subject);
+            derived
+        })
+    }
+
+    /// The constant that says which they are.
+    pub fn places_constant(&self) -> String {
+        format!("{}_PLACES", self.name().to_uppercase())
+    }
+
+    /// The constant that says how many.
+    pub fn len_constant(&self) -> String {
+        format!("{}_LEN", self.name().to_uppercase())
+    }
+
+    /// The constant that holds the colours of columns.
+    pub fn colors_constant(&self) -> String {
+        format!("{}_COLORS", self.name().to_uppercase())
+    }
+
+    /// The constant that says how many columns there are.
+    pub fn columns_constant(&self) -> String {
+        format!("{}_COLUMNS", self.name().to_uppercase())
+    }
+
+    /// What it writes, in order.
+    pub fn outputs(&self) -> Cow<'static, [Output]> {
+        match &self.derivative {
+            None => self.function.outputs.into(),
+            Some(derivative) => derivative.outputs(self.function.outputs).into(),
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! How large a part is.
+
+use super::{Part, rows::Rows};
+use crate::{
+    functions::{
+        derivatives::derivative::DerivativeKind,
+        function::Output,
+        packed::Packed,
+        shape::{Dimension, Length},
+        terms,
+    },
+    tree::{N_INERTIAL, Tree},
+};
+
+impl Part {
+    /// How many terms the notes' sums have at least; where they are differentiated, about so many for every row that is swept.
+    pub(in crate::functions) fn literal_terms(&self, tree: &Tree) -> usize {
+        let terms = self.function.literal_terms(tree, self.subject.as_ref());
+        let Rows { forward, reverse } = self.swept_rows(tree);
+        terms * forward.min(reverse).max(1)
+    }
+
+    /// How many entries the variables have together.
+    pub(in crate::functions) fn n_variables(&self, tree: &Tree) -> usize {
+        let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
+        by.map(|variable| variable.n_entries(tree)).sum()
+    }
+
+    /// How many rows each way to sweep for its derivatives carries along.
+    pub(in crate::functions) fn swept_rows(&self, tree: &Tree) -> Rows {
+        let Some(derivative) = &self.derivative else {
+            return Rows::default();
+        };
+        let [forward, reverse] = [self.n_variables(tree), self.n_values(tree)];
+        match derivative.kind {
+            DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => Rows { forward, reverse },
+            DerivativeKind::Jvp => Rows {
+                forward: 1,
+                reverse,
+            },
+            DerivativeKind::Vjp => Rows {
+                forward,
+                reverse: 1,
+            },
+            // Its gradient has an entry for each variable.
+            DerivativeKind::Hessian => Rows {
+                forward,
+                reverse: forward,
+            },
+        }
+    }
+
+    /// How many numbers its values have at most.
+    fn n_values(&self, tree: &Tree) -> usize {
+        self.values().n_numbers(tree)
+    }
+
+    /// How many numbers it writes at most: what takes a while to find is bounded.
+    pub(in crate::functions) fn n_numbers(&self, tree: &Tree) -> usize {
+        let of_output = |output: &Output| {
+            let length = |dimension: &Dimension| match dimension {
+                Dimension::Packed(Packed::MassMatrix) => terms::pairs(tree),
+                // Not more than there are without combining them, which takes a while.
+                Dimension::BaseParameters => N_INERTIAL * tree.bodies.len(),
+                Dimension::Packed(Packed::Inverse) if !tree.has_followers() => {
+                    terms::pairs_of_trees(tree)
+                }
+                // Not more than there are without finding out which are zero.
+                Dimension::Entries if self.is_second_derivative() => {
+                    let n = self.n_variables(tree);
+                    n * (n + 1) / 2
+                }
+                Dimension::Entries => self.n_values(tree) * self.n_variables(tree),
+                // Elimination couples more only where joints follow others.
+                Dimension::Packed(Packed::Factors) if !tree.has_followers() => terms::pairs(tree),
+                Dimension::Packed(Packed::Regressor) if !tree.has_followers() => {
+                    N_INERTIAL * terms::of_vector(tree)
+                }
+                dimension => dimension
+                    .length(tree)
+                    .unwrap_or_else(|| self.own_length(*dimension, tree, terms::of_vector(tree))),
+            };
+            output
+                .shape
+                .all()
+                .map(|dimension| length(&dimension))
+                .product::<usize>()
+        };
+        self.outputs().iter().map(of_output).sum()
+    }
+
+    /// The length of a dimension that is its own; `n_columns` is the number of a compact output's columns.
+    pub fn own_length(&self, dimension: Dimension, tree: &Tree, n_columns: usize) -> usize {
+        match (dimension, &self.subject) {
+            (Dimension::Entries, _) => {
+                let sparsity = self.sparsity(tree);
+                sparsity.map_or(0, |sparsity| sparsity.places.len())
+            }
+            (Dimension::FrameSpeeds, Some(subject)) => subject.speeds(tree).len(),
+            (Dimension::FrameComponents, Some(subject)) => 6 * subject.frames.len(),
+            _ => n_columns,
+        }
+    }
+
+    /// The same, as generated code names it.
+    pub(in crate::functions) fn own_declared(&self, dimension: Dimension) -> Length {
+        match (dimension, &self.subject) {
+            (Dimension::Entries, _) => Length::Constant(self.len_constant()),
+            (Dimension::FrameSpeeds, Some(_)) => Length::Constant(self.speeds_len_constant()),
+            (Dimension::FrameComponents, Some(subject)) => Length::Number(6 * subject.frames.len()),
+            _ => Length::Constant(self.function.compact_columns_constant()),
+        }
+    }
+}
