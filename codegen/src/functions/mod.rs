@@ -48,6 +48,8 @@ pub use shape::{
     Dimension, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     Shape,
 };
-pub use signature::{Access, Declared, Signature};
+pub use signature::{
+    Access, Declared, HELPER_INFIX, PREPARED, SIN_COS, STAGE_INFIX, Signature, helper_name,
+};
 pub use subject::{Subject, SubjectFrame, View};
-pub use variable::{PARAMETER_NAMES, Variable};
+pub use variable::{PARAMETER_NAMES, PARAMETERS, Variable};

@@ -7,8 +7,23 @@ use super::{
     part::Part,
     request::Request,
     shape::{Element, Length},
-    variable::PARAMETER_NAMES,
+    variable::{PARAMETER_NAMES, PARAMETERS},
 };
+
+/// The argument that is prepared once.
+pub const PREPARED: &str = "p";
+/// The argument with sines and cosines, and the function that writes it.
+pub const SIN_COS: &str = "sin_cos";
+
+/// What stands between the name of a function and the number of a helper.
+pub const HELPER_INFIX: &str = "_lockstep_";
+/// What stands between the name of a function and the number of a stage.
+pub const STAGE_INFIX: &str = "_stage_";
+
+/// The name of a function's helper of this number, from 1.
+pub fn helper_name(of: &str, number: usize) -> String {
+    format!("{of}{HELPER_INFIX}{number}")
+}
 
 /// A function as its callers see it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,7 +84,7 @@ impl Signature {
             name: "nominal".to_owned(),
             doc: vec!["The model's nominal parameters.".to_owned()],
             tables: Vec::new(),
-            arguments: vec![Declared::written("parameters", Element::Parameters)],
+            arguments: vec![Declared::written(PARAMETERS, Element::Parameters)],
         }
     }
 
@@ -81,8 +96,8 @@ impl Signature {
             doc: vec![doc.to_owned()],
             tables: Vec::new(),
             arguments: vec![
-                Declared::read("parameters", Element::Parameters, "values set at run time"),
-                Declared::written("p", Element::Prepared),
+                Declared::read(PARAMETERS, Element::Parameters, "values set at run time"),
+                Declared::written(PREPARED, Element::Prepared),
             ],
         }
     }
@@ -111,7 +126,7 @@ impl Signature {
             "Helper of `{of}`: what {lanes} columns or branches go through alike, for all of them side by side. Names are those of the first. `--without lockstep` writes them out."
         );
         Self {
-            name: format!("{of}_lockstep_{number}"),
+            name: helper_name(of, number),
             doc: vec![doc],
             tables: Vec::new(),
             arguments: arguments
@@ -124,13 +139,13 @@ impl Signature {
     pub fn sin_cos() -> Self {
         let doc = "Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.";
         Self {
-            name: "sin_cos".to_owned(),
+            name: SIN_COS.to_owned(),
             doc: vec![doc.to_owned()],
             tables: Vec::new(),
             arguments: vec![
                 Declared::prepared(),
                 Argument::Q.declared(),
-                Declared::written("sin_cos", Element::SinCos),
+                Declared::written(SIN_COS, Element::SinCos),
             ],
         }
     }
@@ -174,7 +189,7 @@ impl Declared {
     }
 
     fn prepared() -> Self {
-        Self::read("p", Element::Prepared, "prepared parameters")
+        Self::read(PREPARED, Element::Prepared, "prepared parameters")
     }
 }
 
@@ -196,7 +211,7 @@ impl Request {
             arguments.push(argument.declared());
             if argument == Argument::Q && self.is_at_sin_cos() {
                 let meaning = "what `sin_cos` writes from this `q`";
-                arguments.push(Declared::read("sin_cos", Element::SinCos, meaning));
+                arguments.push(Declared::read(SIN_COS, Element::SinCos, meaning));
             }
         }
         for part in self.parts() {

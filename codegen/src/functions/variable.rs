@@ -41,7 +41,7 @@ const ARGUMENTS: [Argument; 5] = [
 ];
 
 /// What stands for all values set at run time.
-pub(super) const PARAMETERS: &str = "parameters";
+pub const PARAMETERS: &str = "parameters";
 
 /// The constant that holds their names.
 pub const PARAMETER_NAMES: &str = "PARAMETER_NAMES";

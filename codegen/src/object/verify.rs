@@ -11,7 +11,10 @@ use iced_x86::{
     IntelFormatter,
 };
 
-use crate::input;
+use crate::{
+    functions::{HELPER_INFIX, STAGE_INFIX},
+    input,
+};
 
 use super::{
     Breach, Error, FunctionReport, Report, Runtime, What,
@@ -81,7 +84,7 @@ fn name_in_module(name: &str) -> Option<&str> {
 /// True for a stage of a function of the module, and for what it runs on several columns.
 fn is_part(name: &str) -> bool {
     let own = name_in_module(name);
-    ["_stage_", "_lockstep_"].into_iter().any(|kind| {
+    [STAGE_INFIX, HELPER_INFIX].into_iter().any(|kind| {
         let number = own.and_then(|name| name.rsplit_once(kind));
         number.is_some_and(|(_, number)| number.parse::<usize>().is_ok())
     })

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 
+use super::helper::{SHARED, SIDES};
 use crate::listing::{Entry, Step};
 use crate::{
     functions::{Declared, Element},
@@ -33,13 +34,13 @@ impl Scratch {
         for instruction in &program.instructions {
             match instruction {
                 Instruction::Share { lockstep, values } => {
-                    let name = numbered("shared", scratch.shared.len());
+                    let name = numbered(SHARED, scratch.shared.len());
                     let place = scratch.declare(&name, &[values.len()]);
                     scratch.shared.insert(*lockstep, place);
                 }
                 Instruction::Call { helper, sides, .. } => {
                     let lanes = program.helpers[*helper].lanes;
-                    let name = numbered("sides", scratch.sides.len());
+                    let name = numbered(SIDES, scratch.sides.len());
                     let place = scratch.declare(&name, &[sides.len(), lanes]);
                     scratch.sides.push(place);
                 }

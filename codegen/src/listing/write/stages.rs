@@ -5,7 +5,7 @@ use std::{
     ops::Range,
 };
 
-use crate::functions::{Declared, Signature};
+use crate::functions::{Declared, STAGE_INFIX, Signature};
 use crate::listing::{
     Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Stage, Statement,
 };
@@ -287,7 +287,7 @@ impl<'a> Cut<'a> {
         let given = self.given.iter();
         let given = given.map(|&place| self.signature.arguments[place].clone());
         Signature {
-            name: format!("{name}_stage_{number}"),
+            name: format!("{name}{STAGE_INFIX}{number}"),
             doc: vec![format!("Stage {number} of `{name}`.")],
             tables: Vec::new(),
             arguments: given.collect(),

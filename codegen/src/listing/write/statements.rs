@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{
     group::Groups,
     headings,
+    helper::SOLVED,
     scratch::{Scratch, numbered},
     stores::{Stores, is_field},
 };
@@ -214,7 +215,7 @@ impl Writer<'_> {
 
     /// A call; what it computes goes from its array to where it is stored.
     fn call(&mut self, (lockstep, helper): (usize, usize), results: &[Vec<Option<ValueId>>]) {
-        let name = self.free(numbered("solved", self.n_calls));
+        let name = self.free(numbered(SOLVED, self.n_calls));
         let lanes = self.program.helpers[helper].lanes;
         let solved = self.array(name, lanes * results.len(), Some(lanes));
         let (shared, sides) = self.known.scratch.given(lockstep, self.n_calls);

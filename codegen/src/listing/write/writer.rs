@@ -13,7 +13,7 @@ use crate::listing::{Code, Entry, Facts, Function, Member, Step, function::place
 use crate::{
     compile::{Compiled, Emittable},
     expr::Input,
-    functions::{Argument, Signature},
+    functions::{Argument, PARAMETERS, PREPARED, SIN_COS, Signature},
     program::Program,
     tree::Tree,
 };
@@ -166,14 +166,14 @@ impl<'a> Writer<'a> {
     /// Where a function finds an input.
     fn entry(&self, input: Input, body: &Body<'_>) -> Entry {
         let (name, steps) = match input {
-            Input::Sine(place) => ("sin_cos", of_member(Member::Sines, place)),
-            Input::Cosine(place) => ("sin_cos", of_member(Member::Cosines, place)),
+            Input::Sine(place) => (SIN_COS, of_member(Member::Sines, place)),
+            Input::Cosine(place) => (SIN_COS, of_member(Member::Cosines, place)),
             Input::Parameter(id) => (
-                "parameters",
+                PARAMETERS,
                 vec![Step::Member(Member::Parameter(id.index()))],
             ),
             Input::Prepared(place) => (
-                "p",
+                PREPARED,
                 vec![Step::Member(Member::Prepared(self.fields[place]))],
             ),
             input => body.given[&input].clone(),

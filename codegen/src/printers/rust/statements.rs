@@ -8,7 +8,10 @@ use super::{
     syntax,
     text::{comment, ident},
 };
-use crate::listing::{Entry, Expression, LocalId, Statement};
+use crate::{
+    functions::helper_name,
+    listing::{Entry, Expression, LocalId, Statement},
+};
 
 /// All of them.
 pub(super) fn of(writer: &Writer<'_>) -> Vec<Stmt> {
@@ -130,7 +133,7 @@ fn print(
 
 /// The call of a helper of a function: on what columns share, and on rows of what they do not.
 fn call<'a>(writer: &Writer<'_>, helper: usize, given: impl Iterator<Item = &'a usize>) -> Expr {
-    let name = ident(&format!("{}_lockstep_{}", writer.of, helper + 1));
+    let name = ident(&helper_name(writer.of, helper + 1));
     let given = given.map(|&place| writer.lent(place));
     syntax::call(syntax::of_module(&name), given)
 }
