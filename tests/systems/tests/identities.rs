@@ -205,7 +205,7 @@ mod bits {
             Input::Force(body, axis) => state.loads[body.index()][axis],
             Input::Moment(body, axis) => state.loads[body.index()][3 + axis],
             Input::RelativeAngularVelocity(body, axis) => state.w_rel[body.index()][axis],
-            Input::Shared(_) | Input::Side(_) | Input::Solved(_) => {
+            Input::Shared(_) | Input::Side(_) | Input::CallResult(_) => {
                 unreachable!("no function here has calls")
             }
             Input::Point(_) | Input::FrameForce(_) | Input::FrameMoment(_) | Input::Product(..) => {
