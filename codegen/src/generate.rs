@@ -15,7 +15,7 @@ use crate::{
     origin::Origin,
     printers::rust,
     program::Operations,
-    tree,
+    tree::{self, Checked},
 };
 
 /// A generated module, and the files beside it.
@@ -51,9 +51,8 @@ pub fn generate(
 ) -> Result<Generated, Error> {
     compile::check_options(options)?;
     let description = description::read(model, &options.reading, include);
-    let checked = tree::build_with(&description, &options.changes)?;
-    let tree = tree::prescribe(&description, checked.tree, &options.prescribed);
-    let tree = &tree.map_err(Error::Prescribed)?;
+    let checked = checked(&description, options)?;
+    let tree = &checked.tree;
     let compiled = compile::compile(tree, options)?;
     let functions = compiled
         .functions
@@ -93,4 +92,17 @@ impl Generated {
             .chain(companions)
             .collect()
     }
+}
+
+/// The tree of a description, with the changes and the prescribed joints that the options ask for.
+///
+/// # Errors
+/// [`Error::Invalid`] with every rule that the description breaks; [`Error::Prescribed`].
+pub fn checked(description: &Description, options: &Options) -> Result<Checked, Error> {
+    let Checked { tree, warnings } = tree::build_with(description, &options.changes)?;
+    let tree = tree::prescribe(description, tree, &options.prescribed);
+    Ok(Checked {
+        tree: tree.map_err(Error::Prescribed)?,
+        warnings,
+    })
 }

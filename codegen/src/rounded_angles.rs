@@ -9,6 +9,7 @@ use crate::{
     compile,
     description::Description,
     diagnostic::{Diagnostic, Diagnostics, first_few},
+    generate,
     limits::COUNTED,
     options::Options,
     program::Operations,
@@ -74,8 +75,7 @@ fn saved(before: &[(String, Operations)], after: &[(String, Operations)]) -> Vec
 
 /// The functions that are asked for, with their operations; `None` where they cannot be had, or not soon.
 fn compiled(description: &Description, options: &Options) -> Option<Vec<(String, Operations)>> {
-    let tree = tree::build_with(description, &options.changes).ok()?.tree;
-    let tree = tree::prescribe(description, tree, &options.prescribed).ok()?;
+    let tree = generate::checked(description, options).ok()?.tree;
     let is_small = |tree: &Tree| tree.n_speeds.max(tree.n_parts()) <= COUNTED;
     let compiled = is_small(&tree).then(|| compile::compile(&tree, options))?;
     let functions = compiled.ok()?.functions.into_iter();

@@ -18,8 +18,9 @@ use kane_codegen::{
 use crate::cli::{
     Failures,
     arguments::changes::ChangesArguments,
-    job::{self, Job, Listing, Target},
+    job::{self, Job, Listing},
     paths,
+    target::Target,
 };
 
 /// A `kane.toml` that was read.

@@ -16,6 +16,7 @@ mod outcome;
 mod paths;
 mod rounded_angles;
 mod stray;
+mod target;
 
 use std::io::Write;
 

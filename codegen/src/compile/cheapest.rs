@@ -4,11 +4,13 @@
 
 use crate::{
     functions::{Formulation, Request},
+    passes::hoist::Preparation,
     recursive::Technique,
 };
 
 use super::{
-    planned::{Planned, operations, program},
+    pipeline::{self, Lowering},
+    planned::{Planned, operations},
     plans::Plans,
     sweeps,
 };
@@ -69,9 +71,14 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Pl
     if least <= MOST_CACHED {
         return one_by_one;
     }
+    // As if nothing else was in the module.
+    let program = |planned: &Planned| {
+        let (derived, mut preparation) = (&planned.derived, Preparation::default());
+        pipeline::program(tree, function, derived, &mut preparation, Lowering::DEFAULT)
+    };
     let with = |plan| {
         let derived = Planned::new(tree, function, Formulation::Recursive, plan);
-        let program = program(tree, function, &derived.derived);
+        let program = program(&derived)?;
         // A tenth more operations at most, and a fifth less text.
         let is_short = 5 * program.written() <= 4 * least;
         let may = is_short && 10 * operations(&derived.derived).total() <= 11 * least;
@@ -80,12 +87,14 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Pl
     let lockstep = one_by_one.plan.with(Technique::Lockstep, true);
     let twice = function.differentiates_accelerations();
     let twice = twice.then(|| lockstep.with_calls_twice(true));
-    let as_it_is = program(tree, function, &one_by_one.derived).steps();
+    let Some(as_it_is) = program(&one_by_one) else {
+        return one_by_one;
+    };
     let others = [Some(lockstep), twice]
         .into_iter()
         .flatten()
         .filter_map(with);
-    let all = std::iter::once((as_it_is, one_by_one)).chain(others);
+    let all = std::iter::once((as_it_is.steps(), one_by_one)).chain(others);
     let best = all.min_by_key(|(steps, _)| *steps);
     best.expect("cheapest: one is as it is").1
 }

@@ -8,6 +8,7 @@ mod cheapest;
 mod choose;
 mod empty;
 mod option_check;
+mod pipeline;
 mod planned;
 mod plans;
 mod search;
@@ -22,12 +23,14 @@ pub use planned::{Planned, by_plan, operations};
 pub use plans::Plans;
 pub use size_check::check as check_size;
 
+use pipeline::Lowering;
+
 pub use crate::options::Options;
 
 use crate::{
     error::Error,
     functions::{CompactBlock, Formulation, Request},
-    passes::{hoist, hoist::Preparation},
+    passes::hoist::Preparation,
     program::{self, Operations, Program},
     recursive::Technique,
     threads,
@@ -81,25 +84,19 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     let choices = threads::map(&requests, |function| {
         choose(&plans, function, options.formulation)
     });
+    let lowering = Lowering {
+        side_by_side: !options.without.contains(&Technique::Lockstep),
+        fuses: options.fma,
+    };
     for (function, choice) in requests.into_iter().zip(choices) {
         let Choice {
             formulation,
             derived,
         } = choice;
         let name = function.name();
-        let (graph, roots) = hoist::run(&derived.graph, &derived.roots, &name, &mut preparation);
-        if derived.graph.overflowed() || graph.overflowed() {
+        let program = pipeline::program(tree, &function, &derived, &mut preparation, lowering);
+        let Some(program) = program else {
             return Err(Error::Unrepresentable { function: name });
-        }
-        let program = if options.without.contains(&Technique::Lockstep) {
-            program::flatten(&graph, &roots)
-        } else {
-            branches::flattened(tree, &function.arguments(), &graph, &roots)
-        };
-        let program = if options.fma {
-            program::fuse(program)
-        } else {
-            program
         };
         verify(&program, &name)?;
         let operations = program.operations();

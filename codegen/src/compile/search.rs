@@ -15,7 +15,10 @@ use crate::{
     tree::Tree,
 };
 
-use super::planned::{MOST_NODES, finished, given_sines, operations};
+use super::{
+    pipeline::{finished, given_sines},
+    planned::{MOST_NODES, operations},
+};
 
 /// Beyond this many nodes factoring is left out of the count that plans are compared by: it changes a thousandth.
 const MOST_EXACT: usize = 4_000;

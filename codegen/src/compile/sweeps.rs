@@ -11,7 +11,10 @@ use crate::{
     tree::Tree,
 };
 
-use super::planned::{MOST_NODES, Planned, finished, operations};
+use super::{
+    pipeline::finished,
+    planned::{MOST_NODES, Planned, operations},
+};
 
 /// How many times as much as the other a sweep may build beyond [`MOST_NODES`]: what entries have in common never makes up for more.
 const MOST_TIMES: usize = 8;

@@ -1,7 +1,7 @@
 //! From a graph to a graph with the same values: what folding and sharing at construction cannot see.
 //!
 //! In: a derived function. Out: the same roots with fewer operations, and parameters' own work taken out.
-//! In order, with what holds afterwards:
+//! In order, which `compile::pipeline` keeps, with what holds afterwards:
 //! 1. `factor`: no sum has two products with a common factor that nothing else needs, nor two terms that are known before the
 //!    loop.
 //! 2. `sines`, where it is asked for: sines and cosines of coordinates are inputs.

@@ -11,9 +11,10 @@ use crate::cli::{
     Failures,
     arguments::options::{Asked, OptionsArguments},
     arguments::parse::{name_of, one_of, quoted},
-    job::{self, Job, Target},
+    job::{self, Job},
     listed::{self, Listed},
     paths,
+    target::Target,
 };
 
 /// Which systems, and what of them.

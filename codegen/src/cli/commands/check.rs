@@ -16,8 +16,9 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
-    job::{self, Reported, Target},
+    job::{self, Reported},
     stray,
+    target::Target,
     text::lines::ChangedLines,
     text::operations,
     text::text_diff::TextDiff,

@@ -11,9 +11,7 @@ use kane_codegen::{
 };
 
 use crate::cli::{
-    Failures, Outcome, Voice,
-    arguments::changes::ReadingArguments,
-    job::{self, Target},
+    Failures, Outcome, Voice, arguments::changes::ReadingArguments, job, target::Target,
 };
 
 /// Convert a model of any format to kane's TOML format

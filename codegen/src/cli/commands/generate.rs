@@ -16,8 +16,9 @@ use kane_codegen::{
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::selection::Selection,
-    job::{self, Job, Reported, Target},
+    job::{self, Job, Reported},
     rounded_angles,
+    target::Target,
     text::operations,
 };
 

@@ -1,0 +1,85 @@
+//! Why nothing can be generated: each fault at its place, in the model or in the `kane.toml` that lists it.
+
+use kane_codegen::{
+    diagnostic::{Diagnostic, Diagnostics, Source},
+    error::Error,
+};
+
+use super::{Job, Listing};
+use crate::cli::Failures;
+
+impl Job {
+    /// Why the model cannot be read, where it is listed.
+    pub(super) fn unreadable(&self, error: Error) -> Failures {
+        let Some(Listing { config, model, .. }) = &self.listing else {
+            return error.into();
+        };
+        let fault = Diagnostic::error(format!("{error:?}")).at(*model, "listed here");
+        Diagnostics::new(Source::clone(config), vec![fault]).into()
+    }
+
+    /// Why nothing can be generated, each fault at its place where it has one.
+    pub(crate) fn explained(&self, error: Error) -> Failures {
+        match error {
+            Error::Invalid(found) => self.refused(&found),
+            Error::Requests(faults) => {
+                let (placed, others) =
+                    self.placed(faults, |listing, fault| listing.functions.fault(fault));
+                let mut failures = Failures::default();
+                if !others.is_empty() {
+                    failures.add(Error::Requests(others));
+                }
+                failures.add(placed);
+                failures
+            }
+            Error::Prescribed(faults) => {
+                let (placed, others) =
+                    self.placed(faults, |listing, fault| listing.prescribed.fault(fault));
+                let mut failures = placed;
+                if !others.is_empty() {
+                    failures.add(Error::Prescribed(others));
+                }
+                failures
+            }
+            Error::Unrepresentable { .. } | Error::TooLarge { .. } => {
+                Failures::message(format!("`{}`: {error}", self.model.display()))
+            }
+            error => error.into(),
+        }
+    }
+
+    /// What is wrong with the model, and with what is changed of it, at its place where it has one.
+    fn refused(&self, found: &Diagnostics) -> Failures {
+        let faults = found.list().to_vec();
+        let (placed, others) = self.placed(faults, |listing, fault| listing.changed.fault(fault));
+        let mut failures = Failures::default();
+        if !others.is_empty() {
+            failures.add(Diagnostics::new(found.source().clone(), others));
+        }
+        failures.add(placed);
+        failures
+    }
+
+    /// Faults of what `kane.toml` says, at their places there, and the others.
+    fn placed<F>(
+        &self,
+        faults: Vec<F>,
+        place: impl Fn(&Listing, &F) -> Option<Diagnostic>,
+    ) -> (Failures, Vec<F>) {
+        let Some(listing) = &self.listing else {
+            return (Failures::default(), faults);
+        };
+        let (mut placed, mut others) = (Vec::new(), Vec::new());
+        for fault in faults {
+            match place(listing, &fault) {
+                Some(fault) => placed.push(fault.at(listing.model, "the model")),
+                None => others.push(fault),
+            }
+        }
+        let mut failures = Failures::default();
+        if !placed.is_empty() {
+            failures.add(Diagnostics::new(Source::clone(&listing.config), placed));
+        }
+        (failures, others)
+    }
+}

@@ -1,0 +1,79 @@
+//! The order of the passes.
+//!
+//! In: a function as it was derived. Out: its expressions after the passes that see one function alone, whose operations are
+//! compared; then its program, with what depends on parameters alone taken out.
+
+use super::branches;
+use crate::{
+    functions::{Derived, Request},
+    passes::{factor, hoist, hoist::Preparation, sines},
+    program::{self, Program},
+    recursive::{Plan, Technique},
+    tree::Tree,
+};
+
+/// What was derived by a plan, as it would be emitted.
+pub(super) fn finished(
+    tree: &Tree,
+    function: &Request,
+    plan: &Plan,
+    mut derived: Derived,
+) -> Derived {
+    // The pattern of a compact output follows from the tree: nothing to factor across columns.
+    if plan.uses(Technique::Factor) && function.compact().is_none() {
+        (derived.graph, derived.roots) = factor::run(derived.graph, derived.roots);
+    }
+    given_sines(tree, function, derived)
+}
+
+/// A function with sines and cosines as inputs where they are to be given.
+pub(super) fn given_sines(tree: &Tree, function: &Request, mut derived: Derived) -> Derived {
+    if function.is_at_sin_cos() {
+        let angles = sines::angles(tree);
+        (derived.graph, derived.roots) = sines::run(&derived.graph, &derived.roots, &angles);
+    }
+    derived
+}
+
+/// How a program is written.
+#[derive(Clone, Copy)]
+pub(super) struct Lowering {
+    /// What branches go through alike is written once.
+    pub(super) side_by_side: bool,
+    /// Products and sums are fused.
+    pub(super) fuses: bool,
+}
+
+impl Lowering {
+    /// Where nothing else is said.
+    pub(super) const DEFAULT: Self = Self {
+        side_by_side: true,
+        fuses: false,
+    };
+}
+
+/// The program of a function that is finished; what depends on parameters alone goes to the preparation. `None` where numbers overflow.
+pub(super) fn program(
+    tree: &Tree,
+    function: &Request,
+    derived: &Derived,
+    preparation: &mut Preparation,
+    lowering: Lowering,
+) -> Option<Program> {
+    let Derived { graph, roots, .. } = derived;
+    let name = function.name();
+    let (hoisted, roots) = hoist::run(graph, roots, &name, preparation);
+    if graph.overflowed() || hoisted.overflowed() {
+        return None;
+    }
+    let program = if lowering.side_by_side {
+        branches::flattened(tree, &function.arguments(), &hoisted, &roots)
+    } else {
+        program::flatten(&hoisted, &roots)
+    };
+    Some(if lowering.fuses {
+        program::fuse(program)
+    } else {
+        program
+    })
+}
