@@ -1,6 +1,6 @@
 //! The arguments that `generate` and `check` share, and which systems they select.
 //!
-//! In: arguments and, where there is one, `kane.toml`. Out: a [`Plan`]: models, files, options.
+//! In: arguments and, where there is one, `kane.toml`. Out: a [`Selected`]: models, files, options.
 
 use std::path::{Path, PathBuf};
 
@@ -78,7 +78,7 @@ pub(crate) struct Selection {
 
 /// What is to be generated.
 #[derive(Debug)]
-pub(crate) struct Plan {
+pub(crate) struct Selected {
     /// One job a file.
     pub(crate) jobs: Vec<Job>,
     /// The `kane.toml`, if everything in it is to be generated.
@@ -104,7 +104,7 @@ impl Selection {
     }
 
     /// The systems that are selected.
-    pub(crate) fn plan(&self) -> Result<Plan, Failures> {
+    pub(crate) fn read(&self) -> Result<Selected, Failures> {
         let asked = self.options.read().map_err(|mut failures| {
             let lacking = self
                 .model
@@ -117,7 +117,7 @@ impl Selection {
             None => self.whole(),
             Some(model) => {
                 let jobs = self.single(model, &asked)?;
-                Ok(Plan { jobs, whole: None })
+                Ok(Selected { jobs, whole: None })
             }
         }
     }
@@ -158,7 +158,7 @@ impl Selection {
     }
 
     /// Everything in `kane.toml`.
-    fn whole(&self) -> Result<Plan, Failures> {
+    fn whole(&self) -> Result<Selected, Failures> {
         let path = match (&self.config, paths::config_above(&paths::here()?)) {
             (Some(path), _) => path.clone(),
             (None, Some(path)) => paths::shown(&path)?,
@@ -175,7 +175,7 @@ impl Selection {
             .filter_map(|system| failures.keep(listed.job(system)))
             .collect();
         failures.none()?;
-        Ok(Plan {
+        Ok(Selected {
             jobs,
             whole: Some(Whole {
                 config: path,

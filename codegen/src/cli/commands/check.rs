@@ -15,8 +15,8 @@ use kane_codegen::{
 
 use crate::cli::{
     Failures, Outcome, Voice,
-    arguments::selection::Selection,
-    job::{self, Reported},
+    arguments::selection::{Selection, Whole},
+    job::{self, Job, Reported},
     stray,
     target::Target,
     text::lines::ChangedLines,
@@ -76,10 +76,10 @@ pub(crate) fn run(
     voice: Voice,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failures> {
-    let plan = arguments.selection.plan()?;
-    let modules = job::generate(&plan.jobs)?;
+    let selected = arguments.selection.read()?;
+    let modules = job::generate(&selected.jobs)?;
     if voice.is_verbose() {
-        let told = plan.jobs.iter().zip(&modules);
+        let told = selected.jobs.iter().zip(&modules);
         let told = told.map(|(job, module)| Reported {
             job,
             module,
@@ -88,49 +88,79 @@ pub(crate) fn run(
         job::warn(&told.collect::<Vec<_>>(), voice);
     }
     let mut failures = Failures::default();
-    let files = plan.jobs.iter().zip(&modules);
+    let files = selected.jobs.iter().zip(&modules);
     let files: Vec<Compared<'_>> = files
         .filter_map(|(job, module)| failures.keep(compare(&job.target, module)))
         .flatten()
         .collect();
-    let strays = plan.whole.as_ref().map(|whole| {
-        let strays = failures.keep(stray::find(&plan.jobs, &whole.root));
+    let strays = selected.whole.as_ref().map(|whole| {
+        let strays = failures.keep(stray::find(&selected.jobs, &whole.root));
         (whole, strays.unwrap_or_default())
     });
     failures.none()?;
 
-    let mut outcome = Outcome::Done;
-    let mut force = if arguments.force { " --force" } else { "" };
-    for file in &files {
+    let is_up_to_date = write_files(out, &files, arguments, voice)?;
+    let is_within = write_over_budget(out, &selected.jobs, &modules)?;
+    let has_no_strays = match &strays {
+        Some((whole, strays)) => write_strays(out, &selected.jobs, whole, strays)?,
+        None => true,
+    };
+    Ok(if is_up_to_date && is_within && has_no_strays {
+        Outcome::Done
+    } else {
+        Outcome::Differs
+    })
+}
+
+/// Tells what differs, and how to bring it up to date; true where nothing does.
+fn write_files(
+    out: &mut dyn Write,
+    files: &[Compared<'_>],
+    arguments: &Arguments,
+    voice: Voice,
+) -> io::Result<bool> {
+    for file in files {
         write_file(out, file, arguments.lines, voice)?;
-        match &file.found {
-            Found::Same => continue,
-            Found::Differs(old) if !signs::is_ours(old.as_bytes()) => force = " --force",
-            Found::Missing | Found::LineEnds | Found::Differs(_) => {}
-        }
-        outcome = Outcome::Differs;
     }
-    if outcome == Outcome::Differs {
-        let command = arguments.selection.command();
-        let has_lines = |file: &Compared<'_>| matches!(file.found, Found::Differs(_));
-        if !arguments.lines && files.iter().any(has_lines) {
-            writeln!(out, "to see the lines, add --lines")?;
-        }
-        writeln!(out, "to bring this up to date, run: {command}{force}")?;
-    }
-    for (job, module) in plan.jobs.iter().zip(&modules) {
-        let excesses = job.excesses(module);
-        if !excesses.is_empty() {
-            let lines = operations::text(&excesses);
-            write!(out, "{} is over budget\n{lines}", job.target)?;
-            outcome = Outcome::Differs;
-        }
-    }
-    for (whole, stray) in strays
+    let mut differing = files
         .iter()
-        .flat_map(|(whole, strays)| strays.iter().map(move |stray| (whole, stray)))
-    {
-        let list = plan.jobs.iter().find_map(|job| job.asks_for(stray));
+        .filter(|file| !matches!(file.found, Found::Same));
+    if differing.next().is_none() {
+        return Ok(true);
+    }
+    let has_lines = |file: &Compared<'_>| matches!(file.found, Found::Differs(_));
+    if !arguments.lines && files.iter().any(has_lines) {
+        writeln!(out, "to see the lines, add --lines")?;
+    }
+    let is_foreign = |file: &Compared<'_>| match &file.found {
+        Found::Differs(old) => !signs::is_ours(old.as_bytes()),
+        Found::Same | Found::Missing | Found::LineEnds => false,
+    };
+    let is_forced = arguments.force || files.iter().any(is_foreign);
+    let force = if is_forced { " --force" } else { "" };
+    let command = arguments.selection.command();
+    writeln!(out, "to bring this up to date, run: {command}{force}")?;
+    Ok(false)
+}
+
+/// Tells which functions need more operations than they may; true where none does.
+fn write_over_budget(out: &mut dyn Write, jobs: &[Job], modules: &[Generated]) -> io::Result<bool> {
+    let over = job::over_budget(jobs, modules);
+    for (target, lines) in &over {
+        writeln!(out, "{target} is over budget\n{lines}")?;
+    }
+    Ok(over.is_empty())
+}
+
+/// Tells which files nothing produces; true where there is none.
+fn write_strays(
+    out: &mut dyn Write,
+    jobs: &[Job],
+    whole: &Whole,
+    strays: &[PathBuf],
+) -> io::Result<bool> {
+    for stray in strays {
+        let list = jobs.iter().find_map(|job| job.asks_for(stray));
         let list = list.map_or("list its system".to_owned(), |key| {
             format!("give its system `{key}`")
         });
@@ -139,9 +169,8 @@ pub(crate) fn run(
             out,
             "{stray} is produced by nothing in {config}: remove it, or {list}"
         )?;
-        outcome = Outcome::Differs;
     }
-    Ok(outcome)
+    Ok(strays.is_empty())
 }
 
 fn compare<'a>(target: &Target, generated: &'a Generated) -> Result<Vec<Compared<'a>>, Failures> {

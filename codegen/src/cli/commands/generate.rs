@@ -19,7 +19,6 @@ use crate::cli::{
     job::{self, Job, Reported},
     rounded_angles,
     target::Target,
-    text::operations,
 };
 
 /// Write the Rust modules of one model, or of everything in kane.toml
@@ -54,8 +53,8 @@ pub(crate) fn run(
         reason = "how long it took is told, and stands in no file"
     )]
     let start = Instant::now();
-    let plan = arguments.selection.plan()?;
-    let modules = job::generate(&plan.jobs)?;
+    let selected = arguments.selection.read()?;
+    let modules = job::generate(&selected.jobs)?;
     let overwrite = if arguments.force {
         Overwrite::Anything
     } else {
@@ -64,7 +63,7 @@ pub(crate) fn run(
     let mut failures = Failures::default();
     let mut files = Vec::new();
     let mut news = Vec::new();
-    for (job, module) in plan.jobs.iter().zip(&modules) {
+    for (job, module) in selected.jobs.iter().zip(&modules) {
         let staged = failures
             .keep(stage(job, module, overwrite))
             .unwrap_or_default();
@@ -79,12 +78,12 @@ pub(crate) fn run(
     job::warn(&news, voice);
     failures.none()?;
     rounded_angles::tell(&news, voice);
-    for (job, module) in plan.jobs.iter().zip(&modules) {
+    for (job, module) in selected.jobs.iter().zip(&modules) {
         if job.target == Target::StandardOutput {
             out.write_all(module.source.as_bytes())?;
         }
     }
-    let paths: Vec<PathBuf> = plan.jobs.iter().flat_map(Job::files).collect();
+    let paths: Vec<PathBuf> = selected.jobs.iter().flat_map(Job::files).collect();
     let n_files = files.len();
     let written = commit(files, voice)?;
     output::sweep(paths.iter().map(PathBuf::as_path));
@@ -93,21 +92,13 @@ pub(crate) fn run(
         let seconds = start.elapsed().as_secs_f64();
         voice.say(format_args!("{files}; {}, {seconds:.2} s", size(&modules)));
     }
-    if plan.jobs.iter().any(|job| job.is_overridden) {
+    if selected.jobs.iter().any(|job| job.is_overridden) {
         voice.say(
             "note: kane.toml asks for something else of this model; `kane check` goes by that",
         );
     }
-    for (job, module) in plan.jobs.iter().zip(&modules) {
-        let excesses = job.excesses(module);
-        if !excesses.is_empty() {
-            let lines = operations::text(&excesses);
-            let lines = lines.trim_end();
-            voice.say(format_args!(
-                "warning: {} is over budget\n{lines}",
-                job.target
-            ));
-        }
+    for (target, lines) in job::over_budget(&selected.jobs, &modules) {
+        voice.say(format_args!("warning: {target} is over budget\n{lines}"));
     }
     Ok(Outcome::Done)
 }

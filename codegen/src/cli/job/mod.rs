@@ -25,7 +25,11 @@ use kane_codegen::{
     tree::{Checked, Tree},
 };
 
-use crate::cli::{Failures, paths, target::Target, text::operations::Row};
+use crate::cli::{
+    Failures, paths,
+    target::Target,
+    text::operations::{self, Row},
+};
 
 /// A model, what to generate from it, and where that goes.
 #[derive(Debug)]
@@ -163,6 +167,17 @@ pub(crate) fn generate(jobs: &[Job]) -> Result<Vec<Generated>, Failures> {
         .collect();
     failures.none()?;
     Ok(modules)
+}
+
+/// The targets with functions that need more operations than they may, with these functions.
+pub(crate) fn over_budget<'a>(jobs: &'a [Job], modules: &[Generated]) -> Vec<(&'a Target, String)> {
+    let jobs = jobs.iter().zip(modules);
+    let over = jobs.filter_map(|(job, module)| {
+        let excesses = job.excesses(module);
+        let lines = operations::text(&excesses);
+        (!excesses.is_empty()).then(|| (&job.target, lines.trim_end().to_owned()))
+    });
+    over.collect()
 }
 
 /// Reads a model.

@@ -8,7 +8,6 @@ use crate::description::mjcf::joints::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
 use crate::description::mjcf::lifted;
-use crate::description::mjcf::mass::geoms::Moves;
 use crate::description::mjcf::mass::weight::{self, Weighed};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
@@ -29,7 +28,7 @@ struct Pending<'d> {
     inside: Inside<'d>,
     /// The number of its lower body.
     lower: usize,
-    lower_moves: Moves,
+    lower_moves: bool,
 }
 
 /// The bodies of all models, and what stands on them.
@@ -61,7 +60,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
             weight::geom(reader, models, geom, "the world");
         }
         let bodies = found.keep(contents);
-        push(&mut pending, bodies, 0, Moves::No);
+        push(&mut pending, bodies, 0, false);
     }
     while let Some(next) = pending.pop() {
         if models.copies.is_exhausted() {
@@ -103,7 +102,7 @@ fn push<'d>(
     pending: &mut Vec<Pending<'d>>,
     bodies: Vec<Inside<'d>>,
     lower: usize,
-    lower_moves: Moves,
+    lower_moves: bool,
 ) {
     pending.extend(bodies.into_iter().rev().map(|inside| Pending {
         inside,
@@ -112,13 +111,13 @@ fn push<'d>(
     }));
 }
 
-/// Reads a body, and adds it, behind those that its joints make.
+/// Reads a body, and adds it, behind those that its joints make: what stands in it, and whether it moves.
 fn body<'d>(
     reader: &mut Reader,
     models: &Models<'d>,
     next: &Pending<'d>,
     found: &mut Found<'_>,
-) -> (Contents<'d>, Moves) {
+) -> (Contents<'d>, bool) {
     let element = next.inside.element;
     let name = next.inside.name();
     let owner = match &name {
@@ -145,11 +144,7 @@ fn body<'d>(
         .collect();
     check_freedoms(reader, &joints, &owner);
     check_free(reader, model, &joints, next, &contents.bodies, &owner);
-    let moves = if joints.is_empty() {
-        next.lower_moves
-    } else {
-        Moves::Yes
-    };
+    let moves = next.lower_moves || !joints.is_empty();
     let wish = match name {
         Some(name) => Wish::Given(name),
         None => Wish::None(element.span()),

@@ -19,18 +19,11 @@ const WATER: f64 = 1000.0;
 /// Volume from which on MuJoCo lets a geom have the mass that it is given, m³ (m² of a shell).
 const LEAST: f64 = 1e-14;
 
-/// Whether it matters what mass a geom has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::description::mjcf) enum Moves {
-    Yes,
-    /// Its body is at rest.
-    No,
-}
-
 /// What counts for a body.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::description::mjcf) struct Counted {
-    pub(in crate::description::mjcf) moves: Moves,
+    /// Whether it matters what mass a geom has.
+    pub(in crate::description::mjcf) mass_matters: bool,
     /// The first and the last group of geoms.
     pub(in crate::description::mjcf) groups: [f64; 2],
 }
@@ -41,7 +34,10 @@ pub(in crate::description::mjcf) fn solid(
     geom: &Attributes<'_>,
     model: &Model<'_>,
     around: &Placement,
-    Counted { moves, groups }: Counted,
+    Counted {
+        mass_matters,
+        groups,
+    }: Counted,
 ) -> Option<Solid> {
     let settings = &model.settings;
     let group = geom
@@ -61,13 +57,13 @@ pub(in crate::description::mjcf) fn solid(
         return None;
     }
     if kind == GeomType::HeightField {
-        if moves == Moves::Yes {
+        if mass_matters {
             reader.faults.push(height_field(geom));
         }
         return None;
     }
     let is_of_mesh = kind == GeomType::Mesh || geom.has("mesh");
-    if is_of_mesh && moves == Moves::No {
+    if is_of_mesh && !mass_matters {
         reader.faults.push(at_rest(geom));
         return None;
     }
@@ -152,7 +148,7 @@ fn mesh_place(geom: &Attributes<'_>) -> Span {
 
 fn refuse_shell(reader: &mut Reader, geom: &Attributes<'_>, kind: GeomType) {
     let shell = geom.keyword(reader, "shellinertia", &TRUTH);
-    let Some(shell) = shell.filter(|shell| shell.value == TRUTH[0].1) else {
+    let Some(shell) = shell.filter(|shell| shell.value == Switch::On) else {
         return;
     };
     let message = format!(

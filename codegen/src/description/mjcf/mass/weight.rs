@@ -3,7 +3,7 @@
 use crate::description::mjcf::contents::around::Around;
 use crate::description::mjcf::contents::{Contents, Inside};
 use crate::description::mjcf::known;
-use crate::description::mjcf::mass::geoms::{self, Counted, Moves};
+use crate::description::mjcf::mass::geoms::{self, Counted};
 use crate::description::mjcf::mass::inertial::{self, MassProperties};
 use crate::description::mjcf::mass::solid::{Solid, together};
 use crate::description::mjcf::model::attributes::Attributes;
@@ -33,7 +33,7 @@ pub(in crate::description::mjcf) struct Weighed<'b, 'd> {
     pub(in crate::description::mjcf) contents: &'b Contents<'d>,
     /// Where it stands in what it is written in.
     pub(in crate::description::mjcf) place: &'b Placement,
-    pub(in crate::description::mjcf) moves: Moves,
+    pub(in crate::description::mjcf) moves: bool,
 }
 
 impl Weight {
@@ -105,13 +105,9 @@ impl Weighed<'_, '_> {
     /// What the body's geoms weigh, if that is asked; their attributes are looked at in any case.
     fn solids(&self, reader: &mut Reader, models: &Models<'_>, infers: bool) -> Vec<Solid> {
         let settings = &models.list[self.around.model].settings;
-        // With a total to reach, every mass counts.
-        let moves = match settings.total_mass {
-            Some(_) => Moves::Yes,
-            None => self.moves,
-        };
         let counted = Counted {
-            moves,
+            // With a total to reach, every mass counts.
+            mass_matters: self.moves || settings.total_mass.is_some(),
             groups: settings.groups,
         };
         let mut solids = Vec::new();
