@@ -10,7 +10,7 @@ use crate::{
     expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
     given,
     id::{BodyId, SpeedId},
-    solve::SpeedMatrix,
+    solve::{SpeedMatrix, zero_matrix},
     tree::Tree,
 };
 
@@ -58,7 +58,7 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
 }
 
 fn zero(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
-    vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds]
+    zero_matrix(graph, tree.n_speeds)
 }
 
 fn moving(graph: &mut ExprGraph, tree: &Tree) -> Vec<(BodyId, Moving)> {

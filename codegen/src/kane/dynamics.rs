@@ -6,7 +6,7 @@ use crate::{
     given::{self, Accelerations, Lifted},
     id::{BodyId, BodyMap, SpeedId},
     partition::Row,
-    solve::SpeedMatrix,
+    solve::{SpeedMatrix, zero_matrix},
     tree::Tree,
 };
 
@@ -41,7 +41,7 @@ pub fn mass_matrix(graph: &mut ExprGraph, tree: &Tree) -> SpeedMatrix {
     let relative = orientation::relative(graph, tree);
     let partials = velocity::partials(graph, tree, &relative);
     graph.begin(Purpose::Sums);
-    let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    let mut a = zero_matrix(graph, tree.n_speeds);
     for body in tree.body_ids() {
         graph.enter(body);
         let mass = given::mass(graph, tree.body(body));

@@ -6,7 +6,7 @@ use super::{
     BaseParameters, Entries, Facts, FrameSpeeds, Function, Pattern,
     facts::Wanted,
     verify::{verify, verify_facts},
-    write::{Writer, nominal, sin_cos},
+    write::{FunctionWriter, nominal, sin_cos},
 };
 use crate::{
     compile::{Compiled, Emittable},
@@ -43,7 +43,7 @@ impl Module {
             &compiled.fields,
             wanted(tree, &compiled.functions),
         );
-        let writer = Writer::new(tree, compiled, &facts);
+        let writer = FunctionWriter::new(tree, compiled, &facts);
         let module = Self {
             nominal: nominal(&facts),
             prepare: writer.prepare(&compiled.preparation),

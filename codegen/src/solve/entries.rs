@@ -6,6 +6,7 @@ use super::{
     BodySpeed, Carriers, Factors, RootMotion, SpeedMatrix,
     felt::{Feeling, Felt},
     reduced::Reduced,
+    zero_matrix,
 };
 use crate::{
     expr::{Expr, ExprGraph},
@@ -50,7 +51,7 @@ impl<'a> Entries<'a> {
             reduced: Reduced::new(factors, carriers),
             felt: Felt::new(tree, carriers),
             carriers,
-            h: vec![vec![graph.zero(); n]; n],
+            h: zero_matrix(graph, n),
             done: BTreeSet::new(),
         }
     }

@@ -35,6 +35,11 @@ use crate::{
 /// Entries of a symmetric matrix over speeds, by rows; what is structurally zero is the number zero.
 pub type SpeedMatrix = Vec<Vec<Expr>>;
 
+/// The matrix of zeros over so many speeds.
+pub fn zero_matrix(graph: &mut ExprGraph, n_speeds: usize) -> SpeedMatrix {
+    vec![vec![graph.zero(); n_speeds]; n_speeds]
+}
+
 /// Rows of a matrix over speeds as its columns.
 pub fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
     let columns = 0..matrix.len();
@@ -127,7 +132,7 @@ impl Factors {
     /// D on the diagonal, beside it the entries of L, each at the place of its two speeds and at the mirrored one.
     pub fn entries(&self, graph: &mut ExprGraph) -> SpeedMatrix {
         let n = self.pivots.len();
-        let mut entries = vec![vec![graph.zero(); n]; n];
+        let mut entries = zero_matrix(graph, n);
         for (&k, row) in self.order.iter().zip(&self.couplings) {
             entries[k.index()][k.index()] = self.pivots[k.index()];
             for &(speed, factor) in row {

@@ -1,6 +1,6 @@
 //! What the inverse of a factorised matrix is to rows over the speeds.
 
-use super::{Factors, SpeedMatrix};
+use super::{Factors, SpeedMatrix, zero_matrix};
 use crate::expr::{Expr, ExprGraph};
 
 impl Factors {
@@ -8,7 +8,7 @@ impl Factors {
     pub fn projected(&self, graph: &mut ExprGraph, rows: Vec<Vec<Expr>>) -> SpeedMatrix {
         let halves = rows.into_iter().map(|row| self.eliminated(graph, row));
         let halves: Vec<Vec<Expr>> = halves.collect();
-        let mut projected = vec![vec![graph.zero(); halves.len()]; halves.len()];
+        let mut projected = zero_matrix(graph, halves.len());
         for (i, half) in halves.iter().enumerate() {
             let scaled = self.scaled(graph, half);
             for (j, other) in halves[..=i].iter().enumerate() {

@@ -20,7 +20,7 @@ mod writer;
 pub use helper::{SHARED, SIDES, SOLVED};
 pub use name::RESERVED;
 pub(super) use plain::{nominal, sin_cos};
-pub(super) use writer::Writer;
+pub(super) use writer::FunctionWriter;
 
 /// Where inputs of a program stand: the argument, by its name, and the place in it.
 type InputPlaces = BTreeMap<Input, (&'static str, Vec<Step>)>;

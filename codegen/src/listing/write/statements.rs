@@ -40,7 +40,7 @@ pub(super) struct ProgramContext<'a> {
 
 /// The statements of a program that stores to these places.
 pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: &[Entry]) -> Code {
-    let mut writer = Writer {
+    let mut writer = StatementWriter {
         program,
         known,
         held: vec![None; program.values.len()],
@@ -78,7 +78,7 @@ pub(super) fn of(program: &Program, known: &ProgramContext<'_>, places: &[Entry]
     writer.code
 }
 
-struct Writer<'a> {
+struct StatementWriter<'a> {
     program: &'a Program,
     known: &'a ProgramContext<'a>,
     /// The local of each value, once it is assigned.
@@ -95,7 +95,7 @@ struct Writer<'a> {
     stored: BTreeSet<ValueId>,
 }
 
-impl Writer<'_> {
+impl StatementWriter<'_> {
     fn instruction(&mut self, instruction: &Instruction) {
         match instruction {
             Instruction::Compute { result, operation } => {

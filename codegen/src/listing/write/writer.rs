@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// What functions are made from.
-pub(in crate::listing) struct Writer<'a> {
+pub(in crate::listing) struct FunctionWriter<'a> {
     tree: &'a Tree,
     compiled: &'a Compiled,
     facts: &'a Facts,
@@ -41,7 +41,7 @@ struct Body<'b> {
     numbering: Numbering,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> FunctionWriter<'a> {
     pub(in crate::listing) fn new(
         tree: &'a Tree,
         compiled: &'a Compiled,

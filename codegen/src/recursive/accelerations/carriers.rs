@@ -151,7 +151,7 @@ fn along_root(
         axes,
         ..
     } = linkage;
-    let mut moving = Moving {
+    let mut moving = UnitMotion {
         speed,
         parts: [graph.zero_vector(); 2],
     };
@@ -173,12 +173,12 @@ fn along_root(
 }
 
 /// What moves with a link for a unit of one speed: about an axis, and at the origin that it has reached.
-struct Moving {
+struct UnitMotion {
     speed: SpeedId,
     parts: [Vector; 2],
 }
 
-impl Moving {
+impl UnitMotion {
     fn enter(&mut self, graph: &mut ExprGraph, motions: [Option<Motion>; 3], part: usize) {
         for (axis, motion) in motions.into_iter().enumerate() {
             if let Some(motion) = motion.filter(|motion| motion.speed == self.speed) {
@@ -189,7 +189,7 @@ impl Moving {
     }
 }
 
-impl Passenger for Moving {
+impl Passenger for UnitMotion {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         let [about, along] = self.parts;
         let around = graph.cross(offset, about);

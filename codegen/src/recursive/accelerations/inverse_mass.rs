@@ -73,7 +73,7 @@ fn by_articulated_bodies(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> SpeedM
     };
     let forces: Vec<Vec<Expr>> = order.iter().map(|speed| unit(graph, *speed)).collect();
     let columns = articulated::solutions_at_rest(graph, linkage, &forces);
-    let mut inverse = vec![vec![graph.zero(); order.len()]; order.len()];
+    let mut inverse = solve::zero_matrix(graph, order.len());
     for (place, (&own, column)) in order.iter().zip(&columns).enumerate() {
         for &other in &order[place..] {
             inverse[own][other] = column[other];

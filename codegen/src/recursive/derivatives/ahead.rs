@@ -1,6 +1,6 @@
 //! Columns that leave the others and go ahead to the inertial frame.
 
-use super::{column::Column, found::Derivatives};
+use super::{column::DerivativeColumn, found::Derivatives};
 use crate::{expr::ExprGraph, id::BodyId, recursive::matrices::shortcut::Shortcuts};
 
 /// Where columns are on their way inward.
@@ -18,13 +18,13 @@ impl Place {
 }
 
 /// What sends columns ahead.
-pub(super) trait Ahead {
+pub(super) trait SendAhead {
     /// Takes columns that it sends, and adds up what is read off them.
     fn send(
         &self,
         graph: &mut ExprGraph,
         from: Place,
-        columns: &mut Vec<Column>,
+        columns: &mut Vec<DerivativeColumn>,
         shortcuts: &mut Shortcuts<'_>,
         found: &mut Derivatives,
     );

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::{
-    column::Column,
+    column::DerivativeColumn,
     reader::Reader,
     sides::on_sides,
     start::{Start, turned},
@@ -27,7 +27,7 @@ const AXIS: usize = 2;
 #[derive(Debug)]
 pub(super) enum Begins {
     /// Where masses pass the motions, but for those that have begun.
-    Here(BTreeMap<SpeedId, Column>),
+    Here(BTreeMap<SpeedId, DerivativeColumn>),
     /// Later: hinges are told.
     Later(Vec<Hinge>),
     /// Nowhere: columns pass alone, and no masses go with them.
@@ -50,7 +50,7 @@ impl Begins {
         start: &Start,
         (reader, own): (&Reader, Vector),
         is_hinge: bool,
-    ) -> Option<Column> {
+    ) -> Option<DerivativeColumn> {
         match self {
             Self::Here(begun) => {
                 let known = begun.get(&reader.motion.speed).copied();
@@ -74,7 +74,7 @@ impl Begins {
         graph: &mut ExprGraph,
         start: &Start,
         reader: &Reader,
-    ) -> Option<Column> {
+    ) -> Option<DerivativeColumn> {
         let is_here = matches!(self, Self::Here(_));
         is_here.then(|| start.shift(graph, reader))
     }
@@ -84,7 +84,7 @@ impl Begins {
         self,
         graph: &mut ExprGraph,
         wanted: Wanted,
-    ) -> BTreeMap<SpeedId, Column> {
+    ) -> BTreeMap<SpeedId, DerivativeColumn> {
         let mut begun = BTreeMap::new();
         let Self::Later(hinges) = self else {
             return begun;
@@ -109,7 +109,7 @@ fn begin(
     graph: &mut ExprGraph,
     hinges: &[Hinge; LANES],
     wanted: Wanted,
-) -> Option<[(SpeedId, Column); LANES]> {
+) -> Option<[(SpeedId, DerivativeColumn); LANES]> {
     let starts = hinges.map(|hinge| hinge.start.turned(hinge.axis + 1));
     let (mut start, sides) = on_sides(graph, &starts, |start| start.parts_mut().collect());
     // About the axis of a hinge both motions are the same to what is asked of them.
@@ -142,7 +142,7 @@ fn begin(
 }
 
 /// The vectors of a column: those of what its speed needs, its momentum and couple; and of what its coordinate needs.
-fn vectors(column: &Column) -> [Vector; 7] {
+fn vectors(column: &DerivativeColumn) -> [Vector; 7] {
     let [needed, momentum] = [
         column.carrying.needed.wrench,
         column.carrying.momentum.wrench,
@@ -161,7 +161,7 @@ fn vectors(column: &Column) -> [Vector; 7] {
 
 impl Hinge {
     /// Its column, of the numbers of its vectors along turned axes.
-    fn column(&self, graph: &mut ExprGraph, numbers: &[Expr]) -> Column {
+    fn column(&self, graph: &mut ExprGraph, numbers: &[Expr]) -> DerivativeColumn {
         let back = 2 - self.axis;
         let vectors = numbers.as_chunks::<3>().0;
         let vector = |place: usize| turned(vectors[place], back);
@@ -176,7 +176,7 @@ impl Hinge {
         } = *self;
         let known = [wrench(0), wrench(2)];
         graph.enter(start.body);
-        Column {
+        DerivativeColumn {
             carrying: CoriolisColumn::known(graph, start.body, (motion, axis), known, vector(4)),
             displaced: Levered::new(graph, wrench(5)),
         }

@@ -1,9 +1,9 @@
 //! A composite body with the columns of what it carries, passing a joint.
 
 use super::{
-    ahead::{Ahead, Place},
+    ahead::{Place, SendAhead},
     begun::Begins,
-    column::Column,
+    column::DerivativeColumn,
     found::Derivatives,
     reader::Reader,
     start::Start,
@@ -37,7 +37,7 @@ pub(super) struct Carried<'a, 'b> {
     pub(super) wrench: Wrench,
     /// The rest of the way.
     pub(super) way: &'a [At],
-    pub(super) columns: Vec<Column>,
+    pub(super) columns: Vec<DerivativeColumn>,
     pub(super) found: &'a mut Derivatives,
     /// Where columns begin.
     pub(super) begins: &'a mut Begins,
@@ -46,7 +46,7 @@ pub(super) struct Carried<'a, 'b> {
     /// Those that are behind where the columns come in, as [`Place`] has it.
     pub(super) entry: usize,
     /// What columns are sent ahead by.
-    pub(super) ahead: Option<&'a dyn Ahead>,
+    pub(super) ahead: Option<&'a dyn SendAhead>,
 }
 
 impl Carried<'_, '_> {

@@ -16,14 +16,14 @@ use crate::{
 
 /// What the masses that a motion moves need and have, about the origin and along the axes that have been reached.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Column {
+pub(super) struct DerivativeColumn {
     /// For its speed: what is needed of a change of it, momentum and couple.
     pub(super) carrying: CoriolisColumn,
     /// What is needed of a change of its coordinate.
     pub(super) displaced: Levered,
 }
 
-impl Column {
+impl DerivativeColumn {
     /// All of its numbers.
     pub(super) fn parts_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         let CoriolisColumn {
@@ -92,7 +92,7 @@ impl Column {
 }
 
 /// Momentum stays: it is read off for rows on the way.
-impl Sent for Column {
+impl Sent for DerivativeColumn {
     const N_FORCES: usize = 2;
 
     fn stays(&self, _: &ExprGraph) -> bool {

@@ -1,6 +1,10 @@
 //! What is found: the matrices of derivatives.
 
-use crate::{expr::ExprGraph, solve::SpeedMatrix, tree::Tree};
+use crate::{
+    expr::ExprGraph,
+    solve::{SpeedMatrix, zero_matrix},
+    tree::Tree,
+};
 
 /// How generalized forces change: rows are forces, columns speeds.
 #[derive(Clone, Debug)]
@@ -15,7 +19,7 @@ pub struct Derivatives {
 
 impl Derivatives {
     pub(super) fn zero(graph: &mut ExprGraph, tree: &Tree) -> Self {
-        let zero = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+        let zero = zero_matrix(graph, tree.n_speeds);
         Self {
             by_q: zero.clone(),
             by_u: zero.clone(),

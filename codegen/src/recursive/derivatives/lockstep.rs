@@ -2,10 +2,10 @@
 //! of its numbers, and called for four.
 
 use super::{
-    ahead::{Ahead, Place},
+    ahead::{Place, SendAhead},
     begun::Begins,
     carried::Carried,
-    column::Column,
+    column::DerivativeColumn,
     found::Derivatives,
     sides::on_sides,
     wanted::Wanted,
@@ -43,7 +43,7 @@ struct Read {
 
 impl Read {
     /// Where what is read off a column stands.
-    fn entry<'a>(&self, found: &'a mut Derivatives, column: &Column) -> &'a mut Expr {
+    fn entry<'a>(&self, found: &'a mut Derivatives, column: &DerivativeColumn) -> &'a mut Expr {
         let own = column.carrying.motion.speed.index();
         let matrix = &mut *found.matrices_mut()[self.matrix];
         if self.is_column {
@@ -54,13 +54,13 @@ impl Read {
     }
 }
 
-impl Ahead for Inward<'_> {
+impl SendAhead for Inward<'_> {
     /// As long as there are enough of a kind.
     fn send(
         &self,
         graph: &mut ExprGraph,
         from: Place,
-        columns: &mut Vec<Column>,
+        columns: &mut Vec<DerivativeColumn>,
         shortcuts: &mut Shortcuts<'_>,
         found: &mut Derivatives,
     ) {
@@ -75,7 +75,7 @@ impl Inward<'_> {
         &self,
         graph: &mut ExprGraph,
         from: Place,
-        group: &[Column; LANES],
+        group: &[DerivativeColumn; LANES],
         shortcuts: &mut Shortcuts<'_>,
         found: &mut Derivatives,
     ) {
@@ -105,7 +105,7 @@ impl Inward<'_> {
         &self,
         graph: &mut ExprGraph,
         from: Place,
-        alike: &[Column; LANES],
+        alike: &[DerivativeColumn; LANES],
         shortcuts: &mut Shortcuts<'_>,
     ) -> Vec<Read> {
         let tree = self.linkage.tree;
@@ -163,7 +163,7 @@ impl Inward<'_> {
 }
 
 /// Four columns of a kind, the first, taken from those at a link; in the order of their speeds, in which matrices have them.
-fn taken(columns: &mut Vec<Column>) -> Option<[Column; LANES]> {
+fn taken(columns: &mut Vec<DerivativeColumn>) -> Option<[DerivativeColumn; LANES]> {
     let group = columns.iter().enumerate().find_map(|(first, column)| {
         let alike = (first..columns.len()).filter(|&other| column.is_like(&columns[other]));
         let alike: Vec<usize> = alike.take(LANES).collect();

@@ -27,10 +27,10 @@ pub use self::{found::Derivatives, wanted::Wanted};
 use std::collections::BTreeMap;
 
 use self::{
-    ahead::{Ahead, Place},
+    ahead::{Place, SendAhead},
     begun::Begins,
     carried::Carried,
-    column::Column,
+    column::DerivativeColumn,
     lockstep::Inward,
     way::{Went, ways},
 };
@@ -95,7 +95,8 @@ impl Sweep<'_> {
         let tree = linkage.tree;
         let mut wrenches = self.wrenches.clone();
         let mut gathered = Gathered::<Rates>::new(graph, linkage);
-        let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
+        let mut columns =
+            BodyMap::outward(tree.bodies.len(), |_, _| Vec::<DerivativeColumn>::new());
         let mut shortcuts = Shortcuts::new(graph, linkage);
         let mut found = Derivatives::zero(graph, tree);
         let inward = Inward {
@@ -103,7 +104,7 @@ impl Sweep<'_> {
             ways,
             wanted: self.wanted,
         };
-        let ahead = self.in_lockstep.then_some(&inward as &dyn Ahead);
+        let ahead = self.in_lockstep.then_some(&inward as &dyn SendAhead);
         for body in tree.body_ids().rev() {
             graph.enter(body);
             let mut carried = Carried {

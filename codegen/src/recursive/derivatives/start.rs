@@ -1,7 +1,7 @@
 //! Where columns begin: what a motion makes of the masses that it moves.
 
 use super::{
-    column::Column,
+    column::DerivativeColumn,
     displaced,
     reader::Reader,
     way::{At, doubled},
@@ -43,7 +43,12 @@ impl Start {
     }
 
     /// The column of a turn; `own` is the angular velocity that enters with it, where that has several components.
-    pub(super) fn turn(&self, graph: &mut ExprGraph, reader: &Reader, own: Vector) -> Column {
+    pub(super) fn turn(
+        &self,
+        graph: &mut ExprGraph,
+        reader: &Reader,
+        own: Vector,
+    ) -> DerivativeColumn {
         let Self {
             moments, rates, at, ..
         } = self;
@@ -86,14 +91,14 @@ impl Start {
             force: sum(graph, &force),
             moment: sum(graph, &moment),
         };
-        Column {
+        DerivativeColumn {
             carrying,
             displaced: Levered::new(graph, displaced),
         }
     }
 
     /// The column of a translation.
-    pub(super) fn shift(&self, graph: &mut ExprGraph, reader: &Reader) -> Column {
+    pub(super) fn shift(&self, graph: &mut ExprGraph, reader: &Reader) -> DerivativeColumn {
         let (axis, moments, at) = (reader.place - 3, &self.moments, &self.at);
         let velocity: Velocity = [doubled(graph, at.lower.w), at.v];
         let carrying =
@@ -107,7 +112,7 @@ impl Start {
             force: graph.scale(moments.mass, d),
             moment: sum(graph, &moment),
         };
-        Column {
+        DerivativeColumn {
             carrying,
             displaced: Levered::new(graph, displaced),
         }

@@ -24,7 +24,7 @@ use crate::{
 pub fn velocity(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, frame: NamedFrame) -> FrameMotion {
     let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
-    let mut seen = Moving::of(graph, tree, &links, frame, None);
+    let mut seen = SeenFrame::of(graph, tree, &links, frame, None);
     seen.walk(graph, tree, &links, frame);
     seen.velocity
 }
@@ -39,7 +39,7 @@ pub fn acceleration(
 ) -> FrameMotion {
     let links = link::massless(graph, tree, plan);
     graph.begin(Purpose::Frame);
-    let mut seen = Moving::of(graph, tree, &links, frame, Some(accelerations));
+    let mut seen = SeenFrame::of(graph, tree, &links, frame, Some(accelerations));
     seen.walk(graph, tree, &links, frame);
     seen.acceleration
 }
@@ -139,7 +139,7 @@ fn accelerated(
 }
 
 /// The motion of a frame as it is seen from the link that has been reached inward, along its axes.
-struct Moving {
+struct SeenFrame {
     velocity: FrameMotion,
     acceleration: FrameMotion,
     /// `None` where no acceleration is wanted.
@@ -148,7 +148,7 @@ struct Moving {
     position: Vector,
 }
 
-impl Moving {
+impl SeenFrame {
     fn of(
         graph: &mut ExprGraph,
         tree: &Tree,
@@ -210,7 +210,7 @@ impl Moving {
     }
 }
 
-impl Passenger for Moving {
+impl Passenger for SeenFrame {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         self.position = graph.add_vectors(self.position, offset);
     }

@@ -15,7 +15,7 @@ use crate::{
         },
         plan::Plan,
     },
-    solve::SpeedMatrix,
+    solve::{SpeedMatrix, zero_matrix},
     tree::{Motion, Tree},
 };
 
@@ -42,7 +42,7 @@ pub(in crate::recursive) fn matrix(graph: &mut ExprGraph, linkage: &Linkage<'_>)
         ..links[body].inertia
     });
     let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
-    let mut a = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    let mut a = zero_matrix(graph, tree.n_speeds);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let composite = composites[body].with_inertia(graph, &known[body]);

@@ -21,7 +21,7 @@ use crate::{
         },
         plan::Plan,
     },
-    solve::SpeedMatrix,
+    solve::{SpeedMatrix, zero_matrix},
     tree::{Motion, Tree},
 };
 
@@ -30,8 +30,8 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
     let linkage = Linkage::of_speeds(graph, tree, plan);
     graph.begin(Purpose::Composite);
     let mut gathered = Gathered::<Spreading>::new(graph, &linkage);
-    let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<Column>::new());
-    let mut a_dot = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    let mut columns = BodyMap::outward(tree.bodies.len(), |_, _| Vec::<RateColumn>::new());
+    let mut a_dot = zero_matrix(graph, tree.n_speeds);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut carried = Carried {
@@ -64,7 +64,7 @@ pub fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
 /// Momentum for a unit value of a speed and its rate, angular and linear, about the origin and along the axes that have been
 /// reached.
 #[derive(Clone, Copy, Debug)]
-struct Column {
+struct RateColumn {
     /// The body that moves with the speed: the column's operations belong to it, wherever they are carried.
     body: BodyId,
     motion: Motion,
@@ -74,7 +74,7 @@ struct Column {
     rate: [Vector; 2],
 }
 
-impl Column {
+impl RateColumn {
     /// Names by hints what has come to a link: angular and linear momentum `l`, `p`, and their rates.
     fn hint(&self, graph: &mut ExprGraph, tree: &Tree, at: BodyId) {
         let name = tree.body(self.body).joint.motion_names()[self.place];
@@ -135,7 +135,7 @@ struct Carried<'a> {
     body: BodyId,
     moments: Moments,
     rates: Spreading,
-    columns: Vec<Column>,
+    columns: Vec<RateColumn>,
     a_dot: &'a mut SpeedMatrix,
 }
 
@@ -162,7 +162,7 @@ impl Carried<'_> {
                 [graph.cross(rates.first, unit), still],
             ]
         };
-        self.columns.push(Column {
+        self.columns.push(RateColumn {
             body: self.body,
             motion,
             place,

@@ -168,7 +168,7 @@ impl Needed<'_> {
         late.extend(filling.iter().map(|own| solver.unit(graph, *own)));
         let mut late = solver.solve(graph, &late).into_iter();
         let of_q: Vec<Vec<Expr>> = late.by_ref().take(n).map(negated).collect();
-        let mut of_u = vec![vec![graph.zero(); n]; n];
+        let mut of_u = solve::zero_matrix(graph, n);
         let solved = late.by_ref().take(later.len());
         for (own, column) in beside.into_iter().chain(later).zip(early.chain(solved)) {
             of_u[own] = negated(column);

@@ -35,7 +35,7 @@ use crate::{
         },
         plan::Plan,
     },
-    solve::SpeedMatrix,
+    solve::{SpeedMatrix, zero_matrix},
     tree::{Motion, Tree},
 };
 
@@ -49,7 +49,7 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
     let mut shortcuts = Shortcuts::new(graph, &linkage);
     let angular = BodyMap::outward(tree.bodies.len(), |body, _| velocities[body].velocity[0]);
     let mut ahead = Ahead::new(graph, &linkage, angular);
-    let mut c = vec![vec![graph.zero(); tree.n_speeds]; tree.n_speeds];
+    let mut c = zero_matrix(graph, tree.n_speeds);
     for body in tree.body_ids().rev() {
         graph.enter(body);
         let mut carried = Carried {

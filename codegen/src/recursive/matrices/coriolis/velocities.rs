@@ -16,7 +16,7 @@ pub(in crate::recursive) type Velocity = [Vector; 2];
 
 /// A link's velocity on its way outward through a joint.
 #[derive(Clone, Debug)]
-pub(super) struct Moving {
+pub(super) struct VelocityOutward {
     pub(super) velocity: Velocity,
     is_root: bool,
     /// The same wherever motions enter, in the order of the way.
@@ -24,26 +24,29 @@ pub(super) struct Moving {
 }
 
 /// Of each link, in its own axes.
-pub(super) fn velocities(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<Moving> {
+pub(super) fn velocities(graph: &mut ExprGraph, linkage: &Linkage<'_>) -> BodyMap<VelocityOutward> {
     graph.begin(Purpose::Outward);
     let tree = linkage.tree;
-    BodyMap::outward(tree.bodies.len(), |body, moving: &BodyMap<Moving>| {
-        graph.enter(body);
-        let lower = tree.lower(body);
-        let below = lower.map(|lower| moving[lower].velocity);
-        let mut passing = Moving {
-            velocity: below.unwrap_or([graph.zero_vector(); 2]),
-            is_root: lower.is_none(),
-            at_motions: Vec::new(),
-        };
-        linkage.passages[body].outward(graph, &mut passing);
-        graph.name_vector(passing.velocity[0], "w");
-        graph.name_vector(passing.velocity[1], "v_o");
-        passing
-    })
+    BodyMap::outward(
+        tree.bodies.len(),
+        |body, moving: &BodyMap<VelocityOutward>| {
+            graph.enter(body);
+            let lower = tree.lower(body);
+            let below = lower.map(|lower| moving[lower].velocity);
+            let mut passing = VelocityOutward {
+                velocity: below.unwrap_or([graph.zero_vector(); 2]),
+                is_root: lower.is_none(),
+                at_motions: Vec::new(),
+            };
+            linkage.passages[body].outward(graph, &mut passing);
+            graph.name_vector(passing.velocity[0], "w");
+            graph.name_vector(passing.velocity[1], "v_o");
+            passing
+        },
+    )
 }
 
-impl Passenger for Moving {
+impl Passenger for VelocityOutward {
     fn shift(&mut self, graph: &mut ExprGraph, _: BodyId, offset: Vector) {
         let [w, v] = self.velocity;
         let swept = graph.cross(w, offset);
