@@ -3,7 +3,10 @@
 use std::ops::Range;
 
 use super::syntax::Unexpected;
-use crate::functions::names::dictionary::{advice, advice_on_frame, advice_on_variable};
+use crate::{
+    diagnostic::nearest,
+    functions::names::dictionary::{advice, advice_on_frame, advice_on_variable},
+};
 
 /// Why a function cannot be had.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -201,6 +204,9 @@ impl RequestError {
 /// The most frames that are listed.
 const MOST_LISTED: usize = 20;
 
+/// The most frames that are listed.
+const FEW_FRAMES: usize = 8;
+
 /// What there is instead of a frame.
 fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
     if let Some(body) = jointed {
@@ -212,11 +218,36 @@ fn frames(name: &str, jointed: Option<&str>, known: &[String]) -> String {
     if let Some(advice) = advice_on_frame(name) {
         return advice;
     }
-    match known.len() {
-        0 => "there are none".to_owned(),
-        count if count > MOST_LISTED => format!("there are {count}, such as {}", names(known)),
-        _ => format!("there are {}", names(known)),
+    let count = known.len();
+    if count == 0 {
+        return "there are none".to_owned();
     }
+    if count <= FEW_FRAMES {
+        return format!("there are {}", names(known));
+    }
+    let all: Vec<&str> = known.iter().map(String::as_str).collect();
+    if let Some(near) = nearest(name, &all) {
+        return format!("did you mean `{}`?", near.escape_debug());
+    }
+    let some: Vec<String> = with_a_word_of(name, known).cloned().collect();
+    let some = if some.is_empty() { known } else { &some[..] };
+    let some = names(&some[..some.len().min(FEW_FRAMES)]);
+    format!("there are {count}, which `kane info MODEL` lists, such as {some}")
+}
+
+/// The names that have a word of another name.
+fn with_a_word_of<'k>(name: &str, known: &'k [String]) -> impl Iterator<Item = &'k String> {
+    let words = |name: &str| -> Vec<String> {
+        let lower = name.to_lowercase();
+        let words = lower.split(|letter: char| !letter.is_alphanumeric());
+        words
+            .filter(|word| word.len() > 1)
+            .map(str::to_owned)
+            .collect()
+    };
+    let own = words(name);
+    let has_one = move |other: &&String| words(other).iter().any(|word| own.contains(word));
+    known.iter().filter(has_one)
 }
 
 /// The first of them.

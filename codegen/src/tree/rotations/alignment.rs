@@ -56,7 +56,7 @@ impl Alignment {
     }
 
     /// The same of an axis across which two directions count: whatever the tolerance, they follow from what the axis is within
-    /// [`ALONG`].
+    /// 1e-9.
     pub fn with_directions(axis: Vector, tolerance: f64) -> (Self, f64) {
         let (along, _) = Self::of(axis, ALONG);
         let given = unit(axis);

@@ -70,7 +70,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "A,B")]
     functions: Option<Vec<String>>,
 
-    /// Show which partitions of the partial velocities are zero, Eqs. (16) and (30) of docs/equations.md
+    /// Show which partitions of the partial velocities are zero, Eqs. (16) and (30) of docs/equations.md, and the zeros of mass matrices
+    /// of more than 24 speeds
     #[arg(long)]
     partitions: bool,
 

@@ -52,7 +52,9 @@ pub(super) fn write(
     write_frames(out, "Frames", tree, &tree.markers)?;
     write_coordinates(out, tree)?;
     write_parameters(out, tree)?;
-    write_pattern(out, &shown.pattern)?;
+    if shown.partitions || shown.pattern.len() <= SCREEN {
+        write_pattern(out, &shown.pattern)?;
+    }
     if shown.partitions && !is_pictured(tree) {
         writeln!(
             out,
@@ -202,6 +204,9 @@ fn write_parameters(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
     }
     Ok(())
 }
+
+/// The most rows of a mass matrix that are shown unasked.
+const SCREEN: usize = 24;
 
 /// The mass matrix, an entry as one character: where it does not fit, nothing.
 fn write_pattern(out: &mut dyn Write, pattern: &[Vec<bool>]) -> io::Result<()> {
