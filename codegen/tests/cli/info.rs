@@ -293,7 +293,7 @@ fn drawing_is_xml_with_every_body_and_an_entry_of_the_pattern_each() {
         .filter(|text| !text.is_empty())
         .collect();
     assert_eq!(texts[..3], ["inertial frame", "1 hub", "2 shoulder"]);
-    let text = info(&[]);
+    let text = info(&["--partitions"]);
     let (_, pattern) = text.split_once("Mass matrix").unwrap();
     let pattern = pattern.split("\n\n").nth(1).unwrap();
     let entries = pattern.matches('x').count();
