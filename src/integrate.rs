@@ -5,8 +5,8 @@
 //! the time. The module `simulate` integrates to a tolerance instead of with a fixed step;
 //! [`discrete`](crate::discrete) has steps with derivatives, exactly on the manifold of quaternions.
 //!
-//! The step is explicit. A damper `d` at a joint where forces meet an inertia `I` stops it within `I / d` seconds, and a step must be shorter
-//! than 2.7 times that: otherwise speeds grow from step to step.
+//! The step is explicit. A damper `d` at a joint where forces meet an inertia `I` slows it by a factor e in `I / d` seconds, and a step must be
+//! shorter than 2.7 times that: otherwise speeds grow from step to step.
 
 use crate::functions::ForwardDynamics;
 use crate::vector::add_scaled;

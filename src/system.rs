@@ -41,12 +41,13 @@ pub trait System<R: Real> {
     /// For each of the `NU` speeds the index, from 0, of the body that it moves relative to its lower body.
     const SPEED_BODIES: &'static [usize];
 
-    /// For each of the `NB` bodies its joint: the places of its coordinates and speeds.
+    /// For each of the `NB` bodies its joint: the places of its coordinates and speeds. Without it each speed is the rate of the coordinate
+    /// of its place.
     const JOINTS: &'static [Joint] = &[];
     /// The frames of bodies that are fixed to others and part of them.
     const FRAMES: &'static [Frame] = &[];
-    /// The lower limits of the `NQ` coordinates, rad, m: data only; infinite if there is no limit. Those of joints that follow a coordinate
-    /// count.
+    /// The lower limits of the `NQ` coordinates, rad, m: data only; infinite if there is no limit. Here, above and for speeds, limits of
+    /// joints that follow count.
     const LOWER_LIMITS: &'static [f64] = &[];
     /// The upper limits of the `NQ` coordinates, rad, m.
     const UPPER_LIMITS: &'static [f64] = &[];

@@ -88,7 +88,7 @@ impl<R: Real, const NU: usize> Equations<R, NU> {
         self.remaining.weighted = self.remaining.weighted + half * weight * square;
     }
 
-    /// The greatest entry on the diagonal, of one's own scale where all are zero.
+    /// The greatest entry on the diagonal; a tiny number where all are zero.
     pub(super) fn scale(&self) -> R
     where
         R: PartialOrd,

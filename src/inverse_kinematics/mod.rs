@@ -121,7 +121,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// Brings quaternions to length one and coordinates to within their limits.
     fn admit<S: System<R, Q = [R; NQ]>>(&self, system: &S, q: &mut [R; NQ]) {
         manifold::scale_quaternions::<R, S>(q);
-        // Of a system without a table of joints. Steps here are not as small as an integrator's.
+        // Of quaternions that no table of joints has. Steps here are not as small as an integrator's.
         for _ in 0..NORMALIZATIONS {
             system.normalize(q);
         }
@@ -170,8 +170,8 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// Like [`Self::solve`], and if that does not reach the goals, again from other starting points: up to `starts` times in total,
     /// the first from `q`. `q` becomes the best found.
     ///
-    /// Another starting point has each coordinate with two limits at a random value between them, and each angle of a hinge without at a
-    /// random one of a full turn. The others start as in `q`: translations without limits, and orientations that are free. The same call
+    /// Another starting point has each coordinate with two limits at a random value between them, and each angle without whose rate is a
+    /// speed at a random one of a full turn. The others start as in `q`: translations without limits, and orientations with angular velocities. The same call
     /// always tries the same starting points. Of the poses that an arm of six or seven joints can reach, with 100 steps
     /// each, one start finds about half, ten find 99 of a hundred, fifty all of a thousand that were tried.
     pub fn search<S, G, const NU: usize>(

@@ -13,7 +13,7 @@ import pathlib
 import mujoco
 import numpy as np
 
-# How far each joint is from where the model is drawn, by the displacements of `a` and `f` and a constant.
+# How far each joint is from the reference pose, by the displacements of `a` and `f` and a constant.
 B = np.array([-0.5, 0.0, 0.1])
 C = (B - [0, 0, 0.2]) / 2
 D = np.array([0, 0, 0.3])

@@ -20,6 +20,22 @@ const JOINTS: [(&str, &[&str]); 5] = [
     ("fixed", &["weld", "rigid"]),
 ];
 
+/// Keys that stand elsewhere, and where.
+const PLACES: [(&str, &str); 3] = [
+    (
+        "gravity",
+        "gravity stands in the model; `kane convert` makes a model in this format of another one",
+    ),
+    ("frame", "frames stand in the model, as `[[frame]]`"),
+    ("body", "bodies stand in the model, as `[[body]]`"),
+];
+
+/// Where a key stands that is none here.
+pub(super) fn place(key: &str) -> Option<&'static str> {
+    let mut places = PLACES.into_iter();
+    places.find(|(own, _)| *own == key).map(|(_, place)| place)
+}
+
 /// Our key for one of another format.
 pub(super) fn key(name: &str) -> Option<&'static str> {
     found(&KEYS, name)

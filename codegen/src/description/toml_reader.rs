@@ -174,13 +174,17 @@ impl Reader {
                 .filter(|known| table.get(known).is_none())
                 .collect();
             let meant = elsewhere::key(key.value).filter(|own| absent.contains(own));
-            let help = match meant.or_else(|| nearest(key.value, &absent)) {
-                Some(known) => {
+            let meant = meant.or_else(|| nearest(key.value, &absent));
+            let help = match (meant, elsewhere::place(key.value)) {
+                (Some(known), _) => {
                     table.misspelt.push(known.to_owned());
                     format!("did you mean `{known}`?")
                 }
-                None if known.len() == 1 => format!("the only key here is {}", backquoted(known)),
-                None => format!("the keys here are {}", backquoted(known)),
+                (None, Some(place)) => place.to_owned(),
+                (None, None) if known.len() == 1 => {
+                    format!("the only key here is {}", backquoted(known))
+                }
+                (None, None) => format!("the keys here are {}", backquoted(known)),
             };
             self.faults.push(
                 Diagnostic::error(message)

@@ -94,13 +94,16 @@ pub fn differences(old: &Outline, new: &Outline) -> Differences {
     let added = without(&new.bodies, &old.bodies);
     let removed = without(&old.bodies, &new.bodies);
     let mut values_of_the_tree = values.iter().filter(|change| change.is_of_the_tree());
-    let is_same_tree = added.is_empty()
-        && removed.is_empty()
+    let names =
+        |bodies: &[Body]| -> Vec<String> { bodies.iter().map(|body| body.name.clone()).collect() };
+    let is_same_tree = names(&old.bodies) == names(&new.bodies)
         && values_of_the_tree.all(|change| change.key == "joint_name");
     let layouts = old.layouts.iter().zip(&new.layouts);
     let layouts = layouts.filter_map(|((layout, old), (_, new))| {
         let change = layout_change(*layout, old, new)?;
-        Some(if is_same_tree {
+        // Of parameters another one may stand there.
+        let is_of_joints = matches!(layout, Layout::Coordinates | Layout::Speeds);
+        Some(if is_same_tree && is_of_joints {
             renamed(change)
         } else {
             change

@@ -38,11 +38,16 @@ pub(crate) fn check(description: &Description, findings: &mut Vec<Diagnostic>) -
         let mut moments = principal(components).0;
         moments.sort_by(f64::total_cmp);
         let [small, middle, large] = moments;
+        // Rounding leaves little of what is zero.
+        let shown = |moment: f64| {
+            let is_rounding = moment.abs() < 1e-14 * large.abs().max(small.abs());
+            short(if is_rounding { 0.0 } else { moment })
+        };
         let shown_moments = format!(
             "principal moments {}, {} and {}",
-            short(small),
-            short(middle),
-            short(large)
+            shown(small),
+            shown(middle),
+            shown(large)
         );
         if small < -NEGATIVE * large.abs().max(small.abs()) {
             let fault = Diagnostic::warning(format!(

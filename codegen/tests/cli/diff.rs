@@ -113,6 +113,29 @@ fn renamed_joint_moves_nothing() {
 }
 
 #[test]
+fn another_parameter_at_a_place_breaks_what_fills_them_in_order() {
+    let project = Project::empty();
+    let model = model("arm", "2.0");
+    let at_run_time = |number: &str| {
+        assert!(model.contains(number), "{model}");
+        model.replace(
+            number,
+            &number.replacen("1.5", "{ runtime = 1.5 }", 1).replacen(
+                "-0.4",
+                "{ runtime = -0.4 }",
+                1,
+            ),
+        )
+    };
+    project.write("old.toml", &at_run_time("mass = 1.5"));
+    project.write("new.toml", &at_run_time("0.02, -0.4]"));
+    let ran = project.kane(&["diff", "old.toml", "new.toml"]);
+    assert_eq!(ran.code, 1);
+    let told = "BREAKING: the places in Parameters changed\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+}
+
+#[test]
 fn removed_body_is_told_with_the_place_that_it_had() {
     let project = Project::empty();
     let new = model("arm", "2.0");

@@ -36,7 +36,10 @@ fn places_may_be_named() {
             "loads": {"fore": {"force": [1, 2, 3], "moment": [0, 0, 1]}}}"#,
     );
     assert_eq!((listed.code, &listed.out), (0, &named.out));
-    let ran = arm("bias", r#"{"q": {"fore_theta": 0.3}, "u": {"fore": [1]}}"#);
+    let ran = arm(
+        "bias",
+        r#"{"q": {"fore_theta": 0.3}, "u": {"fore": [1], "upper_s2": 1, "upper_s2_dot": 2}}"#,
+    );
     assert_eq!(ran.code, 2);
     insta::assert_snapshot!(ran.err, @"
     error: `q.fore_theta` names none of the coordinates
@@ -46,6 +49,9 @@ fn places_may_be_named() {
     error: `u.fore` names none of the speeds
     --> state.json
      = help: the speeds are upper_theta1, upper_s2, fore_theta2
+
+    error: `u.upper_s2_dot` is `upper_s2` by another name; expected one
+    --> state.json
     ");
 }
 

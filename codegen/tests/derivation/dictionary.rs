@@ -56,10 +56,7 @@ fn unknown_names_are_met_with_advice() {
     }
     assert_eq!(advice("all"), "it stands alone");
     assert_eq!(advice("defualt"), "did you mean `default`?");
-    assert_eq!(
-        advice("spatial_jacobian"),
-        "did you mean `jacobian(FRAME)`?"
-    );
+    assert!(advice("spatial_jacobian").ends_with("none is about the inertial origin"));
     assert_eq!(
         advice("operational_space_inertia"),
         "`operational_inverse_inertia(FRAME)` writes its inverse"

@@ -94,7 +94,7 @@ fn tied_joints_move_as_mujocos_on_the_states_that_obey_the_equalities() {
 }
 
 #[test]
-fn displacements_are_counted_from_where_the_model_is_drawn() {
+fn displacements_are_counted_from_the_reference_pose() {
     let right = std::f64::consts::FRAC_PI_2;
     let text = tied(
         "<joint joint1=\"a\" joint2=\"c\" polycoef=\"0.25 2\"/><joint joint1=\"b\" joint2=\"c\"/>",
@@ -141,7 +141,7 @@ fn joint_alone_is_held_and_what_follows_it_too() {
         (kind(two), kind(three)),
         (JointKind::Fixed, JointKind::Fixed)
     );
-    // From where it is drawn, whatever its coordinate is there.
+    // From the reference pose, whatever its coordinate is there.
     assert_close(
         "slide",
         &[number(three.joint.attachment[2])],
@@ -300,7 +300,7 @@ fn equalities_with_the_world_hold_for_all_that_is_copied() {
   <attach model=\"m\" prefix=\"p_\"/></worldbody></mujoco>";
     let model = parse(text, &[("m.xml", child)]);
     assert_eq!(errors(&model).len(), 2);
-    // Held where it is drawn.
+    // Held in the reference pose.
     assert!(mimics(&model).is_empty());
     let kinds = model.bodies.iter().map(|body| body.joint.kind.as_ref());
     let kinds: Vec<_> = kinds.map(|kind| &kind.unwrap().value).collect();

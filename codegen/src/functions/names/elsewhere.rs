@@ -253,7 +253,11 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
 ];
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 10] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 11] = [
+    (
+        "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
+        &["spatialjacobian"],
+    ),
     (
         "forces of contacts follow from `operational_inverse_inertia(FRAME, ..)` and `acceleration(FRAME)`: docs/dictionary.md, \"Contact\"",
         &[

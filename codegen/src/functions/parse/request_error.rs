@@ -201,7 +201,7 @@ impl RequestError {
     }
 }
 
-/// The most frames that are listed.
+/// The most names that are listed.
 const MOST_LISTED: usize = 20;
 
 /// The most frames that are listed.

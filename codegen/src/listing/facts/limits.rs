@@ -23,8 +23,11 @@ impl Limits {
         let (lower, upper) = ranges(tree).into_iter().unzip();
         let mut velocity = along_speeds(tree, |mechanics| mechanics.velocity);
         for (Motion { speed, factor }, mechanics) in following(tree) {
-            let own = &mut velocity[speed.index()];
-            *own = own.min(mechanics.velocity / factor.abs());
+            // Files say zero where they say nothing.
+            if mechanics.velocity > 0.0 {
+                let own = &mut velocity[speed.index()];
+                *own = own.min(mechanics.velocity / factor.abs());
+            }
         }
         Self {
             lower,
@@ -36,8 +39,8 @@ impl Limits {
     }
 }
 
-/// The least and the greatest value of each coordinate at which no joint that it moves passes a limit: those that follow count, unless
-/// nothing would be left.
+/// The least and the greatest value of each coordinate at which no joint that it moves passes a limit. Those that follow count, unless
+/// no motion would be left; files say zero to zero where they say nothing.
 fn ranges(tree: &Tree) -> Vec<(f64, f64)> {
     let mut own = vec![(f64::NEG_INFINITY, f64::INFINITY); tree.n_coordinates];
     let mut all = own.clone();
@@ -58,17 +61,17 @@ fn ranges(tree: &Tree) -> Vec<(f64, f64)> {
                     multiplier,
                     offset,
                     ..
-                } => {
+                } if lower < upper => {
                     let [a, b] = [lower, upper].map(|limit| (limit - offset) / multiplier);
                     let all = &mut all[coordinate.index()];
                     *all = (all.0.max(a.min(b)), all.1.min(a.max(b)));
                 }
-                Coordinate::Locked(_) => {}
+                Coordinate::Mimic { .. } | Coordinate::Locked(_) => {}
             }
         }
     }
     let pairs = own.into_iter().zip(all);
-    let ranges = pairs.map(|(own, all)| if all.0 <= all.1 { all } else { own });
+    let ranges = pairs.map(|(own, all)| if all.0 < all.1 { all } else { own });
     ranges.collect()
 }
 

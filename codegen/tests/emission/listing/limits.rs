@@ -36,7 +36,13 @@ fn joints_that_follow_limit_the_one_that_leads() {
 }
 
 #[test]
-fn a_limit_that_no_position_meets_does_not_count() {
+fn limits_that_leave_no_motion_do_not_count() {
+    // As files say it where they say nothing.
+    let absent = limits("multiplier = 2 }\nlimits = { lower = 0, upper = 0, velocity = 0 }");
+    assert_eq!((absent.lower, absent.upper), (vec![-1.0], vec![1.0]));
+    assert_eq!(absent.velocity, [10.0]);
+    let touching = limits("multiplier = -1 }\nlimits = { lower = 1, upper = 2 }");
+    assert_eq!((touching.lower, touching.upper), (vec![-1.0], vec![1.0]));
     let none = limits(&format!(
         "offset = {TAU} }}\nlimits = {{ lower = -1, upper = 1 }}"
     ));

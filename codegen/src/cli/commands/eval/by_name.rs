@@ -7,7 +7,7 @@ use kane_codegen::{
 
 /// What the places of an argument's outer list are called.
 pub(super) struct Places {
-    /// For each its names.
+    /// For each its name, and perhaps another one.
     names: Vec<Vec<String>>,
     /// For each the number that it has where it is not named.
     pub(super) otherwise: Vec<f64>,
@@ -49,8 +49,11 @@ impl Places {
 
     /// The place with this name.
     pub(super) fn place(&self, name: &str) -> Option<usize> {
-        let is_own = |names: &Vec<String>| names.iter().any(|own| own == name);
-        self.names.iter().position(is_own)
+        let called = |nth: usize| {
+            let mut names = self.names.iter();
+            names.position(|own| own.get(nth).is_some_and(|own| own == name))
+        };
+        called(0).or_else(|| called(1))
     }
 
     /// The first name of each.

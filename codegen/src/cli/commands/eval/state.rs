@@ -133,9 +133,16 @@ impl Reader<'_> {
             let inputs = (place * n_own..(place + 1) * n_own).map(|own| argument.input(own));
             self.state.extend(inputs.map(|input| (input, number)));
         }
+        let mut given: BTreeMap<usize, &str> = BTreeMap::new();
         for (name, value) in named {
             let what = format!("{}.{}", argument.name(), name.escape_debug());
             if let Some(place) = places.place(name) {
+                if let Some(other) = given.insert(place, name) {
+                    let other = other.escape_debug();
+                    self.fault(format!(
+                        "`{what}` is `{other}` by another name; expected one"
+                    ));
+                }
                 let mut first = place * n_own;
                 self.array(argument, &what, value, (inner, &numbers(inner)), &mut first);
             } else if !self.faults.is_full(Severity::Error) {

@@ -4,6 +4,7 @@ use kane_codegen::{
     companions::Abi,
     description::{Base, Chart, Reading, toml::quoted},
     functions::parse::syntax::written,
+    id::BodyId,
     options::Options,
     tree::{Changes, Tree},
 };
@@ -30,11 +31,13 @@ pub(super) fn config(
         leave_out.iter().map(|name| quoted(name)),
     );
     let abi = abi.map(|abi| format!("abi = \"{}\"\n", name_of(&abi, &Abi::ALL)));
-    // Tools are what is fixed to bodies last. A model that is generated moves something.
+    // Tools and feet are at the ends, and what is fixed there. A model that is generated moves something.
+    let is_end = |body: &BodyId| tree.uppers(*body).is_empty();
+    let bodies = tree.body_ids().filter(is_end);
+    let bodies = bodies.map(|body| tree.body(body).name.as_str());
     let frames = tree.frames.iter().chain(&tree.markers);
-    let frames = frames.filter(|frame| frame.body.is_some());
+    let frames = frames.filter(|frame| frame.body.as_ref().is_some_and(is_end));
     let frames = frames.map(|frame| frame.name.as_str());
-    let bodies = tree.bodies.iter().map(|body| body.name.as_str());
     let last = bodies.chain(frames).last().unwrap_or_default();
     let jacobian = quoted(&format!("jacobian({})", written(last)));
     let changes = changes(options);
