@@ -16,16 +16,32 @@ const ROBOT: &str = "<robot name=\"bird\">
     <joint name=\"shoulder\" type=\"continuous\"><parent link=\"hull\"/><child link=\"wing\"/><axis xyz=\"1 0 0\"/></joint>
     </robot>";
 
+/// An arm as exporters write it: with rounded right angles, of which sines and cosines multiply, and a light finger with a damper that stops
+/// it within a third of a millisecond.
+const GRIPPER: &str = "<robot name=\"gripper\">
+    <link name=\"base\"/>
+    <link name=\"arm\"><inertial><origin xyz=\"0.1 0.2 0.3\"/><mass value=\"1\"/>
+    <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+    <link name=\"finger\"><inertial><origin xyz=\"0.01 0 0.01\"/><mass value=\"0.1\"/>
+    <inertia ixx=\"0.0003\" iyy=\"0.0003\" izz=\"0.0003\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>
+    <joint name=\"elbow\" type=\"continuous\"><parent link=\"base\"/><child link=\"arm\"/>
+    <origin xyz=\"0.06 0 0\" rpy=\"1.5708 0 -3.1416\"/><axis xyz=\"0 0 1\"/></joint>
+    <joint name=\"grip\" type=\"continuous\"><parent link=\"arm\"/><child link=\"finger\"/>
+    <origin xyz=\"0.5 0 0.5\"/><axis xyz=\"0 1 0\"/><dynamics damping=\"1\"/></joint>
+    </robot>";
+
 #[test]
 fn new_packages_run_pass_their_tests_and_are_up_to_date() {
     let project = Project::empty();
     project.write("bird.urdf", ROBOT);
+    project.write("gripper.urdf", GRIPPER);
     let kane = repository("");
     let kane = kane.to_str().unwrap();
     let target = project.path("target");
     for arguments in [
         &["new", "pendulum", "--kane", kane][..],
         &["new", "bird", "bird.urdf", "--base", "free", "--kane", kane],
+        &["new", "gripper", "gripper.urdf", "--kane", kane],
     ] {
         let name = arguments[1];
         let ran = project.kane(arguments);
