@@ -108,7 +108,7 @@ pub mod rounded_angles;
 pub mod budget;
 pub mod config;
 // How files of ours are known.
-pub mod signs;
+pub mod ownership;
 // Files.
 pub mod input;
 pub mod output;

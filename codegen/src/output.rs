@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::{error::Error, input, signs};
+use crate::{error::Error, input, ownership};
 
 /// How the names of files begin and end that are not whole yet.
 const PREFIX: &str = ".kane-generate-";
@@ -86,7 +86,7 @@ pub fn stage(path: &Path, text: &str, overwrite: Overwrite) -> Result<Staged, Er
                 path: path.to_owned(),
             });
         }
-        Some(old) if overwrite == Overwrite::Generated && !signs::is_ours(&old) => {
+        Some(old) if overwrite == Overwrite::Generated && !ownership::is_ours(&old) => {
             return Err(Error::NotGenerated {
                 path: path.to_owned(),
             });

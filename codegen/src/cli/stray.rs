@@ -12,7 +12,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use kane_codegen::{config::clean_path, error::Error, signs};
+use kane_codegen::{config::clean_path, error::Error, ownership};
 
 use crate::cli::{Failures, job::Job, paths};
 
@@ -104,7 +104,7 @@ fn visit(
 fn is_ours(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
     File::open(path)?
-        .take(signs::SIGN_BYTES)
+        .take(ownership::SIGN_BYTES)
         .read_to_end(&mut start)?;
-    Ok(signs::is_ours(&start))
+    Ok(ownership::is_ours(&start))
 }

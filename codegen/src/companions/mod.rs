@@ -1,7 +1,7 @@
 //! Files beside a module, for those who ask for them.
 //!
 //! In: a module ready to be emitted. Out: texts, each with its place beside the module. Afterwards: each begins with the sign
-//! of its format, [`SIGNS`](crate::signs::SIGNS), and follows from what the module follows from. Does not: change
+//! of its format, [`SIGNS`](crate::ownership::SIGNS), and follows from what the module follows from. Does not: change
 //! the module's own text.
 
 use std::{

@@ -8,9 +8,8 @@ use std::{
 use clap::Args;
 use kane_codegen::{
     generate::Generated,
-    output,
+    output, ownership,
     report::{self, Comparison},
-    signs,
 };
 
 use crate::cli::{
@@ -133,7 +132,7 @@ fn write_files(
         writeln!(out, "to see the lines, add --lines")?;
     }
     let is_foreign = |file: &Compared<'_>| match &file.found {
-        Found::Differs(old) => !signs::is_ours(old.as_bytes()),
+        Found::Differs(old) => !ownership::is_ours(old.as_bytes()),
         Found::Same | Found::Missing | Found::LineEnds => false,
     };
     let is_forced = arguments.force || files.iter().any(is_foreign);
@@ -223,7 +222,7 @@ fn write_file(
                     "{path} differs in layout only: `#[rustfmt::skip]` at its `mod` keeps `cargo fmt` from it"
                 )?;
             }
-            if !signs::is_ours(old.as_bytes()) {
+            if !ownership::is_ours(old.as_bytes()) {
                 writeln!(out, "{path} was not written by `kane generate`")?;
             }
             write_comparison(out, file, old)?;

@@ -8,7 +8,7 @@ use crate::description::mjcf::bodies::Found;
 use crate::description::mjcf::contents::around::Around;
 use crate::description::mjcf::joints::ties::{Equation, Ties};
 use crate::description::mjcf::known;
-use crate::description::mjcf::leaving::{advice, left_out};
+use crate::description::mjcf::left_out::{advice, left_out};
 use crate::description::mjcf::mocap::Mocap;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;

@@ -1,7 +1,7 @@
 //! `gravcomp`: forces against the weights of bodies.
 
 use crate::description::mjcf::chain::Bodies;
-use crate::description::mjcf::leaving::{advice, left_out};
+use crate::description::mjcf::left_out::{advice, left_out};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::settings::Switch;

@@ -8,6 +8,7 @@
 //!
 //! Nothing here calls itself: however deep a file, the stack does not grow.
 
+mod beside_bodies;
 mod bodies;
 mod chain;
 mod contents;
@@ -17,14 +18,13 @@ mod finite;
 mod fused;
 mod joints;
 mod known;
-mod leaving;
+mod left_out;
 mod lifted;
 mod mass;
 mod mocap;
 mod model;
 mod names;
 mod orientation;
-mod others;
 mod parse;
 mod placement;
 mod sites;

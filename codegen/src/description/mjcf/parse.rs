@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::mass::inertial::baked;
 use crate::description::mjcf::model::Beside;
-use crate::description::mjcf::model::budget::Budget;
+use crate::description::mjcf::model::mesh_budget::Budget;
 use crate::description::mjcf::model::models::{self, Models};
-use crate::description::mjcf::{bodies, equalities, files::include, finite, others, sites};
+use crate::description::mjcf::{beside_bodies, bodies, equalities, files::include, finite, sites};
 use crate::description::xml::{Element, Mended, Reader};
 use crate::description::{Description, Include, Reading};
 use crate::diagnostic::{Diagnostic, Source, Spanned};
@@ -50,7 +50,7 @@ fn read<'d>(
 ) -> Option<Description> {
     let models = Models::read(reader, files, root, beside)?;
     let main = models.main();
-    others::read(reader, main);
+    beside_bodies::read(reader, main);
     let found = bodies::read(reader, &models);
     if let Some(span) = main.settings.merges.filter(|_| found.attaches()) {
         let message =
@@ -60,7 +60,7 @@ fn read<'d>(
     }
     let attached: BTreeSet<usize> = found.copies.iter().map(|around| around.model).collect();
     for number in attached.into_iter().filter(|number| *number != 0) {
-        others::read(reader, &models.list[number]);
+        beside_bodies::read(reader, &models.list[number]);
     }
     let ties = equalities::read(reader, &models, &found);
     let total_mass = main.settings.total_mass;

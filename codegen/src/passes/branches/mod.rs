@@ -7,14 +7,14 @@
 
 mod alike;
 mod calls;
-mod given;
+mod givens;
 mod groups;
 mod layers;
 mod signs;
 mod traced;
 mod write;
 
-use self::{alike::Branches, calls::Calls, given::Givens, groups::Groups, traced::Traced};
+use self::{alike::Branches, calls::Calls, givens::Givens, groups::Groups, traced::Traced};
 use crate::{
     expr::{Expr, ExprGraph},
     functions::Argument,

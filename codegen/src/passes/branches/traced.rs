@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 
 use super::{
     alike::{Branch, Branches},
-    given::{Given, Givens},
+    givens::{Given, Givens},
 };
 use crate::{
     expr::{CallId, CallResult, Expr, ExprGraph, Input, Node, NodeId},

@@ -6,7 +6,7 @@ use crate::description::Include;
 use crate::description::mesh::{self, Change, Fault, Filling, Format, MeshShape, Surface};
 use crate::description::mjcf::files::paths::{file_name, is_absolute};
 use crate::description::mjcf::model::attributes::Attributes;
-use crate::description::mjcf::model::budget::Budget;
+use crate::description::mjcf::model::mesh_budget::Budget;
 use crate::description::mjcf::model::settings::{Settings, Switch};
 use crate::description::xml::Reader;
 use crate::diagnostic::{Diagnostic, Span, Spanned, shown};

@@ -2,10 +2,10 @@
 
 pub(in crate::description::mjcf) mod angles;
 pub(in crate::description::mjcf) mod attributes;
-pub(in crate::description::mjcf) mod budget;
 pub(in crate::description::mjcf) mod copies;
 pub(in crate::description::mjcf) mod defaults;
 pub(in crate::description::mjcf) mod mesh_asset;
+pub(in crate::description::mjcf) mod mesh_budget;
 pub(in crate::description::mjcf) mod meshes;
 pub(in crate::description::mjcf) mod models;
 pub(in crate::description::mjcf) mod parts;
@@ -16,8 +16,8 @@ use std::collections::BTreeMap;
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::known;
 use crate::description::mjcf::model::attributes::Attributes;
-use crate::description::mjcf::model::budget::Budget;
 use crate::description::mjcf::model::defaults::{Class, Defaults};
+use crate::description::mjcf::model::mesh_budget::Budget;
 use crate::description::mjcf::model::meshes::Meshes;
 use crate::description::mjcf::model::parts::Parts;
 use crate::description::mjcf::model::settings::Settings;

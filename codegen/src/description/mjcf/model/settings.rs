@@ -3,7 +3,7 @@
 use crate::description::mjcf::files::Files;
 use crate::description::mjcf::files::paths::is_absolute;
 use crate::description::mjcf::known;
-use crate::description::mjcf::leaving::{advice, left_out};
+use crate::description::mjcf::left_out::{advice, left_out};
 use crate::description::mjcf::model::angles::{AngleUnit, EulerAxis, XYZ};
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::xml::{Element, Reader};

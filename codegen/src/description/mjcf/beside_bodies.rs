@@ -2,7 +2,7 @@
 
 use crate::description::LeftOut;
 use crate::description::mjcf::known;
-use crate::description::mjcf::leaving::{self, advice};
+use crate::description::mjcf::left_out::{self, advice};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::defaults::{Class, ElementKind};
@@ -116,7 +116,7 @@ fn tendons<'d>(
                 if model.reading.leaves_out(LeftOut::Tendons) {
                     let message = format!("`{name}` of {} is left out", given.owner);
                     let kind = ("forces of tendons that are left out", &*given.owner);
-                    leaving::left_out(reader, message, bad.span, kind);
+                    left_out::left_out(reader, message, bad.span, kind);
                 } else {
                     let fault = Diagnostic::error(not_supported(&given, name, bad));
                     let fault = fault.at(bad.span, "expected 0");

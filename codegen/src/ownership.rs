@@ -1,4 +1,4 @@
-//! The signs by which files of ours are known.
+//! Whose a file is: the signs by which ours are known.
 //!
 //! In: a text, or its first [`SIGN_BYTES`]. Out: whether we wrote it, so that nobody else's file is overwritten or removed. Does
 //! not: write a sign; the lines of an [`Origin`](crate::origin::Origin) and the manifest begin with them.
