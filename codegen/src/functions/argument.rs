@@ -306,7 +306,7 @@ impl Argument {
 
     /// The lengths of its nested arrays, outermost first.
     pub fn lengths(self, tree: &Tree) -> Vec<usize> {
-        let of_tree = |axis| unreachable!("functions: an argument has no axis {axis:?}");
+        let of_tree = |dimension| unreachable!("functions: an argument has no {dimension:?}");
         match self {
             Self::Multiplier(own) => own.lengths(tree),
             _ => self.shape().lengths(tree, of_tree),
@@ -315,7 +315,7 @@ impl Argument {
 
     /// The same as generated code names them.
     pub(super) fn declared_lengths(self) -> Vec<Length> {
-        let of_tree = |axis| unreachable!("functions: an argument has no axis {axis:?}");
+        let of_tree = |dimension| unreachable!("functions: an argument has no {dimension:?}");
         match self {
             Self::Multiplier(own) => own.declared(),
             _ => self.shape().declared(of_tree),

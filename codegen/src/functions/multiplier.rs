@@ -13,7 +13,7 @@ pub struct Multiplier {
     name: &'static str,
     shape: Shape,
     /// The length of the dimensions that the function decides.
-    own: usize,
+    own_length: usize,
 }
 
 /// What it is called where the output is the only one.
@@ -28,13 +28,13 @@ const SAMPLED: [(Shape, &str); 4] = [
 ];
 
 impl Multiplier {
-    /// One with this name, of the output at a place with this shape; `own` is the length of dimensions that the function decides.
-    pub(super) fn of(place: usize, name: &'static str, shape: Shape, own: usize) -> Self {
+    /// One with this name, of the output at a place with this shape; `own_length` is that of dimensions that the function decides.
+    pub(super) fn of(place: usize, name: &'static str, shape: Shape, own_length: usize) -> Self {
         Self {
             place,
             name,
             shape,
-            own,
+            own_length,
         }
     }
 
@@ -80,11 +80,11 @@ impl Multiplier {
 
     /// The lengths of its nested arrays, outermost first.
     pub(super) fn lengths(self, tree: &Tree) -> Vec<usize> {
-        self.shape.lengths(tree, |_| self.own)
+        self.shape.lengths(tree, |_| self.own_length)
     }
 
     /// The same as generated code names them.
     pub(super) fn declared(self) -> Vec<Length> {
-        self.shape.declared(|_| Length::Number(self.own))
+        self.shape.declared(|_| Length::Number(self.own_length))
     }
 }

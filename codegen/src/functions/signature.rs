@@ -215,9 +215,13 @@ impl Request {
             }
         }
         for part in self.parts() {
-            arguments.extend(self.outputs_of(part).into_iter().map(|output| Declared {
-                lengths: output.shape.declared(|axis| part.own_declared(axis)),
-                ..Declared::written(&output.name, Element::Scalar)
+            arguments.extend(self.outputs_of(part).into_iter().map(|output| {
+                Declared {
+                    lengths: output
+                        .shape
+                        .declared(|dimension| part.own_declared(dimension)),
+                    ..Declared::written(&output.name, Element::Scalar)
+                }
             }));
         }
         Signature {

@@ -89,15 +89,20 @@ impl Derivative {
         }
     }
 
-    /// What it is given beside the function's own arguments; `own` is the length of axes that the function decides.
-    pub(in crate::functions) fn arguments(&self, of: &[Output], own: usize) -> Vec<Argument> {
+    /// What it is given beside the function's own arguments; `own_length` is that of dimensions
+    /// that the function decides.
+    pub(in crate::functions) fn arguments(
+        &self,
+        of: &[Output],
+        own_length: usize,
+    ) -> Vec<Argument> {
         match self.kind {
             DerivativeKind::Jacobian | DerivativeKind::PackedJacobian => Vec::new(),
             DerivativeKind::Jvp => self.by.iter().filter_map(Variable::direction).collect(),
             DerivativeKind::Vjp | DerivativeKind::Hessian => {
                 let outputs = of.iter().enumerate();
                 let multiplier = |(place, output): (usize, &Output)| {
-                    Multiplier::of(place, output.multiplier, output.shape, own)
+                    Multiplier::of(place, output.multiplier, output.shape, own_length)
                 };
                 outputs
                     .map(|output| Argument::Multiplier(multiplier(output)))

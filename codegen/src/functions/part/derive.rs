@@ -73,7 +73,7 @@ impl Part {
             let outputs = self.function.outputs.iter();
             let lengths = outputs.map(|output| output.shape.lengths(tree, own_length));
             let sizes: Vec<usize> = lengths.map(|lengths| lengths.iter().product()).collect();
-            let multipliers = derivative.arguments(self.function.outputs, self.own_of_subject());
+            let multipliers = derivative.arguments(self.function.outputs, self.subject_length());
             let values = derived.roots.split_off(first);
             let asked = Asked {
                 multipliers: &multipliers,

@@ -113,14 +113,14 @@ impl Part {
     pub(super) fn arguments(&self) -> Vec<Argument> {
         let derivative = self.derivative.iter();
         let own = derivative.flat_map(|derivative| {
-            derivative.arguments(self.function.outputs, self.own_of_subject())
+            derivative.arguments(self.function.outputs, self.subject_length())
         });
         let arguments = self.function.arguments.iter().copied();
         arguments.chain(own).collect()
     }
 
     /// The length of the dimensions of its values that its subject decides, zero where none is.
-    fn own_of_subject(&self) -> usize {
+    fn subject_length(&self) -> usize {
         let writes = |dimension| self.function.writes(dimension);
         match &self.subject {
             Some(subject) if writes(Dimension::FrameSpeeds) => subject.n_speeds,
@@ -178,7 +178,7 @@ impl Part {
             // Which there are follows from the model's own numbers: the trees of drawn numbers take them over.
             base_parameters::find_now(tree);
         }
-        let of = (self.function.outputs, self.own_of_subject());
+        let of = (self.function.outputs, self.subject_length());
         derivative.sparsity(tree, of, |tree| {
             let mut derived = Derived::default();
             let candidate = self.candidate(tree, Formulation::Recursive);
