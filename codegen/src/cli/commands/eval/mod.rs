@@ -253,7 +253,17 @@ fn read_state(path: &Path) -> Result<Source, Error> {
     let (name, text) = if path == Path::new("-") {
         ("standard input".into(), input::text_from(io::stdin()))
     } else {
-        (path.to_string_lossy(), input::text(path))
+        let is_pipe = path
+            .metadata()
+            .is_ok_and(|file| !file.is_file() && !file.is_dir());
+        let text = if is_pipe {
+            Err(io::Error::other(
+                "it is no regular file; `--state -` reads standard input",
+            ))
+        } else {
+            input::text(path)
+        };
+        (path.to_string_lossy(), text)
     };
     let text = text.map_err(|source| Error::Io {
         path: PathBuf::from(&*name),
