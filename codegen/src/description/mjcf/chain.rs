@@ -17,13 +17,13 @@ use crate::limits::SPRING_UPDATES;
 /// The bodies of a model, before they have their names, weights and seats.
 #[derive(Debug, Default)]
 pub(super) struct Bodies {
-    list: Vec<ChainedBody>,
+    pub(super) list: Vec<ChainedBody>,
 }
 
 /// A body and the joint by which it hangs.
 #[derive(Debug)]
-struct ChainedBody {
-    span: Span,
+pub(super) struct ChainedBody {
+    pub(super) span: Span,
     /// `None` where the body is fixed.
     joint: Option<JointElement>,
     /// Where the body stands in its lower body.
@@ -31,11 +31,11 @@ struct ChainedBody {
     /// Where the joint is placed in the file.
     joint_span: Span,
     /// The number of its lower body, from 1, or 0 for the world.
-    lower: usize,
+    pub(super) lower: usize,
     wish: Wish,
-    weight: Weight,
+    pub(super) weight: Weight,
     /// Whether it is part of its lower body, in MuJoCo.
-    is_fused: bool,
+    pub(super) is_fused: bool,
     /// The share of its weight that is lifted.
     lifted: Optional<Scalar>,
 }
@@ -141,54 +141,9 @@ impl Bodies {
         });
     }
 
-    /// Takes the weights of bodies that MuJoCo fuses where it weighs geoms alone: of those that are fused with one another the geoms
-    /// count, or else the `inertial` of the first. True where that changes a mass.
-    pub(super) fn weigh_geoms_of_fused(&mut self) -> bool {
-        let (first, mut is_changed) = (self.first_of_fused(), false);
-        let mut has_geoms = vec![false; self.list.len()];
-        for (body, first) in self.list.iter().zip(&first) {
-            has_geoms[*first] |= body.weight.is_of_geoms();
-        }
-        for (place, (body, first)) in self.list.iter_mut().zip(first).enumerate() {
-            let counts = body.weight.is_of_geoms() || place == first && !has_geoms[first];
-            if !counts && body.mass().is_some_and(|mass| mass != 0.0) {
-                body.weight = Weight::zero(body.span);
-                is_changed = true;
-            }
-        }
-        is_changed
-    }
-
-    /// True where something that is fused with the world has a mass.
-    pub(super) fn has_mass_in_the_world(&self) -> bool {
-        let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();
-        self.total_mass() != total
-    }
-
     /// True where some weight is lifted.
     pub(super) fn lifts_any(&self) -> bool {
         self.list.iter().any(|body| body.lifted.is_some())
-    }
-
-    /// For each body the first, by its place, of those with which it is fused: itself where it is not.
-    fn first_of_fused(&self) -> Vec<usize> {
-        let mut first: Vec<usize> = Vec::new();
-        for (place, body) in self.list.iter().enumerate() {
-            let lower = body.lower.checked_sub(1).filter(|_| body.is_fused);
-            first.push(lower.map_or(place, |lower| first[lower]));
-        }
-        first
-    }
-
-    /// The mass of all bodies; of none that is fused with the world.
-    fn total_mass(&self) -> f64 {
-        let first = self.first_of_fused().into_iter();
-        let bodies = self.list.iter().zip(first);
-        let counted = bodies.filter(|(_, first)| {
-            let first = &self.list[*first];
-            !(first.is_fused && first.lower == 0)
-        });
-        counted.filter_map(|(body, _)| body.mass()).sum()
     }
 
     /// Gives joints the springs and dampers that follow from their inertias.
@@ -267,7 +222,7 @@ impl Bodies {
 }
 
 impl ChainedBody {
-    fn mass(&self) -> Option<f64> {
+    pub(super) fn mass(&self) -> Option<f64> {
         Some(self.weight.properties()?.mass())
     }
 

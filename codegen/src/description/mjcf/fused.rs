@@ -1,6 +1,7 @@
 //! `fusestatic`: bodies without joints that MuJoCo makes parts of those that carry them, where masses depend on that.
 
-use crate::description::mjcf::chain::Bodies;
+use crate::description::mjcf::chain::{Bodies, ChainedBody};
+use crate::description::mjcf::mass::weight::Weight;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::models::Models;
 use crate::description::mjcf::model::settings::FromGeoms;
@@ -25,6 +26,53 @@ pub(super) fn settle(reader: &mut Reader, models: &Models<'_>, bodies: &mut Bodi
         let message = format!("which masses `fusestatic` changes is not known: {cause}");
         let fault = Diagnostic::error(message).at(place, "not supported");
         reader.faults.push(fault.help("leave out `fusestatic`"));
+    }
+}
+
+impl Bodies {
+    /// Takes the weights of bodies that MuJoCo fuses where it weighs geoms alone: of those that are fused with one another the geoms
+    /// count, or else the `inertial` of the first. True where that changes a mass.
+    fn weigh_geoms_of_fused(&mut self) -> bool {
+        let (first, mut is_changed) = (self.first_of_fused(), false);
+        let mut has_geoms = vec![false; self.list.len()];
+        for (body, first) in self.list.iter().zip(&first) {
+            has_geoms[*first] |= body.weight.is_of_geoms();
+        }
+        for (place, (body, first)) in self.list.iter_mut().zip(first).enumerate() {
+            let counts = body.weight.is_of_geoms() || place == first && !has_geoms[first];
+            if !counts && body.mass().is_some_and(|mass| mass != 0.0) {
+                body.weight = Weight::zero(body.span);
+                is_changed = true;
+            }
+        }
+        is_changed
+    }
+
+    /// True where something that is fused with the world has a mass.
+    fn has_mass_in_the_world(&self) -> bool {
+        let total: f64 = self.list.iter().filter_map(ChainedBody::mass).sum();
+        self.total_mass() != total
+    }
+
+    /// For each body the first, by its place, of those with which it is fused: itself where it is not.
+    fn first_of_fused(&self) -> Vec<usize> {
+        let mut first: Vec<usize> = Vec::new();
+        for (place, body) in self.list.iter().enumerate() {
+            let lower = body.lower.checked_sub(1).filter(|_| body.is_fused);
+            first.push(lower.map_or(place, |lower| first[lower]));
+        }
+        first
+    }
+
+    /// The mass of all bodies; of none that is fused with the world.
+    pub(super) fn total_mass(&self) -> f64 {
+        let first = self.first_of_fused().into_iter();
+        let bodies = self.list.iter().zip(first);
+        let counted = bodies.filter(|(_, first)| {
+            let first = &self.list[*first];
+            !(first.is_fused && first.lower == 0)
+        });
+        counted.filter_map(|(body, _)| body.mass()).sum()
     }
 }
 
