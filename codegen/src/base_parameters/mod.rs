@@ -35,15 +35,14 @@ pub(crate) fn find_now(tree: &Tree) {
 
 fn found(tree: &Tree) -> Vec<BaseParameter> {
     let nominal = parameters::nominal(tree);
-    let relations = if tree.parameters.is_empty() {
-        relations::found(tree, &Columns::new(tree, &nominal))
-    } else {
-        let changed = parameters::changed(tree, 1);
-        let pattern = relations::found(tree, &Columns::new(tree, &changed));
-        let columns = Columns::new(tree, &with_gravity(tree, nominal, &changed));
-        relations::like(tree, &columns, &pattern)
-    };
-    combined(&relations.of)
+    if tree.parameters.is_empty() {
+        let columns = Columns::new(tree, &nominal);
+        return combined(&relations::found(tree, &columns).of, &columns);
+    }
+    let changed = parameters::changed(tree, 1);
+    let pattern = relations::found(tree, &Columns::new(tree, &changed));
+    let columns = Columns::new(tree, &with_gravity(tree, nominal, &changed));
+    combined(&relations::like(tree, &columns, &pattern).of, &columns)
 }
 
 /// The nominal values, but with gravity of others. Where the nominal one is zero or along an axis, columns that gravity alone
@@ -62,8 +61,11 @@ fn with_gravity(tree: &Tree, nominal: Vec<f64>, others: &[f64]) -> Vec<f64> {
     values
 }
 
+/// A term that is smaller beside its column is rounding.
+const NO_TERM: f64 = 1e-14;
+
 /// What each column that is left stands for: its own parameter, and those whose columns it helps to give.
-fn combined(relations: &[Relation]) -> Vec<BaseParameter> {
+fn combined(relations: &[Relation], columns: &Columns) -> Vec<BaseParameter> {
     let mut shares: Vec<BTreeMap<usize, f64>> = Vec::with_capacity(relations.len());
     for (column, relation) in relations.iter().enumerate() {
         let mut share = BTreeMap::new();
@@ -87,7 +89,11 @@ fn combined(relations: &[Relation]) -> Vec<BaseParameter> {
     }
     let mut terms: BTreeMap<usize, Vec<(InertialParameter, f64)>> = BTreeMap::new();
     for (column, share) in shares.iter().enumerate() {
-        for (&left, &factor) in share.iter().filter(|(_, factor)| **factor != 0.0) {
+        let length = |place: usize| columns.at(place).length;
+        let is_term = |&(&left, factor): &(&usize, &f64)| {
+            left == column || factor.abs() * length(left) > NO_TERM * length(column)
+        };
+        for (&left, &factor) in share.iter().filter(is_term) {
             let own = terms.entry(left).or_default();
             let term = (columns::parameter(column), factor);
             if column == left {

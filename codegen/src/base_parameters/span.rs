@@ -26,6 +26,10 @@ const LITTLE: f64 = 1e-4;
 /// A rest that is smaller than so many times what rounding can have done is rounding, too.
 const ROUNDINGS: f64 = 10.0;
 
+/// How often factors are refined, and what they may lack: more than the rounding of common columns.
+const REFINEMENTS: usize = 3;
+const LACKING: f64 = 1e-13;
+
 /// A factor is nothing where its term is smaller, relative to the column.
 const NO_TERM: f64 = 1e-11;
 
@@ -42,7 +46,7 @@ impl<'a> Span<'a> {
         // Twice is enough for a rest that is orthogonal to all digits.
         for _ in 0..2 {
             for (total, unit) in along.iter_mut().zip(&self.basis) {
-                let part: f64 = rest.iter().zip(unit).map(|(a, b)| a * b).sum();
+                let part = dot(&rest, unit);
                 for (entry, own) in rest.iter_mut().zip(unit) {
                     *entry -= part * own;
                 }
@@ -70,12 +74,7 @@ impl<'a> Span<'a> {
 
     /// What the columns of the span give of a column: places with factors.
     pub(super) fn terms(&self, column: &Column, projected: &Projected) -> Vec<(usize, f64)> {
-        let mut of_units = vec![0.0; self.columns.len()];
-        for (part, earlier) in projected.along.iter().zip(&self.of_columns) {
-            for (sum, entry) in of_units.iter_mut().zip(earlier) {
-                *sum += part * entry;
-            }
-        }
+        let of_units = self.refined(column, self.of_units(&projected.along));
         let pairs = of_units.iter().zip(&self.columns);
         let found = pairs.map(|(of_unit, (_, other))| of_unit * column.length / other.length);
         let found: Vec<f64> = found.collect();
@@ -97,16 +96,53 @@ impl<'a> Span<'a> {
         terms.filter(|(_, factor)| *factor != 0.0).collect()
     }
 
-    /// How far the sum of the columns with these factors is from a column, relative to its length.
-    fn distance(&self, column: &Column, factors: &[f64]) -> f64 {
+    /// The factors of columns of unit length, of those of the basis.
+    fn of_units(&self, along: &[f64]) -> Vec<f64> {
+        let mut of_units = vec![0.0; self.columns.len()];
+        for (part, earlier) in along.iter().zip(&self.of_columns) {
+            for (sum, entry) in of_units.iter_mut().zip(earlier) {
+                *sum += part * entry;
+            }
+        }
+        of_units
+    }
+
+    /// With what these factors lack, where that is more than rounding: short columns have told the basis less than they know.
+    fn refined(&self, column: &Column, mut of_units: Vec<f64>) -> Vec<f64> {
+        for _ in 0..REFINEMENTS {
+            let rest = self.rest(column, &of_units);
+            if norm(rest.iter().copied()) < LACKING {
+                break;
+            }
+            let along = self.basis.iter().map(|unit| dot(&rest, unit));
+            let more = self.of_units(&along.collect::<Vec<_>>());
+            for (sum, more) in of_units.iter_mut().zip(more) {
+                *sum += more;
+            }
+        }
+        of_units
+    }
+
+    /// What a column is beside the sum of those of unit length with these factors.
+    fn rest(&self, column: &Column, of_units: &[f64]) -> Vec<f64> {
         let mut rest = column.unit.clone();
-        for (factor, (_, other)) in factors.iter().zip(&self.columns) {
-            let factor = factor * other.length / column.length;
+        for (factor, (_, other)) in of_units.iter().zip(&self.columns) {
             for (entry, own) in rest.iter_mut().zip(&other.unit) {
                 *entry -= factor * own;
             }
         }
-        norm(rest.iter().copied())
+        rest
+    }
+
+    /// How far the sum of the columns with these factors is from a column, relative to its length.
+    fn distance(&self, column: &Column, factors: &[f64]) -> f64 {
+        let pairs = factors.iter().zip(&self.columns);
+        let of_units = pairs.map(|(factor, (_, other))| factor * other.length / column.length);
+        norm(
+            self.rest(column, &of_units.collect::<Vec<_>>())
+                .iter()
+                .copied(),
+        )
     }
 }
 
@@ -124,6 +160,10 @@ impl Projected {
     pub(super) fn is_nearly_within(&self, column: &Column) -> bool {
         self.length() * column.share <= LITTLE
     }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// A factor without its noise, where a number with few digits is meant.
