@@ -45,8 +45,8 @@ impl<R: Real + PartialOrd, const NQ: usize> Limits<R, NQ> {
         }
     }
 
-    /// Draws each coordinate that has two limits, between them, and each angle whose rate is a speed, if it has not, of a full turn; `seed` is another
-    /// one afterwards.
+    /// Draws each coordinate with two limits between them, and each angle without whose rate is a speed from a full turn; `seed` is
+    /// another one afterwards.
     pub(super) fn draw<S: System<R, Q = [R; NQ]>>(&self, q: &mut [R; NQ], seed: &mut u64) {
         let turns = turns::<R, S, NQ>();
         let ranges = self.lower.into_iter().zip(self.upper).zip(turns);

@@ -47,8 +47,8 @@ const ROUNDS: usize = 8;
 /// The number of normalizations of quaternions: from a length of the square root of two to rounding.
 const NORMALIZATIONS: usize = 8;
 
-/// The least `f` in the damping `λ = f w`, with `w` that [`Remaining::weighted`] is: a step is at most `1 / √(2 f)` long, two radians, from which quaternions
-/// recover.
+/// The least `f` in the damping `λ = f w`, where `w` is [`Remaining::weighted`]: a step is at most `1 / √(2 f)` long, two radians, from
+/// which quaternions recover.
 const LEAST_FACTOR: f64 = 0.125;
 
 /// A solver for a system with `NQ` coordinates.
@@ -170,9 +170,9 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
     /// Like [`Self::solve`], and if that does not reach the goals, again from other starting points: up to `starts` times in total,
     /// the first from `q`. `q` becomes the best found.
     ///
-    /// Another starting point has each coordinate with two limits at a random value between them, and each angle without whose rate is a
-    /// speed at a random one of a full turn. The others start as in `q`: translations without limits, and orientations with angular velocities. The same call
-    /// always tries the same starting points. Of the poses that an arm of six or seven joints can reach, with 100 steps
+    /// Another starting point has each coordinate with two limits at a random value between them. Without them, an angle whose rate is a
+    /// speed is random too; translations and orientations with angular velocities start as in `q`. The same call always tries the same
+    /// starting points. Of the poses that an arm of six or seven joints can reach, with 100 steps
     /// each, one start finds about half, ten find 99 of a hundred, fifty all of a thousand that were tried.
     pub fn search<S, G, const NU: usize>(
         &self,

@@ -193,6 +193,15 @@ impl Tree {
         bodies.filter_map(|body| Some((body, body.joint.euler_parameters()?)))
     }
 
+    /// Coordinates that are all zero, but for quaternions, which are no rotation.
+    pub fn neutral(&self) -> Vec<f64> {
+        let mut q = vec![0.0; self.n_coordinates];
+        for (_, [scalar, ..]) in self.quaternions() {
+            q[scalar.index()] = 1.0;
+        }
+        q
+    }
+
     /// True where some orientation is described by a quaternion.
     pub fn has_quaternions(&self) -> bool {
         self.quaternions().next().is_some()

@@ -120,8 +120,8 @@ fn it_ends_where_no_small_step_helps() {
         let _ = solver.solve(&system, &goal, &mut q, 5000);
         n_stationary += usize::from(is_stationary(&system, &goal, &solver.limits, &q));
     }
-    // Damping that has grown ends a few before.
-    assert!(n_stationary >= 97, "{n_stationary}");
+    // Damping that has grown ends one before.
+    assert!(n_stationary >= 99, "{n_stationary}");
 }
 
 /// True where the error falls along no coordinate that no limit holds, by differences.

@@ -8,7 +8,8 @@ use crate::description::mjcf::joints::joint_type::JointType;
 use crate::description::mjcf::joints::{self, JointElement};
 use crate::description::mjcf::known;
 use crate::description::mjcf::lifted;
-use crate::description::mjcf::mass::weight::{self, Weighed};
+use crate::description::mjcf::mass::geoms;
+use crate::description::mjcf::mass::weight::Weighed;
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
 use crate::description::mjcf::model::defaults::ElementKind;
@@ -57,7 +58,7 @@ pub(super) fn read<'d>(reader: &mut Reader, models: &Models<'d>) -> Found<'d> {
             reader.faults.push(fault);
         }
         for geom in &contents.geoms {
-            weight::geom(reader, models, geom, "the world");
+            geoms::attributes(reader, models, geom, "the world");
         }
         let bodies = found.keep(contents);
         push(&mut pending, bodies, 0, false);

@@ -20,7 +20,7 @@ impl Alignment {
     pub fn of(axis: Vector, tolerance: f64) -> (Self, f64) {
         let given = unit(axis);
         let unit = snapped_unit(given, tolerance);
-        let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
+        let change = largest_change(given, unit);
         // What is 1 may be rounded: the others must be zero.
         let is_along = |place: usize| (0..3).all(|i| (i == place) != (unit[i] == 0.0));
         if let Some(place) = (0..3).find(|&place| is_along(place)) {
@@ -61,7 +61,7 @@ impl Alignment {
         let (along, _) = Self::of(axis, ALONG);
         let given = unit(axis);
         let unit = snapped_unit(given, tolerance);
-        let change = (0..3).fold(0.0, |most: f64, i| most.max((unit[i] - given[i]).abs()));
+        let change = largest_change(given, unit);
         let Self {
             mut rotation,
             place,
@@ -97,4 +97,9 @@ fn snapped_unit(unit: Vector, tolerance: f64) -> Vector {
     }
     let size = length(pinned);
     pinned.map(|part| part / size)
+}
+
+/// The largest change of an entry.
+fn largest_change(old: Vector, new: Vector) -> f64 {
+    (0..3).fold(0.0, |most: f64, i| most.max((new[i] - old[i]).abs()))
 }

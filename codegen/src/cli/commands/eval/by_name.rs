@@ -2,7 +2,7 @@
 
 use kane_codegen::{
     functions::{Argument, Dimension},
-    tree::{CoordinateKind, Tree},
+    tree::Tree,
 };
 
 /// What the places of an argument's outer list are called.
@@ -31,15 +31,11 @@ impl Places {
             }
             _ => return None,
         };
-        let mut otherwise = vec![0.0; names.len()];
-        if argument == Argument::Q {
-            let own = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
-            for (kind, coordinate) in own {
-                if kind == CoordinateKind::EulerParameter(0) {
-                    otherwise[coordinate.index()] = 1.0;
-                }
-            }
-        }
+        let otherwise = if argument == Argument::Q {
+            tree.neutral()
+        } else {
+            vec![0.0; names.len()]
+        };
         Some(Self {
             names,
             otherwise,

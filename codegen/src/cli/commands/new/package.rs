@@ -1,10 +1,6 @@
 //! The texts of a new package, beside the model and its module.
 
-use kane_codegen::{
-    companions::Abi,
-    listing::Limits,
-    tree::{CoordinateKind, Tree},
-};
+use kane_codegen::{companions::Abi, listing::Limits, tree::Tree};
 
 /// The program, with `{{..}}` for what differs.
 const PROGRAM: &str = include_str!("main.rs.txt");
@@ -90,22 +86,17 @@ fn start(tree: &Tree, line: impl Fn(&str, &str) -> String) -> String {
     let names = tree.coordinate_names();
     let limits = Limits::of(tree);
     let ranges = limits.lower.iter().zip(&limits.upper);
-    let start = ranges.map(|(&lower, &upper)| {
+    let start = tree.neutral().into_iter().zip(ranges);
+    let start = start.map(|(neutral, (&lower, &upper))| {
         let has_both = lower.is_finite() && upper.is_finite();
-        let start = if has_both && !(lower..=upper).contains(&0.0) {
+        let start = if has_both && !(lower..=upper).contains(&neutral) {
             f64::midpoint(lower, upper)
         } else {
-            0.0_f64.max(lower).min(upper)
+            neutral.max(lower).min(upper)
         };
         format!("{start:?}")
     });
-    let mut start: Vec<String> = start.collect();
-    let coordinates = tree.bodies.iter().flat_map(|body| body.joint.coordinates());
-    for (_, coordinate) in
-        coordinates.filter(|(kind, _)| *kind == CoordinateKind::EulerParameter(0))
-    {
-        "1.0".clone_into(&mut start[coordinate.index()]);
-    }
+    let start: Vec<String> = start.collect();
     let lines = start.iter().zip(&names);
     lines.map(|(value, name)| line(value, name)).collect()
 }

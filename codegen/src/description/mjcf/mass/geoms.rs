@@ -1,11 +1,14 @@
 //! `geom`: the mass that a shape adds to its body.
 
+use crate::description::mjcf::contents::Inside;
 use crate::description::mjcf::mass::fit::fitted;
 use crate::description::mjcf::mass::geom_type::{GeomType, TYPES};
 use crate::description::mjcf::mass::segment::Segment;
 use crate::description::mjcf::mass::solid::{Amount, Primitive, Solid, uniform};
 use crate::description::mjcf::model::Model;
 use crate::description::mjcf::model::attributes::Attributes;
+use crate::description::mjcf::model::defaults::ElementKind;
+use crate::description::mjcf::model::models::Models;
 use crate::description::mjcf::model::settings::{Settings, Switch, TRUTH};
 use crate::description::mjcf::orientation::{placement, z_axis};
 use crate::description::mjcf::placement::Placement;
@@ -26,6 +29,25 @@ pub(in crate::description::mjcf) struct Counted {
     pub(in crate::description::mjcf) mass_matters: bool,
     /// The first and the last group of geoms.
     pub(in crate::description::mjcf) groups: [f64; 2],
+}
+
+/// The attributes of a geom of `body`, with warnings of those that are not known.
+pub(in crate::description::mjcf) fn attributes<'d>(
+    reader: &mut Reader,
+    models: &Models<'d>,
+    geom: &Inside<'d>,
+    body: &str,
+) -> Attributes<'d> {
+    let owner = geom.owner("geom", body);
+    let model = &models.list[geom.around.model];
+    for child in model.files.children(geom.element) {
+        if child.name() != "plugin" {
+            reader.unknown_child(child, &owner, &[]);
+        }
+    }
+    let class = geom.around.class;
+    let defaults = &model.defaults;
+    defaults.attributes(reader, geom.element, &owner, ElementKind::Geom, class)
 }
 
 /// The mass of a geom; `None` where it has none, or where it is faulty.

@@ -7,7 +7,6 @@ use crate::description::mjcf::mass::geoms::{self, Counted};
 use crate::description::mjcf::mass::inertial::{self, MassProperties};
 use crate::description::mjcf::mass::solid::{Solid, together};
 use crate::description::mjcf::model::attributes::Attributes;
-use crate::description::mjcf::model::defaults::ElementKind;
 use crate::description::mjcf::model::models::Models;
 use crate::description::mjcf::model::settings::FromGeoms;
 use crate::description::mjcf::placement::Placement;
@@ -112,7 +111,7 @@ impl Weighed<'_, '_> {
         };
         let mut solids = Vec::new();
         for inside in &self.contents.geoms {
-            let given = geom(reader, models, inside, self.owner);
+            let given = geoms::attributes(reader, models, inside, self.owner);
             let model = &models.list[inside.around.model];
             if infers {
                 let frame = &inside.around.frame;
@@ -121,23 +120,4 @@ impl Weighed<'_, '_> {
         }
         solids
     }
-}
-
-/// The attributes of a geom of `body`, with warnings of those that are not known.
-pub(in crate::description::mjcf) fn geom<'d>(
-    reader: &mut Reader,
-    models: &Models<'d>,
-    geom: &Inside<'d>,
-    body: &str,
-) -> Attributes<'d> {
-    let owner = geom.owner("geom", body);
-    let model = &models.list[geom.around.model];
-    for child in model.files.children(geom.element) {
-        if child.name() != "plugin" {
-            reader.unknown_child(child, &owner, &[]);
-        }
-    }
-    let class = geom.around.class;
-    let defaults = &model.defaults;
-    defaults.attributes(reader, geom.element, &owner, ElementKind::Geom, class)
 }
