@@ -2,6 +2,34 @@
 
 use crate::{Array, Real, System};
 
+/// The inertial parameters `pi` of the bodies, by which [`Regressor`] and [`RegressorPacked`] are multiplied.
+///
+/// Ten per body, including all that is fixed to it: `m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the
+/// body's origin, body components, kg, kg m, kg m²; `I_xy` is the tensor's component. Often called the standard or dynamic parameters.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `inertial_parameters`; name it in `functions` and generate again"
+)]
+pub trait InertialParameters<R: Real>: System<R> {
+    /// `[[R; 10]; NB]`.
+    type Parameters: Array<[R; 10]>;
+    /// Overwrites the argument; meaning, frame and unit are those of [`InertialParameters`].
+    fn inertial_parameters(&self, pi: &mut Self::Parameters);
+}
+
+/// The base parameters, by which [`BaseRegressor`] is multiplied: sums of [`InertialParameters`], each times its factor in
+/// [`BaseRegressor::TERMS`].
+///
+/// The factors hold for the nominal parameters. Often called the minimal parameters.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was generated without `base_parameters`; name it in `functions` and generate again"
+)]
+pub trait BaseParameters<R: Real>: System<R> {
+    /// `[R; BASE_PARAMETERS_LEN]`.
+    type Parameters: Array<R>;
+    /// Overwrites the argument; meaning, frame and unit are those of [`BaseParameters`].
+    fn base_parameters(&self, pi: &mut Self::Parameters);
+}
+
 /// Inertia forces and weight as a linear function of the inertial parameters `pi` of the bodies, `y[speed][body][parameter]`.
 ///
 /// [`InverseDynamics`](super::InverseDynamics) is the sum of `y pi` over all bodies and parameters, plus the forces of springs, dampers

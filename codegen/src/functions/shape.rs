@@ -174,11 +174,15 @@ impl Shape {
     pub const SPEED_MATRIX: Self = Self::of(&[Dimension::Speeds, Dimension::Speeds]);
     /// `[[R; 3]; NU]`.
     pub const SPEED_VECTORS: Self = Self::of(&[Dimension::Speeds, Dimension::Three]);
+    /// `[[R; 10]; NB]`.
+    pub const INERTIAL_PARAMETERS: Self = Self::of(&[Dimension::Bodies, Dimension::Parameters]);
     /// `[[[R; 10]; NB]; NU]`.
-    pub const BODY_PARAMETERS: Self =
+    pub const REGRESSOR: Self =
         Self::of(&[Dimension::Speeds, Dimension::Bodies, Dimension::Parameters]);
+    /// `[R; BASE_PARAMETERS_LEN]`.
+    pub const BASE_PARAMETERS: Self = Self::of(&[Dimension::BaseParameters]);
     /// `[[R; BASE_PARAMETERS_LEN]; NU]`.
-    pub const BASE_PARAMETERS: Self = Self::of(&[Dimension::Speeds, Dimension::BaseParameters]);
+    pub const BASE_REGRESSOR: Self = Self::of(&[Dimension::Speeds, Dimension::BaseParameters]);
     /// `[R; MASS_MATRIX_PACKED_LEN]`.
     pub const MASS_MATRIX_PACKED: Self = Self::of(&[Dimension::Packed(Packed::MassMatrix)]);
     /// `[R; MASS_MATRIX_INVERSE_PACKED_LEN]`.

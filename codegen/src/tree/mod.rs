@@ -43,6 +43,7 @@ mod values;
 mod canonical;
 mod named;
 mod prescribed;
+mod user_parts;
 
 pub use crate::description::Order;
 pub use crate::principal::principal;
@@ -63,4 +64,5 @@ pub use offset::{Offset, Step};
 pub use prescribed::{PrescribedFault, prescribe};
 pub use rotations::{Alignment, NearlyExact, nearly_exact, orthonormal, snapped, snapped_sin_cos};
 pub use system::Tree;
+pub use user_parts::user_parts;
 pub use value::{Parameter, Value};

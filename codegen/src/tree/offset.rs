@@ -56,13 +56,7 @@ impl Offset {
     /// The same vector in axes from which `rotation` leads to the present ones.
     #[must_use]
     pub fn before(&self, rotation: &Rotation) -> Self {
-        let turned = |step: &Step| Step {
-            rotation: geometry::then(rotation, &step.rotation),
-            ..*step
-        };
-        self.steps
-            .iter()
-            .fold(Self::default(), |sum, step| sum.plus(turned(step)))
+        self.with_rotations(|own| geometry::then(rotation, own))
     }
 
     /// Both vectors, one after the other; `other` backward where `negative`.
@@ -74,6 +68,34 @@ impl Offset {
                 ..*step
             })
         })
+    }
+
+    /// This vector less another one. Steps that both have cancel.
+    #[must_use]
+    pub fn less(&self, other: &Self) -> Self {
+        let mut rest = self.clone();
+        let mut backward = Self::default();
+        for step in &other.steps {
+            match rest.steps.iter().position(|own| own == step) {
+                Some(place) => {
+                    rest.steps.remove(place);
+                }
+                None => backward.steps.push(*step),
+            }
+        }
+        rest.join(&backward, true)
+    }
+
+    /// The same with other rotations of its steps.
+    #[must_use]
+    pub(crate) fn with_rotations(&self, of: impl Fn(&Rotation) -> Rotation) -> Self {
+        let turned = |step: &Step| Step {
+            rotation: of(&step.rotation),
+            ..*step
+        };
+        self.steps
+            .iter()
+            .fold(Self::default(), |sum, step| sum.plus(turned(step)))
     }
 
     /// The vector at the nominal values of these parameters.

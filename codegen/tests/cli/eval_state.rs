@@ -111,6 +111,26 @@ fn state_that_ends_early_is_shown_at_its_end() {
 }
 
 #[test]
+fn no_state_is_needed_for_a_function_without_inputs() {
+    let project = Project::empty();
+    project.write("arm.toml", &model("arm", "2.0"));
+    let ran = |function: &str| project.kane(&["eval", "arm.toml", "--function", function]);
+    let weighed = ran("inertial_parameters");
+    assert_eq!((weighed.code, weighed.err.as_str()), (0, ""));
+    let bodies: Vec<Vec<f64>> = serde_json::from_str(&weighed.out).unwrap();
+    assert!(bodies.iter().any(|parameters| parameters[0] == 2.0));
+
+    let ran = ran("rotation");
+    assert_eq!(ran.code, 2);
+    assert!(
+        ran.err
+            .starts_with("error: `rotation` needs `q`, which is missing"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
 fn state_that_is_no_object_is_said() {
     let ran = arm("rotation", "[0, 0, 0]");
     assert_eq!(ran.code, 2);

@@ -23,7 +23,7 @@ use kane_test_support::{
     dynamics::{
         Model, State,
         agreement::{disagreement, pivot_error},
-        quantities::{self, DIFFERENTIATED, EXACT},
+        quantities::{self, DIFFERENTIATED, EXACT, FITTED},
         topology,
     },
     models::{build, system},

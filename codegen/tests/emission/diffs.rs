@@ -179,6 +179,8 @@ fn is_size_or_table(statement: &str) -> bool {
         "columns: ",
         "first: ",
         "kane::Cost::new(",
+        // Inertial parameters and base parameters, in numbers.
+        "pi[",
         "}",
     ];
     let mut words = table.into_iter().chain(["pub const ", "///", "//", "#["]);

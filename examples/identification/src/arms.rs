@@ -1,13 +1,13 @@
 //! The two arms: what their modules do not say of them.
 
-use kane::functions::{BaseRegressor, InverseDynamics, JointRegressor};
+use kane::functions::{BaseRegressor, InertialParameters, InverseDynamics, JointRegressor};
 
-use crate::{Drive, Link, panda, ur5};
+use crate::{Drive, panda, ur5};
 
 /// An arm of revolute joints, one a body.
-pub trait Arm: BaseRegressor<f64> + JointRegressor<f64> + InverseDynamics<f64> {
-    /// What the URDF says of the links' masses: the truth, and known to nobody else.
-    const LINKS: &'static [Link];
+pub trait Arm:
+    BaseRegressor<f64> + JointRegressor<f64> + InverseDynamics<f64> + InertialParameters<f64>
+{
     /// The truth of the joints' drives, of which a URDF says nothing: of the size that is usual for such arms.
     const DRIVES: &'static [Drive];
     /// The middle of all motions, rad,
@@ -28,8 +28,6 @@ const fn drive(viscous: f64, coulomb: f64, rotor: f64) -> Drive {
 }
 
 impl Arm for ur5::Prepared<f64> {
-    #[allow(clippy::unreadable_literal, reason = "generated")]
-    const LINKS: &'static [Link] = include!(concat!(env!("OUT_DIR"), "/ur5_links.rs"));
     const DRIVES: &'static [Drive] = &[
         drive(8.0, 9.0, 0.8),
         drive(8.0, 9.0, 0.8),
@@ -46,8 +44,6 @@ impl Arm for ur5::Prepared<f64> {
 }
 
 impl Arm for panda::Prepared<f64> {
-    #[allow(clippy::unreadable_literal, reason = "generated")]
-    const LINKS: &'static [Link] = include!(concat!(env!("OUT_DIR"), "/panda_links.rs"));
     const DRIVES: &'static [Drive] = &[
         drive(1.5, 0.8, 0.6),
         drive(1.5, 0.9, 0.6),

@@ -1,18 +1,18 @@
 //! The whole way: choose a path, measure, identify, and see on another path what it is worth.
 
 use kane::Array;
-use nalgebra::DVector;
+use nalgebra::{DVector, Matrix4};
 
 use crate::{
     Arm, Drive, Identifiable, Measured, Noise, Path, Physical,
     consistent::consistent,
     excitation::exciting,
     extremes::{largest, least},
-    links,
     measurement::TORQUE_NOISE,
     names::{names, units},
     physical::base,
-    prior, pseudo_inertia,
+    prior,
+    pseudo_inertia::{self, PARAMETERS},
     report::{Errors, Parameter, Report},
     stack, stack_torques,
 };
@@ -34,9 +34,16 @@ const PATHS: u64 = 1;
 /// What an arm truly is.
 pub fn truth<A: Arm>() -> Physical {
     Physical {
-        bodies: links::bodies::<A>(),
+        bodies: inertial_parameters::<A>(),
         drives: A::DRIVES.iter().map(Drive::coefficients).collect(),
     }
+}
+
+/// The pseudo-inertias of the bodies that the URDF describes: the truth, and known to nobody else.
+fn inertial_parameters<A: Arm>() -> Vec<Matrix4<f64>> {
+    let mut pi = A::Parameters::filled([0.0; PARAMETERS]);
+    A::nominal().inertial_parameters(&mut pi);
+    pi.as_ref().iter().map(pseudo_inertia::of).collect()
 }
 
 /// Identifies an arm, with noise that follows from the seed.

@@ -12,7 +12,7 @@
 //! | [`consistent`] | finds the physically consistent arm that fits best: ten [`physical`] parameters a body |
 //! | [`experiment`] | does all this, and compares torques on a path that was not used |
 //!
-//! What the arms truly are, the URDF's [`links`] and the [`drive`]s of [`arms`], makes the measured torques and is compared with what is
+//! What the arms truly are, their `inertial_parameters` and the [`drive`]s of [`arms`], makes the measured torques and is compared with what is
 //! found. The estimate knows the geometry, the noisy torques, and a [`prior`] that is wrong.
 //!
 //! Positions, speeds and accelerations are known exactly here: on a robot they come from the encoders, and from the Fourier series
@@ -27,7 +27,6 @@ pub mod excitation;
 pub mod experiment;
 pub mod extremes;
 pub mod identifiable;
-pub mod links;
 pub mod measurement;
 pub mod path;
 pub mod physical;
@@ -43,7 +42,6 @@ pub use arms::Arm;
 pub use drive::Drive;
 pub use experiment::run;
 pub use identifiable::Identifiable;
-pub use links::Link;
 pub use measurement::Measured;
 pub use noise::Noise;
 pub use path::{Path, State};

@@ -5,28 +5,35 @@
 //! the origin is `tr(Σ) 1 - Σ`. That `P` is positive definite says three things at once: positive mass, positive moments, and that no
 //! principal moment exceeds the sum of the other two.
 
-use nalgebra::{Matrix3, Matrix4, Vector3};
+use nalgebra::Matrix4;
 
 use crate::extremes::{largest, least};
 
 /// The inertial parameters of a body, in the order of [`kane::functions::Regressor`].
 pub const PARAMETERS: usize = 10;
 
-/// `P` of a mass, kg, a mass centre, m, and the tensor of inertia about it, kg m².
-pub fn of_mass_center(
-    mass: f64,
-    center: &Vector3<f64>,
-    about_center: &Matrix3<f64>,
-) -> Matrix4<f64> {
-    let second = Matrix3::identity() * (about_center.trace() / 2.0) - about_center
-        + mass * center * center.transpose();
-    let mut p = Matrix4::zeros();
-    p.fixed_view_mut::<3, 3>(0, 0).copy_from(&second);
-    p.fixed_view_mut::<3, 1>(0, 3).copy_from(&(mass * center));
-    p.fixed_view_mut::<1, 3>(3, 0)
-        .copy_from(&(mass * center.transpose()));
-    p[(3, 3)] = mass;
-    p
+/// `P` of ten inertial parameters.
+pub fn of(parameters: &[f64; PARAMETERS]) -> Matrix4<f64> {
+    let &[m, x, y, z, xx, xy, yy, xz, yz, zz] = parameters;
+    let half = (xx + yy + zz) / 2.0;
+    Matrix4::new(
+        half - xx,
+        -xy,
+        -xz,
+        x, //
+        -xy,
+        half - yy,
+        -yz,
+        y, //
+        -xz,
+        -yz,
+        half - zz,
+        z, //
+        x,
+        y,
+        z,
+        m,
+    )
 }
 
 /// The ten inertial parameters of `P`: linear in it.

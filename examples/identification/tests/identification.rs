@@ -92,7 +92,7 @@ fn exciting_paths_of_the_panda_are_better() {
     exciting_paths_are_better::<Panda>();
 }
 
-/// What links and terms of base parameters give is what the generated module computes of the same model.
+/// What inertial parameters and terms of base parameters give is what the generated module computes of the same model.
 fn base_parameters_give_the_torques<A: Arm>() {
     let (measured, w) = any_path::<A>();
     let parameters = physical::base::<A>() * experiment::truth::<A>().parameters();

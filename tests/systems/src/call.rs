@@ -7,7 +7,7 @@ use kane::{
     functions::{
         AngleRates, AngularAcceleration, AngularMomentum, AngularVelocity, Bias, Forcing,
         ForwardDynamics, ForwardDynamicsPivots, GeneralizedForces, GravityForces, InverseDynamics,
-        JointRegressor, KineticEnergy, LinearMomentum, MassCenterAcceleration, MassCenterPosition,
+        KineticEnergy, LinearMomentum, MassCenterAcceleration, MassCenterPosition,
         MassCenterVelocity, MassMatrix, MassMatrixPacked, OriginPosition, OriginVelocity,
         PartialAngularVelocity, PartialAngularVelocityDot, PartialVelocity, PartialVelocityDot,
         PartialVelocityOrigin, PartialVelocityOriginDot, PotentialEnergy, RelativeAngularVelocity,
@@ -28,7 +28,7 @@ macro_rules! together {
 // Here, where it knows the macro.
 mod further;
 
-pub use further::Further;
+pub use further::{Further, Identified};
 
 /// Everything that a function can be given.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -168,13 +168,13 @@ pub fn both<R: Real + Into<f64>, S: Dynamics<R> + Further<R>>(
 ///
 /// # Panics
 /// If there is no such function.
-pub fn every<R: Real + Into<f64>, S: All<R> + Further<R> + JointRegressor<R>, const NU: usize>(
+pub fn every<R: Real + Into<f64>, S: All<R> + Further<R> + Identified<R>, const NU: usize>(
     system: &S,
     function: &str,
     state: &State,
 ) -> Vec<f64> {
     further::call(system, function, state)
-        .or_else(|| further::joint_regressor(system, function, state))
+        .or_else(|| further::identified(system, function, state))
         .unwrap_or_else(|| all::<R, S, NU>(system, function, state))
 }
 

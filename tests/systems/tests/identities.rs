@@ -16,7 +16,7 @@ use kane_test_support::{
     dynamics::{
         Model, State,
         agreement::disagreement,
-        quantities::{DIFFERENTIATED, EXACT},
+        quantities::{DIFFERENTIATED, EXACT, FITTED},
         topology,
     },
     test_every_identity,

@@ -14,7 +14,7 @@ mod regressor;
 use super::function::Function;
 
 /// Every function of the whole system that a user can ask for, in the order in which a module holds them.
-pub static CATALOGUE: [Function; 56] = [
+pub static CATALOGUE: [Function; 58] = [
     kinematics::RELATIVE_ROTATION,
     kinematics::ROTATION,
     kinematics::RELATIVE_ANGULAR_VELOCITY,
@@ -67,6 +67,8 @@ pub static CATALOGUE: [Function; 56] = [
     center::CENTER_OF_MASS_JACOBIAN_DOT_U,
     center::CENTROIDAL_MOMENTUM_MATRIX,
     center::CENTROIDAL_MOMENTUM_MATRIX_DOT_U,
+    regressor::INERTIAL_PARAMETERS,
+    regressor::BASE_PARAMETERS,
     regressor::REGRESSOR,
     regressor::REGRESSOR_PACKED,
     regressor::BASE_REGRESSOR,

@@ -9,11 +9,36 @@ use crate::functions::{
     terms,
 };
 
+pub(super) const INERTIAL_PARAMETERS: Function = Function {
+    name: "inertial_parameters",
+    trait_name: Some("InertialParameters"),
+    outputs: &[Output::new("pi", Shape::INERTIAL_PARAMETERS)],
+    doc: &[
+        "The inertial parameters `pi` of the bodies, as `regressor` counts them: each body's ten, with all that is fixed to it,",
+        "`m`, `m c_x`, `m c_y`, `m c_z`, `I_xx`, `I_xy`, `I_yy`, `I_xz`, `I_yz`, `I_zz`, about the body's origin, body components, kg, kg m, kg m^2;",
+        "`I_xy` is the tensor's component. Also known as standard parameters, dynamic parameters.",
+    ],
+    candidates: &[Candidate::plain(roots::regressor::inertial_parameters)],
+    ..PLAIN
+};
+
+pub(super) const BASE_PARAMETERS: Function = Function {
+    name: "base_parameters",
+    trait_name: Some("BaseParameters"),
+    outputs: &[Output::new("pi", Shape::BASE_PARAMETERS)],
+    doc: &[
+        "The base parameters, as `base_regressor` counts them: sums of inertial parameters, which `BASE_PARAMETERS` names, each times its",
+        "factor in `BASE_PARAMETER_TERMS`; those of the nominal values where parameters are set at run time. Also known as minimal parameters.",
+    ],
+    candidates: &[Candidate::plain(roots::regressor::base_parameters)],
+    ..PLAIN
+};
+
 pub(super) const REGRESSOR: Function = Function {
     name: "regressor",
     trait_name: Some("Regressor"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
-    outputs: &[Output::new("y", Shape::BODY_PARAMETERS)],
+    outputs: &[Output::new("y", Shape::REGRESSOR)],
     doc: &[
         "Inertia forces and weight as they are linear in the inertial parameters `pi` of the bodies: `inverse_dynamics` is the sum of `y pi` over",
         "all bodies and parameters, and what springs, dampers and rotors need. Ten parameters a body, with all that is fixed to it:",
@@ -48,7 +73,7 @@ pub(super) const BASE_REGRESSOR: Function = Function {
     name: "base_regressor",
     trait_name: Some("BaseRegressor"),
     arguments: &[Argument::Q, Argument::U, Argument::UDot],
-    outputs: &[Output::new("y", Shape::BASE_PARAMETERS)],
+    outputs: &[Output::new("y", Shape::BASE_REGRESSOR)],
     doc: &[
         "Inertia forces and weight as they are linear in the base parameters, the fewest combinations of inertial parameters on which they",
         "depend: those columns of `regressor` that are independent, so that least squares have one solution. `BASE_PARAMETERS` names the",

@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 33] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 35] = [
     (
         "inverse_dynamics",
         &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
@@ -185,6 +185,19 @@ pub(super) const REQUESTS: [(&str, &[&str]); 33] = [
     ("potential_energy", &["mjenergypos"]),
     ("normalize", &["mjnormalizequat"]),
     ("regressor", &["jointtorqueregressor", "torqueregressor"]),
+    (
+        "inertial_parameters",
+        &[
+            "dynamicparameters",
+            "standardparameters",
+            "todynamicparameters",
+            "pi",
+        ],
+    ),
+    (
+        "base_parameters",
+        &["minimalparameters", "baseinertialparameters"],
+    ),
     ("joint_wrenches", &["dataf", "cfrcint"]),
     (
         "d(inverse_dynamics)/d(q, u, u_dot)",

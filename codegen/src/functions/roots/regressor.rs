@@ -6,8 +6,31 @@ use crate::{
     given::mechanics,
     kane,
     recursive::{self, Plan},
-    tree::Tree,
+    tree::{N_INERTIAL, Tree, user_parts},
 };
+
+pub(in crate::functions) fn inertial_parameters(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let bodies = tree.body_ids();
+    let parameters = bodies.flat_map(|body| {
+        graph.enter(body);
+        recursive::inertial_parameters(graph, &user_parts(tree.body(body)))
+    });
+    parameters.collect()
+}
+
+pub(in crate::functions) fn base_parameters(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
+    let inertial = inertial_parameters(graph, tree);
+    let sums = base_parameters::of(tree).iter().map(|parameter| {
+        graph.enter(parameter.terms[0].0.body);
+        let terms = parameter.terms.iter();
+        terms.fold(graph.zero(), |sum, (own, factor)| {
+            let factor = graph.number(*factor);
+            let term = graph.mul(factor, inertial[own.body.index() * N_INERTIAL + own.place]);
+            graph.add(sum, term)
+        })
+    });
+    sums.collect()
+}
 
 pub(in crate::functions) fn regressor(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     kane::regressor::regressor(graph, tree)

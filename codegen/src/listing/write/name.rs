@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Names that generated functions use for other things: arguments, outputs, what holds sines and cosines.
-pub const RESERVED: [&str; 49] = [
+pub const RESERVED: [&str; 50] = [
     "acceleration",
     "accelerations",
     "alpha",
@@ -43,6 +43,7 @@ pub const RESERVED: [&str; 49] = [
     "normalized",
     "p",
     "parameters",
+    "pi",
     "pivots",
     "point",
     "position",

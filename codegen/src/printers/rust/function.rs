@@ -79,11 +79,14 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
             }
         }
         Shape::SPEED_VECTORS => quote!(type Terms = #output_type;),
-        Shape::BODY_PARAMETERS => quote! {
+        Shape::INERTIAL_PARAMETERS | Shape::BASE_PARAMETERS => {
+            quote!(type Parameters = #output_type;)
+        }
+        Shape::REGRESSOR => quote! {
             type Row = [[R; 10]; NB];
             type Rows = #output_type;
         },
-        Shape::BASE_PARAMETERS => {
+        Shape::BASE_REGRESSOR => {
             let (names, terms) = (ident(BASE_PARAMETERS), ident(BASE_PARAMETER_TERMS));
             let row = output.map(|output| signature::held(&output.row(), "R"));
             quote! {

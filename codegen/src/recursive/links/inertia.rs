@@ -4,7 +4,7 @@ use crate::{
     expr::{Axis, Binding, Expr, ExprGraph, Node, Symmetric, Vector},
     given,
     id::BodyMap,
-    tree::{Body, RigidPart, Tree},
+    tree::{N_INERTIAL, RigidPart, Tree},
 };
 
 /// Mass, first moment and inertia about a point that moves with the bodies.
@@ -61,16 +61,16 @@ fn parted(graph: &mut ExprGraph, sum: Expr, depth: usize) -> [Expr; 2] {
 pub fn sparse_inertias(tree: &Tree) -> BodyMap<bool> {
     let mut graph = ExprGraph::default();
     BodyMap::outward(tree.bodies.len(), |body, _| {
-        let own = own(&mut graph, tree.body(body));
+        let own = own(&mut graph, &tree.body(body).parts);
         let numbers = [own.moment, own.inertia.diagonal, own.inertia.mixed];
         let mut numbers = numbers.into_iter().flatten();
         numbers.any(|number| graph.is_zero(number))
     })
 }
 
-/// A body's inertia about its own origin: `m`, `m r`, `I_G + m (r·r 1 - r r^T)`, body components, summed over its parts.
-pub(in crate::recursive) fn own(graph: &mut ExprGraph, body: &Body) -> Composite {
-    let mut parts = body.parts.iter();
+/// The inertia of a body's parts about the origin from which they are seen: `m`, `m r`, `I_G + m (r·r 1 - r r^T)`, summed over them.
+pub(in crate::recursive) fn own(graph: &mut ExprGraph, parts: &[RigidPart]) -> Composite {
+    let mut parts = parts.iter();
     let first = parts.next().expect("tree: a body has a part, itself");
     let mut own = of_part(graph, first);
     for part in parts {
@@ -78,6 +78,17 @@ pub(in crate::recursive) fn own(graph: &mut ExprGraph, body: &Body) -> Composite
         own = own.plus(graph, &part);
     }
     own
+}
+
+/// The ten inertial parameters of these parts together, in the order of the regressor's columns.
+pub fn parameters(graph: &mut ExprGraph, parts: &[RigidPart]) -> [Expr; N_INERTIAL] {
+    let Composite {
+        mass,
+        moment: [x, y, z],
+        inertia,
+    } = own(graph, parts);
+    let ([xx, yy, zz], [yz, xz, xy]) = (inertia.diagonal, inertia.mixed);
+    [mass, x, y, z, xx, xy, yy, xz, yz, zz]
 }
 
 fn of_part(graph: &mut ExprGraph, part: &RigidPart) -> Composite {

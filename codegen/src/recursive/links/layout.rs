@@ -210,7 +210,7 @@ fn to_an_axis(along_b: f64, along_c: f64) -> f64 {
 /// The turn of a link that carries none after which its first moment lies in a coordinate plane with the joint's axis.
 fn toward_mass(graph: &mut ExprGraph, tree: &Tree, body: BodyId, axis: Axis) -> f64 {
     let (b, c) = axis.others();
-    let moment = inertia::own(graph, tree.body(body)).moment;
+    let moment = inertia::own(graph, &tree.body(body).parts).moment;
     match (graph.as_number(moment[b]), graph.as_number(moment[c])) {
         (Some(along_b), Some(along_c)) if along_b != 0.0 && along_c != 0.0 => {
             to_an_axis(along_b, along_c)

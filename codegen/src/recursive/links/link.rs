@@ -126,7 +126,7 @@ fn alone(
 }
 
 fn own_inertia(graph: &mut ExprGraph, body: &Body, layout: &Layout) -> Composite {
-    let own = inertia::own(graph, body);
+    let own = inertia::own(graph, &body.parts);
     let axes = ConstantRotation::new(graph, &geometry::transposed(&layout.axes));
     let mut turned = axes.backward_composite(graph, &own);
     if layout.axes != geometry::IDENTITY {

@@ -54,6 +54,10 @@ pub fn disagreement(
             // As the pivots below: an identity says what the factors make.
             continue;
         }
+        if function.name == "base_parameters" {
+            // Their factors are those of the nominal values, which the models may have apart.
+            continue;
+        }
         if function.name == "base_regressor" && bases(a.tree()) != bases(b.tree()) {
             // Which parameters stand for a combination follows from values and from the order of bodies: identities say what
             // they predict.

@@ -63,6 +63,8 @@ macro_rules! test_every_identity {
         }
         $crate::test_every_identity! {
             regressor,
+            inertial_parameters_are_those_of_the_description: EXACT;
+            base_parameters_make_the_forces_of_inertial_ones: FITTED;
             the_regressor_is_linear_in_inertial_parameters: EXACT;
             the_packed_regressor_has_all_that_is_not_zero: EXACT;
             the_joint_regressor_is_linear_in_dampers_and_rotors: EXACT;

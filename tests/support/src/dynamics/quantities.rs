@@ -15,6 +15,9 @@ pub const EXACT: f64 = 2e-14;
 /// Identities with a derivative by finite differences: 2e-14 of each evaluation's relative error in units of rounding
 /// (see [`derivative`](crate::numeric::derivative)), which is some ten to a hundred where terms cancel.
 pub const DIFFERENTIATED: f64 = 1e-12;
+/// Identities with the factors of base parameters, which come from least squares over columns of unit length: their condition
+/// multiplies rounding. Found: 3e-14.
+pub const FITTED: f64 = 1e-12;
 
 pub fn vectors(model: &dyn Model, function: &str, state: &State) -> Vec<Vector> {
     let numbers = model.evaluate(function, state);

@@ -25,6 +25,44 @@ fn parameters(model: &dyn Model) -> Vec<[f64; 10]> {
     solids.iter().map(of).collect()
 }
 
+/// They are those of the description, body by body.
+pub fn inertial_parameters_are_those_of_the_description(model: &dyn Model, state: &State) -> f64 {
+    let found = model.evaluate("inertial_parameters", state);
+    let expected = parameters(model);
+    let errors = found
+        .chunks_exact(10)
+        .zip(&expected)
+        .map(|(found, expected)| {
+            let (mass, others) = (&found[..1], &found[1..]);
+            larger(
+                relative(mass, &expected[..1]),
+                relative(others, &expected[1..]),
+            )
+        });
+    assert_eq!(found.len(), 10 * expected.len());
+    errors.fold(0.0, larger)
+}
+
+/// Both regressors times their parameters are the same forces.
+pub fn base_parameters_make_the_forces_of_inertial_ones(model: &dyn Model, state: &State) -> f64 {
+    let forces = |regressor: &str, parameters: &str| {
+        let y = model.evaluate(regressor, state);
+        let parameters = model.evaluate(parameters, state);
+        let mut most = 0.0;
+        let rows = (0..state.u.len()).map(|row| {
+            let row = &y[row * parameters.len()..][..parameters.len()];
+            let terms: Vec<f64> = row.iter().zip(&parameters).map(|(y, pi)| y * pi).collect();
+            most = larger(most, largest(&terms));
+            terms.iter().sum()
+        });
+        let forces: Vec<f64> = rows.collect();
+        (forces, most)
+    };
+    let (expected, most) = forces("regressor", "inertial_parameters");
+    let (found, of_base) = forces("base_regressor", "base_parameters");
+    relative_to(larger(most, of_base).max(1e-300), &found, &expected)
+}
+
 /// The packed entries are those of the regressor, and what has no place among them is zero.
 pub fn the_packed_regressor_has_all_that_is_not_zero(model: &dyn Model, state: &State) -> f64 {
     let tree = model.tree();

@@ -4,12 +4,13 @@
 use kane::{
     Array, Real,
     functions::{
-        BaseRegressor, CenterOfMass, CenterOfMassJacobian, CenterOfMassJacobianDotU,
-        CenterOfMassVelocity, CentroidalMomentumMatrix, CentroidalMomentumMatrixDotU,
-        CoriolisMatrix, HybridDynamics, JointRegressor, JointWrenches, KineticEnergies,
-        LoadedForwardDynamics, LoadedInverseDynamics, MassMatrixDot, MassMatrixFactors,
-        MassMatrixInverse, MassMatrixInversePacked, MassMatrixProduct, MassMatrixSolve,
-        PotentialEnergies, Regressor, RegressorPacked,
+        BaseParameters, BaseRegressor, CenterOfMass, CenterOfMassJacobian,
+        CenterOfMassJacobianDotU, CenterOfMassVelocity, CentroidalMomentumMatrix,
+        CentroidalMomentumMatrixDotU, CoriolisMatrix, HybridDynamics, InertialParameters,
+        JointRegressor, JointWrenches, KineticEnergies, LoadedForwardDynamics,
+        LoadedInverseDynamics, MassMatrixDot, MassMatrixFactors, MassMatrixInverse,
+        MassMatrixInversePacked, MassMatrixProduct, MassMatrixSolve, PotentialEnergies, Regressor,
+        RegressorPacked,
     },
 };
 
@@ -40,6 +41,14 @@ together! {
         Regressor,
         RegressorPacked,
         BaseRegressor,
+}
+
+together! {
+    /// A system with what identification needs beside these, which has one formulation.
+    Identified:
+        InertialParameters,
+        BaseParameters,
+        JointRegressor,
 }
 
 /// What such a function writes; `None` for others.
@@ -201,16 +210,30 @@ fn regressor<R: Real + Into<f64>, S: Further<R>>(
     }
 }
 
-/// That of joints, which has one formulation.
-pub(super) fn joint_regressor<R: Real + Into<f64>, S: JointRegressor<R>>(
+/// What such a function writes; `None` for others.
+pub(super) fn identified<R: Real + Into<f64>, S: Identified<R>>(
     system: &S,
     function: &str,
     state: &State,
 ) -> Option<Vec<f64>> {
     let Arguments { q, u, u_dot, .. } = &Arguments::<R, S>::new(state);
-    let mut y = S::Terms::filled([R::from_f64(f64::NAN); 3]);
-    (function == "joint_regressor").then(|| {
-        system.joint_regressor(q, u, u_dot, &mut y);
-        numbers(y.as_ref().as_flattened())
-    })
+    let nan = R::from_f64(f64::NAN);
+    match function {
+        "inertial_parameters" => {
+            let mut pi = <S as InertialParameters<R>>::Parameters::filled([nan; 10]);
+            system.inertial_parameters(&mut pi);
+            Some(numbers(pi.as_ref().as_flattened()))
+        }
+        "base_parameters" => {
+            let mut pi = <S as BaseParameters<R>>::Parameters::filled(nan);
+            system.base_parameters(&mut pi);
+            Some(numbers(pi.as_ref()))
+        }
+        "joint_regressor" => {
+            let mut y = S::Terms::filled([nan; 3]);
+            system.joint_regressor(q, u, u_dot, &mut y);
+            Some(numbers(y.as_ref().as_flattened()))
+        }
+        _ => None,
+    }
 }

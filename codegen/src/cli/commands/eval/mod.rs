@@ -78,9 +78,9 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "NAME")]
     function: String,
 
-    /// The state, a JSON file; `-` is standard input
+    /// The state, a JSON file; `-` is standard input; not needed for functions without inputs, such as `inertial_parameters`
     #[arg(long, short, value_name = "FILE")]
-    state: PathBuf,
+    state: Option<PathBuf>,
 
     /// How to compute sums over bodies: `notes`, `recursive`, or `cheapest`, whichever needs fewer operations
     #[arg(long, value_name = "WHICH", value_parser = parse::one_of(Formulation::ALL))]
@@ -102,7 +102,10 @@ pub(crate) fn run(
     let job = failures.keep(listed::looked_at(&arguments.model, &arguments.changes));
     let checked = job.as_ref().map(Job::checked);
     let checked = checked.and_then(|checked| failures.keep(checked));
-    let state = failures.keep(read_state(&arguments.state));
+    let state = failures.keep(match &arguments.state {
+        Some(path) => read_state(path),
+        None => Ok(Source::new("no `--state FILE`", "{}")),
+    });
     failures.none()?;
     let (Some(function), Some(job), Some(checked), Some(state)) = (function, job, checked, state)
     else {
