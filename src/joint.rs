@@ -40,8 +40,8 @@ impl Joint {
         };
         // Of the seven places the fourth is a quaternion's.
         let places = self.q[..3].iter().chain(&self.q[4..]);
-        let pairs = places.zip(self.u).skip(skipped);
-        pairs.filter_map(|(q, u)| Some(((*q)?, u?)))
+        let pairs = places.zip(&self.u).skip(skipped);
+        pairs.filter_map(|(q, u)| Some(((*q)?, (*u)?)))
     }
 }
 

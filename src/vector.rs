@@ -44,40 +44,59 @@ pub(crate) fn unit<R: Real, A: Array<R>>(entry: usize) -> A {
     A::from_fn(|place| R::from_f64(if place == entry { 1.0 } else { 0.0 }))
 }
 
-/// A matrix by rows times a vector.
-pub(crate) fn times<R: Real, U: Array<R>, M: Array<U>>(matrix: &M, v: &U) -> U {
-    let mut product = zero::<R, U>();
-    for (sum, row) in product.as_mut().iter_mut().zip(matrix.as_ref()) {
-        for (entry, v) in row.as_ref().iter().zip(v.as_ref()) {
-            *sum = *sum + *entry * *v;
-        }
+/// `a *= factor`, a matrix by rows.
+pub(crate) fn scale_rows<R: Real, Row: Array<R>, M: Array<Row>>(a: &mut M, factor: R) {
+    for row in a.as_mut() {
+        *row = scaled(factor, row);
     }
-    product
 }
 
-/// A column of a matrix by rows, one entry per speed.
-pub(crate) fn column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
-    matrix: &M,
-    place: usize,
-) -> U {
-    let mut column = zero::<R, U>();
-    for (entry, row) in column.as_mut().iter_mut().zip(matrix.as_ref()) {
-        if let Some(own) = row.as_ref().get(place) {
-            *entry = *own;
-        }
-    }
-    column
-}
-
-/// Overwrites a column of a matrix by rows.
-pub(crate) fn set_column<R: Real, U: Array<R>, Row: Array<R>, M: Array<Row>>(
-    matrix: &mut M,
-    place: usize,
-    column: &U,
+/// `product = factor a`, matrices by rows.
+pub(crate) fn set_scaled_rows<R: Real, Row: Array<R>, M: Array<Row>>(
+    product: &mut M,
+    factor: R,
+    a: &M,
 ) {
-    for (row, entry) in matrix.as_mut().iter_mut().zip(column.as_ref()) {
-        if let Some(own) = row.as_mut().get_mut(place) {
-            *own = *entry;
+    for (product, row) in product.as_mut().iter_mut().zip(a.as_ref()) {
+        *product = scaled(factor, row);
+    }
+}
+
+/// `sum += factor b`, matrices by rows.
+pub(crate) fn add_scaled_rows<R: Real, Row: Array<R>, M: Array<Row>>(
+    sum: &mut M,
+    factor: R,
+    b: &M,
+) {
+    for (sum, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
+        add_scaled(sum, factor, b);
+    }
+}
+
+/// `sum += factor a b`, matrices by rows.
+///
+/// A row of the product is a sum of rows of `b`, whose entries are added side by side; down a column they would wait for one another.
+pub(crate) fn add_product<R: Real, U: Array<R>, Row: Array<R>, A: Array<U>, M: Array<Row>>(
+    sum: &mut M,
+    factor: R,
+    a: &A,
+    b: &M,
+) {
+    for (sum, entries) in sum.as_mut().iter_mut().zip(a.as_ref()) {
+        // A copy, which may stay in registers.
+        let mut own = *sum;
+        for (entry, row) in entries.as_ref().iter().zip(b.as_ref()) {
+            add_scaled(&mut own, factor * *entry, row);
+        }
+        *sum = own;
+    }
+}
+
+/// `sum += 1`, a square matrix by rows.
+pub(crate) fn add_identity<R: Real, Row: Array<R>, M: Array<Row>>(sum: &mut M) {
+    for (place, row) in sum.as_mut().iter_mut().enumerate() {
+        if let Some(entry) = row.as_mut().get_mut(place) {
+            *entry = *entry + R::from_f64(1.0);
         }
     }
 }

@@ -1,8 +1,5 @@
 //! Changes of states, and derivatives of a step.
 
-use crate::vector::{set_column, unit, zero};
-use crate::{Array, Real};
-
 /// A change of a state, of `q` as a direction of [`q_plus`](crate::manifold::q_plus) and of `u`, or a multiplier of both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<U> {
@@ -12,43 +9,13 @@ pub struct Change<U> {
     pub u: U,
 }
 
-impl<U> Change<U> {
-    /// No change.
-    pub(super) fn zero<R: Real>() -> Self
-    where
-        U: Array<R>,
-    {
-        Self {
-            q: zero(),
-            u: zero(),
-        }
-    }
-}
-
-/// The variable by which a step is differentiated.
-#[derive(Clone, Copy)]
+/// What a step is differentiated by.
+#[derive(Clone, Copy, PartialEq)]
 pub(super) enum Variable {
     Q,
     U,
-    Tau,
-}
-
-impl Variable {
-    /// The change of the state if one entry of the variable changes by one.
-    pub(super) fn change<R: Real, U: Array<R>>(self, place: usize) -> Change<U> {
-        let none = Change::zero();
-        match self {
-            Self::Q => Change {
-                q: unit(place),
-                ..none
-            },
-            Self::U => Change {
-                u: unit(place),
-                ..none
-            },
-            Self::Tau => none,
-        }
-    }
+    /// Forces, or values set at run time: the state before the step does not depend on them.
+    Other,
 }
 
 /// The derivatives of the state after a step by the state before it and by `tau`, in blocks `[[R; NU]; NU]`, row by row.
@@ -84,24 +51,13 @@ impl<M: Copy> StepDerivatives<M> {
         }
     }
 
-    /// Overwrites all columns, where `after(variable, place)` is the change after the step as that entry grows by one.
-    pub(super) fn set_columns<R: Real, U: Array<R>>(
-        &mut self,
-        after: impl Fn(Variable, usize) -> Change<U>,
-    ) where
-        M: Array<U>,
-    {
-        for (variable, of_q, of_u) in [
+    /// The derivatives of the coordinates and of the speeds, variable by variable.
+    pub(super) fn by_variable(&mut self) -> [(Variable, &mut M, &mut M); 3] {
+        [
             (Variable::Q, &mut self.q_by_q, &mut self.u_by_q),
             (Variable::U, &mut self.q_by_u, &mut self.u_by_u),
-            (Variable::Tau, &mut self.q_by_tau, &mut self.u_by_tau),
-        ] {
-            for place in 0..U::LEN {
-                let changed = after(variable, place);
-                set_column(of_q, place, &changed.q);
-                set_column(of_u, place, &changed.u);
-            }
-        }
+            (Variable::Other, &mut self.q_by_tau, &mut self.u_by_tau),
+        ]
     }
 }
 
@@ -118,19 +74,5 @@ impl<M: Copy> StepByParameters<M> {
     /// Both blocks equal to `block`, as storage to overwrite.
     pub fn filled(block: M) -> Self {
         Self { q: block, u: block }
-    }
-
-    /// Overwrites all columns, where `after(place)` is the change after the step as that value grows by one.
-    pub(super) fn set_columns<R: Real, U: Array<R>, V: Array<R>>(
-        &mut self,
-        after: impl Fn(usize) -> Change<U>,
-    ) where
-        M: Array<V>,
-    {
-        for place in 0..V::LEN {
-            let changed = after(place);
-            set_column(&mut self.q, place, &changed.q);
-            set_column(&mut self.u, place, &changed.u);
-        }
     }
 }

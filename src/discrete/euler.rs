@@ -10,7 +10,7 @@ use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
     ForwardDynamicsJvp, ForwardDynamicsVjp,
 };
-use crate::vector::{column, plus, plus_scaled, scaled, zero};
+use crate::vector::{add_identity, plus, plus_scaled, scale_rows, scaled, set_scaled_rows, zero};
 use crate::{Array, Real, System};
 
 /// Advances `q` and `u` by `dt`, s, under forces `tau`, N m and N.
@@ -54,35 +54,76 @@ fn changed<R: Real, S: System<R>>(
     }
 }
 
+/// Turns changes of accelerations, a column for each entry of a variable, into those of the speeds, and writes those of the coordinates.
+fn change_rows<R: Real, S: System<R>, Row: Array<R>, M: Array<Row>>(
+    moving: &Reached<R, S>,
+    dt: R,
+    variable: Variable,
+    of_q: &mut M,
+    of_u: &mut M,
+) {
+    scale_rows(of_u, dt);
+    if variable == Variable::U {
+        add_identity(of_u);
+    }
+    set_scaled_rows(of_q, dt, of_u);
+    moving.change_rows(variable, of_q);
+}
+
 /// Like [`step`], and also gives its derivatives at the state before it.
 pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&mut S::Q, &mut S::U),
+    state: (&mut S::Q, &mut S::U),
     derivatives: &mut StepDerivatives<S::Matrix>,
 ) {
+    let _ = linearized_by(system, tau, dt, state, derivatives);
+}
+
+/// Like [`linearized`]; gives the way to the coordinates after the step.
+fn linearized_by<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&mut S::Q, &mut S::U),
+    derivatives: &mut StepDerivatives<S::Matrix>,
+) -> Reached<R, S> {
     let mut u_dot = zero();
-    let [mut by_q, mut by_u, mut by_tau] = [S::Matrix::filled(zero()); 3];
     system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
         q,
         u,
         tau,
         &mut u_dot,
-        &mut by_q,
-        &mut by_u,
-        &mut by_tau,
+        &mut derivatives.u_by_q,
+        &mut derivatives.u_by_u,
+        &mut derivatives.u_by_tau,
     );
-    let moving = Reached::<R, S>::by(&moved(system, dt, q, u, &u_dot));
-    derivatives.set_columns(|variable, place| {
-        let of_u_dot = match variable {
-            Variable::Q => &by_q,
-            Variable::U => &by_u,
-            Variable::Tau => &by_tau,
-        };
-        let of_u_dot = column(of_u_dot, place);
-        changed(&moving, dt, &variable.change(place), &of_u_dot)
-    });
+    let moving = Reached::by(&moved(system, dt, q, u, &u_dot));
+    for (variable, of_q, of_u) in derivatives.by_variable() {
+        change_rows(&moving, dt, variable, of_q, of_u);
+    }
+    moving
+}
+
+/// [`linearized`] and [`by_parameters`] with one evaluation of the dynamics.
+pub fn linearized_and_by_parameters<
+    R: Real,
+    S: ForwardDynamicsAndDerivatives<R> + ForwardDynamicsByParameters<R>,
+>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&mut S::Q, &mut S::U),
+    (derivatives, by_parameters): (
+        &mut StepDerivatives<S::Matrix>,
+        &mut StepByParameters<S::ByParameters>,
+    ),
+) {
+    let StepByParameters { q: of_q, u: of_u } = by_parameters;
+    system.d_forward_dynamics_d_parameters(q, u, tau, of_u);
+    let moving = linearized_by(system, tau, dt, (q, u), derivatives);
+    change_rows(&moving, dt, Variable::Other, of_q, of_u);
 }
 
 /// The derivatives of the state after the step by all values set at run time.
@@ -94,14 +135,11 @@ pub fn by_parameters<R: Real, S: ForwardDynamics<R> + ForwardDynamicsByParameter
     derivatives: &mut StepByParameters<S::ByParameters>,
 ) {
     let (mut u_dot, mut q, mut u) = (zero(), *q, *u);
-    let mut by_values = S::ByParameters::filled(zero());
+    let StepByParameters { q: of_q, u: of_u } = derivatives;
     system.forward_dynamics(&q, &u, tau, &mut u_dot);
-    system.d_forward_dynamics_d_parameters(&q, &u, tau, &mut by_values);
+    system.d_forward_dynamics_d_parameters(&q, &u, tau, of_u);
     let moving = Reached::<R, S>::by(&moved(system, dt, &mut q, &mut u, &u_dot));
-    derivatives.set_columns(|place| {
-        let of_u_dot = column(&by_values, place);
-        changed(&moving, dt, &Change::zero(), &of_u_dot)
-    });
+    change_rows(&moving, dt, Variable::Other, of_q, of_u);
 }
 
 /// Like [`step`], and also turns `change`, a change of the state before the step, into that after it, if `tau` changes by `tau_change`.

@@ -10,8 +10,10 @@ use crate::functions::{
     ForwardDynamics, ForwardDynamicsAndDerivatives, ForwardDynamicsByParameters,
     ForwardDynamicsJvp, ForwardDynamicsVjp,
 };
-use crate::manifold::{q_plus, rate};
-use crate::vector::{column, plus, plus_scaled, scaled, times, zero};
+use crate::manifold::{q_plus, rate, rate::RateMap};
+use crate::vector::{
+    add_identity, add_product, add_scaled_rows, plus, plus_scaled, scale_rows, scaled, zero,
+};
 use crate::{Array, Real, System};
 
 /// How far each stage is from the state before the step, in steps.
@@ -20,92 +22,67 @@ const WAYS: [f64; 4] = [0.0, 0.5, 0.5, 1.0];
 /// The weights of the stages' rates.
 const WEIGHTS: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
 
-/// A state within the step, and its rates.
+/// A state within the step.
 #[derive(Clone, Copy)]
-struct Stage<Q, U> {
+struct Stage<R, Q, U> {
+    /// The time by which rates before it lead to it, s.
+    way: R,
+    /// The time for which its own rates count, s.
+    weight: R,
     /// The direction that leads to `q`.
     d: U,
     q: Q,
     u: U,
-    d_dot: U,
-    u_dot: U,
 }
 
-type Stages<R, S> = [Stage<<S as System<R>>::Q, <S as System<R>>::U>; 4];
+type StageOf<R, S> = Stage<R, <S as System<R>>::Q, <S as System<R>>::U>;
 
-/// The stages of a step, and the direction and speeds to which it leads.
-type Walk<R, S> = (Stages<R, S>, <S as System<R>>::U, <S as System<R>>::U);
-
-/// The stages of a step, with the accelerations `u_dot(stage, q, u)`.
-fn stages<R: Real, S: System<R>>(
+/// The direction and speeds to which a step leads, with the accelerations `u_dot(stage)`.
+fn walk<R: Real, S: System<R>>(
     system: &S,
     dt: R,
     (q, u): (&S::Q, &S::U),
-    mut u_dot: impl FnMut(usize, &S::Q, &S::U) -> S::U,
-) -> Walk<R, S> {
-    let start = Stage {
-        d: zero(),
-        q: *q,
-        u: *u,
-        d_dot: zero(),
-        u_dot: zero(),
-    };
-    let mut all = [start; 4];
-    let (mut before, mut d_after, mut u_after) = (start, zero(), *u);
-    for (place, stage) in all.iter_mut().enumerate() {
-        let way = dt * R::from_f64(WAYS[place]);
-        stage.d = scaled(way, &before.d_dot);
-        stage.u = plus_scaled(u, way, &before.u_dot);
-        stage.q = q_plus(system, q, &stage.d);
-        stage.d_dot = rate::of::<R, S>(&stage.d, &stage.u);
-        stage.u_dot = u_dot(place, &stage.q, &stage.u);
-        let weight = dt * R::from_f64(WEIGHTS[place]);
-        d_after = plus_scaled(&d_after, weight, &stage.d_dot);
-        u_after = plus_scaled(&u_after, weight, &stage.u_dot);
-        before = *stage;
+    mut u_dot: impl FnMut(&StageOf<R, S>) -> S::U,
+) -> (S::U, S::U) {
+    let (mut d_rate, mut u_rate) = (zero(), zero());
+    let (mut d_after, mut u_after) = (zero(), *u);
+    for (way, weight) in WAYS.into_iter().zip(WEIGHTS) {
+        let (way, weight) = (dt * R::from_f64(way), dt * R::from_f64(weight));
+        let d = scaled(way, &d_rate);
+        let stage = Stage {
+            way,
+            weight,
+            d,
+            q: q_plus(system, q, &d),
+            u: plus_scaled(u, way, &u_rate),
+        };
+        d_rate = rate::of::<R, S>(&d, &stage.u);
+        u_rate = u_dot(&stage);
+        d_after = plus_scaled(&d_after, weight, &d_rate);
+        u_after = plus_scaled(&u_after, weight, &u_rate);
     }
-    (all, d_after, u_after)
+    (d_after, u_after)
 }
 
-/// The stages of a step, with the accelerations of the dynamics.
-fn driven<R: Real, S: ForwardDynamics<R>>(
-    system: &S,
-    tau: &S::U,
-    dt: R,
-    state: (&S::Q, &S::U),
-) -> Walk<R, S> {
-    stages(system, dt, state, |_, q, u| {
-        let mut u_dot = zero();
-        system.forward_dynamics(q, u, tau, &mut u_dot);
-        u_dot
-    })
+/// The accelerations of a stage.
+fn driven<R: Real, S: ForwardDynamics<R>>(system: &S, tau: &S::U, stage: &StageOf<R, S>) -> S::U {
+    let mut u_dot = zero();
+    system.forward_dynamics(&stage.q, &stage.u, tau, &mut u_dot);
+    u_dot
 }
 
-/// The derivatives of the stages' accelerations by `q`, `u` and `tau`.
-type OfAccelerations<M> = [[M; 3]; 4];
-
-/// The stages of a step, with the derivatives of their accelerations.
+/// The accelerations of a stage, and their derivatives by `q`, `u` and `tau`.
 fn differentiated<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     system: &S,
     tau: &S::U,
-    dt: R,
-    state: (&S::Q, &S::U),
-) -> (Walk<R, S>, OfAccelerations<S::Matrix>) {
-    let mut of_u_dot = [[S::Matrix::filled(zero()); 3]; 4];
-    let walk = stages(system, dt, state, |place, q, u| {
-        let mut u_dot = zero();
-        let [by_q, by_u, by_tau] = &mut of_u_dot[place];
-        system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
-            q, u, tau, &mut u_dot, by_q, by_u, by_tau,
-        );
-        u_dot
-    });
-    (walk, of_u_dot)
-}
-
-/// How a stage's accelerations change with its state.
-fn by_state<R: Real, U: Array<R>, M: Array<U>>([by_q, by_u, _]: &[M; 3], change: &Change<U>) -> U {
-    plus(&times(by_q, &change.q), &times(by_u, &change.u))
+    stage: &StageOf<R, S>,
+    [by_q, by_u, by_tau]: &mut [S::Matrix; 3],
+) -> S::U {
+    let mut u_dot = zero();
+    system.forward_dynamics_and_d_forward_dynamics_d_q_u_tau(
+        &stage.q, &stage.u, tau, &mut u_dot, by_q, by_u, by_tau,
+    );
+    u_dot
 }
 
 /// Advances `q` and `u` by `dt`, s, under forces `tau`, N m and N.
@@ -116,87 +93,111 @@ pub fn step<R: Real, S: ForwardDynamics<R>>(
     q: &mut S::Q,
     u: &mut S::U,
 ) {
-    let (_, d_after, u_after) = driven(system, tau, dt, (q, u));
+    let (d_after, u_after) = walk(system, dt, (q, u), |stage| driven(system, tau, stage));
     move_on(system, q, &d_after);
     *u = u_after;
 }
 
-/// How the stages of a step change, and the coordinates after it.
-struct Moved<R: Real, S: System<R>> {
-    dt: R,
-    stages: Stages<R, S>,
-    to_stages: [Reached<R, S>; 4],
-    to_end: Reached<R, S>,
+/// How the accelerations and the direction's rate at a stage change with its state.
+struct Linear<'a, R: Real, S: System<R>> {
+    way: R,
+    weight: R,
+    reached: Reached<R, S>,
+    rate: RateMap<R, S>,
+    by_q: &'a S::Matrix,
+    by_u: &'a S::Matrix,
 }
 
-impl<R: Real, S: System<R>> Moved<R, S> {
-    fn new(dt: R, stages: Stages<R, S>, d_after: &S::U) -> Self {
+impl<'a, R: Real, S: System<R>> Linear<'a, R, S> {
+    fn new(stage: &StageOf<R, S>, [by_q, by_u, _]: &'a [S::Matrix; 3]) -> Self {
         Self {
-            dt,
-            stages,
-            to_stages: [0, 1, 2, 3].map(|place: usize| Reached::by(&stages[place].d)),
-            to_end: Reached::by(d_after),
+            way: stage.way,
+            weight: stage.weight,
+            reached: Reached::by(&stage.d),
+            rate: RateMap::at(&stage.d, &stage.u),
+            by_q,
+            by_u,
+        }
+    }
+}
+
+/// How far the rates of the stages passed on so far depend on a variable.
+#[derive(Clone, Copy, PartialEq)]
+enum Passed {
+    /// There are none.
+    Nothing,
+    /// The direction's only if the variable is the speeds, for the first direction is zero.
+    First,
+    Both,
+}
+
+/// Changes by the entries of a variable, a column for each, by rows.
+struct Columns<'a, M> {
+    variable: Variable,
+    passed: Passed,
+    /// Of the rates at the stage before.
+    d_rate: M,
+    u_rate: M,
+    /// After the step; of `q`, those of the direction until the end.
+    of_q: &'a mut M,
+    of_u: &'a mut M,
+}
+
+impl<'a, M> Columns<'a, M> {
+    /// Those before the step.
+    fn start<R: Real, Row: Array<R>>(
+        (variable, of_q, of_u): (Variable, &'a mut M, &'a mut M),
+    ) -> Self
+    where
+        M: Array<Row>,
+    {
+        let none = M::filled(zero());
+        (*of_q, *of_u) = (none, none);
+        if variable == Variable::U {
+            add_identity(of_u);
+        }
+        Self {
+            variable,
+            passed: Passed::Nothing,
+            d_rate: none,
+            u_rate: none,
+            of_q,
+            of_u,
         }
     }
 
-    /// The change after the step, with the changes `du_dot(stage, change)` of the accelerations.
-    fn changed(
-        &self,
-        change: &Change<S::U>,
-        mut du_dot: impl FnMut(usize, &Change<S::U>) -> S::U,
-    ) -> Change<S::U> {
-        let (mut d_rate, mut u_rate) = (zero(), zero());
-        let (mut d_after, mut u_after) = (zero(), change.u);
-        for place in 0..4 {
-            let stage = &self.stages[place];
-            let way = self.dt * R::from_f64(WAYS[place]);
-            let d = scaled(way, &d_rate);
-            let own = Change {
-                q: self.to_stages[place].changed(&change.q, &d),
-                u: plus_scaled(&change.u, way, &u_rate),
-            };
-            d_rate = rate::changed::<R, S>((&stage.d, &stage.u), (&d, &own.u));
-            u_rate = du_dot(place, &own);
-            let weight = self.dt * R::from_f64(WEIGHTS[place]);
-            d_after = plus_scaled(&d_after, weight, &d_rate);
-            u_after = plus_scaled(&u_after, weight, &u_rate);
+    /// Passes on to a stage. `own` has the changes of its accelerations by the variable itself.
+    fn pass<R: Real, S: System<R>, Row: Array<R>>(&mut self, stage: &Linear<'_, R, S>, own: &M)
+    where
+        M: Array<Row>,
+    {
+        let way = stage.way;
+        let mut d_rate = self.u_rate;
+        scale_rows(&mut d_rate, way);
+        if self.variable == Variable::U {
+            add_identity(&mut d_rate);
         }
-        Change {
-            q: self.to_end.changed(&change.q, &d_after),
-            u: u_after,
+        stage.rate.change_rows((way, &self.d_rate), &mut d_rate);
+        let mut u_rate = *own;
+        if self.variable == Variable::Q {
+            stage.reached.by_q.turn_columns(&mut u_rate);
         }
-    }
-
-    /// The multiplier before the step, with the gradient `gradient(stage, multiplier)` of the accelerations by the stage's state.
-    fn back(
-        &self,
-        multiplier: &Change<S::U>,
-        mut gradient: impl FnMut(usize, &S::U) -> Change<S::U>,
-    ) -> Change<S::U> {
-        let (of_q, d_after) = self.to_end.back(&multiplier.q);
-        let mut before = Change {
-            q: of_q,
-            u: multiplier.u,
+        if self.passed == Passed::Both
+            || self.passed == Passed::First && self.variable == Variable::U
+        {
+            stage.reached.by_direction.turn_rows(&mut self.d_rate);
+            add_product(&mut u_rate, way, stage.by_q, &self.d_rate);
+        }
+        if self.passed != Passed::Nothing {
+            add_product(&mut u_rate, way, stage.by_u, &self.u_rate);
+        }
+        add_scaled_rows(self.of_q, stage.weight, &d_rate);
+        add_scaled_rows(self.of_u, stage.weight, &u_rate);
+        (self.d_rate, self.u_rate) = (d_rate, u_rate);
+        self.passed = match self.passed {
+            Passed::Nothing => Passed::First,
+            Passed::First | Passed::Both => Passed::Both,
         };
-        // What the stage after has of the rates of its own before.
-        let (mut of_d_rate, mut of_u_rate) = (zero(), zero());
-        for place in (0..4).rev() {
-            let (stage, moving) = (&self.stages[place], &self.to_stages[place]);
-            let weight = self.dt * R::from_f64(WEIGHTS[place]);
-            let of_u_dot = plus_scaled(&of_u_rate, weight, &multiplier.u);
-            let of_d_dot = plus_scaled(&of_d_rate, weight, &d_after);
-            let own = gradient(place, &of_u_dot);
-            let (of_d, of_u) = rate::back::<R, S>((&stage.d, &stage.u), &of_d_dot);
-            let (own_q, own_d) = moving.back(&own.q);
-            let of_d = plus(&of_d, &own_d);
-            let of_u = plus(&of_u, &own.u);
-            before.q = plus(&before.q, &own_q);
-            before.u = plus(&before.u, &of_u);
-            let way = self.dt * R::from_f64(WAYS[place]);
-            of_d_rate = scaled(way, &of_d);
-            of_u_rate = scaled(way, &of_u);
-        }
-        before
     }
 }
 
@@ -205,22 +206,39 @@ pub fn linearized<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&mut S::Q, &mut S::U),
+    state: (&mut S::Q, &mut S::U),
     derivatives: &mut StepDerivatives<S::Matrix>,
 ) {
-    let ((stages, d_after, u_after), of_u_dot) = differentiated(system, tau, dt, (q, u));
+    let _ = linearized_and(system, tau, dt, state, derivatives, |_, _| {});
+}
+
+/// Like [`linearized`], with what is to be done with each stage; gives the way to the coordinates after the step.
+fn linearized_and<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    (q, u): (&mut S::Q, &mut S::U),
+    derivatives: &mut StepDerivatives<S::Matrix>,
+    mut and: impl FnMut(&StageOf<R, S>, &Linear<'_, R, S>),
+) -> Reached<R, S> {
+    let mut by = [S::Matrix::filled(zero()); 3];
+    let mut all = derivatives.by_variable().map(Columns::start);
+    let (d_after, u_after) = walk(system, dt, (q, u), |stage| {
+        let u_dot = differentiated(system, tau, stage, &mut by);
+        let linear = Linear::<R, S>::new(stage, &by);
+        for (columns, own) in all.iter_mut().zip(&by) {
+            columns.pass(&linear, own);
+        }
+        and(stage, &linear);
+        u_dot
+    });
+    let end = Reached::<R, S>::by(&d_after);
+    for columns in &mut all {
+        end.change_rows(columns.variable, columns.of_q);
+    }
     move_on(system, q, &d_after);
     *u = u_after;
-    let moved = Moved::<R, S>::new(dt, stages, &d_after);
-    derivatives.set_columns(|variable, place| {
-        moved.changed(&variable.change(place), |stage, change| {
-            let by_state = by_state(&of_u_dot[stage], change);
-            match variable {
-                Variable::Q | Variable::U => by_state,
-                Variable::Tau => plus(&by_state, &column(&of_u_dot[stage][2], place)),
-            }
-        })
-    });
+    end
 }
 
 /// The derivatives of the state after the step by all values set at run time.
@@ -231,22 +249,46 @@ pub fn by_parameters<
     system: &S,
     tau: &S::U,
     dt: R,
-    (q, u): (&S::Q, &S::U),
+    state: (&S::Q, &S::U),
     derivatives: &mut StepByParameters<S::ByParameters>,
 ) {
-    let ((stages, d_after, _), of_u_dot) = differentiated(system, tau, dt, (q, u));
-    let by_values = stages.map(|Stage { q, u, .. }| {
-        let mut by_values = S::ByParameters::filled(zero());
-        system.d_forward_dynamics_d_parameters(&q, &u, tau, &mut by_values);
-        by_values
+    let StepByParameters { q: of_q, u: of_u } = derivatives;
+    let (mut by, mut by_values) = (
+        [S::Matrix::filled(zero()); 3],
+        S::ByParameters::filled(zero()),
+    );
+    let mut columns = Columns::start((Variable::Other, of_q, of_u));
+    let (d_after, _) = walk(system, dt, state, |stage| {
+        let u_dot = differentiated(system, tau, stage, &mut by);
+        system.d_forward_dynamics_d_parameters(&stage.q, &stage.u, tau, &mut by_values);
+        columns.pass(&Linear::<R, S>::new(stage, &by), &by_values);
+        u_dot
     });
-    let moved = Moved::<R, S>::new(dt, stages, &d_after);
-    derivatives.set_columns(|place| {
-        moved.changed(&Change::zero(), |stage, change| {
-            let by_state = by_state(&of_u_dot[stage], change);
-            plus(&by_state, &column(&by_values[stage], place))
-        })
+    Reached::<R, S>::by(&d_after).change_rows(columns.variable, columns.of_q);
+}
+
+/// [`linearized`] and [`by_parameters`] with one evaluation of the dynamics at each stage.
+pub fn linearized_and_by_parameters<
+    R: Real,
+    S: ForwardDynamicsAndDerivatives<R> + ForwardDynamicsByParameters<R>,
+>(
+    system: &S,
+    tau: &S::U,
+    dt: R,
+    state: (&mut S::Q, &mut S::U),
+    (derivatives, by_parameters): (
+        &mut StepDerivatives<S::Matrix>,
+        &mut StepByParameters<S::ByParameters>,
+    ),
+) {
+    let StepByParameters { q: of_q, u: of_u } = by_parameters;
+    let mut by_values = S::ByParameters::filled(zero());
+    let mut columns = Columns::start((Variable::Other, of_q, of_u));
+    let end = linearized_and(system, tau, dt, state, derivatives, |stage, linear| {
+        system.d_forward_dynamics_d_parameters(&stage.q, &stage.u, tau, &mut by_values);
+        columns.pass(linear, &by_values);
     });
+    end.change_rows(columns.variable, columns.of_q);
 }
 
 /// Like [`step`], and also turns `change`, a change of the state before the step, into that after it, if `tau` changes by `tau_change`.
@@ -257,22 +299,32 @@ pub fn forward<R: Real, S: ForwardDynamics<R> + ForwardDynamicsJvp<R>>(
     (q, u): (&mut S::Q, &mut S::U),
     (change, tau_change): (&mut Change<S::U>, &S::U),
 ) {
-    let (stages, d_after, u_after) = driven(system, tau, dt, (q, u));
-    let moved = Moved::<R, S>::new(dt, stages, &d_after);
-    *change = moved.changed(change, |place, change| {
-        let Stage { q, u, .. } = &moved.stages[place];
-        let mut du_dot = zero();
+    let (mut d_rate, mut u_rate) = (zero(), zero());
+    let (mut d_change, mut u_change) = (zero(), change.u);
+    let (d_after, u_after) = walk(system, dt, (q, u), |stage| {
+        let d = scaled(stage.way, &d_rate);
+        let own = Change {
+            q: Reached::<R, S>::by(&stage.d).changed(&change.q, &d),
+            u: plus_scaled(&change.u, stage.way, &u_rate),
+        };
+        d_rate = rate::changed::<R, S>((&stage.d, &stage.u), (&d, &own.u));
         system.jvp_forward_dynamics_q_u_tau(
-            q,
-            u,
+            &stage.q,
+            &stage.u,
             tau,
-            &change.q,
-            &change.u,
+            &own.q,
+            &own.u,
             tau_change,
-            &mut du_dot,
+            &mut u_rate,
         );
-        du_dot
+        d_change = plus_scaled(&d_change, stage.weight, &d_rate);
+        u_change = plus_scaled(&u_change, stage.weight, &u_rate);
+        driven(system, tau, stage)
     });
+    *change = Change {
+        q: Reached::<R, S>::by(&d_after).changed(&change.q, &d_change),
+        u: u_change,
+    };
     move_on(system, q, &d_after);
     *u = u_after;
 }
@@ -288,26 +340,43 @@ pub fn adjoint<R: Real, S: ForwardDynamics<R> + ForwardDynamicsVjp<R>>(
     (q, u): (&S::Q, &S::U),
     (multiplier, tau_gradient): (&mut Change<S::U>, &mut S::U),
 ) {
-    let (stages, d_after, _) = driven(system, tau, dt, (q, u));
-    let moved = Moved::<R, S>::new(dt, stages, &d_after);
-    let mut sum = zero();
-    *multiplier = moved.back(multiplier, |place, of_u_dot| {
-        let Stage { q, u, .. } = &moved.stages[place];
+    let mut stages = [None; 4];
+    let mut kept = stages.iter_mut();
+    let (d_after, _) = walk(system, dt, (q, u), |stage| {
+        if let Some(kept) = kept.next() {
+            *kept = Some(*stage);
+        }
+        driven(system, tau, stage)
+    });
+    let (of_q, d_after) = Reached::<R, S>::by(&d_after).back(&multiplier.q);
+    let mut before = Change {
+        q: of_q,
+        u: multiplier.u,
+    };
+    *tau_gradient = zero();
+    // What the stage after has of the rates of its own before.
+    let (mut of_d_rate, mut of_u_rate) = (zero(), zero());
+    for stage in stages.iter().flatten().rev() {
+        let of_u_dot = plus_scaled(&of_u_rate, stage.weight, &multiplier.u);
+        let of_d_dot = plus_scaled(&of_d_rate, stage.weight, &d_after);
         let (mut q_gradient, mut u_gradient, mut own) = (zero(), zero(), zero());
         system.vjp_forward_dynamics_q_u_tau(
-            q,
-            u,
+            &stage.q,
+            &stage.u,
             tau,
-            of_u_dot,
+            &of_u_dot,
             &mut q_gradient,
             &mut u_gradient,
             &mut own,
         );
-        sum = plus(&sum, &own);
-        Change {
-            q: q_gradient,
-            u: u_gradient,
-        }
-    });
-    *tau_gradient = sum;
+        *tau_gradient = plus(tau_gradient, &own);
+        let (of_d, of_u) = rate::back::<R, S>((&stage.d, &stage.u), &of_d_dot);
+        let (own_q, own_d) = Reached::<R, S>::by(&stage.d).back(&q_gradient);
+        let of_u = plus(&of_u, &u_gradient);
+        before.q = plus(&before.q, &own_q);
+        before.u = plus(&before.u, &of_u);
+        of_d_rate = scaled(stage.way, &plus(&of_d, &own_d));
+        of_u_rate = scaled(stage.way, &of_u);
+    }
+    *multiplier = before;
 }

@@ -29,6 +29,8 @@ mod turn;
 pub use tangent::TangentMap;
 pub(crate) use turn::of_angles;
 
+use core::marker::PhantomData;
+
 use crate::joint::Chart;
 use crate::vector::zero;
 use crate::{Array, Joint, Real, System};
@@ -41,8 +43,27 @@ fn entry<R: Real, A: Array<R>>(array: &A, place: usize) -> R {
     found.unwrap_or(R::from_f64(0.0))
 }
 
+/// Three rows of a matrix; zeros beyond its end.
+fn three_rows<R: Real, Row: Array<R>, M: Array<Row>>(
+    matrix: &M,
+    [a, b, c]: [usize; 3],
+) -> [Row; 3] {
+    let row = |place: usize| matrix.as_ref().get(place).copied().unwrap_or_else(zero);
+    [row(a), row(b), row(c)]
+}
+
+/// A combination of three rows.
+fn combined<R: Real, Row: Array<R>>([a, b, c]: &[Row; 3], [f, g, h]: Vector<R>) -> Row {
+    let mut sum = *a;
+    let others = b.as_ref().iter().zip(c.as_ref());
+    for (sum, (b, c)) in sum.as_mut().iter_mut().zip(others) {
+        *sum = f * *sum + g * *b + h * *c;
+    }
+    sum
+}
+
 /// Overwrites an entry.
-fn put<R: Real, A: Array<R>>(array: &mut A, place: usize, value: R) {
+fn put<T, A: Array<T>>(array: &mut A, place: usize, value: T) {
     if let Some(entry) = array.as_mut().get_mut(place) {
         *entry = value;
     }
@@ -100,9 +121,29 @@ impl TurningPlaces {
     }
 }
 
-/// The joints whose speeds are not rates of their coordinates.
+/// What a compiler knows of a system's joints.
+struct Known<R, S>(PhantomData<(R, S)>);
+
+impl<R: Real, S: System<R>> Known<R, S> {
+    /// True if there is a joint whose speeds are not rates of its coordinates.
+    const TURNS: bool = any_turns(S::JOINTS);
+}
+
+const fn any_turns(joints: &[Joint]) -> bool {
+    let mut place = 0;
+    while place < joints.len() {
+        if !matches!(joints[place].chart, Chart::AngleRates) {
+            return true;
+        }
+        place += 1;
+    }
+    false
+}
+
+/// The joints whose speeds are not rates of their coordinates. Where there are none, no code remains.
 fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
-    let joints = S::JOINTS.iter().enumerate();
+    let joints = if Known::<R, S>::TURNS { S::JOINTS } else { &[] };
+    let joints = joints.iter().enumerate();
     joints.filter_map(|(body, joint)| TurningPlaces::of(body, joint))
 }
 
@@ -134,9 +175,9 @@ pub(crate) fn rates<R: Real, S: System<R>>() -> impl Iterator<Item = (usize, usi
 pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> S::Q {
     let _ = system;
     let mut moved = *q;
-    for (place, speed) in rates::<R, S>() {
+    rates::<R, S>().for_each(|(place, speed)| {
         put(&mut moved, place, entry(q, place) + entry(direction, speed));
-    }
+    });
     for joint in turnings::<R, S>() {
         let by = turn::exp(joint.turn(direction));
         let turned = turn::product(joint.quaternion(q), by);
@@ -162,9 +203,9 @@ pub fn q_plus<R: Real, S: System<R>>(system: &S, q: &S::Q, direction: &S::U) -> 
 pub fn q_minus<R: Real, S: System<R>>(system: &S, from: &S::Q, to: &S::Q) -> S::U {
     let _ = system;
     let mut direction: S::U = zero();
-    for (place, speed) in rates::<R, S>() {
+    rates::<R, S>().for_each(|(place, speed)| {
         put(&mut direction, speed, entry(to, place) - entry(from, place));
-    }
+    });
     for joint in turnings::<R, S>() {
         let back = turn::inverse(joint.quaternion(from));
         let turn = turn::log(turn::product(back, joint.quaternion(to)));

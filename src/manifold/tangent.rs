@@ -2,7 +2,7 @@
 //! minus one for every other speed.
 
 use super::turn::{self, Matrix, Vector};
-use super::turnings;
+use super::{combined, entry, put, rates, three_rows, turnings};
 use crate::vector::unit;
 use crate::{Array, Real, System};
 
@@ -29,26 +29,43 @@ impl<R: Real, S: System<R>> Copy for TangentMap<R, S> {}
 
 impl<R: Real, S: System<R>> TangentMap<R, S> {
     fn new(direction: &S::U, diagonal: f64, block: fn(Vector<R>) -> Matrix<R>) -> Self {
-        let diagonal = R::from_f64(diagonal);
-        let mut blocks = S::Rotations::filled([[diagonal; 3]; 3]);
+        let mut map = Self::diagonal(diagonal);
         for joint in turnings::<R, S>() {
-            if let Some(own) = blocks.as_mut().get_mut(joint.body) {
-                *own = block(joint.turn(direction));
-            }
+            put(&mut map.blocks, joint.body, block(joint.turn(direction)));
         }
-        Self { diagonal, blocks }
+        map
+    }
+
+    /// A map with this diagonal entry, also where its blocks belong.
+    fn diagonal(entry: f64) -> Self {
+        let diagonal = R::from_f64(entry);
+        Self {
+            diagonal,
+            blocks: S::Rotations::filled([[diagonal; 3]; 3]),
+        }
     }
 
     /// The derivative of `q_plus(q, direction)` by `q`: for an orientation the inverse rotation.
     #[must_use]
     pub fn of_q_plus_by_q(direction: &S::U) -> Self {
-        Self::new(direction, 1.0, turn::matrix_of_inverse)
+        Self::of_q_plus(direction)[0]
     }
 
     /// The derivative of `q_plus(q, direction)` by `direction`: for an orientation the right Jacobian of SO(3).
     #[must_use]
     pub fn of_q_plus_by_direction(direction: &S::U) -> Self {
-        Self::new(direction, 1.0, turn::jacobian)
+        Self::of_q_plus(direction)[1]
+    }
+
+    /// The derivatives of `q_plus(q, direction)` by `q` and by `direction`, which share sines.
+    pub(crate) fn of_q_plus(direction: &S::U) -> [Self; 2] {
+        let [mut by_q, mut by_direction] = [Self::diagonal(1.0); 2];
+        for joint in turnings::<R, S>() {
+            let [inverse, jacobian] = turn::inverse_and_jacobian(joint.turn(direction));
+            put(&mut by_q.blocks, joint.body, inverse);
+            put(&mut by_direction.blocks, joint.body, jacobian);
+        }
+        [by_q, by_direction]
     }
 
     /// The derivative of `q_minus(q, q_other)` by `q`, if its value is `direction`.
@@ -89,6 +106,58 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
             }
         }
         mapped
+    }
+
+    /// The map times a matrix with a row per speed, for a map that leaves all other speeds as they are.
+    pub(crate) fn turn_rows<Row: Array<R>, M: Array<Row>>(&self, matrix: &mut M) {
+        for joint in turnings::<R, S>() {
+            let Some(block) = self.blocks.as_ref().get(joint.body) else {
+                continue;
+            };
+            let rows = three_rows(matrix, joint.u);
+            for (place, factors) in joint.u.into_iter().zip(block) {
+                if let Some(row) = matrix.as_mut().get_mut(place) {
+                    *row = combined(&rows, *factors);
+                }
+            }
+        }
+    }
+
+    /// A matrix with a column per speed times the map, for a map that leaves all other speeds as they are.
+    pub(crate) fn turn_columns<Row: Array<R>, M: Array<Row>>(&self, matrix: &mut M) {
+        for joint in turnings::<R, S>() {
+            if let Some(block) = self.blocks.as_ref().get(joint.body) {
+                for row in matrix.as_mut() {
+                    let turned =
+                        turn::transposed_times(block, joint.u.map(|place| entry(row, place)));
+                    for (place, own) in joint.u.into_iter().zip(turned) {
+                        put(row, place, own);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds the map to a matrix, `[[R; NU]; NU]`, row by row.
+    pub(crate) fn add_to<Row: Array<R>, M: Array<Row>>(&self, matrix: &mut M) {
+        let add = |row: &mut Row, column, own| put(row, column, entry(row, column) + own);
+        rates::<R, S>().for_each(|(_, speed)| {
+            if let Some(row) = matrix.as_mut().get_mut(speed) {
+                add(row, speed, self.diagonal);
+            }
+        });
+        for joint in turnings::<R, S>() {
+            let Some(block) = self.blocks.as_ref().get(joint.body) else {
+                continue;
+            };
+            for (place, own) in joint.u.into_iter().zip(block) {
+                if let Some(row) = matrix.as_mut().get_mut(place) {
+                    for (column, own) in joint.u.into_iter().zip(own) {
+                        add(row, column, *own);
+                    }
+                }
+            }
+        }
     }
 
     /// The map as a matrix, `[[R; NU]; NU]`, row by row.

@@ -114,23 +114,22 @@ fn polynomial<R: Real>(d: Vector<R>, a: R, b: R) -> Matrix<R> {
     })
 }
 
-/// The matrix of the inverse rotation: what a rotation before makes of one after.
-pub(super) fn matrix_of_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
-    let two = R::from_f64(2.0);
-    let (ratio, cosine, _) = half(d);
-    polynomial(d, -two * ratio * cosine, two * ratio * ratio)
-}
-
-/// The right Jacobian of SO(3): the change of the rotation by `d`, along its own moved axes, as `d` changes.
-pub(super) fn jacobian<R: Real>(d: Vector<R>) -> Matrix<R> {
+/// The matrix of the inverse rotation, what a rotation before makes of one after, and the right Jacobian of SO(3): the change of the
+/// rotation by `d`, along its own moved axes, as `d` changes.
+pub(super) fn inverse_and_jacobian<R: Real>(d: Vector<R>) -> [Matrix<R>; 2] {
     let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
     let (ratio, cosine, square) = half(d);
+    let sine_ratio = two * ratio * cosine;
+    let versine_ratio = two * ratio * ratio;
     // The difference keeps no digits near no turn, and is multiplied by as little: the product is exact to rounding.
-    let rest = guarded(one - two * ratio * cosine, square);
-    polynomial(d, -two * ratio * ratio, rest)
+    let rest = guarded(one - sine_ratio, square);
+    [
+        polynomial(d, -sine_ratio, versine_ratio),
+        polynomial(d, -versine_ratio, rest),
+    ]
 }
 
-/// The inverse of [`jacobian`], for less than a full revolution.
+/// The inverse of the right Jacobian, for less than a full revolution.
 pub(super) fn jacobian_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
     let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
     let (ratio, cosine, square) = half(d);

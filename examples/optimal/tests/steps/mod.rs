@@ -273,6 +273,33 @@ fn a_step_changes_with_values_set_at_run_time_as_differences_do() {
 }
 
 #[test]
+fn derivatives_by_the_state_and_by_values_are_the_same_together() {
+    let system = tumbler::Prepared::<f64>::nominal();
+    let at = drawn(&system, 11, 0.5, 0.1);
+    for scheme in Scheme::ALL {
+        let mut alone = StepDerivatives::filled([[f64::NAN; 10]; 10]);
+        let mut by_values = StepByParameters::filled([[f64::NAN; 2]; 10]);
+        let after = scheme.linearized(&system, &at, &mut alone);
+        scheme.by_parameters(&system, &at, &mut by_values);
+        let mut together = StepDerivatives::filled([[f64::NAN; 10]; 10]);
+        let mut values_too = StepByParameters::filled([[f64::NAN; 2]; 10]);
+        let both = (&mut together, &mut values_too);
+        let after_both = scheme.linearized_and_by_parameters(&system, &at, both);
+        assert_eq!(after_both, after, "{scheme:?}");
+        assert_eq!(together, alone, "{scheme:?}");
+        for (found, alone) in [(values_too.q, by_values.q), (values_too.u, by_values.u)] {
+            // Alone, `euler` moves by `forward_dynamics`, whose operations come in another order.
+            assert_close(
+                format!("{scheme:?}"),
+                found.as_flattened(),
+                alone.as_flattened(),
+                ROUNDED,
+            );
+        }
+    }
+}
+
+#[test]
 fn the_steps_are_of_first_and_fourth_order_on_the_manifold() {
     let system = tumbler::Prepared::<f64>::nominal();
     let at = drawn(&system, 9, 0.5, 0.0);

@@ -68,6 +68,26 @@ impl Scheme {
         }
     }
 
+    pub(crate) fn linearized_and_by_parameters<
+        S: ForwardDynamicsAndDerivatives<f64> + ForwardDynamicsByParameters<f64>,
+    >(
+        self,
+        system: &S,
+        Driven { q, u, tau, dt }: &Driven<S::Q, S::U>,
+        both: (
+            &mut StepDerivatives<S::Matrix>,
+            &mut StepByParameters<S::ByParameters>,
+        ),
+    ) -> (S::Q, S::U) {
+        let (mut q, mut u) = (*q, *u);
+        let state = (&mut q, &mut u);
+        match self {
+            Self::Euler => euler::linearized_and_by_parameters(system, tau, *dt, state, both),
+            Self::Rk4 => rk4::linearized_and_by_parameters(system, tau, *dt, state, both),
+        }
+        (q, u)
+    }
+
     pub(crate) fn forward<S: ForwardDynamics<f64> + ForwardDynamicsJvp<f64>>(
         self,
         system: &S,
