@@ -24,7 +24,8 @@ pub const fn place(names: &[&str], name: &str) -> Option<usize> {
     None
 }
 
-const fn is_same(one: &[u8], other: &[u8]) -> bool {
+/// True if the bytes are the same, in constants too.
+pub(crate) const fn is_same(one: &[u8], other: &[u8]) -> bool {
     if one.len() != other.len() {
         return false;
     }

@@ -7,12 +7,14 @@ function_traits! {
     ///
     /// Inverse dynamics without bias. Often called the mass-matrix-vector product; with `u` instead of `u_dot`, the
     /// generalized momentum.
+    "`{Self}` was generated without `mass_matrix_product`; name it in `functions` and generate again"
     MassMatrixProduct: mass_matrix_product(q: &Self::Q, u_dot: &Self::U, tau: &mut Self::U);
 
     /// The accelerations from forces alone, `u_dot = M⁻¹ tau`, rad/s² and m/s²: forward dynamics without bias. Eq. (42).
     ///
     /// If `R` holds several numbers ([`Lanes`](crate::Lanes)), this solves several right-hand sides together: one per
     /// lane, with the same `q` or one of its own. Nothing is checked, as in [`ForwardDynamics`](super::ForwardDynamics).
+    "`{Self}` was generated without `mass_matrix_solve`; name it in `functions` and generate again"
     MassMatrixSolve: mass_matrix_solve(q: &Self::Q, tau: &Self::U, u_dot: &mut Self::U);
 }
 
