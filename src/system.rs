@@ -65,7 +65,10 @@ pub trait System<R: Real> {
     /// Writes the derivatives of the coordinates, Eqs. (44), (9), or those of Euler parameters.
     fn q_dot(&self, q: &Self::Q, u: &Self::U, q_dot: &mut Self::Q);
 
-    /// Normalizes quaternions among the coordinates, after an integrator's step; does nothing if there are none.
+    /// Brings quaternions among the coordinates back to length one after an integrator's step; does nothing if there are none.
+    ///
+    /// Only near length one: a length of `1 + x` becomes one of about `1 - 3.4 x⁴`, which is one up to rounding for `x` below 1e-4, but
+    /// a length of 3 becomes one of 351. [`manifold::scale_quaternions`](crate::manifold::scale_quaternions) works from any length.
     fn normalize(&self, q: &mut Self::Q) {
         let _ = q;
     }

@@ -120,7 +120,7 @@ impl<R: Real + PartialOrd, const NQ: usize> InverseKinematics<R, NQ> {
 
     /// Brings quaternions to length one and coordinates to within their limits.
     fn admit<S: System<R, Q = [R; NQ]>>(&self, system: &S, q: &mut [R; NQ]) {
-        manifold::scale_quaternions::<R, S>(q);
+        manifold::scale_quaternions(system, q);
         // Of quaternions that no table of joints has. Steps here are not as small as an integrator's.
         for _ in 0..NORMALIZATIONS {
             system.normalize(q);

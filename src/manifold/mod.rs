@@ -147,8 +147,26 @@ fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
     joints.filter_map(|(body, joint)| TurningPlaces::of(body, joint))
 }
 
-/// Brings quaternions to length one, from any length above 1e-30 that does not overflow.
-pub(crate) fn scale_quaternions<R: Real, S: System<R>>(q: &mut S::Q) {
+/// Scales every quaternion of `q` to length one, up to rounding, whatever its length between 1e-28 and the scalar's largest number over
+/// ten. All other coordinates stay.
+///
+/// For a `q` from elsewhere: a file, an estimator, a random draw. [`System::normalize`] costs less, but works only near length one, as after
+/// an integrator's step. A quaternion of four zeros stays one: it is no orientation, and no number tells which one is meant. Quaternions are
+/// found in [`System::JOINTS`].
+///
+/// ```
+/// # #[cfg(feature = "cart_pole")] {
+/// # use kane::cart_pole::Prepared;
+/// use kane::manifold::scale_quaternions;
+///
+/// let system = Prepared::<f64>::nominal();
+/// let mut q = [0.5, 2.0]; // a slider and a hinge, no quaternion
+/// scale_quaternions(&system, &mut q);
+/// assert_eq!(q, [0.5, 2.0]);
+/// # }
+/// ```
+pub fn scale_quaternions<R: Real, S: System<R>>(system: &S, q: &mut S::Q) {
+    let _ = system;
     for joint in turnings::<R, S>().filter(|joint| joint.is_quaternion) {
         let e = joint.quaternion(q);
         let length = length(e);

@@ -1,7 +1,7 @@
 //! Motions of unit time: against integrated rates, back again, and their derivatives against differences of order 12.
 
 use kane::System;
-use kane::manifold::{TangentMap, q_minus, q_plus};
+use kane::manifold::{TangentMap, q_minus, q_plus, scale_quaternions};
 use kane_test_support::{
     compare::{Tolerance, assert_close},
     numeric::derivative,
@@ -124,6 +124,43 @@ fn lengths_of_quaternions_do_not_matter() {
             }
         }
     }
+}
+
+#[test]
+fn quaternions_of_any_length_are_scaled_to_one() {
+    let mut random = Random::new(8);
+    for size in [1e-28, 1e-12, 0.01, 1.0, 3.0, 1e12, 1e200, 1e307] {
+        let unit = coordinates(&mut random);
+        let mut q = unit;
+        for entry in &mut q[4..8] {
+            *entry *= size;
+        }
+        scale_quaternions(&Turning, &mut q);
+        assert_close(size, &q[4..8], &unit[4..8], ROUNDED);
+        assert_eq!(
+            (&q[..4], &q[8..]),
+            (&unit[..4], &unit[8..]),
+            "all others stay"
+        );
+    }
+    let mut none: Q = [0.0; 11];
+    scale_quaternions(&Turning, &mut none);
+    assert_eq!(none, [0.0; 11], "no orientation stays none");
+    let mut single = [
+        0.0_f32, 0.0, 0.0, 0.0, 3e-20, 0.0, -4e-20, 0.0, 0.0, 0.0, 0.0,
+    ];
+    scale_quaternions(&Turning, &mut single);
+    // A few roundings of single precision.
+    let tolerance = Tolerance::absolute(3e-7);
+    assert_close(
+        "single",
+        &single[4..7]
+            .iter()
+            .map(|&e| f64::from(e))
+            .collect::<Vec<_>>(),
+        &[0.6, 0.0, -0.8],
+        tolerance,
+    );
 }
 
 #[test]
