@@ -45,7 +45,7 @@
 //! | how to compute many states at once | [`batch`], [`Lanes`] |
 //! | how to find coordinates for given poses | [`inverse_kinematics`] |
 //! | the place of a name in `q`, `u` or the bodies | [`place`] |
-//! | the orientation error of a controller | [`rotation::error`] |
+//! | the orientation error of a controller, rotation vectors for costs of poses | [`rotation`] |
 //! | discrete steps with their derivatives, for regulators and planners | [`discrete`], [`manifold`] |
 //! | the tests that `kane generate --with-tests` writes | [`self_test`] |
 //!
@@ -100,11 +100,11 @@ pub mod functions;
 // Sums of arrays.
 mod vector;
 
-// How far one orientation is from another.
-pub mod rotation;
-
 // Coordinates as points of a manifold, which steps move.
 pub mod manifold;
+
+// How far one orientation is from another.
+pub mod rotation;
 
 // What can be done with any system.
 pub mod batch;

@@ -51,7 +51,7 @@ pub(super) fn angle<R: Real>(sine: R, cosine: R) -> R {
 }
 
 /// 1 or -1, the sign of the number; 1 for zero.
-pub(super) fn sign<R: Real>(number: R) -> R {
+pub(crate) fn sign<R: Real>(number: R) -> R {
     // What is added is nothing beside a cosine that rounding leaves of a right angle, and the negative of no number that is written.
     let number = number + R::from_f64(1.234_567_89e-20);
     number / number.abs()

@@ -24,8 +24,9 @@
 mod angle;
 pub(crate) mod rate;
 mod tangent;
-mod turn;
+pub(crate) mod turn;
 
+pub(crate) use angle::sign;
 pub use tangent::TangentMap;
 pub(crate) use turn::of_angles;
 

@@ -7,13 +7,13 @@ use super::angle::{angle, arc_ratio, guarded, length, sign};
 use crate::Real;
 
 /// A unit quaternion.
-pub(super) type Quaternion<R> = [R; 4];
+pub(crate) type Quaternion<R> = [R; 4];
 
 /// A vector of three components.
-pub(super) type Vector<R> = [R; 3];
+pub(crate) type Vector<R> = [R; 3];
 
 /// A matrix by rows.
-pub(super) type Matrix<R> = [[R; 3]; 3];
+pub(crate) type Matrix<R> = [[R; 3]; 3];
 
 /// Hamilton's product.
 pub(super) fn product<R: Real>(a: Quaternion<R>, b: Quaternion<R>) -> Quaternion<R> {
@@ -49,7 +49,7 @@ pub(super) fn exp<R: Real>(d: Vector<R>) -> Quaternion<R> {
 }
 
 /// The rotation vector of a quaternion of any length, with an angle from 0 to π.
-pub(super) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
+pub(crate) fn log<R: Real>(e: Quaternion<R>) -> Vector<R> {
     // tan(a / 4) = |v| / (|e| + |e_0|).
     let size = length(e);
     let by = sign(e[0] / size) / (size + e[0].abs());
@@ -116,7 +116,7 @@ fn polynomial<R: Real>(d: Vector<R>, a: R, b: R) -> Matrix<R> {
 
 /// The matrix of the inverse rotation, what a rotation before makes of one after, and the right Jacobian of SO(3): the change of the
 /// rotation by `d`, along its own moved axes, as `d` changes.
-pub(super) fn inverse_and_jacobian<R: Real>(d: Vector<R>) -> [Matrix<R>; 2] {
+pub(crate) fn inverse_and_jacobian<R: Real>(d: Vector<R>) -> [Matrix<R>; 2] {
     let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
     let (ratio, cosine, square) = half(d);
     let sine_ratio = two * ratio * cosine;
@@ -130,7 +130,7 @@ pub(super) fn inverse_and_jacobian<R: Real>(d: Vector<R>) -> [Matrix<R>; 2] {
 }
 
 /// The inverse of the right Jacobian, for less than a full revolution.
-pub(super) fn jacobian_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
+pub(crate) fn jacobian_inverse<R: Real>(d: Vector<R>) -> Matrix<R> {
     let (one, two) = (R::from_f64(1.0), R::from_f64(2.0));
     let (ratio, cosine, square) = half(d);
     let rest = guarded(one - cosine / (two * ratio), square);
