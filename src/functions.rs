@@ -251,7 +251,8 @@ pub trait MassMatrixPacked<R: Real>: System<R> {
 
 /// Writes the whole symmetric matrix with these `entries` at these `places`; all other entries become zero.
 ///
-/// Entries without a place, and places outside the matrix, are ignored.
+/// For packed mass matrices and their inverses, and for second derivatives. Entries without a place, and places outside the matrix, are
+/// ignored.
 pub fn unpack<R: Real, Row: Array<R>>(
     entries: &[R],
     places: &[[usize; 2]],

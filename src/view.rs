@@ -6,6 +6,24 @@
 //! bounds (nalgebra#1616). nalgebra's vectors convert from and into `[R; N]`:
 //! `let q: [f64; 7] = vector.into()`.
 //!
+//! Generated functions also take nalgebra's vectors `SVector<R, N>` in place, without a copy: up to 16 entries as `v.as_ref()` and `v.as_mut()`,
+//! of any length as `&v.data.0[0]` and `&mut v.data.0[0]`:
+//!
+//! ```
+//! # #[cfg(feature = "cart_pole")] {
+//! use kane::cart_pole::{self, Prepared};
+//! use nalgebra::Vector2;
+//!
+//! let system = Prepared::<f64>::nominal();
+//! let (q, u, tau) = (Vector2::new(0.0, 0.1), Vector2::new(0.0, 0.0), Vector2::new(1.0, 0.0));
+//! let mut u_dot = Vector2::zeros();
+//! cart_pole::forward_dynamics(&system, q.as_ref(), u.as_ref(), tau.as_ref(), u_dot.as_mut());
+//! let mut same = Vector2::zeros();
+//! cart_pole::forward_dynamics(&system, &q.data.0[0], &u.data.0[0], &tau.data.0[0], &mut same.data.0[0]);
+//! assert!(u_dot == same && u_dot[0] != 0.0);
+//! # }
+//! ```
+//!
 //! ```
 //! use kane::view;
 //!
@@ -15,7 +33,8 @@
 //! assert_eq!(tau, [1.0, -2.0]);
 //! ```
 //!
-//! [`stacked`] makes a Jacobian of six rows, [`step_by_state`] the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`.
+//! [`stacked`] makes a Jacobian of six rows, [`step_by_state`] the matrix `A` of a discrete step, [`step_by_tau`] the matrix `B`. Both need the
+//! type of the result, because a compiler does not find `2 N` by itself: `let a: SMatrix<f64, 14, 14> = step_by_state(&derivatives)`.
 //!
 //! Without `std`, decompositions and norms need nalgebra's feature `libm`.
 
@@ -94,6 +113,7 @@ pub fn rotation<R: Scalar>(rows: &[[R; 3]; 3]) -> Rotation3<R> {
 }
 
 /// Copies the derivatives of a discrete step by the state into `A`, for `N` speeds and `N2 = 2 N`: changes of `q` come before those of `u`.
+/// Write the type of the result, as below, or the compiler asks for `N2`.
 ///
 /// ```
 /// use kane::discrete::StepDerivatives;
@@ -117,7 +137,8 @@ pub fn step_by_state<R: Scalar, const N: usize, const N2: usize>(
     SMatrix::from_fn(|row, column| blocks[row / N][column / N][row % N][column % N].clone())
 }
 
-/// Copies the derivatives of a discrete step by the forces into `B`, for `N` speeds: two rows and one column per speed.
+/// Copies the derivatives of a discrete step by the forces into `B`, for `N` speeds and `N2 = 2 N`: two rows and one column per speed.
+/// Write the type of the result, as for [`step_by_state`]: `let b: SMatrix<f64, N2, N> = ..`.
 pub fn step_by_tau<R: Scalar, const N: usize, const N2: usize>(
     derivatives: &StepDerivatives<[[R; N]; N]>,
 ) -> SMatrix<R, N2, N> {
