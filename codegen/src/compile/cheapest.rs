@@ -10,7 +10,7 @@ use crate::{
 
 use super::{
     pipeline::{self, Lowering},
-    planned::{Planned, operations},
+    planned::{MOST_NODES, Planned, operations},
     plans::Plans,
     sweeps,
 };
@@ -46,6 +46,10 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
         } else {
             vec![forward.clone()]
         };
+        if function.is_second_derivative() && function.n_second_nodes(tree, false) > MOST_NODES {
+            // Sweeps through the solver would take long, and are cheaper for small systems at most.
+            ways.clear();
+        }
         for way in swept {
             let is_reverse = way.uses(Technique::Reverse);
             let columns = columns.with(Technique::Reverse, is_reverse);

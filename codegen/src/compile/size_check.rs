@@ -1,4 +1,4 @@
-//! How large a module would be, told before any of its functions is derived.
+//! How large a module would be, told before its functions are derived; of second derivatives what is differentiated is.
 //!
 //! In: a tree, functions, options. Out: an error where deriving or writing them would take more time or memory than
 //! [`crate::limits`] allow.
@@ -7,10 +7,10 @@ use std::collections::BTreeSet;
 
 use crate::{
     error::Error,
-    functions::{self, Argument, Request},
+    functions::{Argument, Request},
     limits,
     options::{Formulation, Options, companion::CompanionKind},
-    recursive::{Plan, Technique},
+    recursive::Technique,
     tree::Tree,
 };
 
@@ -53,7 +53,6 @@ fn check_companions(
 
 /// Refuses a function whose derivation alone would be too large.
 fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result<(), Error> {
-    let terms = request.literal_terms(tree);
     let name = request.text();
     if request.differentiates() {
         // It is derived whole, however few numbers come of it.
@@ -70,7 +69,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         let slopes = if is_product { SLOPES } else { 1 };
         bound(
             &format!("the notes' sums for `{name}` have"),
-            terms,
+            request.literal_terms(tree),
             "terms",
             limits::TERMS / slopes,
         )?;
@@ -81,7 +80,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
         "numbers of derivatives",
         limits::DIFFERENTIATED,
     )?;
-    check_second(tree, request)?;
+    check_second(tree, request, options)?;
     bound(
         &format!("`{name}` writes"),
         request.n_solved(tree),
@@ -103,17 +102,17 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     Ok(())
 }
 
-/// Refuses second derivatives of which sweeps would build too much: first derivatives need up to four times the operations of the
-/// values, and each of these changes with every variable.
-fn check_second(tree: &Tree, request: &Request) -> Result<(), Error> {
+/// Refuses second derivatives of which sweeps would build too much: first derivatives need up to four times the operations of
+/// what is swept, and each of these changes with every variable.
+fn check_second(tree: &Tree, request: &Request, options: &Options) -> Result<(), Error> {
     let n_variables = request.n_second(tree);
     if n_variables == 0 {
         return Ok(());
     }
-    let values = request.values();
-    let derived = values.derive(tree, functions::Formulation::Recursive, &Plan::plain(tree));
+    let is_direct = options.formulation != Formulation::Notes
+        && !options.without.contains(&Technique::DirectDerivatives);
     let name = request.text();
-    let found = SLOPES * derived.graph.len() * n_variables;
+    let found = SLOPES * request.n_second_nodes(tree, is_direct);
     if found <= limits::SECOND {
         return Ok(());
     }

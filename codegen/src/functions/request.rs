@@ -288,6 +288,13 @@ impl Request {
         parts.map(|part| part.n_variables(tree)).sum()
     }
 
+    /// How many nodes change with each variable of second derivatives, all together: those of the values, or, where accelerations are
+    /// differentiated in their own way, those of forces.
+    pub fn n_second_nodes(&self, tree: &Tree, is_direct: bool) -> usize {
+        let parts = self.parts.iter().filter(|part| part.is_second_derivative());
+        parts.map(|part| part.n_second_nodes(tree, is_direct)).sum()
+    }
+
     /// As [`Self::n_numbers`], of the parts that are derivatives.
     pub fn n_differentiated(&self, tree: &Tree) -> usize {
         let parts = self.parts.iter().filter(|part| part.derivative.is_some());

@@ -115,10 +115,12 @@ fn along(
     second_derivative(at)
 }
 
-const CASES: [(&str, &[&str]); 6] = [
+const CASES: [(&str, &[&str]); 8] = [
     ("inverse_dynamics", &["q", "u", "u_dot"]),
     ("loaded_inverse_dynamics", &["u", "q", "loads"]),
     ("forward_dynamics", &["q", "u", "tau"]),
+    ("loaded_forward_dynamics", &["loads", "q"]),
+    ("mass_matrix_solve", &["tau", "q"]),
     ("mass_matrix", &["q"]),
     ("kinetic_energy", &["u", "q"]),
     ("center_of_mass_jacobian_dot_u", &["q", "u"]),
@@ -194,14 +196,22 @@ fn all_ways_give_the_same_second_derivatives() {
         for text in [
             "hessian(inverse_dynamics; q, u, u_dot)",
             "hessian(forward_dynamics; q, u, tau)",
+            "hessian(forward_dynamics; u)",
+            "hessian(forward_dynamics; parameters, q)",
+            "hessian(loaded_forward_dynamics; q, loads, tau)",
+            "hessian(mass_matrix_solve; q, tau)",
+            "hessian(mass_matrix_solve; q, parameters)",
         ] {
             let request = request(&tree, text);
             let plan = Plan::full(&tree);
+            let swept = plan.with(Technique::DirectDerivatives, false);
             let ways = [
                 (Formulation::Notes, plan.with(Technique::Reverse, false)),
                 (Formulation::Notes, plan.with(Technique::Reverse, true)),
                 (Formulation::Recursive, plan.with(Technique::Reverse, false)),
                 (Formulation::Recursive, plan.with(Technique::Reverse, true)),
+                (Formulation::Recursive, plan.with(Technique::Lockstep, true)),
+                (Formulation::Recursive, swept),
             ];
             let all = ways.map(|(formulation, plan)| {
                 evaluate_by(&tree, &request, formulation, &plan, &state)
@@ -225,13 +235,19 @@ fn what_would_be_large_is_refused_with_its_size() {
             ..Reading::default()
         },
     );
-    let refused = |text: &str| {
+    let refused = |text: &str, without: &[Technique]| {
         let requests = [request(&tree, text)];
-        let checked = compile::check_size(&tree, &requests, &Options::default());
+        let options = Options {
+            without: without.iter().copied().collect(),
+            ..Options::default()
+        };
+        let checked = compile::check_size(&tree, &requests, &options);
         checked.err().map(|error| error.to_string())
     };
-    assert_eq!(refused("hessian(inverse_dynamics; q, u)"), None);
-    let told = refused("hessian(forward_dynamics; q, u, tau)").expect("it is refused");
+    let swept = &[Technique::DirectDerivatives];
+    assert_eq!(refused("hessian(inverse_dynamics; q, u)", swept), None);
+    assert_eq!(refused("hessian(forward_dynamics; q, u, tau)", &[]), None);
+    let told = refused("hessian(forward_dynamics; q, u, tau)", swept).expect("it is refused");
     let start = "`hessian(forward_dynamics; q, u, tau)`, by 114 variables, builds about ";
     let found = told.strip_prefix(start).expect(&told);
     assert!(

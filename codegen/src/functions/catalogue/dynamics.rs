@@ -62,6 +62,7 @@ pub(super) const FORCING: Function = Function {
     trait_name: Some("Forcing"),
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
     outputs: &[Output::new("f", Shape::SPEEDS)],
+    derivatives: Some(roots::jacobians::forces::forcing),
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],

@@ -31,6 +31,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     arguments: &[Argument::Q, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
+    inverse_dynamics: Some(roots::matrices::product_recursive),
     doc: &[
         "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",
         "For several right-hand sides at once `R` holds several numbers: lanes, one right-hand side each. Also known as solve-M, computeMinverse times a vector.",

@@ -281,16 +281,8 @@ impl Derivative {
                 let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
                 let rows = sweep(graph, &gradient, &seeds);
                 let mixing = self.mixing(tree, &columns);
-                for &[row, column] in places {
-                    let mut sum = entry(graph, &rows[row], column);
-                    if mixing.contains(&[row, column]) {
-                        let mirrored = entry(graph, &rows[column], row);
-                        let twice = graph.add(sum, mirrored);
-                        let half = graph.number(0.5);
-                        sum = graph.mul(half, twice);
-                    }
-                    derived.roots.push(sum);
-                }
+                let entries = symmetric(graph, &rows, &mixing, places);
+                derived.roots.extend(entries);
             }
         }
     }
@@ -313,7 +305,7 @@ impl Derivative {
 
     /// The rows and columns of second derivatives, lower triangle, along motions whose order matters.
     /// At constant speeds both are done at once, which to second order is the mean of one after the other and the other way round.
-    fn mixing(&self, tree: &Tree, columns: &[Range<usize>]) -> BTreeSet<[usize; 2]> {
+    pub(super) fn mixing(&self, tree: &Tree, columns: &[Range<usize>]) -> BTreeSet<[usize; 2]> {
         let of_variables = self.by.iter().zip(columns);
         let of_motions = of_variables.filter(|(variable, _)| variable.is_motion());
         let pairs = of_motions.flat_map(|(_, columns)| {
@@ -374,6 +366,26 @@ pub(in crate::functions) fn gradient(
 pub(in crate::functions) fn entry(graph: &mut ExprGraph, row: &Row, column: usize) -> Expr {
     let place = row.binary_search_by_key(&column, |&(place, _)| place);
     place.map_or_else(|_| graph.zero(), |place| row[place].1)
+}
+
+/// The entries of second derivatives at these places: where the order of two motions matters, the mean of both orders.
+pub(super) fn symmetric(
+    graph: &mut ExprGraph,
+    rows: &[Row],
+    mixing: &BTreeSet<[usize; 2]>,
+    places: &[[usize; 2]],
+) -> Vec<Expr> {
+    let at = |&[row, column]: &[usize; 2]| {
+        let own = entry(graph, &rows[row], column);
+        if !mixing.contains(&[row, column]) {
+            return own;
+        }
+        let mirrored = entry(graph, &rows[column], row);
+        let twice = graph.add(own, mirrored);
+        let half = graph.number(0.5);
+        graph.mul(half, twice)
+    };
+    places.iter().map(at).collect()
 }
 
 /// The entries of a row in these columns, zeros among them.

@@ -61,7 +61,9 @@ impl Part {
     pub(in crate::functions) fn is_swept_beside_direct(&self) -> bool {
         let is_solved_for = self.function.inverse_dynamics.is_some();
         let is_swept = |derivative: &Derivative| {
-            !self.has_direct_derivatives() || !is_solved_for && !derivative.by.iter().all(is_known)
+            !self.has_direct_derivatives()
+                || derivative.kind == DerivativeKind::Hessian
+                || !is_solved_for && !derivative.by.iter().all(is_known)
         };
         self.derivative.as_ref().is_some_and(is_swept)
     }
@@ -117,7 +119,7 @@ impl Part {
 }
 
 impl Jacobians {
-    fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
+    pub(super) fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
         let mut by = self.by.iter();
         let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;
         Some(&found.1)

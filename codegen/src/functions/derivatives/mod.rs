@@ -5,5 +5,6 @@ pub(super) mod coloring;
 pub(super) mod derivative;
 pub(super) mod derivative_trait;
 pub(super) mod jacobians;
+mod second;
 pub(super) mod solved;
 pub(super) mod sparsity;

@@ -93,7 +93,7 @@ impl Derivative {
 }
 
 /// The forces that are lacking, of accelerations that are inputs until a sweep is over; and what these are.
-fn lacking(
+pub(super) fn lacking(
     graph: &mut ExprGraph,
     tree: &Tree,
     plan: &Plan,
@@ -130,7 +130,7 @@ pub(in crate::functions) fn solved(
 }
 
 /// A matrix times a column.
-fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> Vec<Expr> {
+pub(super) fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> Vec<Expr> {
     let rows = matrix.iter().map(|row| {
         let mut sum = graph.zero();
         for (&entry, &factor) in row.iter().zip(column) {

@@ -15,7 +15,7 @@ use crate::{
 impl Part {
     /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
     /// alone.
-    pub(super) fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
+    pub(in crate::functions) fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
         let formulation = if self.is_by_turn(tree) {
             Formulation::Notes
         } else {
@@ -63,6 +63,14 @@ impl Part {
         {
             return told.values;
         }
+        if is_direct
+            && self.is_second_derivative()
+            && self
+                .derive_second(derived, tree, formulation, plan)
+                .is_some()
+        {
+            return None;
+        }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();
         let one_by_one = is_swept.then(|| plan.with(Technique::Lockstep, false));
@@ -79,10 +87,7 @@ impl Part {
                 multipliers: &multipliers,
                 sparsity: self.sparsity(tree),
             };
-            if is_direct
-                && !self.is_second_derivative()
-                && let Some(inverse_dynamics) = self.function.inverse_dynamics
-            {
+            if is_direct && let Some(inverse_dynamics) = self.function.inverse_dynamics {
                 let solution = Solution {
                     u_dot: &values,
                     inverse_dynamics,

@@ -140,17 +140,10 @@ impl Part {
         })
     }
 
-    /// True where a product of derivatives with a direction or a multiplier is asked for.
-    fn is_product(&self) -> bool {
-        let mut derivative = self.derivative.iter();
-        derivative
-            .any(|derivative| matches!(derivative.kind, DerivativeKind::Jvp | DerivativeKind::Vjp))
-    }
-
     /// True where its derivatives have a way of their own, beside the sweeps.
     pub(super) fn has_direct_derivatives(&self) -> bool {
-        self.is_whole_derivative() && self.function.derivatives.is_some()
-            || self.is_product() && self.function.inverse_dynamics.is_some()
+        self.derivative.is_some() && self.function.inverse_dynamics.is_some()
+            || self.is_whole_derivative() && self.function.derivatives.is_some()
     }
 
     /// True where entries are left out that the tree makes zero.

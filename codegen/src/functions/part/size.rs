@@ -2,13 +2,19 @@
 
 use super::{Part, rows::Rows};
 use crate::{
+    expr::ExprGraph,
     functions::{
+        argument::Argument,
+        candidate::Formulation,
         derivatives::derivative::DerivativeKind,
+        derived::Derived,
         function::Output,
         packed::Packed,
         shape::{Dimension, Length},
         terms,
+        variable::Variable,
     },
+    recursive::Plan,
     tree::{N_INERTIAL, Tree},
 };
 
@@ -24,6 +30,24 @@ impl Part {
     pub(in crate::functions) fn n_variables(&self, tree: &Tree) -> usize {
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
         by.map(|variable| variable.n_entries(tree)).sum()
+    }
+
+    /// How many nodes change with each variable of second derivatives, all together: those of the values, or, where these are
+    /// accelerations that are differentiated in their own way, those of forces, which change with accelerations too, but only add `tau`.
+    pub(in crate::functions) fn n_second_nodes(&self, tree: &Tree, is_direct: bool) -> usize {
+        let plan = Plan::plain(tree);
+        let Some(forces) = self.function.inverse_dynamics.filter(|_| is_direct) else {
+            let mut derived = Derived::default();
+            let candidate = self.candidate(tree, Formulation::Recursive);
+            candidate.derive_in(&mut derived, tree, &plan, self.subject.as_ref());
+            return derived.graph.len() * self.n_variables(tree);
+        };
+        let mut graph = ExprGraph::default();
+        let _ = forces(&mut graph, tree, &plan);
+        let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
+        let by = by.filter(|variable| **variable != Variable::Given(Argument::Tau));
+        let n_variables: usize = by.map(|variable| variable.n_entries(tree)).sum();
+        graph.len() * (n_variables + tree.n_speeds)
     }
 
     /// How many rows each way to sweep for its derivatives carries along.

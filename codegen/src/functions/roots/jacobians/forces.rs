@@ -37,6 +37,17 @@ pub(in crate::functions) fn bias(graph: &mut ExprGraph, tree: &Tree, plan: &Plan
     of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Absent))
 }
 
+/// What is left of loads once bodies have what they need at zero accelerations.
+pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Jacobians {
+    let mut needed = of_forces(graph, tree, plan, (Accelerations::Zero, Loads::Given));
+    for (_, matrix) in &mut needed.by {
+        for entry in matrix.iter_mut().flatten() {
+            *entry = -*entry;
+        }
+    }
+    needed
+}
+
 /// Weights have a potential: its second derivatives are symmetric but along turns about axes of one body, whose order matters.
 pub(in crate::functions) fn gravity_forces(
     graph: &mut ExprGraph,

@@ -1,0 +1,194 @@
+//! Second derivatives of accelerations, without a sweep through the solver.
+//!
+//! Let `f(x, u_dot) = 0` be the forces that are lacking, with `df/du_dot = -M`, and `L` their sum weighted by `M^-1 multiplier`, which is kept.
+//! Then the second derivatives of the sum of the accelerations, weighted by the multiplier, are `L_xx + L_xa Y + (L_xa Y)^T`, where `a` are the
+//! accelerations and `Y` how these change with `x`: forces are linear in accelerations, so that `L_aa` is zero.
+
+use std::collections::BTreeMap;
+
+use super::{
+    derivative::{Derivative, DerivativeKind, entries, gradient, symmetric},
+    solved::{Solution, lacking, product},
+};
+use crate::{
+    differentiate::{forward, reverse},
+    expr::{Expr, ExprGraph, Input},
+    functions::{
+        argument::Argument, candidate::Formulation, derived::Derived, part::Part,
+        variable::Variable,
+    },
+    recursive::{Plan, Technique, accelerations::inverse_mass},
+    tree::Tree,
+};
+
+/// Accelerations, how they change, and what weighs the forces that are lacking.
+struct First {
+    u_dot: Vec<Expr>,
+    /// `Y`: a row for each acceleration, a column for each entry of the variables.
+    rows: Vec<Vec<Expr>>,
+    /// `M^-1 multiplier`.
+    weights: Vec<Expr>,
+}
+
+/// Second derivatives before accelerations and weights are known.
+struct Second {
+    /// Those of `L` by the variables, at the places that are written.
+    own: Vec<Expr>,
+    /// `L_xa`: a row for each entry of the variables, a column for each acceleration.
+    mixed: Vec<Vec<Expr>>,
+}
+
+impl Part {
+    /// Derives second derivatives, where accelerations are solved for.
+    pub(in crate::functions) fn derive_second(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) -> Option<()> {
+        let derivative = self.derivative.as_ref()?;
+        let inverse_dynamics = self.function.inverse_dynamics?;
+        let places = &self.sparsity(tree)?.places;
+        let multipliers = derivative.arguments(self.function.outputs, 0);
+        let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
+        let inputs: Vec<Input> = inputs.collect();
+        let first = self.first(derived, tree, (formulation, plan), &inputs)?;
+        // No sweep goes through calls.
+        let plan = &plan.with(Technique::Lockstep, false);
+        let graph = &mut derived.graph;
+        let solution = Solution {
+            u_dot: &first.u_dot,
+            inverse_dynamics,
+        };
+        let (lacking, mut values) = lacking(graph, tree, plan, &solution);
+        let weighted = (&multipliers[..], &lacking[..]);
+        let second = derivative.second(graph, tree, weighted, plan, places);
+        values.extend(inputs.into_iter().zip(first.weights));
+        let second = second.substituted(graph, &values);
+        graph.enter(None);
+        let changes = second.with_accelerations(graph, &first.rows, places);
+        derived.roots.extend(changes);
+        Some(())
+    }
+
+    /// First derivatives, and what they leave.
+    fn first(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        (formulation, plan): (Formulation, &Plan),
+        multipliers: &[Input],
+    ) -> Option<First> {
+        let by = &self.derivative.as_ref()?.by;
+        let part = Self {
+            derivative: Some(Derivative::new(DerivativeKind::Jacobian, by.clone())),
+            ..self.clone()
+        };
+        let begin = derived.roots.len();
+        let told = part.derive_matrices(derived, tree, formulation, plan);
+        if told.is_none() {
+            part.derive_in(derived, tree, formulation, plan);
+        }
+        let entries = derived.roots.split_off(begin);
+        let mut rest = &entries[..];
+        let mut rows = vec![Vec::new(); tree.n_speeds];
+        for variable in by {
+            for row in &mut rows {
+                let (own, others) = rest.split_at(variable.n_entries(tree));
+                row.extend_from_slice(own);
+                rest = others;
+            }
+        }
+        let graph = &mut derived.graph;
+        let weights: Vec<Expr> = multipliers.iter().map(|own| graph.input(*own)).collect();
+        let one_by_one = &plan.with(Technique::Lockstep, false);
+        let tau = Variable::Given(Argument::Tau);
+        let inverse = told.as_ref().and_then(|told| told.by(&tau));
+        let weights = match inverse {
+            Some(inverse) => product(graph, inverse, &weights),
+            None => inverse_mass::solution(graph, tree, one_by_one, weights),
+        };
+        let u_dot = told.and_then(|told| told.values);
+        let u_dot = u_dot.unwrap_or_else(|| {
+            let values = self.candidate(tree, formulation);
+            values.derive_in(derived, tree, one_by_one, self.subject.as_ref());
+            derived.roots.split_off(begin)
+        });
+        Some(First {
+            u_dot,
+            rows,
+            weights,
+        })
+    }
+}
+
+impl Derivative {
+    /// Second derivatives of the weighted sum of forces, by the variables and the accelerations, which are inputs.
+    fn second(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        weighted: (&[Argument], &[Expr]),
+        plan: &Plan,
+        places: &[[usize; 2]],
+    ) -> Second {
+        graph.enter(None);
+        let (mut seeds, columns) = self.seeds(graph, tree);
+        let n_columns = columns.last().map_or(0, |last| last.end);
+        let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
+        let one = graph.one();
+        let accelerations = Argument::UDot.inputs(tree).zip(n_columns..);
+        seeds.extend(accelerations.map(|(input, column)| (input, vec![(column, one)])));
+        let is_reverse = plan.uses(Technique::Reverse);
+        let sweep = if is_reverse { reverse } else { forward };
+        let rows = sweep(graph, &gradient, &seeds);
+        let all = n_columns..n_columns + tree.n_speeds;
+        let mixed = rows.iter().map(|row| entries(graph, row, all.clone()));
+        Second {
+            mixed: mixed.collect(),
+            own: symmetric(graph, &rows, &self.mixing(tree, &columns), places),
+        }
+    }
+}
+
+impl Second {
+    fn substituted(self, graph: &mut ExprGraph, values: &BTreeMap<Input, Expr>) -> Self {
+        let n_own = self.own.len();
+        let n_accelerations = self.mixed.first().map_or(1, Vec::len).max(1);
+        let all = [self.own, self.mixed.concat()].concat();
+        let all = graph.substituted(&all, values);
+        let (own, mixed) = all.split_at(n_own);
+        let mixed = mixed.chunks_exact(n_accelerations);
+        Self {
+            own: own.to_vec(),
+            mixed: mixed.map(<[Expr]>::to_vec).collect(),
+        }
+    }
+
+    /// With what they have by the accelerations, which change with the variables by these rows.
+    fn with_accelerations(
+        self,
+        graph: &mut ExprGraph,
+        rows: &[Vec<Expr>],
+        places: &[[usize; 2]],
+    ) -> Vec<Expr> {
+        let mut carried = |row: usize, column: usize| {
+            let terms = self.mixed[row].iter().zip(rows);
+            terms.fold(graph.zero(), |sum, (&entry, changes)| {
+                let term = graph.mul(entry, changes[column]);
+                graph.add(sum, term)
+            })
+        };
+        let pairs: Vec<[Expr; 2]> = places
+            .iter()
+            .map(|&[row, column]| [carried(row, column), carried(column, row)])
+            .collect();
+        let all = self.own.into_iter().zip(pairs);
+        all.map(|(own, pair)| {
+            let both = graph.add(pair[0], pair[1]);
+            graph.add(own, both)
+        })
+        .collect()
+    }
+}
