@@ -15,8 +15,10 @@
 //! ```
 
 use std::{
+    collections::BTreeMap,
     ffi::OsString,
     path::{Path, PathBuf},
+    sync::{Mutex, PoisonError},
 };
 
 use crate::{
@@ -60,14 +62,15 @@ impl Build {
         }
     }
 
-    /// Generates these functions instead of the default set; `all` stands for every function of the system.
+    /// Generates these functions instead of the default set; `default` stands for that set, and `all` for every function of the
+    /// system. A second call replaces the first.
     #[must_use]
     pub fn functions<S: Into<String>>(mut self, names: impl IntoIterator<Item = S>) -> Self {
         self.options.functions = Functions::of(names.into_iter().map(Into::into));
         self
     }
 
-    /// Names the file `NAME.rs` instead of after the model: for several modules of one model.
+    /// Names the file `NAME.rs` instead of after the model: for several modules of one model. Without a folder and `.rs`.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.options.module = name.into();
@@ -111,8 +114,8 @@ impl Build {
         self
     }
 
-    /// Ignores parts of an MJCF, with a warning: `equalities`, `fluid`, `tendons`, `gravcomp`, or the equality
-    /// with this name.
+    /// Ignores parts of an MJCF, with a warning: `equalities`, `fluid`, `tendons`, `gravcomp`, the equalities
+    /// of one kind such as `connect`, or the equality with this name.
     #[must_use]
     pub fn leave_out(mut self, what: impl Into<String>) -> Self {
         self.options.reading.leave_out.insert(what.into());
@@ -168,7 +171,14 @@ impl Build {
         self
     }
 
-    /// Also writes tests of the module beside it, `arm_tests.rs` for `arm.rs`; `kane::self_test` describes them.
+    /// Also writes tests of the module beside it, `arm_tests.rs` for `arm.rs`; `kane::self_test` describes them. They call the module
+    /// by its name, so that it has to be `arm`, and they beside it:
+    /// ```text
+    /// #[cfg(test)]
+    /// mod arm_tests {
+    ///     include!(concat!(env!("OUT_DIR"), "/arm_tests.rs"));
+    /// }
+    /// ```
     #[must_use]
     pub fn with_tests(mut self) -> Self {
         self.options.companions.insert(CompanionKind::Tests);
@@ -185,7 +195,9 @@ impl Build {
     )]
     pub fn run(self) -> Result<PathBuf, Error> {
         let folder = std::env::var("OUT_DIR").map_err(|_| Error::NoBuildScript)?;
-        self.run_in(Path::new(&folder))
+        let path = self.run_in(Path::new(&folder))?;
+        is_written_once(&path)?;
+        Ok(path)
     }
 
     /// Like [`run`](Self::run), into this folder.
@@ -200,6 +212,7 @@ impl Build {
         // Told before the file is read, so that one that is missing now is looked for again.
         let tell = |path: &Path| println!("cargo::rerun-if-changed={}", path.display());
         let name = self.model.to_string_lossy().replace('\\', "/");
+        self.has_file_name()?;
         tell(&self.model);
         let text = input::text(&self.model).map_err(|source| Error::Io {
             path: self.model.clone(),
@@ -215,11 +228,56 @@ impl Build {
                 tell(&path);
                 input::named(&path)
             },
-        )?;
+        )
+        .map_err(|error| of_model(&name, error))?;
         report(&generated.warnings);
         let path = folder.join(&self.file);
         output::write(&generated.files(&path), Overwrite::Generated)?;
         Ok(path)
+    }
+}
+
+impl Build {
+    fn has_file_name(&self) -> Result<(), Error> {
+        let file = Path::new(&self.file);
+        let is_alone = file.file_name() == Some(&self.file);
+        let is_rust = file.file_stem().is_some_and(|stem| {
+            let stem = Path::new(stem);
+            stem.extension().is_some_and(|own| own == "rs")
+        });
+        if is_alone && !is_rust && !self.options.module.is_empty() {
+            return Ok(());
+        }
+        let name = self.options.module.clone();
+        Err(Error::FileName { name })
+    }
+}
+
+/// What modules this script has written.
+static WRITTEN: Mutex<BTreeMap<PathBuf, String>> = Mutex::new(BTreeMap::new());
+
+/// Refuses a module in the place of another one of this script.
+fn is_written_once(path: &Path) -> Result<(), Error> {
+    let path = path.to_owned();
+    let text = input::text(&path).map_err(|source| Error::Io {
+        path: path.clone(),
+        source,
+    })?;
+    let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
+    match written.insert(path.clone(), text.clone()) {
+        Some(before) if before != text => Err(Error::GeneratedTwice { path }),
+        _ => Ok(()),
+    }
+}
+
+/// The error, with the model's name where it says none.
+fn of_model(model: &str, error: Error) -> Error {
+    match error {
+        Error::Invalid(_) | Error::Io { .. } => error,
+        other => Error::OfModel {
+            model: model.to_owned(),
+            error: Box::new(other),
+        },
     }
 }
 
@@ -240,6 +298,7 @@ fn shown_path(model: &Path) -> String {
 fn report(warnings: &Diagnostics) {
     for (severity, line) in warnings.brief().lines {
         if severity == Severity::Warning {
+            let line = line.strip_prefix("warning: ").unwrap_or(&line);
             println!("cargo::warning={line}");
         }
     }

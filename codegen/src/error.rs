@@ -65,6 +65,26 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// A name that a build script gives a module and no file can have.
+    #[error("the module is called `{}`; expected a file name, without a folder and without `.rs`", name.escape_debug())]
+    FileName {
+        /// The name.
+        name: String,
+    },
+    /// Two modules of a build script have one file.
+    #[error("`{}` is generated twice, with other contents; give one module another name, by `Build::name`", path.display())]
+    GeneratedTwice {
+        /// The file.
+        path: PathBuf,
+    },
+    /// What is wrong with what a build script asks of a model.
+    #[error("{model}: {error}")]
+    OfModel {
+        /// The model's path.
+        model: String,
+        /// What is wrong.
+        error: Box<Error>,
+    },
     /// The build.rs API was called outside of a build script.
     #[error("OUT_DIR is not set: this is for build scripts, which cargo runs")]
     NoBuildScript,
@@ -111,7 +131,9 @@ fn in_words(faults: &[PrescribedFault]) -> String {
 
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{self}")?;
+        // Rust writes `Error: ` before it.
+        let text = self.to_string();
+        f.write_str(text.strip_prefix("error: ").unwrap_or(&text))?;
         let causes = std::iter::successors(error::Error::source(self), |&cause| cause.source());
         causes
             .into_iter()

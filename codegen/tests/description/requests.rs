@@ -72,7 +72,7 @@ fn any_name_can_be_asked_for() {
 #[test]
 fn what_is_not_in_the_grammar_is_pointed_at() {
     assert_eq!(expected("pose(tool0"), ("expected `,` or `)`", 10..10));
-    let words = "expected `,` or `)`; `;` stands in `jvp`, `vjp` and `hessian`";
+    let words = "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`";
     assert_eq!(expected("gradient(bias; q)"), (words, 13..14));
     assert_eq!(expected("bias)"), ("expected `+` or the end", 4..5));
     assert_eq!(expected("pose(\"tool0)"), ("expected `\"`", 12..12));
@@ -113,6 +113,10 @@ fn packed_is_of_derivatives_and_what_is_a_function_of_its_own_is_named() {
     for text in ["packed(bias)", "packed(d)", "packed(jvp(bias; q))"] {
         assert!(faults(text).ends_with(derivative), "{text}");
     }
+    assert_eq!(
+        faults("packed(hessian(bias; q))"),
+        "`packed(hessian(bias; q))` is no request: a `hessian` is packed without it"
+    );
     assert_eq!(
         faults("packed(jacobian(tool0, local))"),
         "`packed(jacobian(tool0, local))` is the function `jacobian_packed(tool0, local)`"

@@ -31,7 +31,7 @@ fn prescribed_joints_are_marked_by_speed() {
     let faults = faults.run_in(folder.path()).unwrap_err().to_string();
     assert_eq!(
         faults,
-        "`poles` is no joint of the model; did you mean `pole`?; `cart` is named twice; leave one of the two out"
+        "tests/models/cart_pole.toml: `poles` is no joint of the model; did you mean `pole`?; `cart` is named twice; leave one of the two out"
     );
 }
 
@@ -46,4 +46,30 @@ fn functions_for_c_have_the_name_of_the_file() {
         let header = std::fs::read_to_string(header).unwrap();
         assert!(header.contains(&format!("void {name}_q_dot_f64(")));
     }
+}
+
+#[test]
+fn names_that_lead_out_of_the_folder_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let build = Build::new("tests/models/pendulum.toml");
+    for name in ["", "../swing", "sub/swing", "swing.rs"] {
+        let ran = build.clone().name(name).run_in(folder.path());
+        let told = format!("{:?}", ran.unwrap_err());
+        let expected = format!(
+            "the module is called `{name}`; expected a file name, without a folder and without `.rs`"
+        );
+        assert_eq!(told, expected);
+    }
+    assert_eq!(folder.path().read_dir().unwrap().count(), 0);
+    build.name("swing.v2").run_in(folder.path()).unwrap();
+    assert!(folder.path().join("swing.v2.rs").is_file());
+}
+
+#[test]
+fn faults_are_shown_without_the_word_that_rust_writes_before_them() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("arm.toml"), "[[body]]\n").unwrap();
+    let ran = Build::new(folder.path().join("arm.toml")).run_in(folder.path());
+    let told = format!("{:?}", ran.unwrap_err());
+    assert!(!told.starts_with("error"), "{told}");
 }

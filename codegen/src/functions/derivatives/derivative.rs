@@ -1,6 +1,6 @@
 //! A derivative of a function of the catalogue: its outputs, and how it follows from the function's own.
 
-use std::{collections::BTreeSet, ops::Range};
+use std::{collections::BTreeSet, ops::Range, sync::Arc};
 
 use super::sparsity::{LazySparsity, Sparsity, dependences};
 use crate::{
@@ -183,13 +183,13 @@ impl Derivative {
         tree: &Tree,
         of: (&[Output], usize),
         values: impl Fn(&Tree) -> Derived,
-    ) -> Option<&Sparsity> {
+    ) -> Option<Arc<Sparsity>> {
         let is_second = match self.kind {
             DerivativeKind::PackedJacobian => false,
             DerivativeKind::Hessian => true,
             _ => return None,
         };
-        Some(self.sparsity.get_or_find(|| {
+        Some(self.sparsity.get_or_find(tree, || {
             let mut rows: Vec<BTreeSet<usize>> = Vec::new();
             let mut n_columns = 0;
             // A number that becomes a parameter, perhaps of several coordinates, makes nothing zero.

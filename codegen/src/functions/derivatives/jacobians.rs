@@ -52,7 +52,7 @@ impl Part {
                 .expect("functions: each variable has a matrix")
         });
         let found: Vec<Matrix> = found.collect();
-        derived.put(&found, self.sparsity(tree));
+        derived.put(&found, self.sparsity(tree).as_deref());
         Some(told)
     }
 

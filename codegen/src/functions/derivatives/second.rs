@@ -49,7 +49,8 @@ impl Part {
     ) -> Option<()> {
         let derivative = self.derivative.as_ref()?;
         let inverse_dynamics = self.function.inverse_dynamics?;
-        let places = &self.sparsity(tree)?.places;
+        let sparsity = self.sparsity(tree)?;
+        let places = &sparsity.places;
         let multipliers = derivative.arguments(self.function.outputs, 0);
         let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
         let inputs: Vec<Input> = inputs.collect();

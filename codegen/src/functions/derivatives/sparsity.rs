@@ -6,7 +6,7 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
-    sync::{Arc, OnceLock},
+    sync::{Arc, Mutex, PoisonError},
 };
 
 use super::coloring;
@@ -14,7 +14,7 @@ use crate::{
     differentiate::{Seeds, tangents},
     drawn::Field,
     expr::{Expr, ExprGraph, Input, Node},
-    tree::Tree,
+    tree::{self, Tree},
 };
 
 /// The entries of a derivative that are not structurally zero.
@@ -56,14 +56,20 @@ impl Sparsity {
     }
 }
 
-/// A sparsity, once it is asked for. Copies share it, and all are equal: it follows from what they are kept with.
+/// Sparsities, each once it is asked for on a tree. Copies share them, and all are equal: they follow from what they are kept with.
 #[derive(Clone, Debug, Default)]
-pub(super) struct LazySparsity(Arc<OnceLock<Sparsity>>);
+pub(super) struct LazySparsity(Arc<Mutex<BTreeMap<String, Arc<Sparsity>>>>);
 
 impl LazySparsity {
-    /// The one that is known, or what `find` finds.
-    pub(super) fn get_or_find(&self, find: impl FnOnce() -> Sparsity) -> &Sparsity {
-        self.0.get_or_init(find)
+    /// The one that is known on this tree, or what `find` finds.
+    pub(super) fn get_or_find(
+        &self,
+        tree: &Tree,
+        find: impl FnOnce() -> Sparsity,
+    ) -> Arc<Sparsity> {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = known.entry(tree::canonical(tree));
+        Arc::clone(own.or_insert_with(|| Arc::new(find())))
     }
 }
 

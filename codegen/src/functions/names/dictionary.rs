@@ -125,6 +125,10 @@ pub(in crate::functions) fn advice_on_variable(name: &str, known: &[String]) -> 
         format!("here it is called `{own}`")
     } else if name == "x" {
         "a state is `q, u`".to_owned()
+    } else if ["force", "moment"].contains(&name) {
+        "it is linear in these: the factor is `jacobian(FRAME)`, transposed".to_owned()
+    } else if name == "point" {
+        "a `[[frame]]` whose `position` is `{ runtime = .. }` is such a point".to_owned()
     } else if is_list {
         "variables stand with commas between them".to_owned()
     } else if let Some(near) = nearest(name, &known) {

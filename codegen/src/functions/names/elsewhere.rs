@@ -2,7 +2,7 @@
 //! and digits, without the words with which names of other tools begin.
 
 /// Our requests, and other names of the same.
-pub(super) const REQUESTS: [(&str, &[&str]); 35] = [
+pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
     (
         "inverse_dynamics",
         &["rnea", "rne", "id", "newtoneuler", "mjinverse"],
@@ -184,7 +184,10 @@ pub(super) const REQUESTS: [(&str, &[&str]); 35] = [
     ("kinetic_energy", &["mjenergyvel"]),
     ("potential_energy", &["mjenergypos"]),
     ("normalize", &["mjnormalizequat"]),
-    ("regressor", &["jointtorqueregressor", "torqueregressor"]),
+    (
+        "regressor",
+        &["jointtorqueregressor", "torqueregressor", "bodyregressor"],
+    ),
     (
         "inertial_parameters",
         &[
@@ -221,6 +224,31 @@ pub(super) const REQUESTS: [(&str, &[&str]); 35] = [
             "mjdtransitionfd",
         ],
     ),
+    ("d(gravity_forces)/d(q)", &["generalizedgravityderivatives"]),
+    (
+        "d(loaded_inverse_dynamics)/d(q)",
+        &["statictorquederivatives"],
+    ),
+    (
+        "d(velocity(FRAME))/d(q, u)",
+        &["framevelocityderivatives", "pointvelocityderivatives"],
+    ),
+    (
+        "d(acceleration(FRAME))/d(q, u, u_dot)",
+        &[
+            "frameaccelerationderivatives",
+            "pointclassicaccelerationderivatives",
+            "forwardkinematicsderivatives",
+        ],
+    ),
+    (
+        "d(jacobian(FRAME))/d(q)",
+        &["jointkinematichessians", "jointkinematichessian"],
+    ),
+    (
+        "hessian(inverse_dynamics; q, u, u_dot)",
+        &["rneasecondorderderivatives"],
+    ),
 ];
 
 /// How derivatives of a function `F` by variables `X` are asked for.
@@ -230,13 +258,16 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
         &["d", "derivative", "derivatives", "jacfwd", "jacrev"],
     ),
     ("packed(d(F)/d(X))", &["packed"]),
-    ("jvp(F; X)", &["jvp", "jtimes"]),
+    ("jvp(F; X)", &["jvp", "jtimes", "directionalderivative"]),
     ("vjp(F; X)", &["vjp", "gradient", "grad"]),
-    ("hessian(F; X)", &["hessian", "hess"]),
+    (
+        "hessian(F; X)",
+        &["hessian", "hess", "hvp", "hessianvectorproduct"],
+    ),
 ];
 
 /// What the runtime crate does, for every system.
-pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
+pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
     ("kane::inverse_kinematics", &["inversekinematics", "ik"]),
     (
         "kane::manifold::q_plus",
@@ -247,8 +278,20 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
         &["difference", "mjdifferentiatepos", "qminus"],
     ),
     (
+        "kane::manifold::TangentMap",
+        &["dintegrate", "ddifference", "integratetransport"],
+    ),
+    (
+        "kane::rotation",
+        &["log3", "log6", "exp3", "exp6", "jlog3", "jlog6", "jexp3"],
+    ),
+    (
         "kane::discrete",
         &[
+            "euler",
+            "eulerstep",
+            "symplecticeuler",
+            "discrete",
             "mjstep",
             "step",
             "linearize",
@@ -266,7 +309,7 @@ pub(super) const RUNTIME: [(&str, &[&str]); 4] = [
 ];
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 11] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 13] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -321,6 +364,14 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 11] = [
     (
         "dampers of joints are part of `bias`",
         &["damping", "damper", "viscousfriction"],
+    ),
+    (
+        "no step here is implicit: an optimiser or a Newton iteration makes one of `d(inverse_dynamics)/d(q, u, u_dot)`",
+        &["impliciteuler", "implicitmidpoint", "collocation", "idsva"],
+    ),
+    (
+        "what an impulse at frames changes follows from `operational_inverse_inertia(FRAME, ..)`",
+        &["impulsedynamics", "impulse", "impact"],
     ),
     (
         "a mass, a mass centre or an inertia that changes is `{ runtime = .. }` in the model",

@@ -382,7 +382,13 @@ fn not_packed(text: &str, part: &syntax::Part) -> RequestError {
             };
         }
     }
-    let expected = "expected `d(PART)/d(VARIABLES)`";
+    let expected = match &part.kind {
+        Kind::Product {
+            product: Product::Hessian,
+            ..
+        } => "a `hessian` is packed without it",
+        _ => "expected `d(PART)/d(VARIABLES)`",
+    };
     RequestError::syntax(text, Unexpected { expected, place })
 }
 

@@ -21,6 +21,9 @@ pub(in crate::functions) struct ParsedSubject {
     pub(in crate::functions) view: View,
 }
 
+/// What may stand behind the frame of most functions.
+const VIEW: &str = "expected `local`, for the frame's own axes; what is seen from another frame is `jacobian(F, G)`, times `u`";
+
 impl ParsedSubject {
     /// A frame, and what is said behind it of how it is seen.
     pub(in crate::functions) fn new(
@@ -44,7 +47,7 @@ impl ParsedSubject {
             [word] if has_other && word.is(LOCAL) => return fault(word, "expected another frame"),
             [other] if has_other => (vec![frame, other], View::Other),
             [word, ..] if views.len() == 1 => return fault(word, "expected nothing there"),
-            [word] => return fault(word, "expected `local`, for the frame's own axes"),
+            [word] => return fault(word, VIEW),
             [_, word, ..] if has_other => return fault(word, "expected no more than one word"),
             [_, word, ..] => return fault(word, "expected no more than `local`"),
         };

@@ -310,7 +310,7 @@ impl<'a> Reader<'a> {
         self.expect(
             ')',
             if self.rest().starts_with(';') {
-                "expected `,` or `)`; `;` stands in `jvp`, `vjp` and `hessian`"
+                "expected `,` or `)`; with `;` there are `jvp(F; X)`, `vjp(F; X)`, the gradient, and `hessian(F; X)`"
             } else {
                 "expected `,` or `)`"
             },

@@ -83,9 +83,10 @@ impl Part {
             let sizes: Vec<usize> = lengths.map(|lengths| lengths.iter().product()).collect();
             let multipliers = derivative.arguments(self.function.outputs, self.subject_length());
             let values = derived.roots.split_off(first);
+            let sparsity = self.sparsity(tree);
             let asked = Asked {
                 multipliers: &multipliers,
-                sparsity: self.sparsity(tree),
+                sparsity: sparsity.as_deref(),
             };
             if is_direct && let Some(inverse_dynamics) = self.function.inverse_dynamics {
                 let solution = Solution {

@@ -5,7 +5,7 @@ mod doc;
 mod rows;
 mod size;
 
-use std::borrow::Cow;
+use std::{borrow::Cow, sync::Arc};
 
 use super::{
     argument::Argument,
@@ -165,7 +165,7 @@ impl Part {
     }
 
     /// Which entries of a packed derivative it writes; `None` where it is none.
-    pub fn sparsity(&self, tree: &Tree) -> Option<&Sparsity> {
+    pub fn sparsity(&self, tree: &Tree) -> Option<Arc<Sparsity>> {
         let derivative = self.derivative.as_ref()?;
         if self.function.writes(Dimension::BaseParameters) {
             // Which there are follows from the model's own numbers: the trees of drawn numbers take them over.

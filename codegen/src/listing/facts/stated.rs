@@ -56,7 +56,11 @@ impl Counted {
 
 /// `Nominal value 12.0 kg.`
 pub fn nominal(parameter: &Parameter) -> String {
-    format!("{NOMINAL}{:?} {}.", parameter.nominal, parameter.unit)
+    let (nominal, unit) = (parameter.nominal, parameter.unit);
+    match unit {
+        "1" => format!("{NOMINAL}{nominal:?}."),
+        _ => format!("{NOMINAL}{nominal:?} {unit}."),
+    }
 }
 
 /// The value and unit of such a line; `None` where it is another.

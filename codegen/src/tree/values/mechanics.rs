@@ -7,6 +7,48 @@ use crate::tree::mechanics::Mechanics;
 use crate::tree::value::Value;
 use crate::tree::values::parameters::Parameters;
 
+/// The units of a quantity.
+struct Units {
+    angles: &'static str,
+    translations: &'static str,
+    /// That of a value of both.
+    both: &'static str,
+}
+
+const STIFFNESS: Units = Units {
+    angles: "N m/rad",
+    translations: "N/m",
+    both: "N m/rad and N/m",
+};
+const REST: Units = Units {
+    angles: "rad",
+    translations: "m",
+    both: "rad and m",
+};
+const DAMPING: Units = Units {
+    angles: "N m s/rad",
+    translations: "N s/m",
+    both: "N m s/rad and N s/m",
+};
+const ARMATURE: Units = Units {
+    angles: "kg m^2",
+    translations: "kg",
+    both: "kg m^2 and kg",
+};
+
+impl Units {
+    /// That of a value of these motions.
+    fn of(&self, motions: &[usize]) -> &'static str {
+        let turns = motions.iter().any(|motion| *motion < 3);
+        let slides = motions.iter().any(|motion| *motion >= 3);
+        match (turns, slides) {
+            (true, true) => self.both,
+            (_, false) => self.angles,
+            (false, true) => self.translations,
+        }
+    }
+}
+
 /// What acts along the six motions of the joint of a body, and how far they go.
 pub(super) fn of(
     parameters: &mut Parameters,
@@ -19,10 +61,10 @@ pub(super) fn of(
         joint,
         body,
     };
-    let stiffness = reader.values("stiffness", &written.stiffness, ["N m/rad", "N/m"]);
-    let rest = reader.values("rest", &written.rest, ["rad", "m"]);
-    let damping = reader.values("damping", &written.damping, ["N m s/rad", "N s/m"]);
-    let armature = reader.values("armature", &written.armature, ["kg m^2", "kg"]);
+    let stiffness = reader.values("stiffness", &written.stiffness, &STIFFNESS);
+    let rest = reader.values("rest", &written.rest, &REST);
+    let damping = reader.values("damping", &written.damping, &DAMPING);
+    let armature = reader.values("armature", &written.armature, &ARMATURE);
     std::array::from_fn(|motion| {
         let limits = written.limits.at(motion).unwrap_or_default();
         Mechanics {
@@ -48,17 +90,17 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// A quantity along the six motions; its unit differs between angles and translations.
+    /// A quantity along the six motions.
     fn values(
         &mut self,
         quantity: &str,
         given: &PerCoordinate<Scalar>,
-        units: [&'static str; 2],
+        units: &Units,
     ) -> [Value; 6] {
         let mut values = [Value::Baked(0.0); 6];
         let prefix = self.joint.identifier.clone();
-        let mut value = |scalar, name, motion: usize| {
-            let unit = units[usize::from(motion >= 3)];
+        let mut value = |scalar, name, motions: &[usize]| {
+            let unit = units.of(motions);
             let value = self
                 .parameters
                 .value(Some(scalar), name, Some(self.body), unit);
@@ -70,8 +112,8 @@ impl Reader<'_> {
                 let is_moving =
                     |motion: &usize| !matches!(self.joint.motions[*motion], Freedom::Locked(_));
                 let moving: Vec<usize> = (0..6).filter(is_moving).collect();
-                if let Some(first) = moving.first() {
-                    let shared = value(*scalar, format!("{prefix}_{quantity}"), *first);
+                if !moving.is_empty() {
+                    let shared = value(*scalar, format!("{prefix}_{quantity}"), &moving);
                     for motion in moving {
                         values[motion] = shared;
                     }
@@ -80,8 +122,8 @@ impl Reader<'_> {
             PerCoordinate::Each(given) => {
                 for (coordinate, scalar) in given {
                     let name = format!("{prefix}_{}_{quantity}", coordinate.value.name());
-                    values[coordinate.value.index()] =
-                        value(*scalar, name, coordinate.value.index());
+                    let motion = coordinate.value.index();
+                    values[motion] = value(*scalar, name, &[motion]);
                 }
             }
         }

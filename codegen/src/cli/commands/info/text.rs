@@ -196,11 +196,11 @@ fn write_parameters(out: &mut dyn Write, tree: &Tree) -> io::Result<()> {
         .max()
         .unwrap_or(0);
     for parameter in &tree.parameters {
-        writeln!(
-            out,
-            "  {:width$}  {:?} {}",
-            parameter.name, parameter.nominal, parameter.unit
-        )?;
+        write!(out, "  {:width$}  {:?}", parameter.name, parameter.nominal)?;
+        match parameter.unit {
+            "1" => writeln!(out)?,
+            unit => writeln!(out, " {unit}")?,
+        }
     }
     Ok(())
 }
