@@ -51,6 +51,19 @@ pub fn generate(
 ) -> Result<Generated, Error> {
     compile::check_options(options)?;
     let description = description::read(model, &options.reading, include);
+    of_description(description, shown_path, options)
+}
+
+/// As [`generate`], from what was read or made in memory; the options of reading have been heeded.
+///
+/// # Errors
+/// As [`generate`].
+pub fn of_description(
+    description: Description,
+    shown_path: &str,
+    options: &Options,
+) -> Result<Generated, Error> {
+    compile::check_options(options)?;
     let checked = checked(&description, options)?;
     let tree = &checked.tree;
     let compiled = compile::compile(tree, options)?;

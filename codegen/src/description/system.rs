@@ -6,6 +6,10 @@ use crate::description::value::{Given, Scalar};
 use crate::diagnostic::{Diagnostic, Source, Span, Spanned};
 
 /// A multibody system as the user wrote it.
+///
+/// The readers make it. A description made in memory has to be as they leave it: all numbers finite, rotations orthonormal, axes not zero,
+/// a mass, a mass centre, an inertia and an attachment for each body; no later stage checks that. Written as a file
+/// ([`toml::write`](crate::description::toml::write)) and read again, it gets every check.
 #[derive(Clone, Debug)]
 pub struct Description {
     /// The file.

@@ -99,6 +99,10 @@ pub fn build_with(description: &Description, changes: &Changes) -> Result<Checke
     if description.bodies.is_empty() && !findings.iter().any(Diagnostic::is_error) {
         findings.push(Diagnostic::error("the system has no bodies"));
     }
+    if tree.is_none() && !findings.iter().any(Diagnostic::is_error) {
+        let lacking = "the description lacks what readers demand, such as a mass or an axis";
+        findings.push(Diagnostic::error(lacking));
+    }
     if findings.iter().any(Diagnostic::is_error) {
         // What was decided about names and numbers is no news while there is no tree.
         findings.retain(|finding| finding.severity != Severity::Note);

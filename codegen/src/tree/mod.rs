@@ -2,7 +2,7 @@
 //!
 //! In: a [`Description`](crate::description::Description), as the user wrote it. Out: a [`Tree`].
 //! Afterwards: every lower body (parent) has a smaller id than its bodies, every name is unique and
-//! maps to a unique Rust identifier, every number is finite, no mass is negative, inertias are as given (a warning tells of
+//! maps to a unique Rust identifier, every number is finite where the description is as readers leave it, no mass is negative, inertias are as given (a warning tells of
 //! those that no real body has), and every free coordinate moves mass; later stages do not fail on a user's mistake.
 //! Does not: derive anything.
 //!
