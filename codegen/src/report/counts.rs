@@ -22,6 +22,8 @@ pub struct Counts {
     /// The one with the fewest operations, which is what is generated where nothing else is asked for; `None` where the
     /// function would be too large in each of them.
     pub cheapest: Option<Formulation>,
+    /// Why it is too large in the last of the others.
+    pub refused: Option<String>,
 }
 
 /// Counts the operations of functions in those of their formulations in which they would not be too large.
@@ -32,6 +34,7 @@ pub fn count(tree: &Tree, functions: &[Request], without: &BTreeSet<Technique>) 
 
 fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
     let is_choice = function.formulations().len() > 1;
+    let mut refused = None;
     let formulations: Vec<_> = function
         .formulations()
         .iter()
@@ -44,7 +47,13 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
                 without: plans.without.clone(),
                 ..Options::default()
             };
-            compile::check_size(plans.tree, slice::from_ref(function), &options).is_ok()
+            let checked = compile::check_size(plans.tree, slice::from_ref(function), &options);
+            let is_refused = checked.is_err();
+            refused = checked
+                .err()
+                .map(|error| error.to_string())
+                .or(refused.take());
+            !is_refused
         })
         .map(|&formulation| {
             let choice = compile::of_formulation(plans, function, formulation);
@@ -60,5 +69,6 @@ fn of_one(plans: &Plans<'_>, function: &Request) -> Counts {
         function: function.clone(),
         formulations,
         cheapest,
+        refused,
     }
 }

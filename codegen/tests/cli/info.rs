@@ -218,6 +218,26 @@ fn functions_that_are_named_are_counted_alone() {
 }
 
 #[test]
+fn what_is_too_large_is_said_where_it_has_no_count() {
+    let project = Project::empty();
+    let talos = repository("tests/robots/talos/talos.urdf");
+    let function = "hessian(forward_dynamics; q, u, tau)";
+    let ran = project.kane(&[
+        "info",
+        talos.to_str().unwrap(),
+        "--base",
+        "free",
+        "--functions",
+        function,
+        "--without",
+        "composite",
+    ]);
+    assert_eq!(ran.code, 0);
+    let note = format!("note: `{function}`, by 114 variables, builds about ");
+    assert!(ran.err.contains(&note), "{}", ran.err);
+}
+
+#[test]
 fn cheapest_formulation_is_marked() {
     let text = info(&[]);
     let line = text

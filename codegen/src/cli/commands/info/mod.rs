@@ -125,6 +125,10 @@ pub(crate) fn run(
     } else {
         Vec::new()
     };
+    let lacking = counts.iter().filter(|one| one.cheapest.is_none());
+    for refused in lacking.filter_map(|one| one.refused.as_ref()) {
+        voice.say(format_args!("note: {refused}"));
+    }
     if arguments.json {
         json::write(out, &value::value(tree, &counts))?;
     } else {
