@@ -1,20 +1,11 @@
 //! A whole module as data.
 
-use std::collections::BTreeSet;
-
 use super::{
-    BaseParameters, Entries, Facts, FrameSpeeds, Function, Pattern,
-    facts::Wanted,
+    Facts, Function,
     verify::{verify, verify_facts},
     write::{FunctionWriter, nominal, sin_cos},
 };
-use crate::{
-    compile::{Compiled, Emittable},
-    functions::Request,
-    origin::Origin,
-    threads,
-    tree::Tree,
-};
+use crate::{compile::Compiled, origin::Origin, threads, tree::Tree};
 
 /// What a module says and does.
 #[derive(Clone, Debug)]
@@ -37,12 +28,7 @@ impl Module {
     /// # Panics
     /// Where the listing breaks a promise: a bug of ours.
     pub fn new(tree: &Tree, origin: Origin, compiled: &Compiled) -> Self {
-        let facts = Facts::of(
-            tree,
-            origin,
-            &compiled.fields,
-            wanted(tree, &compiled.functions),
-        );
+        let facts = Facts::of(tree, origin, compiled);
         let writer = FunctionWriter::new(tree, compiled, &facts);
         let module = Self {
             nominal: nominal(&facts),
@@ -83,38 +69,5 @@ impl Module {
     pub fn function(&self, name: &str) -> Option<&Function> {
         let mut functions = self.functions.iter();
         functions.find(|function| function.signature.name == name)
-    }
-}
-
-/// What the functions want of the facts.
-fn wanted(tree: &Tree, functions: &[Emittable]) -> Wanted {
-    let any = |is: fn(&Request) -> bool| functions.iter().any(|one| is(&one.function));
-    let mut known = BTreeSet::new();
-    let patterns = functions.iter().filter_map(|emittable| {
-        let function = emittable.function.compact()?;
-        known.insert(function.name).then(|| Pattern {
-            function: function.name,
-            columns: function.compact_columns_constant(),
-            blocks: function.blocks_constant(),
-            doc: format!(
-                "The non-zero partitions that `{}` writes, body after body.",
-                function.name
-            ),
-            n_columns: emittable.program.stores.len() / 3,
-            entries: emittable.blocks.clone(),
-        })
-    });
-    Wanted {
-        patterns: patterns.collect(),
-        base_parameters: BaseParameters::of(tree, functions),
-        frame_speeds: FrameSpeeds::of(tree, functions),
-        entries: Entries::of(tree, functions),
-        angles: any(Request::is_at_sin_cos),
-        prescribed: any(Request::prescribes),
-        values: any(Request::is_by_parameters) || !tree.parameters.is_empty(),
-        packed: functions
-            .iter()
-            .flat_map(|one| one.function.packed())
-            .collect(),
     }
 }

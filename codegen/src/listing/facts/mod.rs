@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    functions::{CompactBlock, Declared, Dimension, N_BASE_PARAMETERS, N_PARAMETERS, Packed},
+    compile::Compiled,
+    functions::{Declared, Packed, Request},
     id::{BodyId, SpeedId},
     origin::Origin,
     passes::sines,
@@ -17,6 +18,7 @@ mod extent;
 mod frame_speeds;
 mod joint;
 mod limits;
+mod pattern;
 mod size;
 mod stated;
 
@@ -26,6 +28,7 @@ pub use extent::Extent;
 pub use frame_speeds::FrameSpeeds;
 pub use joint::{Frame, Joint, JointChart};
 pub use limits::Limits;
+pub use pattern::Pattern;
 pub(crate) use size::N_ANGLES;
 pub use size::{Size, Sizes};
 pub use stated::{Counted, nominal, read_nominal};
@@ -95,69 +98,43 @@ pub struct Angle {
     pub coordinate: usize,
 }
 
-/// Which columns of a whole a compact output has.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Pattern {
-    /// The function that writes it.
-    pub function: &'static str,
-    /// The name of the constant that says how many columns there are.
-    pub columns: String,
-    /// The name of the constant that says which.
-    pub blocks: String,
-    /// What that says.
-    pub doc: String,
-    /// How many columns there are.
-    pub n_columns: usize,
-    /// The non-zero partitions, body after body.
-    pub entries: Vec<CompactBlock>,
-}
-
-/// Of which functions some are in a module.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Wanted {
-    /// Some are given sines and cosines.
-    pub(super) angles: bool,
-    /// The packed matrices that some write, each once.
-    pub(super) packed: BTreeSet<Packed>,
-    /// The base parameters, where some function writes their columns.
-    pub(super) base_parameters: Option<BaseParameters>,
-    /// Some ask which speeds are prescribed.
-    pub(super) prescribed: bool,
-    /// Values are set at run time, or some function is differentiated by all of them.
-    pub(super) values: bool,
-    /// What those with compact outputs write, each once.
-    pub(super) patterns: Vec<Pattern>,
-    /// The speeds that move the frames of Jacobians, each frame's once.
-    pub(super) frame_speeds: Vec<FrameSpeeds>,
-    /// The entries of packed derivatives, each once.
-    pub(super) entries: Vec<Entries>,
-}
-
 impl Facts {
-    pub(super) fn of(tree: &Tree, origin: Origin, fields: &[String], wanted: Wanted) -> Self {
+    /// Those of a tree, and what its functions ask for.
+    pub(super) fn of(tree: &Tree, origin: Origin, compiled: &Compiled) -> Self {
+        let functions = &compiled.functions[..];
+        let any = |is: fn(&Request) -> bool| functions.iter().any(|one| is(&one.function));
         let coordinates = tree.coordinate_names();
-        let angles = wanted.angles.then(|| angles(tree, &coordinates));
-        let elimination = wanted.packed.contains(&Packed::Factors);
-        let elimination = elimination.then(|| solve::elimination(tree));
-        let packed = wanted.packed.iter().copied();
-        let packed = packed.map(|packed| (packed, packed.places(tree)));
-        let packed: Vec<_> = packed.collect();
-        let bodies = tree.body_ids().map(|id| Body {
-            name: tree.body(id).name.clone(),
-            identifier: tree.body(id).identifier.clone(),
-            lower: tree.lower(id).map(BodyId::index),
-        });
-        let speed_bodies = tree.speed_bodies().into_iter();
-        let mut fields = fields.to_vec();
+        let angles = any(Request::is_at_sin_cos).then(|| angles(tree, &coordinates));
+        let has_values = any(Request::is_by_parameters) || !tree.parameters.is_empty();
+        let written = functions.iter().flat_map(|one| one.function.packed());
+        let written: BTreeSet<Packed> = written.collect();
+        let elimination = written.contains(&Packed::Factors);
+        let packed = written.into_iter();
+        let packed: Vec<_> = packed.map(|packed| (packed, packed.places(tree))).collect();
+        let base_parameters = BaseParameters::of(tree, functions);
+        let frame_speeds = FrameSpeeds::of(tree, functions);
+        let entries = Entries::of(tree, functions);
+        let patterns = Pattern::of(functions);
+        let sizes = [
+            size::of_system(tree),
+            size::of_angles(angles.as_deref().map(<[_]>::len)),
+            size::of_packed(&packed),
+            size::of_base_parameters(base_parameters.as_ref()),
+            size::of_values(has_values.then_some(tree.parameters.len())),
+            size::of_frames(&frame_speeds),
+            size::of_entries(&entries),
+            size::of_patterns(&patterns),
+        ];
+        let mut fields = compiled.fields.clone();
         fields.sort();
         Self {
             origin,
             name: tree.name.clone(),
-            sizes: sizes(tree, angles.as_ref().map(Vec::len), &packed, &wanted),
-            bodies: bodies.collect(),
+            sizes: Sizes(sizes.concat()),
+            bodies: bodies(tree),
             coordinates,
             speeds: tree.speed_names(),
-            speed_bodies: speed_bodies.map(BodyId::index).collect(),
+            speed_bodies: tree.speed_bodies().into_iter().map(BodyId::index).collect(),
             joints: tree
                 .bodies
                 .iter()
@@ -169,12 +146,12 @@ impl Facts {
             fields,
             angles,
             packed,
-            elimination,
-            base_parameters: wanted.base_parameters,
-            prescribed: wanted.prescribed.then(|| prescribed(tree)),
-            patterns: wanted.patterns,
-            frame_speeds: wanted.frame_speeds,
-            entries: wanted.entries,
+            elimination: elimination.then(|| solve::elimination(tree)),
+            base_parameters,
+            prescribed: any(Request::prescribes).then(|| prescribed(tree)),
+            patterns,
+            frame_speeds,
+            entries,
         }
     }
 
@@ -189,6 +166,15 @@ impl Facts {
         let mut joints = self.joints.iter();
         joints.any(|joint| joint.chart == JointChart::EulerParameters)
     }
+}
+
+fn bodies(tree: &Tree) -> Vec<Body> {
+    let bodies = tree.body_ids().map(|id| Body {
+        name: tree.body(id).name.clone(),
+        identifier: tree.body(id).identifier.clone(),
+        lower: tree.lower(id).map(BodyId::index),
+    });
+    bodies.collect()
 }
 
 fn prescribed(tree: &Tree) -> Vec<bool> {
@@ -207,91 +193,4 @@ fn angles(tree: &Tree, coordinates: &[String]) -> Vec<Angle> {
             coordinate,
         })
         .collect()
-}
-
-/// What arrays of every system count, in words, and what else is said of it beside the functions.
-const COUNTED: [(Dimension, &str, &str); 3] = [
-    (Dimension::Bodies, "Number of bodies", ""),
-    (
-        Dimension::Coordinates,
-        "Number of generalized coordinates",
-        ", the length of `q`",
-    ),
-    (
-        Dimension::Speeds,
-        "Number of generalized speeds",
-        ", the length of `u`",
-    ),
-];
-
-fn sizes(
-    tree: &Tree,
-    n_angles: Option<usize>,
-    packed: &[(Packed, Vec<[usize; 2]>)],
-    wanted: &Wanted,
-) -> Sizes {
-    let counted = COUNTED.into_iter().filter_map(|(axis, brief, more)| {
-        Some(Size {
-            name: axis.constant()?.to_owned(),
-            value: axis.length(tree)?,
-            doc: format!("{brief}{more}."),
-            brief,
-        })
-    });
-    let mut sizes: Vec<Size> = counted.collect();
-    sizes.extend(n_angles.map(|n_angles| Size {
-        name: N_ANGLES.to_owned(),
-        value: n_angles,
-        doc: "Number of angles among the coordinates.".to_owned(),
-        brief: "Number of angles among the coordinates",
-    }));
-    sizes.extend(packed.iter().map(|(packed, places)| Size {
-        name: packed.length_constant().to_owned(),
-        value: places.len(),
-        doc: format!("Number of entries that `{}` writes.", packed.function()),
-        brief: packed.brief(),
-    }));
-    sizes.extend(wanted.base_parameters.iter().map(|base| Size {
-        name: N_BASE_PARAMETERS.to_owned(),
-        value: base.texts.len(),
-        doc: "Number of base parameters.".to_owned(),
-        brief: "Number of base parameters",
-    }));
-    sizes.extend(wanted.values.then(|| Size {
-        name: N_PARAMETERS.to_owned(),
-        value: tree.parameters.len(),
-        doc: "Number of values set at run time.".to_owned(),
-        brief: "Number of values set at run time",
-    }));
-    sizes.extend(wanted.frame_speeds.iter().map(|frame| Size {
-        name: frame.length.clone(),
-        value: frame.speeds.len(),
-        doc: "Number of speeds that move the frame.".to_owned(),
-        brief: "Number of speeds that move a frame",
-    }));
-    sizes.extend(wanted.entries.iter().flat_map(entry_sizes));
-    sizes.extend(wanted.patterns.iter().map(|pattern| Size {
-        name: pattern.columns.clone(),
-        value: pattern.n_columns,
-        doc: format!("Number of columns that `{}` writes.", pattern.function),
-        brief: "Number of columns",
-    }));
-    Sizes(sizes)
-}
-
-/// How many entries a packed derivative has, and how many columns where these have colours.
-fn entry_sizes(entries: &Entries) -> Vec<Size> {
-    let own = Size {
-        name: entries.length.clone(),
-        value: entries.places.len(),
-        doc: format!("Number of entries that `{}` writes.", entries.of),
-        brief: "Number of entries of a packed derivative",
-    };
-    let columns = entries.colors.iter().map(|colors| Size {
-        name: colors.length.clone(),
-        value: colors.colors.len(),
-        doc: format!("Number of columns of `{}`.", entries.of),
-        brief: "Number of columns of a packed derivative",
-    });
-    [own].into_iter().chain(columns).collect()
 }
