@@ -5,7 +5,7 @@ use super::{
     verify::{verify, verify_facts},
     write::{FunctionWriter, nominal, sin_cos},
 };
-use crate::{compile::Compiled, origin::Origin, threads, tree::Tree};
+use crate::{compile::Compiled, origin::Origin, tree::Tree};
 
 /// What a module says and does.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ impl Module {
             nominal: nominal(&facts),
             prepare: writer.prepare(&compiled.preparation),
             sin_cos: facts.angles.as_ref().map(|_| sin_cos(&facts)),
-            functions: threads::map(&compiled.functions, |emittable| writer.function(emittable)),
+            functions: writer.functions(),
             facts,
         };
         if let Err(fault) = module.verify() {

@@ -15,6 +15,7 @@ use crate::{
     expr::Input,
     functions::{Argument, PARAMETERS, PREPARED, SIN_COS, Signature},
     program::Program,
+    threads,
     tree::Tree,
 };
 
@@ -55,7 +56,14 @@ impl<'a> FunctionWriter<'a> {
         }
     }
 
-    pub(in crate::listing) fn function(&self, emittable: &Emittable) -> Function {
+    /// The functions that were compiled, in order.
+    pub(in crate::listing) fn functions(&self) -> Vec<Function> {
+        let places: Vec<usize> = (0..self.compiled.functions.len()).collect();
+        threads::map(&places, |&place| self.function(place))
+    }
+
+    fn function(&self, place: usize) -> Function {
+        let emittable = &self.compiled.functions[place];
         let (request, program) = (&emittable.function, &emittable.program);
         let signature = request.signature();
         let arguments = request.arguments();
@@ -78,7 +86,7 @@ impl<'a> FunctionWriter<'a> {
             arguments,
             alone: request.alone().cloned(),
             derivative_trait: request.derivative_trait(),
-            pattern: self.pattern(emittable),
+            pattern: self.pattern(place),
             formulation: emittable.formulation,
             has_choice: request.formulations().len() > 1,
             fused: program.fused(),
@@ -106,15 +114,15 @@ impl<'a> FunctionWriter<'a> {
         Function::helper(signature, own, code, loops)
     }
 
-    /// The pattern that stands before a function: before the first that writes such an output.
-    fn pattern(&self, emittable: &Emittable) -> Option<usize> {
+    /// The pattern that stands before the function at this place: before the first that writes such an output.
+    fn pattern(&self, place: usize) -> Option<usize> {
+        let functions = &self.compiled.functions;
         let name = |one: &Emittable| one.function.compact().map(|function| function.name);
-        let own = name(emittable)?;
-        let mut functions = self.compiled.functions.iter();
-        let first = functions.find(|other| name(other) == Some(own))?;
+        let own = name(&functions[place])?;
+        let first = functions.iter().position(|other| name(other) == Some(own));
         let mut patterns = self.facts.patterns.iter();
-        let place = patterns.position(|pattern| pattern.function == own);
-        place.filter(|_| std::ptr::eq(first, emittable))
+        let pattern = patterns.position(|pattern| pattern.function == own);
+        pattern.filter(|_| first == Some(place))
     }
 
     pub(in crate::listing) fn prepare(&self, program: &Program) -> Function {
