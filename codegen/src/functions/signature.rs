@@ -15,15 +15,8 @@ pub const PREPARED: &str = "p";
 /// The argument with sines and cosines, and the function that writes it.
 pub const SIN_COS: &str = "sin_cos";
 
-/// What stands between the name of a function and the number of a helper.
-pub const HELPER_INFIX: &str = "_lockstep_";
 /// What stands between the name of a function and the number of a stage.
 pub const STAGE_INFIX: &str = "_stage_";
-
-/// The name of a function's helper of this number, from 1.
-pub fn helper_name(of: &str, number: usize) -> String {
-    format!("{of}{HELPER_INFIX}{number}")
-}
 
 /// A function as its callers see it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -99,39 +92,6 @@ impl Signature {
                 Declared::read(PARAMETERS, Element::Parameters, "values set at run time"),
                 Declared::written(PREPARED, Element::Prepared),
             ],
-        }
-    }
-
-    /// What a function runs on several columns, as a function of one: named after it, with a number.
-    pub fn helper(
-        of: &str,
-        (number, lanes): (usize, usize),
-        given: [(&str, usize); 2],
-        (found, n_found): (&str, usize),
-    ) -> Self {
-        let [shared, sides] = given;
-        let argument = |(name, length), meaning| Declared {
-            lengths: vec![Length::Number(length)],
-            ..Declared::read(name, Element::Scalar, meaning)
-        };
-        let found = Declared {
-            lengths: vec![Length::Number(n_found)],
-            ..Declared::written(found, Element::Scalar)
-        };
-        let shared = Some(shared).filter(|(_, length)| *length > 0);
-        let arguments = shared
-            .map(|shared| argument(shared, "what all share"))
-            .into_iter();
-        let doc = format!(
-            "Helper of `{of}`: what {lanes} columns or branches go through alike, for all of them side by side. Names are those of the first. `--without lockstep` writes them out."
-        );
-        Self {
-            name: helper_name(of, number),
-            doc: vec![doc],
-            tables: Vec::new(),
-            arguments: arguments
-                .chain([argument(sides, "the numbers of each"), found])
-                .collect(),
         }
     }
 

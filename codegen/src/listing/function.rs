@@ -1,6 +1,6 @@
 //! A function as data: how it is declared, what it costs, what it does.
 
-use super::{Code, Counted, Entry, Facts, Stage};
+use super::{Code, Counted, Entry, Facts, Helper, Stage};
 use crate::{
     functions::{Access, Argument, Declared, Formulation, Part, Signature},
     program::Operations,
@@ -29,12 +29,10 @@ pub struct Function {
     pub fused: usize,
     /// What it does.
     pub code: Code,
-    /// The same in parts, where it is long: functions, or loops of a helper.
+    /// The same in parts, where it is long.
     pub stages: Vec<Stage>,
-    /// What it runs on several columns, as functions of one column.
-    pub helpers: Vec<Self>,
-    /// On how many columns it is run, where it is a helper; else 1.
-    pub lanes: usize,
+    /// What it runs on several columns.
+    pub helpers: Vec<Helper>,
     /// What it fills for these: arrays that count as arguments behind its own.
     pub scratch: Vec<Declared>,
 }
@@ -55,7 +53,6 @@ impl Function {
             code,
             stages: Vec::new(),
             helpers: Vec::new(),
-            lanes: 1,
             scratch: Vec::new(),
         }
     }
@@ -86,14 +83,7 @@ impl Function {
 
     /// Lines that say what it costs.
     pub fn cost(&self) -> Vec<String> {
-        let mut lines = vec![self.counted().line()];
-        if self.fused > 0 {
-            let fused = self.fused;
-            lines.push(format!(
-                "Of the multiplications and additions {fused} each are fused."
-            ));
-        }
-        lines
+        self.counted().lines(self.fused)
     }
 }
 

@@ -9,6 +9,7 @@ mod code;
 pub(crate) mod constants;
 mod facts;
 mod function;
+mod helper;
 mod module;
 mod verify;
 mod write;
@@ -24,6 +25,7 @@ pub use facts::{
     FrameSpeeds, Joint, JointChart, Limits, Pattern, Size, Sizes, nominal, read_nominal,
 };
 pub use function::Function;
+pub use helper::{HELPER_INFIX, Helper, Role};
 pub use module::Module;
 pub use verify::{Fault, verify, verify_facts};
-pub use write::{RESERVED, SHARED, SIDES, SOLVED};
+pub use write::RESERVED;

@@ -78,15 +78,24 @@ pub fn verify(facts: &Facts, function: &Function) -> Result<(), Fault> {
         stages,
         ..
     } = function;
-    function
-        .helpers
-        .iter()
-        .try_for_each(|own| verify(facts, own))?;
+    for own in &function.helpers {
+        verify_code(facts, &own.signature, &own.code, &own.loops)?;
+    }
     check_calls(facts, function)?;
     let signature = &Signature {
         arguments: function.places().cloned().collect(),
         ..signature.clone()
     };
+    verify_code(facts, signature, code, stages)
+}
+
+/// The same of code with these arguments, and of its stages or loops.
+fn verify_code(
+    facts: &Facts,
+    signature: &Signature,
+    code: &Code,
+    stages: &[Stage],
+) -> Result<(), Fault> {
     let whole = State::after(facts, signature, code, &[], unstored(facts, signature))?;
     check_stored(&whole.close()?)?;
     if stages.is_empty() {

@@ -11,10 +11,7 @@ use iced_x86::{
     IntelFormatter,
 };
 
-use crate::{
-    functions::{HELPER_INFIX, STAGE_INFIX},
-    input,
-};
+use crate::{functions::STAGE_INFIX, input, listing::HELPER_INFIX};
 
 use super::{
     Breach, Error, FunctionReport, Report, Runtime, What,

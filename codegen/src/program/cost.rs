@@ -6,7 +6,7 @@ use std::{
     ops::AddAssign,
 };
 
-use super::{Instruction, Operation, Program};
+use super::{Helper, Instruction, Operation, Program};
 use crate::expr::{Binding, CallId, Expr, ExprGraph, Input, Node, NodeId};
 
 /// How many operations of each kind a program performs. Signs, absolute values, copies and stores count nothing.
@@ -114,7 +114,7 @@ impl Program {
                 Instruction::Share { .. } => {}
                 Instruction::Call { helper, .. } => {
                     let helper = &self.helpers[*helper];
-                    operations.add_lanes(helper.lanes, helper.operations());
+                    operations.add_lanes(helper.lanes, helper.program.operations());
                 }
             }
         }
@@ -123,7 +123,7 @@ impl Program {
 
     /// How many operations its text has: those of a helper once, however often it is run.
     pub fn written(&self) -> usize {
-        let of_helper = |helper: &Self| helper.operations().total();
+        let of_helper = |helper: &Helper| helper.program.operations().total();
         let called = self
             .instructions
             .iter()
@@ -151,7 +151,7 @@ impl Program {
             } = instruction
             {
                 let helper = &self.helpers[*helper];
-                steps -= (helper.lanes - 1) * helper.operations().total();
+                steps -= (helper.lanes - 1) * helper.program.operations().total();
                 steps += sides.iter().flatten().count();
                 steps += 2 * results.iter().flatten().flatten().count();
             }
@@ -168,7 +168,7 @@ impl Program {
             } => 1,
             Instruction::Call { helper, .. } => {
                 let helper = &self.helpers[*helper];
-                helper.lanes * helper.fused()
+                helper.lanes * helper.program.fused()
             }
             _ => 0,
         };

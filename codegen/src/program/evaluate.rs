@@ -62,8 +62,9 @@ impl Program {
                     results,
                 } => {
                     let shared = shared.get(lockstep).map_or(&[][..], Vec::as_slice);
-                    for lane in 0..self.helpers[*helper].lanes {
-                        let found = self.helpers[*helper].evaluate_by(&mut |input| match input {
+                    let helper = &self.helpers[*helper];
+                    for lane in 0..helper.lanes {
+                        let found = helper.program.evaluate_by(&mut |input| match input {
                             Input::Shared(place) => shared[place],
                             Input::Side(place) => read(&values, sides[place][lane]),
                             other => unreachable!("program: a helper is not given {other:?}"),

@@ -9,7 +9,7 @@ use std::{
     sync::Arc,
 };
 
-use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
+use super::{Definition, Helper, Instruction, Operand, Operation, Program, ValueFacts, ValueId};
 use crate::{
     expr::{self, CallId, CallResult, Expr, ExprGraph, Input, Node, NodeId},
     id::BodyId,
@@ -37,7 +37,6 @@ pub fn flatten(graph: &ExprGraph, roots: &[Expr]) -> Program {
             instructions: Vec::new(),
             stores: Vec::new(),
             helpers: Vec::new(),
-            lanes: 1,
         },
     };
     flattening.ready_sines();
@@ -236,7 +235,7 @@ impl Flattening<'_> {
                 negative: false,
             });
         }
-        let helper = self.helper(own);
+        let helper = self.helper(own, [of.shared.len(), sides.len()]);
         let side = |row: &Vec<Expr>| row.iter().map(|own| self.expr(*own)).collect();
         let sides = sides.iter().map(side);
         let call = Instruction::Call {
@@ -248,16 +247,22 @@ impl Flattening<'_> {
         self.program.instructions.push(call);
     }
 
-    /// The place of a helper among the program's.
-    fn helper(&mut self, own: &Arc<expr::Helper<ExprGraph>>) -> usize {
+    /// The place of a helper among the program's; it is given so many numbers that columns share, and so many of each.
+    fn helper(
+        &mut self,
+        own: &Arc<expr::Helper<ExprGraph>>,
+        [n_shared, n_sides]: [usize; 2],
+    ) -> usize {
         let mut known = self.helpers.iter();
         if let Some(place) = known.position(|known| Arc::ptr_eq(known, own)) {
             return place;
         }
         self.helpers.push(own.clone());
-        self.program.helpers.push(Program {
+        self.program.helpers.push(Helper {
             lanes: own.lanes,
-            ..flatten(&own.graph, &own.roots)
+            n_shared,
+            n_sides,
+            program: flatten(&own.graph, &own.roots),
         });
         self.helpers.len() - 1
     }

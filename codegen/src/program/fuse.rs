@@ -4,7 +4,7 @@
 //! use is a sum, but for those of sums of two products, of which one is fused. Keeps: what is computed, in which order,
 //! and how many multiplications and additions there are. Does not: re-associate sums.
 
-use super::{Instruction, Operand, Operation, Program, ValueId};
+use super::{Helper, Instruction, Operand, Operation, Program, ValueId};
 
 /// The program with its products fused into sums.
 pub fn fuse(program: Program) -> Program {
@@ -30,14 +30,16 @@ pub fn fuse(program: Program) -> Program {
     }
     let is_left = |result: ValueId| !fused[result.index()];
     instructions.retain(|instruction| instruction.results().all(is_left));
-    let helpers = program.helpers.into_iter().map(fuse).collect();
+    let helpers = program.helpers.into_iter().map(|helper| Helper {
+        program: fuse(helper.program),
+        ..helper
+    });
     without(
         Program {
             instructions,
-            helpers,
+            helpers: helpers.collect(),
             values: program.values,
             stores: program.stores,
-            lanes: program.lanes,
         },
         &fused,
     )
@@ -108,6 +110,5 @@ fn without(program: Program, removed: &[bool]) -> Program {
         instructions,
         stores,
         helpers: program.helpers,
-        lanes: program.lanes,
     }
 }

@@ -37,10 +37,21 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     /// What is stored, row-major; where the stores stand in the text is the listing's choice.
     pub stores: Vec<Operand>,
-    /// What calls run on several columns, each of which a helper is a program for.
-    pub helpers: Vec<Self>,
-    /// On how many columns a call runs it, where it is a helper; else 1.
+    /// What calls run on several columns.
+    pub helpers: Vec<Helper>,
+}
+
+/// What a call runs on several columns.
+#[derive(Clone, Debug)]
+pub struct Helper {
+    /// On how many.
     pub lanes: usize,
+    /// How many numbers it is given that they share.
+    pub n_shared: usize,
+    /// How many it is given of each.
+    pub n_sides: usize,
+    /// What it does to one: it stores what it computes, and calls nothing.
+    pub program: Program,
 }
 
 /// What is known of a value.

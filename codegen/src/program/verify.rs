@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Definition, Instruction, Operand, Operation, Program};
+use super::{Definition, Instruction, Operand, Operation, Program, ValueFacts};
 use crate::expr::Input;
 
 /// A broken promise of a program.
@@ -30,18 +30,27 @@ pub enum VerifyError {
     /// A call runs a helper that is not there, or gives it other numbers than it needs.
     #[error("a call does not fit helper {0}")]
     Unfit(usize),
+    /// A helper has helpers of its own.
+    #[error("helper {0} has helpers of its own")]
+    Nested(usize),
     /// A sign stands where it costs an operation.
     #[error("value {0} has a misplaced sign")]
     MisplacedSign(usize),
 }
 
 /// Checks that values are assigned once, before they are used, and are used; that nothing is left to fold; that signs
-/// stand where they cost nothing; that sines of several angles are taken in one place; and that every number is finite.
+/// stand where they cost nothing; that sines of several angles are taken in one place; that calls fit their helpers, which have none
+/// themselves; and that every number is finite.
 ///
 /// # Errors
 /// The first promise that is broken.
 pub fn verify(program: &Program) -> Result<(), VerifyError> {
-    program.helpers.iter().try_for_each(verify)?;
+    for (place, helper) in program.helpers.iter().enumerate() {
+        if !helper.program.helpers.is_empty() {
+            return Err(VerifyError::Nested(place));
+        }
+        verify(&helper.program)?;
+    }
     check_calls(program)?;
     let mut assigned: Vec<bool> = program
         .values
@@ -106,20 +115,18 @@ fn check_calls(program: &Program) -> Result<(), VerifyError> {
                 let of = of.ok_or(VerifyError::Unfit(*helper))?;
                 let n_shared = shared.get(lockstep).copied().unwrap_or(0);
                 let is_given = |input| match input {
-                    Input::Shared(place) => place < n_shared,
-                    Input::Side(place) => place < sides.len(),
+                    Input::Shared(place) => place < of.n_shared,
+                    Input::Side(place) => place < of.n_sides,
                     _ => false,
                 };
-                let mut inputs = of.values.iter().map(|value| value.definition);
-                let is_fit = inputs.all(|definition| match definition {
-                    Definition::Input(input) => is_given(input),
-                    Definition::Instruction => true,
-                });
+                let mut inputs = of.program.values.iter().filter_map(ValueFacts::input);
                 let has_lanes = |n: usize| n == of.lanes;
-                let is_fit = is_fit
+                let is_fit = inputs.all(is_given)
+                    && [n_shared, sides.len()] == [of.n_shared, of.n_sides]
+                    && results.len() == of.program.stores.len()
                     && sides.iter().map(Vec::len).all(has_lanes)
                     && results.iter().map(Vec::len).all(has_lanes);
-                if !is_fit || results.len() != of.stores.len() {
+                if !is_fit {
                     return Err(VerifyError::Unfit(*helper));
                 }
             }

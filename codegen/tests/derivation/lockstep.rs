@@ -179,7 +179,9 @@ fn calls_count_for_every_lane_and_their_text_once() {
         emitted(&tree, &derived).0
     });
     let of_helpers = |own: &Instruction| match own {
-        Instruction::Call { helper, .. } => LANES * lockstep.helpers[*helper].operations().total(),
+        Instruction::Call { helper, .. } => {
+            LANES * lockstep.helpers[*helper].program.operations().total()
+        }
         _ => 0,
     };
     let in_calls: usize = lockstep.instructions.iter().map(of_helpers).sum();
@@ -192,7 +194,10 @@ fn calls_count_for_every_lane_and_their_text_once() {
     // At most a tenth more operations, for two thirds of the text.
     assert!(10 * operations < 11 * flat.operations().total());
     let text = |program: &Program| {
-        let helpers = program.helpers.iter().map(|own| own.instructions.len());
+        let helpers = program
+            .helpers
+            .iter()
+            .map(|own| own.program.instructions.len());
         program.instructions.len() + helpers.sum::<usize>()
     };
     assert!(3 * text(&lockstep) < 2 * text(&flat));
@@ -220,11 +225,17 @@ fn no_lane_of_the_calls_of_an_arm_stays_empty() {
     assert_eq!(lanes, [true; 16]);
 }
 
-/// The program with calls after a fault is planted in it.
-fn planted(plant: impl Fn(&mut Vec<Instruction>)) -> Result<(), VerifyError> {
+/// A program with calls.
+fn with_calls() -> Program {
     let (_, tree) = system(562);
-    let (mut program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], &Plan::full(&tree)));
+    let (program, _) = emitted(&tree, &derived(&tree, REQUESTS[0], &Plan::full(&tree)));
     assert!(n_calls(&program) > 0);
+    program
+}
+
+/// The same after a fault is planted in it.
+fn planted(plant: impl Fn(&mut Vec<Instruction>)) -> Result<(), VerifyError> {
+    let mut program = with_calls();
     plant(&mut program.instructions);
     program::verify(&program)
 }
@@ -251,4 +262,13 @@ fn calls_without_what_they_share_or_need_are_refused() {
         }
     });
     assert!(matches!(fault, Err(VerifyError::Unfit(_))), "{fault:?}");
+}
+
+#[test]
+fn helpers_of_helpers_are_refused() {
+    let mut program = with_calls();
+    let inner = program.helpers[0].clone();
+    program.helpers[0].program.helpers.push(inner);
+    let fault = program::verify(&program);
+    assert_eq!(fault, Err(VerifyError::Nested(0)));
 }

@@ -8,6 +8,8 @@ use crate::functions::Signature;
 pub struct Stage {
     /// How it is declared: it is given those of the function's arguments that it needs.
     pub signature: Signature,
+    /// Which those are, by their places.
+    pub given: Vec<usize>,
     /// The earlier stages, by their places, of which it needs what they keep.
     pub earlier: Vec<usize>,
     /// What it does.

@@ -26,6 +26,17 @@ impl Counted {
         format!("{OPERATIONS}{}{formulation}.", self.operations)
     }
 
+    /// That line and, where so many pairs of a multiplication and an addition are fused, another that says so.
+    pub fn lines(&self, fused: usize) -> Vec<String> {
+        let mut lines = vec![self.line()];
+        if fused > 0 {
+            lines.push(format!(
+                "Of the multiplications and additions {fused} each are fused."
+            ));
+        }
+        lines
+    }
+
     /// What such a line says; `None` where it is another.
     pub fn read(line: &str) -> Option<Self> {
         let line = line.trim().strip_prefix(OPERATIONS)?;

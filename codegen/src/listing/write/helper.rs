@@ -1,81 +1,70 @@
-//! What a function runs on several columns: a function of one column, of which nobody else knows.
+//! How helpers are declared, and where they find what they are given.
 
 use super::InputPlaces;
-use crate::listing::{Code, Function, Stage, Step};
+use crate::listing::{HELPER_INFIX, Role, Step};
 use crate::{
     expr::Input,
-    functions::Signature,
-    program::{Instruction, Program, ValueFacts},
+    functions::{Access, Declared, Element, Length, Signature},
+    program::{Helper, Program, ValueFacts},
 };
 
-/// Its argument that all columns share.
-pub const SHARED: &str = "shared";
-/// Its argument that is of one column.
-pub const SIDES: &str = "sides";
-/// What it computes of one column.
-pub const SOLVED: &str = "solved";
-
-/// How the helper of a function at this place is declared, for one column.
-pub(super) fn signature(function: &str, program: &Program, place: usize) -> Signature {
-    let (n_shared, n_sides) = given(program, place);
-    let n_solved = program.helpers[place].stores.len();
-    Signature::helper(
-        function,
-        (place + 1, program.helpers[place].lanes),
-        [(SHARED, n_shared), (SIDES, n_sides)],
-        (SOLVED, n_solved),
-    )
+/// How the helper at this place of a function is declared, for one column, and what its arguments are.
+pub(super) fn declared(of: &str, place: usize, helper: &Helper) -> (Vec<Role>, Signature) {
+    let Helper {
+        lanes,
+        n_shared,
+        n_sides,
+        program,
+    } = helper;
+    let lengths = [
+        (Role::Shared, *n_shared),
+        (Role::Sides, *n_sides),
+        (Role::Solved, program.stores.len()),
+    ];
+    // Where columns share nothing, no argument is for that.
+    let own = |(role, length): &(Role, usize)| *role != Role::Shared || *length > 0;
+    let arguments = lengths.into_iter().filter(own);
+    let (roles, arguments) = arguments
+        .map(|(role, length)| (role, argument(role, length)))
+        .unzip();
+    let doc = format!(
+        "Helper of `{of}`: what {lanes} columns or branches go through alike, for all of them side by side. Names are those of the first. `--without lockstep` writes them out."
+    );
+    let signature = Signature {
+        name: format!("{of}{HELPER_INFIX}{}", place + 1),
+        doc: vec![doc],
+        tables: Vec::new(),
+        arguments,
+    };
+    (roles, signature)
 }
 
-/// How many numbers a helper is given that columns share, and how many of a column.
-fn given(program: &Program, place: usize) -> (usize, usize) {
-    let mut instructions = program.instructions.iter();
-    let call = instructions.find_map(|instruction| match instruction {
-        Instruction::Call {
-            lockstep,
-            helper,
-            sides,
-            ..
-        } if *helper == place => Some((*lockstep, sides.len())),
-        _ => None,
-    });
-    let (number, n_sides) =
-        call.unwrap_or_else(|| unreachable!("listing: helper {place} is not called"));
-    let mut instructions = program.instructions.iter();
-    let n_shared = instructions.find_map(|instruction| match instruction {
-        Instruction::Share { lockstep, values } if *lockstep == number => Some(values.len()),
-        _ => None,
-    });
-    (n_shared.unwrap_or_default(), n_sides)
+/// So many numbers that a helper is given or computes.
+fn argument(role: Role, length: usize) -> Declared {
+    let (access, meaning) = match role {
+        Role::Shared => (Access::Read, "what all share"),
+        Role::Sides => (Access::Read, "the numbers of each"),
+        Role::Solved => (Access::Written, "is written, whole"),
+    };
+    Declared {
+        name: role.name().to_owned(),
+        element: Element::Scalar,
+        lengths: vec![Length::Number(length)],
+        access,
+        meaning,
+    }
 }
 
-/// Where a helper finds what it is given.
-pub(super) fn entries(signature: &Signature, program: &Program) -> InputPlaces {
+/// Where the program of a helper finds what it is given.
+pub(super) fn entries(program: &Program) -> InputPlaces {
     let inputs = program.values.iter().filter_map(ValueFacts::input);
     let entries = inputs.map(|input| {
-        let (name, place) = match input {
-            Input::Shared(place) => (SHARED, place),
-            Input::Side(place) => (SIDES, place),
-            other => unreachable!("listing: {} is not given {other:?}", signature.name),
+        let (role, place) = match input {
+            Input::Shared(place) => (Role::Shared, place),
+            Input::Side(place) => (Role::Sides, place),
+            other => unreachable!("listing: a helper is not given {other:?}"),
         };
-        (input, (name, vec![Step::Index(place)]))
+        (input, (role.name(), vec![Step::Index(place)]))
     });
     entries.collect()
-}
-
-impl Function {
-    /// A helper, with its loops where it has several.
-    pub(super) fn helper(
-        signature: Signature,
-        program: &Program,
-        code: Code,
-        loops: Vec<Stage>,
-    ) -> Self {
-        Self {
-            fused: program.fused(),
-            lanes: program.lanes,
-            stages: loops,
-            ..Self::plain(signature, program.operations(), code)
-        }
-    }
 }

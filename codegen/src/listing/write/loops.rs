@@ -3,21 +3,18 @@
 
 use std::collections::BTreeSet;
 
-use super::{
-    SHARED,
-    stages::{cut, for_each, given},
-};
+use super::stages::{cut, for_each, given};
 use crate::functions::Signature;
-use crate::listing::{Code, Entry, Expression, LocalId, Stage, Statement, Step};
+use crate::listing::{Code, Entry, Expression, LocalId, Role, Stage, Statement, Step};
 
 /// The most rows of numbers, one of each column, that a loop reads and writes: of loops with more, LLVM gives up proving that they do
 /// not overlap, and makes no vectors.
 const MOST_ROWS: usize = 240;
 
-/// The loops of a helper, in order; none where one is enough.
-pub(super) fn of(signature: &Signature, code: &Code) -> Vec<Stage> {
+/// The loops of a helper whose arguments are these, in order; none where one is enough.
+pub(super) fn of(signature: &Signature, roles: &[Role], code: &Code) -> Vec<Stage> {
     let n_statements = code.statements.len();
-    let rows = Rows::of(signature, code);
+    let rows = Rows::of(roles, code);
     let mut ranges = Vec::new();
     let mut start = 0;
     while start < n_statements {
@@ -52,10 +49,10 @@ struct Touched {
 }
 
 impl Rows {
-    fn of(signature: &Signature, code: &Code) -> Self {
+    fn of(roles: &[Role], code: &Code) -> Self {
         let given = given(code);
         let statements = code.statements.iter();
-        let statements = statements.map(|own| Touched::of(signature, &given, own));
+        let statements = statements.map(|own| Touched::of(roles, &given, own));
         let mut rows = Self {
             statements: statements.collect(),
             assigned: vec![0; code.locals.len()],
@@ -100,14 +97,14 @@ impl Rows {
 }
 
 impl Touched {
-    fn of(signature: &Signature, given: &[Option<&Entry>], statement: &Statement) -> Self {
+    fn of(roles: &[Role], given: &[Option<&Entry>], statement: &Statement) -> Self {
         let mut touched = Self {
             n_stored: statement.stored().count(),
             ..Self::default()
         };
         let mut of_columns = Vec::new();
         let mut give = |entry: &Entry| {
-            if signature.arguments[entry.argument].name != SHARED {
+            if roles[entry.argument] != Role::Shared {
                 let place = entry.steps.iter().map(|step| match step {
                     Step::Index(place) => *place,
                     Step::Member(_) => 0,

@@ -17,7 +17,6 @@ mod statements;
 mod stores;
 mod writer;
 
-pub use helper::{SHARED, SIDES, SOLVED};
 pub use name::RESERVED;
 pub(super) use plain::{nominal, sin_cos};
 pub(super) use writer::FunctionWriter;

@@ -4,8 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::helper::{SHARED, SIDES};
-use crate::listing::{Entry, Step};
+use crate::listing::{Entry, Role, Step};
 use crate::{
     functions::{Declared, Element},
     program::{Instruction, Operand, Program},
@@ -34,13 +33,13 @@ impl Scratch {
         for instruction in &program.instructions {
             match instruction {
                 Instruction::Share { lockstep, values } => {
-                    let name = numbered(SHARED, scratch.shared.len());
+                    let name = numbered(Role::Shared.name(), scratch.shared.len());
                     let place = scratch.declare(&name, &[values.len()]);
                     scratch.shared.insert(*lockstep, place);
                 }
                 Instruction::Call { helper, sides, .. } => {
                     let lanes = program.helpers[*helper].lanes;
-                    let name = numbered(SIDES, scratch.sides.len());
+                    let name = numbered(Role::Sides.name(), scratch.sides.len());
                     let place = scratch.declare(&name, &[sides.len(), lanes]);
                     scratch.sides.push(place);
                 }

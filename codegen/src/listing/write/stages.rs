@@ -277,6 +277,7 @@ impl<'a> Cut<'a> {
             kept: kept.collect(),
             keeps: self.flow.free(format!("kept_{number}")),
             signature: self.declared(number),
+            given: self.given,
             earlier: self.earlier,
             code: self.code,
         }

@@ -6,11 +6,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{
     group::Groups,
     headings,
-    helper::SOLVED,
     scratch::{Scratch, numbered},
     stores::{Stores, is_field},
 };
-use crate::listing::{Array, ArrayId, Code, Entry, Expression, Local, LocalId, Statement, Step};
+use crate::listing::{
+    Array, ArrayId, Code, Entry, Expression, Local, LocalId, Role, Statement, Step,
+};
 use crate::{
     expr::Input,
     program::{Definition, Instruction, Operand, Operation, Program, ValueId},
@@ -215,7 +216,7 @@ impl StatementWriter<'_> {
 
     /// A call; what it computes goes from its array to where it is stored.
     fn call(&mut self, (lockstep, helper): (usize, usize), results: &[Vec<Option<ValueId>>]) {
-        let name = self.free(numbered(SOLVED, self.n_calls));
+        let name = self.free(numbered(Role::Solved.name(), self.n_calls));
         let lanes = self.program.helpers[helper].lanes;
         let solved = self.array(name, lanes * results.len(), Some(lanes));
         let (shared, sides) = self.known.scratch.given(lockstep, self.n_calls);

@@ -9,12 +9,12 @@ use super::{
     stages, statements,
     statements::ProgramContext,
 };
-use crate::listing::{Code, Entry, Facts, Function, Member, Step, function::places};
+use crate::listing::{Code, Entry, Facts, Function, Helper, Member, Step, function::places};
 use crate::{
     compile::{Compiled, Emittable},
     expr::Input,
     functions::{Argument, PARAMETERS, PREPARED, SIN_COS, Signature},
-    program::Program,
+    program::{self, Program},
     threads,
     tree::Tree,
 };
@@ -79,8 +79,8 @@ impl<'a> FunctionWriter<'a> {
             numbering: Numbering::InFunction,
         });
         let stages = stages::of(&signature, &scratch.declared, &code);
-        let helpers =
-            (0..program.helpers.len()).map(|place| self.helper(&signature, program, place));
+        let helpers = program.helpers.iter().enumerate();
+        let helpers = helpers.map(|(place, own)| self.helper(&signature.name, place, own));
         let helpers = helpers.collect();
         Function {
             arguments,
@@ -98,20 +98,27 @@ impl<'a> FunctionWriter<'a> {
     }
 
     /// What a function runs on several columns.
-    fn helper(&self, of: &Signature, program: &Program, place: usize) -> Function {
-        let signature = helper::signature(&of.name, program, place);
-        let own = &program.helpers[place];
+    fn helper(&self, of: &str, place: usize, helper: &program::Helper) -> Helper {
+        let (roles, signature) = helper::declared(of, place, helper);
+        let program = &helper.program;
         let code = self.code(&Body {
-            program: own,
+            program,
             signature: &signature,
-            given: helper::entries(&signature, own),
+            given: helper::entries(program),
             scratch: &Scratch::default(),
             places: places(&signature, self.facts),
             keeps_apart: false,
             numbering: Numbering::InFunction,
         });
-        let loops = loops::of(&signature, &code);
-        Function::helper(signature, own, code, loops)
+        Helper {
+            lanes: helper.lanes,
+            loops: loops::of(&signature, &roles, &code),
+            signature,
+            roles,
+            operations: program.operations(),
+            fused: program.fused(),
+            code,
+        }
     }
 
     /// The pattern that stands before the function at this place: before the first that writes such an output.

@@ -10,8 +10,8 @@ use super::{syntax, text::ident};
 use crate::{
     functions::Declared,
     listing::{
-        Array, Code, Entry, Expression, Facts, Function, LocalId, Member, SHARED, Stage, Step,
-        Tightness,
+        Array, Code, Entry, Expression, Facts, Function, Helper, LocalId, Member, Role, Stage,
+        Step, Tightness,
     },
 };
 
@@ -32,10 +32,10 @@ pub(super) struct Writer<'a> {
     pub(super) code: &'a Code,
     /// The stages of the function, where this is one.
     stages: &'a [Stage],
-    /// The function's name.
-    pub(super) of: &'a str,
-    /// True for a helper, which takes one column after the other.
-    is_by_lane: bool,
+    /// What the function runs on several columns.
+    helpers: &'a [Helper],
+    /// What the arguments are of a helper, which takes one column after the other.
+    roles: Option<Vec<Role>>,
 }
 
 impl<'a> Writer<'a> {
@@ -45,15 +45,19 @@ impl<'a> Writer<'a> {
             arguments: function.places().collect(),
             code: &function.code,
             stages: &[],
-            of: &function.signature.name,
-            is_by_lane: false,
+            helpers: &function.helpers,
+            roles: None,
         }
     }
 
-    pub(super) fn of_helper(facts: &'a Facts, helper: &'a Function) -> Self {
+    pub(super) fn of_helper(facts: &'a Facts, helper: &'a Helper) -> Self {
         Self {
-            is_by_lane: true,
-            ..Self::new(facts, helper)
+            facts,
+            arguments: helper.signature.arguments.iter().collect(),
+            code: &helper.code,
+            stages: &[],
+            helpers: &[],
+            roles: Some(helper.roles.clone()),
         }
     }
 
@@ -67,10 +71,14 @@ impl<'a> Writer<'a> {
     }
 
     /// A loop of a helper.
-    pub(super) fn of_loop(facts: &'a Facts, helper: &'a Function, stage: &'a Stage) -> Self {
+    pub(super) fn of_loop(facts: &'a Facts, helper: &'a Helper, stage: &'a Stage) -> Self {
+        let roles = stage.given.iter().map(|&place| helper.roles[place]);
         Self {
-            is_by_lane: true,
-            ..Self::of_stage(facts, helper, stage)
+            arguments: stage.signature.arguments.iter().collect(),
+            code: &stage.code,
+            stages: &helper.loops,
+            roles: Some(roles.collect()),
+            ..Self::of_helper(facts, helper)
         }
     }
 
@@ -95,7 +103,7 @@ impl<'a> Writer<'a> {
                 }
             }
             Expression::Entry(entry) => self.entry(entry),
-            Expression::Kept(stage, place) if self.is_by_lane => {
+            Expression::Kept(stage, place) if self.roles.is_some() => {
                 kept_by_lane(&self.stages[*stage], *place)
             }
             Expression::Kept(stage, place) => {
@@ -123,6 +131,13 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// The call of a helper: on what columns share, and on rows of what they do not.
+    pub(super) fn helped<'b>(&self, helper: usize, given: impl Iterator<Item = &'b usize>) -> Expr {
+        let name = ident(&self.helpers[helper].signature.name);
+        let given = given.map(|&place| self.lent(place));
+        syntax::call(syntax::of_module(&name), given)
+    }
+
     /// A function of `R`.
     pub(super) fn call(&self, function: &str, arguments: &[Expression]) -> Expr {
         let arguments = arguments.iter().map(|argument| self.expression(argument));
@@ -130,7 +145,7 @@ impl<'a> Writer<'a> {
     }
 
     /// An argument, lent to a call: a function's own array is no reference, that of a stage is.
-    pub(super) fn lent(&self, place: usize) -> Expr {
+    fn lent(&self, place: usize) -> Expr {
         let name = syntax::name(&ident(&self.arguments[place].name));
         if self.stages.is_empty() {
             syntax::reference(name)
@@ -155,10 +170,12 @@ impl<'a> Writer<'a> {
             Step::Index(place) => syntax::index(base, place),
             Step::Member(member) => syntax::field(base, &ident(self.member(member))),
         });
-        if self.is_by_lane && declared.name != SHARED {
-            syntax::index_by(number, syntax::name(&ident(LANE)))
-        } else {
-            number
+        let role = self.roles.as_ref().map(|roles| roles[entry.argument]);
+        match role {
+            None | Some(Role::Shared) => number,
+            Some(Role::Sides | Role::Solved) => {
+                syntax::index_by(number, syntax::name(&ident(LANE)))
+            }
         }
     }
 

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     functions::{Declared, Length},
-    listing::{Expression, Facts, Function, SHARED, SIDES, SOLVED},
+    listing::{Expression, Facts, Function, Helper, Role},
 };
 
 /// The helpers of a function, of which nobody else knows.
@@ -21,20 +21,17 @@ pub(super) fn items(facts: &Facts, function: &Function) -> Vec<Item> {
 }
 
 /// A helper. What it computes is some numbers first, as scratch is.
-fn item(facts: &Facts, helper: &Function) -> Item {
+fn item(facts: &Facts, helper: &Helper) -> Item {
     let signature = &helper.signature;
     let mut lines = signature.doc.clone();
     lines.push(String::new());
     lines.push("For one of them:".to_owned());
     lines.extend(helper.cost());
     let (doc, allow, name) = (doc(lines), allow_generated(), ident(&signature.name));
-    let [shared, sides, solved] = [SHARED, SIDES, SOLVED].map(ident);
-    let argument = |name: &str| {
-        let mut arguments = signature.arguments.iter();
-        arguments.find(|own| own.name == name).map(length)
-    };
-    let n_shared = argument(SHARED).into_iter();
-    let [n_sides, n_solved] = [SIDES, SOLVED].map(argument);
+    let roles = [Role::Shared, Role::Sides, Role::Solved];
+    let [shared, sides, solved] = roles.map(|role| ident(role.name()));
+    let [n_shared, n_sides, n_solved] = roles.map(|role| helper.argument(role).map(length));
+    let n_shared = n_shared.into_iter();
     let lanes = number_of(helper.lanes);
     let (kept, loops) = (kept(helper), loops(facts, helper));
     let some = some();
@@ -52,9 +49,9 @@ fn item(facts: &Facts, helper: &Function) -> Item {
 }
 
 /// The rows that loops keep for later ones.
-fn kept(helper: &Function) -> Vec<Stmt> {
+fn kept(helper: &Helper) -> Vec<Stmt> {
     let (some, lanes) = (some(), number_of(helper.lanes));
-    let keeping = helper.stages.iter().filter(|stage| !stage.kept.is_empty());
+    let keeping = helper.loops.iter().filter(|stage| !stage.kept.is_empty());
     let rows = keeping.map(|stage| {
         let (name, n_kept) = (ident(&stage.keeps), number_of(stage.kept.len()));
         parse_quote!(let mut #name = [[#some; #lanes]; #n_kept];)
@@ -63,8 +60,8 @@ fn kept(helper: &Function) -> Vec<Stmt> {
 }
 
 /// The loops over columns. They count along an array: of `0..2` LLVM takes the counter apart, and makes no vectors.
-fn loops(facts: &Facts, helper: &Function) -> Vec<Stmt> {
-    let (sides, lane) = (ident(SIDES), ident(LANE));
+fn loops(facts: &Facts, helper: &Helper) -> Vec<Stmt> {
+    let (sides, lane) = (ident(Role::Sides.name()), ident(LANE));
     let of = |statements: Vec<Stmt>| -> Stmt {
         parse_quote! {
             for (#lane, _) in #sides[0].iter().enumerate() {
@@ -72,10 +69,10 @@ fn loops(facts: &Facts, helper: &Function) -> Vec<Stmt> {
             }
         }
     };
-    if helper.stages.is_empty() {
+    if helper.loops.is_empty() {
         return vec![of(statements::of(&Writer::of_helper(facts, helper)))];
     }
-    let stages = helper.stages.iter().map(|stage| {
+    let loops = helper.loops.iter().map(|stage| {
         let writer = Writer::of_loop(facts, helper, stage);
         let keep = |local| {
             let kept = stage.kept.iter();
@@ -86,7 +83,7 @@ fn loops(facts: &Facts, helper: &Function) -> Vec<Stmt> {
         };
         of(statements::keeping(&writer, keep))
     });
-    stages.collect()
+    loops.collect()
 }
 
 fn length(argument: &Declared) -> Literal {

@@ -93,19 +93,18 @@ fn shortened(mut field: FieldValue) -> FieldValue {
 
 /// The calls of a function's stages, in order.
 pub(super) fn calls(function: &Function) -> Vec<Stmt> {
-    let Function {
-        stages, scratch, ..
-    } = function;
-    let is_own = |name: &String| scratch.iter().any(|array| array.name == *name);
+    let stages = &function.stages;
+    // Its own arrays stand behind the arguments.
+    let n_arguments = function.signature.arguments.len();
     let calls = stages.iter().map(|stage| {
         let name = ident(&stage.signature.name);
-        let own = stage.signature.arguments.iter();
-        let own = own.map(|argument| {
+        let own = stage.signature.arguments.iter().zip(&stage.given);
+        let own = own.map(|(argument, &place)| {
             let name = ident(&argument.name);
-            if is_own(&argument.name) {
-                quote!(&mut #name)
-            } else {
+            if place < n_arguments {
                 quote!(#name)
+            } else {
+                quote!(&mut #name)
             }
         });
         let earlier = stage.earlier.iter();

@@ -1,6 +1,6 @@
 //! The statements of a function.
 
-use syn::{Expr, Stmt};
+use syn::Stmt;
 
 use super::{
     declarations::Declarations,
@@ -8,10 +8,7 @@ use super::{
     syntax,
     text::{comment, ident},
 };
-use crate::{
-    functions::helper_name,
-    listing::{Entry, Expression, LocalId, Statement},
-};
+use crate::listing::{Entry, Expression, LocalId, Statement};
 
 /// All of them.
 pub(super) fn of(writer: &Writer<'_>) -> Vec<Stmt> {
@@ -94,7 +91,7 @@ fn print(
             sides,
             solved,
         } => {
-            let value = call(writer, *helper, shared.iter().chain([sides]));
+            let value = writer.helped(*helper, shared.iter().chain([sides]));
             let solved = ident(&writer.code.array(*solved).name);
             printed.push(syntax::declare(
                 syntax::pattern(&[Some(solved)]),
@@ -129,13 +126,6 @@ fn print(
         }
         Statement::Heading(words) => printed.push(comment(words)),
     }
-}
-
-/// The call of a helper of a function: on what columns share, and on rows of what they do not.
-fn call<'a>(writer: &Writer<'_>, helper: usize, given: impl Iterator<Item = &'a usize>) -> Expr {
-    let name = ident(&helper_name(writer.of, helper + 1));
-    let given = given.map(|&place| writer.lent(place));
-    syntax::call(syntax::of_module(&name), given)
 }
 
 fn sin_cos_array(writer: &Writer<'_>, names: [&str; 2], angles: &[Expression]) -> Stmt {

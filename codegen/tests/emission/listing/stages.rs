@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use kane_codegen::listing::{
-    Code, Entry, Expression, Facts, Fault, Function, LocalId, Module, SHARED, Stage, Statement,
-    verify,
+    Code, Entry, Expression, Facts, Fault, Function, Helper, LocalId, Module, Role, Stage,
+    Statement, verify,
 };
 use kane_codegen::{
     description::{self, Base, Reading, no_includes},
@@ -25,7 +25,7 @@ struct Given<'a> {
     number: &'a dyn Fn(&(String, usize)) -> f64,
     /// What earlier stages have stored.
     stored: &'a Numbers,
-    helpers: &'a [Function],
+    helpers: &'a [Helper],
 }
 
 /// What statements have computed.
@@ -133,13 +133,17 @@ impl<'a> Run<'a> {
     }
 
     /// What a helper computes, a row for each number, with that of each lane.
-    fn called(&self, helper: &Function, [shared, sides]: &[Vec<f64>; 2]) -> Vec<f64> {
+    fn called(&self, helper: &Helper, [shared, sides]: &[Vec<f64>; 2]) -> Vec<f64> {
         let mut rows = BTreeMap::new();
         let lanes = helper.lanes;
         for lane in 0..lanes {
-            let number = |(name, place): &(String, usize)| match name.as_str() {
-                SHARED => shared[*place],
-                _ => sides[lanes * place + lane],
+            let shared_name = Role::Shared.name();
+            let number = |(name, place): &(String, usize)| {
+                if name == shared_name {
+                    shared[*place]
+                } else {
+                    sides[lanes * place + lane]
+                }
             };
             let given = Given {
                 number: &number,
@@ -181,7 +185,7 @@ fn given((name, place): &(String, usize)) -> f64 {
 }
 
 /// What the stages store, one after the other, each given what those before it keep.
-fn staged(facts: &Facts, stages: &[Stage], helpers: &[Function]) -> Numbers {
+fn staged(facts: &Facts, stages: &[Stage], helpers: &[Helper]) -> Numbers {
     let (mut stored, mut kept) = (Numbers::new(), Vec::new());
     for stage in stages {
         let given = Given {
@@ -204,26 +208,35 @@ fn staged(facts: &Facts, stages: &[Stage], helpers: &[Function]) -> Numbers {
 }
 
 fn assert_same(module: &Module, function: &Function) {
+    let with_scratch = Signature {
+        arguments: function.places().cloned().collect(),
+        ..function.signature.clone()
+    };
     let Function {
-        signature,
         code,
         stages,
         helpers,
         ..
     } = function;
+    assert_same_in_parts(&module.facts, &with_scratch, code, stages, helpers);
+}
+
+fn assert_same_in_parts(
+    facts: &Facts,
+    signature: &Signature,
+    code: &Code,
+    stages: &[Stage],
+    helpers: &[Helper],
+) {
     assert!(stages.len() > 2, "{} is not long", signature.name);
-    let with_scratch = Signature {
-        arguments: function.places().cloned().collect(),
-        ..signature.clone()
-    };
     let of_whole = Given {
-        facts: &module.facts,
+        facts,
         number: &given,
         stored: &Numbers::new(),
         helpers,
     };
-    let whole = Run::of(&of_whole, &with_scratch, code, &[]).stored;
-    let staged = staged(&module.facts, stages, helpers);
+    let whole = Run::of(&of_whole, signature, code, &[]).stored;
+    let staged = staged(facts, stages, helpers);
     assert_eq!(whole.len(), staged.len());
     // The operations are the same, so are the bits.
     for (place, value) in &whole {
@@ -275,13 +288,16 @@ fn loops_of_a_helper_compute_what_one_does() {
     let module = in_lockstep("talos.urdf", talos, "d(inverse_dynamics)/d(q, u, u_dot)");
     let function = module.function("d_inverse_dynamics_d_q_u_u_dot");
     let helpers = &function.expect("it is asked for").helpers;
-    let long: Vec<&Function> = helpers
-        .iter()
-        .filter(|own| !own.stages.is_empty())
-        .collect();
+    let long: Vec<&Helper> = helpers.iter().filter(|own| !own.loops.is_empty()).collect();
     assert!(!long.is_empty(), "legs and arms go through much");
     for helper in long {
-        assert_same(&module, helper);
+        let Helper {
+            signature,
+            code,
+            loops,
+            ..
+        } = helper;
+        assert_same_in_parts(&module.facts, signature, code, loops, &[]);
     }
 }
 
