@@ -7,6 +7,7 @@ mod branches;
 mod cheapest;
 mod choose;
 mod empty;
+mod fields;
 mod option_check;
 mod pipeline;
 mod planned;
@@ -113,7 +114,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
             function: "Prepared::new".to_owned(),
         });
     }
-    let fields = program::prepared_fields(&preparation, tree);
+    let fields = fields::names(&preparation, tree);
     let preparation = program::flatten(&preparation.graph, &preparation.roots());
     verify(&preparation, "Prepared::new")?;
     Ok(Compiled {

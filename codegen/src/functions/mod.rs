@@ -48,6 +48,6 @@ pub use shape::{
     Dimension, Element, Length, N_BASE_PARAMETERS, N_BODIES, N_COORDINATES, N_PARAMETERS, N_SPEEDS,
     Shape,
 };
-pub use signature::{Access, Declared, PREPARED, SIN_COS, STAGE_INFIX, Signature};
+pub use signature::{Access, Declared, PREPARED, SIN_COS, Signature};
 pub use subject::{Subject, SubjectFrame, View};
 pub use variable::{PARAMETER_NAMES, PARAMETERS, Variable};

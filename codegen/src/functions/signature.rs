@@ -7,16 +7,13 @@ use super::{
     part::Part,
     request::Request,
     shape::{Element, Length},
-    variable::{PARAMETER_NAMES, PARAMETERS},
+    variable::PARAMETER_NAMES,
 };
 
 /// The argument that is prepared once.
 pub const PREPARED: &str = "p";
 /// The argument with sines and cosines, and the function that writes it.
 pub const SIN_COS: &str = "sin_cos";
-
-/// What stands between the name of a function and the number of a stage.
-pub const STAGE_INFIX: &str = "_stage_";
 
 /// A function as its callers see it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,49 +67,11 @@ impl Signature {
         });
         doc.chain([String::new()]).chain(arguments).collect()
     }
-
-    /// The nominal parameters, as a function.
-    pub fn nominal() -> Self {
-        Self {
-            name: "nominal".to_owned(),
-            doc: vec!["The model's nominal parameters.".to_owned()],
-            tables: Vec::new(),
-            arguments: vec![Declared::written(PARAMETERS, Element::Parameters)],
-        }
-    }
-
-    /// The preparation of parameters, as a function.
-    pub fn prepare() -> Self {
-        let doc = "Whatever depends on parameters alone: computed once, outside the control loop.";
-        Self {
-            name: "prepare".to_owned(),
-            doc: vec![doc.to_owned()],
-            tables: Vec::new(),
-            arguments: vec![
-                Declared::read(PARAMETERS, Element::Parameters, "values set at run time"),
-                Declared::written(PREPARED, Element::Prepared),
-            ],
-        }
-    }
-
-    /// The function that others are given the result of.
-    pub fn sin_cos() -> Self {
-        let doc = "Sines and cosines of the angles among the coordinates, for the functions whose names end in `_at_sin_cos`.";
-        Self {
-            name: SIN_COS.to_owned(),
-            doc: vec![doc.to_owned()],
-            tables: Vec::new(),
-            arguments: vec![
-                Declared::prepared(),
-                Argument::Q.declared(),
-                Declared::written(SIN_COS, Element::SinCos),
-            ],
-        }
-    }
 }
 
 impl Declared {
-    fn read(name: &str, element: Element, meaning: &'static str) -> Self {
+    /// One that is read.
+    pub(crate) fn read(name: &str, element: Element, meaning: &'static str) -> Self {
         Self {
             name: name.to_owned(),
             element,
@@ -122,19 +81,11 @@ impl Declared {
         }
     }
 
-    fn written(name: &str, element: Element) -> Self {
+    /// One that is written.
+    pub(crate) fn written(name: &str, element: Element) -> Self {
         Self {
             access: Access::Written,
             ..Self::read(name, element, "is written, whole")
-        }
-    }
-
-    /// An array of these lengths that a function fills for itself.
-    pub fn scratch(name: &str, element: Element, lengths: &[usize]) -> Self {
-        let lengths = lengths.iter().map(|&length| Length::Number(length));
-        Self {
-            lengths: lengths.collect(),
-            ..Self::written(name, element)
         }
     }
 
@@ -148,7 +99,8 @@ impl Declared {
         }
     }
 
-    fn prepared() -> Self {
+    /// What is prepared once.
+    pub(crate) fn prepared() -> Self {
         Self::read(PREPARED, Element::Prepared, "prepared parameters")
     }
 }

@@ -15,8 +15,8 @@ mod verify;
 mod write;
 
 pub use code::{
-    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Member, Stage, Statement, Step,
-    Tightness,
+    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Member, STAGE_INFIX, Stage,
+    Statement, Step, Tightness,
 };
 pub use constants::{Constant, Data};
 pub(crate) use facts::N_ANGLES;

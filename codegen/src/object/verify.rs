@@ -11,7 +11,10 @@ use iced_x86::{
     IntelFormatter,
 };
 
-use crate::{functions::STAGE_INFIX, input, listing::HELPER_INFIX};
+use crate::{
+    input,
+    listing::{HELPER_INFIX, STAGE_INFIX},
+};
 
 use super::{
     Breach, Error, FunctionReport, Report, Runtime, What,

@@ -9,14 +9,11 @@ mod cost;
 mod evaluate;
 mod flatten;
 mod fuse;
-mod name;
 mod verify;
 
 pub use cost::Operations;
 pub use flatten::flatten;
 pub use fuse::fuse;
-pub(crate) use name::InputNames;
-pub use name::prepared_fields;
 pub use verify::{VerifyError, verify};
 
 use crate::{

@@ -53,6 +53,11 @@ impl Tree {
         &self.bodies[body.index()]
     }
 
+    /// What stands for a body in names, or for what belongs to no body.
+    pub(crate) fn identifier(&self, scope: Option<BodyId>) -> &str {
+        scope.map_or("system", |body| self.body(body).identifier.as_str())
+    }
+
     /// The lower body (parent), one step toward the inertial frame, which is `None`.
     pub fn lower(&self, body: BodyId) -> Option<BodyId> {
         self.body(body).lower

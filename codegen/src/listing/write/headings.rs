@@ -54,7 +54,7 @@ fn runs(program: &Program, groups: &Groups) -> Vec<(Subject, ValueId, usize)> {
 }
 
 fn words((body, purpose): Subject, tree: &Tree) -> String {
-    let body = body.map_or("system", |body| tree.body(body).identifier.as_str());
+    let body = tree.identifier(body);
     match purpose.words() {
         "" => body.to_owned(),
         words => format!("{body}: {words}"),

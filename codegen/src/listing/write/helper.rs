@@ -4,7 +4,7 @@ use super::InputPlaces;
 use crate::listing::{HELPER_INFIX, Role, Step};
 use crate::{
     expr::Input,
-    functions::{Access, Declared, Element, Length, Signature},
+    functions::{Declared, Element, Length, Signature},
     program::{Helper, Program, ValueFacts},
 };
 
@@ -41,17 +41,15 @@ pub(super) fn declared(of: &str, place: usize, helper: &Helper) -> (Vec<Role>, S
 
 /// So many numbers that a helper is given or computes.
 fn argument(role: Role, length: usize) -> Declared {
-    let (access, meaning) = match role {
-        Role::Shared => (Access::Read, "what all share"),
-        Role::Sides => (Access::Read, "the numbers of each"),
-        Role::Solved => (Access::Written, "is written, whole"),
+    let (name, element) = (role.name(), Element::Scalar);
+    let one = match role {
+        Role::Shared => Declared::read(name, element, "what all share"),
+        Role::Sides => Declared::read(name, element, "the numbers of each"),
+        Role::Solved => Declared::written(name, element),
     };
     Declared {
-        name: role.name().to_owned(),
-        element: Element::Scalar,
         lengths: vec![Length::Number(length)],
-        access,
-        meaning,
+        ..one
     }
 }
 

@@ -2,13 +2,14 @@
 //!
 //! No name depends on how many values another body has, so a change to one body leaves the others' lines alone.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use super::group::Groups;
+use super::{group::Groups, input_names::InputNames};
 use crate::{
     expr::Input,
     id::BodyId,
-    program::{Definition, InputNames, Instruction, Program},
+    program::{Definition, Instruction, Program},
+    taken::Taken,
     tree::Tree,
     words,
 };
@@ -76,24 +77,32 @@ pub(super) enum Numbering {
     InPreparation,
 }
 
-/// A name for each value that is to have a local; empty for the others. `arguments` are the function's own.
+/// What the locals of a function are called.
+pub(super) struct Names {
+    /// A name for each value that is to have a local; empty for the others.
+    pub(super) of_values: Vec<String>,
+    /// These, and what else is a name in the function.
+    pub(super) taken: Taken,
+}
+
+/// The names of a program's values. `arguments` are the function's own.
 pub(super) fn names<'a>(
     program: &Program,
     groups: &Groups,
     tree: &Tree,
     arguments: impl Iterator<Item = &'a str>,
     numbering: Numbering,
-) -> Vec<String> {
+) -> Names {
     let known = InputNames::of(tree);
-    let mut names = vec![String::new(); program.values.len()];
+    let mut of_values = vec![String::new(); program.values.len()];
     let reserved = RESERVED.into_iter().chain(words::RUST_CRATES);
-    let mut taken: BTreeSet<String> = reserved.chain(arguments).map(str::to_owned).collect();
+    let mut taken: Taken = reserved.chain(arguments).collect();
     let mut counters: BTreeMap<Option<BodyId>, usize> = BTreeMap::new();
-    for (value, name) in program.values.iter().zip(&mut names) {
+    for (value, name) in program.values.iter().zip(&mut of_values) {
         match value.definition {
             // Read where it stands.
             Definition::Input(Input::Prepared(_) | Input::Shared(_)) | Definition::Instruction => {}
-            Definition::Input(input) => *name = unique(known.input(tree, input), &mut taken),
+            Definition::Input(input) => *name = taken.take(known.input(tree, input)),
         }
     }
     let letter = match numbering {
@@ -105,9 +114,7 @@ pub(super) fn names<'a>(
             continue;
         }
         let value = program.value(id);
-        let body = value
-            .scope
-            .map_or("system", |body| tree.body(body).identifier.as_str());
+        let body = tree.identifier(value.scope);
         let name = if let Some(label) = &value.label {
             format!("{body}_{label}")
         } else {
@@ -115,15 +122,7 @@ pub(super) fn names<'a>(
             *counter += 1;
             format!("{body}_{letter}{counter}")
         };
-        names[id.index()] = unique(name, &mut taken);
+        of_values[id.index()] = taken.take(name);
     }
-    names
-}
-
-/// The name, or with `_` behind it where it is taken.
-fn unique(mut name: String, taken: &mut BTreeSet<String>) -> String {
-    while !taken.insert(name.clone()) {
-        name.push('_');
-    }
-    name
+    Names { of_values, taken }
 }

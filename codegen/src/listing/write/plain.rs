@@ -1,15 +1,12 @@
 //! Functions of a listing that need no program: nominal parameters, sines and cosines.
 
-use super::statements::MOST_ANGLES;
+use super::{signatures, statements::MOST_ANGLES};
 use crate::listing::{Code, Entry, Expression, Facts, Function, Statement, Step, function::places};
-use crate::{
-    functions::{Argument, Signature},
-    program::Operations,
-};
+use crate::{functions::Argument, program::Operations};
 
 /// Writes the nominal parameters.
 pub(in crate::listing) fn nominal(facts: &Facts) -> Function {
-    let signature = Signature::nominal();
+    let signature = signatures::nominal();
     let places = places(&signature, facts);
     let stores = places.into_iter().zip(&facts.parameters);
     let stores = stores.map(|(place, parameter)| Statement::Store {
@@ -26,7 +23,7 @@ pub(in crate::listing) fn nominal(facts: &Facts) -> Function {
 
 /// Writes the sines and cosines of the angles among the coordinates.
 pub(in crate::listing) fn sin_cos(facts: &Facts) -> Function {
-    let signature = Signature::sin_cos();
+    let signature = signatures::sin_cos();
     let angles = facts.angles.as_deref().unwrap_or_default();
     let mut arguments = signature.arguments.iter();
     let q = arguments.position(|argument| argument.name == Argument::Q.name());

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::listing::{Entry, Role, Step};
 use crate::{
-    functions::{Declared, Element},
+    functions::{Declared, Element, Length},
     program::{Instruction, Operand, Program},
 };
 
@@ -50,8 +50,11 @@ impl Scratch {
     }
 
     fn declare(&mut self, name: &str, lengths: &[usize]) -> usize {
-        let array = Declared::scratch(name, Element::Scalar, lengths);
-        self.declared.push(array);
+        let lengths = lengths.iter().map(|&length| Length::Number(length));
+        self.declared.push(Declared {
+            lengths: lengths.collect(),
+            ..Declared::written(name, Element::Scalar)
+        });
         self.n_arguments + self.declared.len() - 1
     }
 

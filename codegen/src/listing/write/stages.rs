@@ -5,10 +5,11 @@ use std::{
     ops::Range,
 };
 
-use crate::functions::{Declared, STAGE_INFIX, Signature};
+use crate::functions::{Declared, Signature};
 use crate::listing::{
-    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, Stage, Statement,
+    Array, ArrayId, Code, Entry, Expression, Kept, Local, LocalId, STAGE_INFIX, Stage, Statement,
 };
+use crate::taken::Taken;
 
 /// Longer functions have stages. They are beyond what a person reads line by line: a new body moves where stages end.
 const LONGEST: usize = 15_000;
@@ -87,7 +88,7 @@ impl Passed {
 /// What passes from stage to stage.
 struct Flow<'a> {
     /// What the function's locals and arrays are called.
-    names: BTreeSet<&'a str>,
+    names: Taken,
     /// What argument each local holds, where it holds one as it is.
     given: Vec<Option<&'a Entry>>,
     /// The stage that assigns each local.
@@ -141,14 +142,6 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// The name, or one like it that no local and no array has.
-    fn free(&self, mut name: String) -> String {
-        while self.names.contains(name.as_str()) {
-            name.push('_');
-        }
-        name
-    }
-
     /// The stage that assigns a value.
     fn stage(&self, value: Passed) -> usize {
         match value {
@@ -180,7 +173,7 @@ pub(super) fn given(code: &Code) -> Vec<Option<&Entry>> {
 }
 
 /// What locals and arrays are called.
-fn names(code: &Code) -> BTreeSet<&str> {
+fn names(code: &Code) -> Taken {
     let locals = code.locals.iter().map(|local| local.name.as_str());
     let arrays = code.arrays.iter().map(|array| array.name.as_str());
     locals.chain(arrays).collect()
@@ -268,14 +261,14 @@ impl<'a> Cut<'a> {
                 value: Expression::Local(self.locals[&id]),
             },
             Passed::Element(id, place) => Kept {
-                name: self.flow.free(self.whole.array(id).element(place)),
+                name: self.flow.names.free(self.whole.array(id).element(place)),
                 value: Expression::Element(self.arrays[&id], place),
             },
         });
         let number = self.number + 1;
         Stage {
             kept: kept.collect(),
-            keeps: self.flow.free(format!("kept_{number}")),
+            keeps: self.flow.names.free(format!("kept_{number}")),
             signature: self.declared(number),
             given: self.given,
             earlier: self.earlier,

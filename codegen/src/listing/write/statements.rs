@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{
     group::Groups,
     headings,
+    name::Names,
     scratch::{Scratch, numbered},
     stores::{Stores, is_field},
 };
@@ -26,8 +27,8 @@ pub(super) const MOST_ANGLES: usize = 64;
 pub(super) struct ProgramContext<'a> {
     /// Which operations stand inside others.
     pub(super) groups: &'a Groups,
-    /// The names of the values that have a local.
-    pub(super) names: &'a [String],
+    /// What locals are called.
+    pub(super) names: &'a Names,
     /// Whose bodies they are.
     pub(super) tree: &'a Tree,
     /// Where inputs stand.
@@ -159,18 +160,11 @@ impl StatementWriter<'_> {
             let arrays = ["sines", "cosines"].map(|name| match number {
                 // Reserved for them.
                 1 => name.to_owned(),
-                _ => self.free(format!("{name}_{number}")),
+                // A coordinate may be called `sines_2`.
+                _ => self.known.names.taken.free(format!("{name}_{number}")),
             });
             self.sin_cos_array(arrays, angles, sines, cosines);
         }
-    }
-
-    /// A name that no local has: a coordinate may be called `sines_2`.
-    fn free(&self, mut name: String) -> String {
-        while self.known.names.contains(&name) {
-            name.push('_');
-        }
-        name
     }
 
     fn sin_cos_array(
@@ -216,7 +210,11 @@ impl StatementWriter<'_> {
 
     /// A call; what it computes goes from its array to where it is stored.
     fn call(&mut self, (lockstep, helper): (usize, usize), results: &[Vec<Option<ValueId>>]) {
-        let name = self.free(numbered(Role::Solved.name(), self.n_calls));
+        let name = self
+            .known
+            .names
+            .taken
+            .free(numbered(Role::Solved.name(), self.n_calls));
         let lanes = self.program.helpers[helper].lanes;
         let solved = self.array(name, lanes * results.len(), Some(lanes));
         let (shared, sides) = self.known.scratch.given(lockstep, self.n_calls);
@@ -265,7 +263,7 @@ impl StatementWriter<'_> {
     fn local(&mut self, id: ValueId) -> LocalId {
         let local = LocalId::new(self.code.locals.len());
         self.code.locals.push(Local {
-            name: self.known.names[id.index()].clone(),
+            name: self.known.names.of_values[id.index()].clone(),
             body: self.program.value(id).scope,
         });
         self.held[id.index()] = Some(local);

@@ -6,7 +6,7 @@ use super::{
     helper, loops,
     name::{self, Numbering},
     scratch::Scratch,
-    stages, statements,
+    signatures, stages, statements,
     statements::ProgramContext,
 };
 use crate::listing::{Code, Entry, Facts, Function, Helper, Member, Step, function::places};
@@ -133,7 +133,7 @@ impl<'a> FunctionWriter<'a> {
     }
 
     pub(in crate::listing) fn prepare(&self, program: &Program) -> Function {
-        let signature = Signature::prepare();
+        let signature = signatures::prepare();
         let argument = signature.arguments.len() - 1;
         let places = self.fields.iter().map(|&field| Entry {
             argument,

@@ -1,9 +1,8 @@
 //! The values that are set at run time, listed as they are met.
 
-use std::collections::BTreeSet;
-
 use crate::description::{Given, INERTIA_COMPONENTS, Scalar};
 use crate::id::{BodyId, ParameterId};
+use crate::taken::Taken;
 use crate::tree::body::Inertia;
 use crate::tree::value::{Parameter, Value};
 
@@ -11,7 +10,7 @@ use crate::tree::value::{Parameter, Value};
 #[derive(Default)]
 pub(crate) struct Parameters {
     pub(crate) list: Vec<Parameter>,
-    taken: BTreeSet<String>,
+    taken: Taken,
 }
 
 impl Parameters {
@@ -25,12 +24,8 @@ impl Parameters {
         Some(match given?.value {
             Scalar::Baked(number) => Value::Baked(number),
             Scalar::Runtime(nominal) => {
-                let mut name = name;
-                while !self.taken.insert(name.clone()) {
-                    name.push('_');
-                }
                 self.list.push(Parameter {
-                    name,
+                    name: self.taken.take(name),
                     body,
                     nominal,
                     unit,
