@@ -90,11 +90,11 @@ pub enum Error {
     NoBuildScript,
     /// The numbers of a description make a value that f64 does not hold.
     #[error(
-        "the numbers of the description are too large or too small: `{function}` needs one that f64 does not hold"
+        "the numbers of the description are too large or too small: `{what}` needs one that f64 does not hold"
     )]
     Unrepresentable {
         /// The function, or the table, in which it appeared.
-        function: String,
+        what: String,
     },
     /// What is asked for would take too much time or memory.
     #[error("{what} {found} {unit}; expected at most {most}{}", advice.map_or_else(String::new, |advice| format!("; {advice}")))]

@@ -56,7 +56,7 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
-    let best = sweeps::cheapest_of(tree, function, Formulation::Recursive, ways, usize::MAX);
+    let best = sweeps::fewest(tree, function, Formulation::Recursive, ways, usize::MAX);
     let best = best.expect("cheapest: one way has the least");
     if best.plan.uses(Technique::DirectDerivatives) {
         in_lockstep(plans, function, best)

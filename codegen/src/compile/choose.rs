@@ -82,7 +82,7 @@ fn of_at_most(
         } else {
             vec![plan]
         };
-        sweeps::cheapest_of(tree, function, formulation, ways, most)
+        sweeps::fewest(tree, function, formulation, ways, most)
     };
     best.map(|best| Choice {
         formulation,

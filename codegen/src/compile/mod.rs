@@ -70,13 +70,7 @@ pub struct Emittable {
 /// Options that cannot be; [`Error::TooLarge`]; [`Error::Unrepresentable`] where the description's numbers multiply to more than f64 holds.
 pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     check_options(options)?;
-    let numbers = tree.frames.iter();
-    let mut numbers = numbers.flat_map(|frame| frame.rotation.iter().chain([&frame.position]));
-    if !numbers.all(|vector| vector.iter().all(|entry| entry.is_finite())) {
-        return Err(Error::Unrepresentable {
-            function: "FRAMES".to_owned(),
-        });
-    }
+    check_frames(tree)?;
     let mut preparation = Preparation::default();
     let mut functions = Vec::new();
     let requests = options.requests(tree).map_err(Error::Requests)?;
@@ -97,7 +91,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
         let name = function.name();
         let program = pipeline::program(tree, &function, &derived, &mut preparation, lowering);
         let Some(program) = program else {
-            return Err(Error::Unrepresentable { function: name });
+            return Err(Error::Unrepresentable { what: name });
         };
         verify(&program, &name)?;
         let operations = program.operations();
@@ -111,7 +105,7 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     }
     if preparation.graph.overflowed() {
         return Err(Error::Unrepresentable {
-            function: "Prepared::new".to_owned(),
+            what: "Prepared::new".to_owned(),
         });
     }
     let fields = fields::names(&preparation, tree);
@@ -124,10 +118,23 @@ pub fn compile(tree: &Tree, options: &Options) -> Result<Compiled, Error> {
     })
 }
 
+/// Checks the poses of frames, which a module has whatever is asked for.
+fn check_frames(tree: &Tree) -> Result<(), Error> {
+    let vectors = tree.frames.iter();
+    let vectors = vectors.flat_map(|frame| frame.rotation.iter().chain([&frame.position]));
+    if vectors.flatten().all(|entry| entry.is_finite()) {
+        Ok(())
+    } else {
+        Err(Error::Unrepresentable {
+            what: "FRAMES".to_owned(),
+        })
+    }
+}
+
 fn verify(program: &Program, name: &str) -> Result<(), Error> {
     program::verify(program).map_err(|error| match error {
         program::VerifyError::NotFinite => Error::Unrepresentable {
-            function: name.to_owned(),
+            what: name.to_owned(),
         },
         bug => unreachable!("program: `{name}` breaks a promise: {bug}"),
     })

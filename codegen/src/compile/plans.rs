@@ -43,7 +43,7 @@ impl<'a> Plans<'a> {
             let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(found.entry(values.text()).or_default())
         };
-        let search = || search::cheapest(self.tree, values, self.without);
+        let search = || search::plan(self.tree, values, self.without);
         found.get_or_init(search).clone()
     }
 }

@@ -37,7 +37,7 @@ const SINE_OF_SEVERAL: usize = 1_000_000;
 const MOST_STARTS: usize = 1_500;
 
 /// The cheapest plan that was found for the function, without the techniques in `without`.
-pub(super) fn cheapest(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
+pub(super) fn plan(tree: &Tree, function: &Request, without: &BTreeSet<Technique>) -> Plan {
     let mut counts = Counts::new();
     let mut best: Option<Found> = None;
     // Which way inertias are best regrouped depends most on these two.

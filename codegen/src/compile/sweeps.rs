@@ -59,7 +59,7 @@ pub(super) fn ways(
 }
 
 /// The first of the plans with the fewest operations, and what it derives; `None` where each needs more than `most`.
-pub(super) fn cheapest_of(
+pub(super) fn fewest(
     tree: &Tree,
     function: &Request,
     formulation: Formulation,

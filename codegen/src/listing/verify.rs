@@ -33,12 +33,15 @@ pub enum Fault {
     /// An element of an array that it does not have.
     #[error("`{0}` has no element {1}")]
     NoElement(String, usize),
-    /// As many numbers as an array has, and as many sines or cosines as angles.
-    #[error("{0} numbers or angles have places for {1}")]
-    Lengths(usize, usize),
+    /// Angles, and places for more or fewer sines or cosines.
+    #[error("{0} angles have places for {1} sines or cosines")]
+    Places(usize, usize),
     /// A helper that is called and not there.
     #[error("helper {0} is called, which is not there")]
     NoHelper(usize),
+    /// A call gives a helper other numbers than it is declared with, or has places for others than it computes.
+    #[error("a call does not fit helper {0}")]
+    Unfit(usize),
     /// A call reads an argument that is not there, or is not written.
     #[error("a call reads argument {0}, which nothing is stored to")]
     NoArgument(usize),
@@ -123,16 +126,17 @@ fn check_calls(facts: &Facts, function: &Function) -> Result<(), Fault> {
         else {
             continue;
         };
-        let helper = helpers.get(*helper).ok_or(Fault::NoHelper(*helper))?;
+        let place = *helper;
+        let helper = helpers.get(place).ok_or(Fault::NoHelper(place))?;
         let own = helper.signature.arguments.iter();
         let own: Vec<usize> = own.map(|place| facts.extent(place).size()).collect();
         let lanes = helper.lanes;
         let mut held: Vec<_> = shared.iter().map(|&place| (extents[place], 1)).collect();
         held.push((extents[*sides], lanes));
         held.push((code.array(*solved).length, lanes));
-        check_lengths(own.len(), held.len())?;
-        for (own, (held, lanes)) in own.into_iter().zip(held) {
-            check_lengths(lanes * own, held)?;
+        let mut both = own.iter().zip(&held);
+        if own.len() != held.len() || both.any(|(own, (held, lanes))| lanes * own != *held) {
+            return Err(Fault::Unfit(place));
         }
     }
     Ok(())
@@ -262,7 +266,7 @@ impl<'a, 's> State<'a, 's> {
             } => {
                 for &id in [sines, cosines] {
                     let array = self.code.array(id);
-                    check_lengths(angles.len(), array.length)?;
+                    check_places(angles.len(), array.length)?;
                     assign(&mut self.arrays[id.index()], &array.name)?;
                 }
             }
@@ -282,8 +286,8 @@ impl<'a, 's> State<'a, 's> {
                 sines,
                 cosines,
             } => {
-                check_lengths(angles.len(), sines.len())?;
-                check_lengths(angles.len(), cosines.len())?;
+                check_places(angles.len(), sines.len())?;
+                check_places(angles.len(), cosines.len())?;
             }
             _ => {}
         }
@@ -395,10 +399,10 @@ fn read(how: &mut Use, name: &str) -> Result<(), Fault> {
     Ok(())
 }
 
-fn check_lengths(angles: usize, kept: usize) -> Result<(), Fault> {
-    if angles == kept {
+fn check_places(angles: usize, places: usize) -> Result<(), Fault> {
+    if angles == places {
         Ok(())
     } else {
-        Err(Fault::Lengths(angles, kept))
+        Err(Fault::Places(angles, places))
     }
 }

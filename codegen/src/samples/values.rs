@@ -69,7 +69,7 @@ pub(crate) fn of(
         let mut numbers = sampled.values.iter().flatten().flatten();
         if numbers.any(|(number, tolerance)| !(number.is_finite() && *tolerance < MOST_TOLERANCE)) {
             return Err(Error::Unrepresentable {
-                function: format!("the tests of {}", emittable.function.name()),
+                what: format!("the tests of {}", emittable.function.name()),
             });
         }
     }

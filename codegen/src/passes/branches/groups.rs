@@ -24,12 +24,12 @@ pub(super) struct Group {
 pub(super) struct Operand {
     /// By branch.
     pub(super) nodes: Vec<NodeId>,
-    from: From,
+    source: Source,
 }
 
 /// Where an operand comes from.
 #[derive(Clone, Copy)]
-enum From {
+enum Source {
     /// It is what another group computes.
     Group(usize),
     /// It is given to a team, and may be negated.
@@ -39,9 +39,9 @@ enum From {
 impl Operand {
     /// The group that computes it, if one does for all branches.
     pub(super) fn group(&self) -> Option<usize> {
-        match self.from {
-            From::Group(group) => Some(group),
-            From::Given(..) => None,
+        match self.source {
+            Source::Group(group) => Some(group),
+            Source::Given(..) => None,
         }
     }
 }
@@ -100,11 +100,11 @@ impl Groups {
 
     /// True where an operand is a number of the model for each branch.
     pub(super) fn are_numbers(&self, operand: &Operand) -> bool {
-        match operand.from {
-            From::Given(team, free) => {
+        match operand.source {
+            Source::Given(team, free) => {
                 matches!(self.signs[team].price(free), Price::Number | Price::Equal)
             }
-            From::Group(_) => false,
+            Source::Group(_) => false,
         }
     }
 
@@ -112,9 +112,9 @@ impl Groups {
     pub(super) fn given(&self, operand: &Operand) -> Vec<Expr> {
         let nodes = operand.nodes.iter().enumerate();
         let given = nodes.map(|(lane, &id)| {
-            let is_negative = match operand.from {
-                From::Group(group) => self.is_negative(group, lane),
-                From::Given(team, free) => {
+            let is_negative = match operand.source {
+                Source::Group(group) => self.is_negative(group, lane),
+                Source::Given(team, free) => {
                     self.signs[team].is_negative(lane, &Sign::free(free, false))
                 }
             };
@@ -181,20 +181,20 @@ impl Groups {
     fn operand(&mut self, graph: &ExprGraph, team: usize, across: &[Expr]) -> (Operand, Vec<Sign>) {
         let nodes: Vec<NodeId> = across.iter().map(|own| own.node()).collect();
         let of_first = self.group(nodes[0]);
-        let from = match of_first {
-            Some(group) if self.all[group].members == nodes => From::Group(group),
-            _ => From::Given(team, self.free(graph, team, &nodes)),
+        let source = match of_first {
+            Some(group) if self.all[group].members == nodes => Source::Group(group),
+            _ => Source::Given(team, self.free(graph, team, &nodes)),
         };
         let signs = across.iter().enumerate().map(|(lane, own)| {
             let turned = own.is_negative() ^ across[0].is_negative();
-            match from {
-                From::Group(group) => self.all[group].signs[lane].clone().signed(turned),
-                From::Given(..) if lane == 0 => Sign::default(),
-                From::Given(_, free) => Sign::free(free, turned),
+            match source {
+                Source::Group(group) => self.all[group].signs[lane].clone().signed(turned),
+                Source::Given(..) if lane == 0 => Sign::default(),
+                Source::Given(_, free) => Sign::free(free, turned),
             }
         });
         let signs = signs.collect();
-        (Operand { nodes, from }, signs)
+        (Operand { nodes, source }, signs)
     }
 
     /// The sign of what is given: a number has another wherever it stands.

@@ -326,7 +326,7 @@ fn calls_of_what_is_not_there_are_refused() {
     assert!(matches!(fault, Fault::NoHelper(_)), "{fault}");
     // What the function is given, and not what it has filled.
     let fault = each_call(&|_, sides| *sides = 0);
-    assert!(matches!(fault, Fault::Lengths(..)), "{fault}");
+    assert!(matches!(fault, Fault::Unfit(_)), "{fault}");
     let n_own = right.signature.arguments.len();
     let fault = planted(&|statements| {
         statements.retain(|statement| {

@@ -212,7 +212,7 @@ fn array_has_the_elements_that_are_read_and_as_many_as_angles() {
     let fault = planted("mass_matrix", |function| {
         function.code.arrays[1].length += 1;
     });
-    assert!(matches!(fault, Fault::Lengths(..)), "{fault}");
+    assert!(matches!(fault, Fault::Places(..)), "{fault}");
 }
 
 #[test]
