@@ -60,8 +60,8 @@
 //! | [`CenterOfMassJacobianDotU`] | `center_of_mass_jacobian_dot_u(q, u, acceleration)` | `[R; 3]` | before (33) |
 //! | [`CentroidalMomentumMatrix`] | `centroidal_momentum_matrix(q, linear, angular)` | `[U; 3]`, `[U; 3]` | (15), (32) |
 //! | [`CentroidalMomentumMatrixDotU`] | `centroidal_momentum_matrix_dot_u(q, u, linear, angular)` | `[R; 3]`, `[R; 3]` | before (33) |
-//! | [`InertialParameters`] | `inertial_parameters(pi)` | `Parameters` | |
-//! | [`BaseParameters`] | `base_parameters(pi)` | `Parameters` | |
+//! | [`InertialParameters`] | `inertial_parameters(pi)` | `Inertial` | |
+//! | [`BaseParameters`] | `base_parameters(pi)` | `Base` | |
 //! | [`Regressor`] | `regressor(q, u, u_dot, y)` | `Row`, `Rows` | (36), (43) |
 //! | [`RegressorPacked`] | `regressor_packed(q, u, u_dot, y)` | `Entries`, `PLACES` | (36), (43) |
 //! | [`BaseRegressor`] | `base_regressor(q, u, u_dot, y)` | `Row`, `Rows`, `NAMES`, `TERMS` | (36), (43) |

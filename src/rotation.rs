@@ -13,8 +13,8 @@
 //! | [`exp_jacobian`], [`log_jacobian`] | the angular velocity for a rate of the vector, and the rate for an angular velocity |
 //! | [`error_and_jacobian`] | the error, and its rate for an angular velocity |
 //!
-//! Rotation vectors take only arithmetic of [`Real`], without branches on numbers, so also in lanes. Errors choose by comparison, which takes
-//! a quarter of the time.
+//! Rotation vectors take only arithmetic of [`Real`], without branches on numbers, so also in lanes. Errors branch, and take a
+//! quarter of the time.
 //!
 //! ```
 //! use kane::rotation::{difference, exp, log_jacobian};

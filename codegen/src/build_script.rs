@@ -70,7 +70,7 @@ impl Build {
         self
     }
 
-    /// Names the file `NAME.rs` instead of after the model: for several modules of one model. Without a folder and `.rs`.
+    /// Names the file `NAME.rs` instead of after the model: for several modules of one model. The name has no folder and no `.rs`.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.options.module = name.into();
@@ -172,7 +172,7 @@ impl Build {
     }
 
     /// Also writes tests of the module beside it, `arm_tests.rs` for `arm.rs`; `kane::self_test` describes them. They call the module
-    /// by its name, so that it has to be `arm`, and they beside it:
+    /// as `arm`: declare it under this name, and the tests beside it:
     /// ```text
     /// #[cfg(test)]
     /// mod arm_tests {
@@ -195,24 +195,26 @@ impl Build {
     )]
     pub fn run(self) -> Result<PathBuf, Error> {
         let folder = std::env::var("OUT_DIR").map_err(|_| Error::NoBuildScript)?;
-        let path = self.run_in(Path::new(&folder))?;
-        is_written_once(&path)?;
-        Ok(path)
+        self.written(Path::new(&folder), &WRITTEN)
     }
 
-    /// Like [`run`](Self::run), into this folder.
+    /// Like [`run`](Self::run), into this folder, whatever else was generated there.
     ///
     /// # Errors
-    /// Those of [`run`](Self::run).
+    /// Those of [`run`](Self::run), but for a file that is generated twice.
+    pub fn run_in(&self, folder: &Path) -> Result<PathBuf, Error> {
+        self.written(folder, &Written::new())
+    }
+
     #[expect(
         clippy::print_stdout,
         reason = "a build script speaks to cargo on standard output"
     )]
-    pub fn run_in(&self, folder: &Path) -> Result<PathBuf, Error> {
+    fn written(&self, folder: &Path, before: &Written) -> Result<PathBuf, Error> {
         // Told before the file is read, so that one that is missing now is looked for again.
         let tell = |path: &Path| println!("cargo::rerun-if-changed={}", path.display());
         let name = self.model.to_string_lossy().replace('\\', "/");
-        self.has_file_name()?;
+        self.check_file_name()?;
         tell(&self.model);
         let text = input::text(&self.model).map_err(|source| Error::Io {
             path: self.model.clone(),
@@ -232,13 +234,13 @@ impl Build {
         .map_err(|error| of_model(&name, error))?;
         report(&generated.warnings);
         let path = folder.join(&self.file);
-        output::write(&generated.files(&path), Overwrite::Generated)?;
+        let files = generated.files(&path);
+        before.refuse_other(&files)?;
+        output::write(&files, Overwrite::Generated)?;
         Ok(path)
     }
-}
 
-impl Build {
-    fn has_file_name(&self) -> Result<(), Error> {
+    fn check_file_name(&self) -> Result<(), Error> {
         let file = Path::new(&self.file);
         let is_alone = file.file_name() == Some(&self.file);
         let is_rust = file.file_stem().is_some_and(|stem| {
@@ -253,20 +255,31 @@ impl Build {
     }
 }
 
-/// What modules this script has written.
-static WRITTEN: Mutex<BTreeMap<PathBuf, String>> = Mutex::new(BTreeMap::new());
+/// The files that a script has written, with their texts.
+struct Written(Mutex<BTreeMap<PathBuf, String>>);
 
-/// Refuses a module in the place of another one of this script.
-fn is_written_once(path: &Path) -> Result<(), Error> {
-    let path = path.to_owned();
-    let text = input::text(&path).map_err(|source| Error::Io {
-        path: path.clone(),
-        source,
-    })?;
-    let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
-    match written.insert(path.clone(), text.clone()) {
-        Some(before) if before != text => Err(Error::GeneratedTwice { path }),
-        _ => Ok(()),
+/// Those of this script.
+static WRITTEN: Written = Written::new();
+
+impl Written {
+    const fn new() -> Self {
+        Self(Mutex::new(BTreeMap::new()))
+    }
+
+    /// Refuses a file in the place of another one; remembers the others.
+    fn refuse_other(&self, files: &[(PathBuf, &str)]) -> Result<(), Error> {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        for (path, text) in files {
+            if known.get(path).is_some_and(|before| before != text) {
+                return Err(Error::GeneratedTwice { path: path.clone() });
+            }
+        }
+        known.extend(
+            files
+                .iter()
+                .map(|(path, text)| (path.clone(), (*text).to_owned())),
+        );
+        Ok(())
     }
 }
 

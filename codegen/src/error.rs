@@ -66,7 +66,7 @@ pub enum Error {
         path: PathBuf,
     },
     /// A name that a build script gives a module and no file can have.
-    #[error("the module is called `{}`; expected a file name, without a folder and without `.rs`", name.escape_debug())]
+    #[error("the module is called `{}`; expected a file name, without a folder and without `.rs`: `Build::name` gives it another", name.escape_debug())]
     FileName {
         /// The name.
         name: String,

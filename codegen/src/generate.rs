@@ -49,12 +49,13 @@ pub fn generate(
     options: &Options,
     include: Include<'_>,
 ) -> Result<Generated, Error> {
+    // Before files are read that nothing would be made of.
     compile::check_options(options)?;
     let description = description::read(model, &options.reading, include);
     of_description(description, shown_path, options)
 }
 
-/// As [`generate`], from what was read or made in memory; the options of reading have been heeded.
+/// As [`generate`], from what was read or made in memory; `options.reading` is not used.
 ///
 /// # Errors
 /// As [`generate`].

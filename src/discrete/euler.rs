@@ -106,7 +106,7 @@ fn linearized_by<R: Real, S: ForwardDynamicsAndDerivatives<R>>(
     moving
 }
 
-/// [`linearized`] and [`by_parameters`] with one evaluation of the dynamics.
+/// [`linearized`] and [`by_parameters`], without the evaluation of the dynamics that the second needs alone.
 pub fn linearized_and_by_parameters<
     R: Real,
     S: ForwardDynamicsAndDerivatives<R> + ForwardDynamicsByParameters<R>,

@@ -15,14 +15,14 @@
 //! | `step` | the step | `forward_dynamics` |
 //! | `linearized` | the step and its derivatives `A`, `B` | `forward_dynamics+d(forward_dynamics)/d(q, u, tau)` |
 //! | `by_parameters` | derivatives by values set at run time | `d(forward_dynamics)/d(parameters)`; `euler` also needs `forward_dynamics`, `rk4` what `linearized` needs |
-//! | `linearized_and_by_parameters` | both, with one evaluation of the dynamics where each alone has its own | what both need; `euler` without `forward_dynamics` |
+//! | `linearized_and_by_parameters` | both, without the evaluation of the dynamics that `by_parameters` needs alone | what both need; `euler` without `forward_dynamics` |
 //! | `forward` | the step, and `A` and `B` times one change | `forward_dynamics`, `jvp(forward_dynamics; q, u, tau)` |
 //! | `adjoint` | one multiplier times `A` and `B`, backward over the step | `forward_dynamics`, `vjp(forward_dynamics; q, u, tau)` |
 //!
 //! The derivatives are those of the computed step, up to rounding, not those of the exact motion. `forward` and `adjoint` build no matrix,
 //! so the gradient of a long motion costs a few times as much as the motion. The functions check and allocate nothing. Matrices are on the
-//! stack: `linearized` needs twelve matrices of `NU` by `NU` in `rk4`, and in `euler` none but those that it writes. `by_parameters` in `rk4`
-//! needs three of these, and five with `NU` rows and one column for each value; in `euler` none.
+//! stack: `linearized` needs eleven matrices of `NU` by `NU` in `rk4`, and in `euler` none but those that it writes. `by_parameters` in `rk4`
+//! needs three of these, and five with `NU` rows and one column for each value; in `euler` none. `linearized_and_by_parameters` needs what both need.
 //!
 //! ```
 //! # #[cfg(feature = "cart_pole")] {

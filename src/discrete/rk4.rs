@@ -267,7 +267,7 @@ pub fn by_parameters<
     Reached::<R, S>::by(&d_after).change_rows(columns.variable, columns.of_q);
 }
 
-/// [`linearized`] and [`by_parameters`] with one evaluation of the dynamics at each stage.
+/// [`linearized`] and [`by_parameters`], without the evaluation of the dynamics that the second needs alone at each stage.
 pub fn linearized_and_by_parameters<
     R: Real,
     S: ForwardDynamicsAndDerivatives<R> + ForwardDynamicsByParameters<R>,

@@ -11,9 +11,9 @@ use crate::{Array, Real, System};
 )]
 pub trait InertialParameters<R: Real>: System<R> {
     /// `[[R; 10]; NB]`.
-    type Parameters: Array<[R; 10]>;
+    type Inertial: Array<[R; 10]>;
     /// Overwrites the argument; meaning, frame and unit are those of [`InertialParameters`].
-    fn inertial_parameters(&self, pi: &mut Self::Parameters);
+    fn inertial_parameters(&self, pi: &mut Self::Inertial);
 }
 
 /// The base parameters, by which [`BaseRegressor`] is multiplied: sums of [`InertialParameters`], each times its factor in
@@ -25,9 +25,9 @@ pub trait InertialParameters<R: Real>: System<R> {
 )]
 pub trait BaseParameters<R: Real>: System<R> {
     /// `[R; BASE_PARAMETERS_LEN]`.
-    type Parameters: Array<R>;
+    type Base: Array<R>;
     /// Overwrites the argument; meaning, frame and unit are those of [`BaseParameters`].
-    fn base_parameters(&self, pi: &mut Self::Parameters);
+    fn base_parameters(&self, pi: &mut Self::Base);
 }
 
 /// Inertia forces and weight as a linear function of the inertial parameters `pi` of the bodies, `y[speed][body][parameter]`.

@@ -152,7 +152,7 @@ fn turnings<R: Real, S: System<R>>() -> impl Iterator<Item = TurningPlaces> {
 /// ten. All other coordinates stay.
 ///
 /// For a `q` from elsewhere: a file, an estimator, a random draw. [`System::normalize`] costs less, but works only near length one, as after
-/// an integrator's step. A quaternion of four zeros stays one: it is no orientation, and no number tells which one is meant. Quaternions are
+/// an integrator's step. A quaternion of four zeros, which is no orientation, stays zero. Quaternions are
 /// found in [`System::JOINTS`].
 ///
 /// ```

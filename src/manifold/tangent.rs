@@ -36,7 +36,7 @@ impl<R: Real, S: System<R>> TangentMap<R, S> {
         map
     }
 
-    /// A map with this diagonal entry, also where its blocks belong.
+    /// A map with this diagonal entry; its blocks are still to be written.
     fn diagonal(entry: f64) -> Self {
         let diagonal = R::from_f64(entry);
         Self {

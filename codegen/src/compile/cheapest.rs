@@ -46,7 +46,9 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
         } else {
             vec![forward.clone()]
         };
-        if function.is_second_derivative() && function.n_second_nodes(tree, false) > MOST_NODES {
+        if function.differentiates_accelerations_twice()
+            && function.n_second_operations(tree, false) > MOST_NODES
+        {
             // Sweeps through the solver would take long, and are cheaper for small systems at most.
             ways.clear();
         }

@@ -1,4 +1,5 @@
-//! How large a module would be, told before its functions are derived; of second derivatives what is differentiated is.
+//! How large a module would be, told before its functions are derived. To know how large second derivatives are, what they differentiate is
+//! derived.
 //!
 //! In: a tree, functions, options. Out: an error where deriving or writing them would take more time or memory than
 //! [`crate::limits`] allow.
@@ -17,8 +18,8 @@ use crate::{
 /// How many terms of a mass matrix take the memory of one of forces.
 const ACCELERATION: usize = 8;
 
-/// How many operations a gradient needs for each of what is differentiated, at most.
-const SLOPES: usize = 4;
+/// How many times as much as the values products with derivatives are.
+const PRODUCT: usize = 4;
 
 /// Refuses what would be too large.
 ///
@@ -66,7 +67,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     }
     if options.formulation == Formulation::Notes {
         let is_product = request.arguments().into_iter().any(Argument::is_of_product);
-        let slopes = if is_product { SLOPES } else { 1 };
+        let slopes = if is_product { PRODUCT } else { 1 };
         bound(
             &format!("the notes' sums for `{name}` have"),
             request.literal_terms(tree),
@@ -102,8 +103,7 @@ fn check_derivation(tree: &Tree, request: &Request, options: &Options) -> Result
     Ok(())
 }
 
-/// Refuses second derivatives of which sweeps would build too much: first derivatives need up to four times the operations of
-/// what is swept, and each of these changes with every variable.
+/// Refuses second derivatives of which too much would be built.
 fn check_second(tree: &Tree, request: &Request, options: &Options) -> Result<(), Error> {
     let n_variables = request.n_second(tree);
     if n_variables == 0 {
@@ -112,16 +112,23 @@ fn check_second(tree: &Tree, request: &Request, options: &Options) -> Result<(),
     let is_direct = options.formulation != Formulation::Notes
         && !options.without.contains(&Technique::DirectDerivatives);
     let name = request.text();
-    let found = SLOPES * request.n_second_nodes(tree, is_direct);
+    let found = request.n_second_operations(tree, is_direct);
     if found <= limits::SECOND {
         return Ok(());
     }
     Err(Error::TooLarge {
-        what: format!("`{name}`, by {n_variables} variables, builds about"),
+        what: match n_variables {
+            1 => format!("`{name}`, by one variable, builds about"),
+            _ => format!("`{name}`, by {n_variables} variables, builds about"),
+        },
         found,
         unit: "operations",
         most: limits::SECOND,
-        advice: Some("ask for fewer variables, or for `vjp` and its differences"),
+        advice: Some(if n_variables > 1 {
+            "ask for fewer variables, or for `vjp` and its differences"
+        } else {
+            "ask for `vjp` and its differences"
+        }),
     })
 }
 

@@ -277,6 +277,12 @@ impl Request {
         parts.any(|part| part.has_direct_derivatives() && part.function.inverse_dynamics.is_some())
     }
 
+    /// True where all second derivatives are of accelerations that forces make, and there are some.
+    pub fn differentiates_accelerations_twice(&self) -> bool {
+        let mut parts = self.parts.iter().filter(|part| part.is_second_derivative());
+        self.is_second_derivative() && parts.all(|part| part.function.inverse_dynamics.is_some())
+    }
+
     /// True where some part is a second derivative.
     pub fn is_second_derivative(&self) -> bool {
         self.parts.iter().any(Part::is_second_derivative)
@@ -288,11 +294,13 @@ impl Request {
         parts.map(|part| part.n_variables(tree)).sum()
     }
 
-    /// How many nodes change with each variable of second derivatives, all together: those of the values, or, where accelerations are
-    /// differentiated in their own way, those of forces.
-    pub fn n_second_nodes(&self, tree: &Tree, is_direct: bool) -> usize {
+    /// How many operations second derivatives build, about, before what is zero or alike falls away; where they can be found directly, in
+    /// this way or without it.
+    pub fn n_second_operations(&self, tree: &Tree, is_direct: bool) -> usize {
         let parts = self.parts.iter().filter(|part| part.is_second_derivative());
-        parts.map(|part| part.n_second_nodes(tree, is_direct)).sum()
+        parts
+            .map(|part| part.n_second_operations(tree, is_direct))
+            .sum()
     }
 
     /// As [`Self::n_numbers`], of the parts that are derivatives.

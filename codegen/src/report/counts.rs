@@ -22,7 +22,7 @@ pub struct Counts {
     /// The one with the fewest operations, which is what is generated where nothing else is asked for; `None` where the
     /// function would be too large in each of them.
     pub cheapest: Option<Formulation>,
-    /// Why it is too large in the last of the others.
+    /// Why it is too large, where it is so in some formulation.
     pub refused: Option<String>,
 }
 

@@ -121,13 +121,8 @@ fn no_state_is_needed_for_a_function_without_inputs() {
     assert!(bodies.iter().any(|parameters| parameters[0] == 2.0));
 
     let ran = ran("rotation");
-    assert_eq!(ran.code, 2);
-    assert!(
-        ran.err
-            .starts_with("error: `rotation` needs `q`, which is missing"),
-        "{}",
-        ran.err
-    );
+    let needs = "error: `rotation` needs a state; give one with `--state FILE`\n";
+    assert_eq!((ran.code, ran.err.as_str()), (2, needs));
 }
 
 #[test]

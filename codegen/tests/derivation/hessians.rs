@@ -225,6 +225,36 @@ fn all_ways_give_the_same_second_derivatives() {
 }
 
 #[test]
+fn joined_parts_are_what_each_is_alone() {
+    for seed in trees::tried(581..=584) {
+        let (_, tree) = system(seed);
+        let state = State::random(&tree, seed);
+        for parts in [
+            &[
+                "inverse_dynamics",
+                "vjp(inverse_dynamics; q, u)",
+                "hessian(inverse_dynamics; q, u)",
+            ][..],
+            &[
+                "hessian(forward_dynamics; q, u, tau)",
+                "forward_dynamics",
+                "d(forward_dynamics)/d(q, tau)",
+            ],
+        ] {
+            let of = |text: &str| values(&tree, &request(&tree, text), &Plan::full(&tree), &state);
+            let alone: Vec<f64> = parts.iter().flat_map(|part| of(part)).collect();
+            let joined = of(&parts.join("+"));
+            let allowed = if inverts(parts[0]) { INVERTED } else { EXACT };
+            assert_within(
+                format!("{seed}, {parts:?}"),
+                relative(&joined, &alone),
+                allowed,
+            );
+        }
+    }
+}
+
+#[test]
 fn what_would_be_large_is_refused_with_its_size() {
     let base = Some(Base::Free);
     let path = "tests/robots/talos/talos.urdf";

@@ -56,7 +56,7 @@ fn names_that_lead_out_of_the_folder_are_refused() {
         let ran = build.clone().name(name).run_in(folder.path());
         let told = format!("{:?}", ran.unwrap_err());
         let expected = format!(
-            "the module is called `{name}`; expected a file name, without a folder and without `.rs`"
+            "the module is called `{name}`; expected a file name, without a folder and without `.rs`: `Build::name` gives it another"
         );
         assert_eq!(told, expected);
     }
@@ -71,5 +71,6 @@ fn faults_are_shown_without_the_word_that_rust_writes_before_them() {
     std::fs::write(folder.path().join("arm.toml"), "[[body]]\n").unwrap();
     let ran = Build::new(folder.path().join("arm.toml")).run_in(folder.path());
     let told = format!("{:?}", ran.unwrap_err());
-    assert!(!told.starts_with("error"), "{told}");
+    assert!(told.contains("error: "), "it has several faults: {told}");
+    assert!(!told.starts_with("error") && !told.is_empty(), "{told}");
 }

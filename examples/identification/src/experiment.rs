@@ -41,7 +41,7 @@ pub fn truth<A: Arm>() -> Physical {
 
 /// The pseudo-inertias of the bodies that the URDF describes: the truth, and known to nobody else.
 fn inertial_parameters<A: Arm>() -> Vec<Matrix4<f64>> {
-    let mut pi = A::Parameters::filled([0.0; PARAMETERS]);
+    let mut pi = A::Inertial::filled([0.0; PARAMETERS]);
     A::nominal().inertial_parameters(&mut pi);
     pi.as_ref().iter().map(pseudo_inertia::of).collect()
 }

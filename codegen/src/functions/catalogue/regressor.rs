@@ -28,7 +28,8 @@ pub(super) const BASE_PARAMETERS: Function = Function {
     outputs: &[Output::new("pi", Shape::BASE_PARAMETERS)],
     doc: &[
         "The base parameters, as `base_regressor` counts them: sums of inertial parameters, which `BASE_PARAMETERS` names, each times its",
-        "factor in `BASE_PARAMETER_TERMS`; those of the nominal values where parameters are set at run time. Also known as minimal parameters.",
+        "factor in `BASE_PARAMETER_TERMS`. Where values are set at run time, the inertial parameters follow them; the factors stay those of the",
+        "nominal values. Also known as minimal parameters.",
     ],
     candidates: &[Candidate::plain(roots::regressor::base_parameters)],
     ..PLAIN

@@ -56,8 +56,8 @@ impl Part {
         Some(told)
     }
 
-    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, and
-    /// of forces by what that way does not know. By that, accelerations are solved for.
+    /// True where sweeps find derivatives even if dynamics are differentiated in their own way: those of other functions, second ones, and
+    /// those of forces by what that way does not know. By that, accelerations are solved for.
     pub(in crate::functions) fn is_swept_beside_direct(&self) -> bool {
         let is_solved_for = self.function.inverse_dynamics.is_some();
         let is_swept = |derivative: &Derivative| {

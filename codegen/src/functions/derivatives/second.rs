@@ -14,8 +14,8 @@ use crate::{
     differentiate::{forward, reverse},
     expr::{Expr, ExprGraph, Input},
     functions::{
-        argument::Argument, candidate::Formulation, derived::Derived, part::Part,
-        variable::Variable,
+        argument::Argument, candidate::Formulation, derived::Derived, function::InverseDynamicsFn,
+        part::Part, variable::Variable,
     },
     recursive::{Plan, Technique, accelerations::inverse_mass},
     tree::Tree,
@@ -39,22 +39,21 @@ struct Second {
 }
 
 impl Part {
-    /// Derives second derivatives, where accelerations are solved for.
+    /// Derives these second derivatives of accelerations that need such forces. Returns the accelerations.
     pub(in crate::functions) fn derive_second(
         &self,
         derived: &mut Derived,
         tree: &Tree,
-        formulation: Formulation,
-        plan: &Plan,
-    ) -> Option<()> {
-        let derivative = self.derivative.as_ref()?;
-        let inverse_dynamics = self.function.inverse_dynamics?;
-        let sparsity = self.sparsity(tree)?;
-        let places = &sparsity.places;
+        (formulation, plan): (Formulation, &Plan),
+        derivative: &Derivative,
+        inverse_dynamics: InverseDynamicsFn,
+    ) -> Vec<Expr> {
+        let sparsity = self.sparsity(tree);
+        let places = sparsity.as_ref().map_or(&[][..], |own| &own.places);
         let multipliers = derivative.arguments(self.function.outputs, 0);
         let inputs = multipliers.iter().flat_map(|own| own.inputs(tree));
         let inputs: Vec<Input> = inputs.collect();
-        let first = self.first(derived, tree, (formulation, plan), &inputs)?;
+        let first = self.first(derived, tree, (formulation, plan), &derivative.by, &inputs);
         // No sweep goes through calls.
         let plan = &plan.with(Technique::Lockstep, false);
         let graph = &mut derived.graph;
@@ -70,7 +69,7 @@ impl Part {
         graph.enter(None);
         let changes = second.with_accelerations(graph, &first.rows, places);
         derived.roots.extend(changes);
-        Some(())
+        first.u_dot
     }
 
     /// First derivatives, and what they leave.
@@ -79,11 +78,11 @@ impl Part {
         derived: &mut Derived,
         tree: &Tree,
         (formulation, plan): (Formulation, &Plan),
+        by: &[Variable],
         multipliers: &[Input],
-    ) -> Option<First> {
-        let by = &self.derivative.as_ref()?.by;
+    ) -> First {
         let part = Self {
-            derivative: Some(Derivative::new(DerivativeKind::Jacobian, by.clone())),
+            derivative: Some(Derivative::new(DerivativeKind::Jacobian, by.to_vec())),
             ..self.clone()
         };
         let begin = derived.roots.len();
@@ -116,11 +115,11 @@ impl Part {
             values.derive_in(derived, tree, one_by_one, self.subject.as_ref());
             derived.roots.split_off(begin)
         });
-        Some(First {
+        First {
             u_dot,
             rows,
             weights,
-        })
+        }
     }
 }
 
@@ -155,15 +154,19 @@ impl Derivative {
 
 impl Second {
     fn substituted(self, graph: &mut ExprGraph, values: &BTreeMap<Input, Expr>) -> Self {
-        let n_own = self.own.len();
-        let n_accelerations = self.mixed.first().map_or(1, Vec::len).max(1);
+        let lengths: Vec<usize> = self.mixed.iter().map(Vec::len).collect();
         let all = [self.own, self.mixed.concat()].concat();
+        let n_own = all.len() - lengths.iter().sum::<usize>();
         let all = graph.substituted(&all, values);
-        let (own, mixed) = all.split_at(n_own);
-        let mixed = mixed.chunks_exact(n_accelerations);
+        let (own, mut rest) = all.split_at(n_own);
+        let mixed = lengths.into_iter().map(|length| {
+            let (row, others) = rest.split_at(length);
+            rest = others;
+            row.to_vec()
+        });
         Self {
+            mixed: mixed.collect(),
             own: own.to_vec(),
-            mixed: mixed.map(<[Expr]>::to_vec).collect(),
         }
     }
 

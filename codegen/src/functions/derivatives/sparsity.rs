@@ -14,6 +14,7 @@ use crate::{
     differentiate::{Seeds, tangents},
     drawn::Field,
     expr::{Expr, ExprGraph, Input, Node},
+    id::SpeedId,
     tree::{self, Tree},
 };
 
@@ -56,9 +57,13 @@ impl Sparsity {
     }
 }
 
-/// Sparsities, each once it is asked for on a tree. Copies share them, and all are equal: they follow from what they are kept with.
+/// The sparsity on each tree on which it was asked for. Copies share it. It says nothing that the derivative and the tree do not, so that all
+/// compare as equal.
 #[derive(Clone, Debug, Default)]
-pub(super) struct LazySparsity(Arc<Mutex<BTreeMap<String, Arc<Sparsity>>>>);
+pub(super) struct LazySparsity(Arc<Mutex<BTreeMap<OfTree, Arc<Sparsity>>>>);
+
+/// What a sparsity depends on: the text of a tree, and which speeds are prescribed.
+type OfTree = (String, BTreeSet<SpeedId>);
 
 impl LazySparsity {
     /// The one that is known on this tree, or what `find` finds.
@@ -68,7 +73,7 @@ impl LazySparsity {
         find: impl FnOnce() -> Sparsity,
     ) -> Arc<Sparsity> {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let own = known.entry(tree::canonical(tree));
+        let own = known.entry((tree::canonical(tree), tree.prescribed.clone()));
         Arc::clone(own.or_insert_with(|| Arc::new(find())))
     }
 }

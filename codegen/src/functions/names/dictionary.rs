@@ -118,16 +118,22 @@ pub fn variable_elsewhere(name: &str) -> Option<&'static str> {
 }
 
 /// What to do about a name that is none of these variables.
-pub(in crate::functions) fn advice_on_variable(name: &str, known: &[String]) -> String {
+pub(in crate::functions) fn advice_on_variable(
+    function: &str,
+    name: &str,
+    known: &[String],
+) -> String {
+    let arguments = Function::find(function).map_or(&[][..], |function| function.arguments);
+    let is_given = arguments.iter().any(|argument| argument.name() == name);
     let known: Vec<&str> = known.iter().map(String::as_str).collect();
     let is_list = name.contains(' ') && name.split(' ').all(|word| known.contains(&word));
     if let Some(own) = variable_elsewhere(name) {
         format!("here it is called `{own}`")
     } else if name == "x" {
         "a state is `q, u`".to_owned()
-    } else if ["force", "moment"].contains(&name) {
+    } else if is_given && ["force", "moment"].contains(&name) {
         "it is linear in these: the factor is `jacobian(FRAME)`, transposed".to_owned()
-    } else if name == "point" {
+    } else if is_given && name == "point" {
         "a `[[frame]]` whose `position` is `{ runtime = .. }` is such a point".to_owned()
     } else if is_list {
         "variables stand with commas between them".to_owned()

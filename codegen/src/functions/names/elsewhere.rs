@@ -206,6 +206,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
         "d(inverse_dynamics)/d(q, u, u_dot)",
         &[
             "rneaderivatives",
+            "idsva",
             "inversedynamicsderivatives",
             "diddq",
             "diddu",
@@ -247,7 +248,7 @@ pub(super) const REQUESTS: [(&str, &[&str]); 41] = [
     ),
     (
         "hessian(inverse_dynamics; q, u, u_dot)",
-        &["rneasecondorderderivatives"],
+        &["rneasecondorderderivatives", "idsvaso"],
     ),
 ];
 
@@ -260,10 +261,7 @@ pub(super) const OPERATORS: [(&str, &[&str]); 5] = [
     ("packed(d(F)/d(X))", &["packed"]),
     ("jvp(F; X)", &["jvp", "jtimes", "directionalderivative"]),
     ("vjp(F; X)", &["vjp", "gradient", "grad"]),
-    (
-        "hessian(F; X)",
-        &["hessian", "hess", "hvp", "hessianvectorproduct"],
-    ),
+    ("hessian(F; X)", &["hessian", "hess"]),
 ];
 
 /// What the runtime crate does, for every system.
@@ -309,7 +307,7 @@ pub(super) const RUNTIME: [(&str, &[&str]); 6] = [
 ];
 
 /// Words for what no function writes, and what to do about each.
-pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 13] = [
+pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 14] = [
     (
         "`jacobian(FRAME)` is about the frame's origin, along inertial axes; none is about the inertial origin",
         &["spatialjacobian"],
@@ -366,11 +364,15 @@ pub(super) const NO_FUNCTIONS: [(&str, &[&str]); 13] = [
         &["damping", "damper", "viscousfriction"],
     ),
     (
-        "no step here is implicit: an optimiser or a Newton iteration makes one of `d(inverse_dynamics)/d(q, u, u_dot)`",
-        &["impliciteuler", "implicitmidpoint", "collocation", "idsva"],
+        "no step here is implicit: build one from `d(inverse_dynamics)/d(q, u, u_dot)`, by Newton iteration or in an optimiser",
+        &["impliciteuler", "implicitmidpoint", "collocation"],
     ),
     (
-        "what an impulse at frames changes follows from `operational_inverse_inertia(FRAME, ..)`",
+        "multiply what `hessian(F; X)` writes by the vector",
+        &["hvp", "hessianvectorproduct"],
+    ),
+    (
+        "the change of speeds by an impulse follows from `operational_inverse_inertia(FRAME, ..)`",
         &["impulsedynamics", "impulse", "impact"],
     ),
     (

@@ -134,7 +134,7 @@ pub enum RequestError {
         place: Range<usize>,
     },
     /// What is no variable.
-    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(name, known))]
+    #[error("`{}` is no variable of `{function}`, which can be differentiated by {}; {}", name.escape_debug(), names(known), advice_on_variable(function, name, known))]
     UnknownVariable {
         /// What was asked for.
         request: String,

@@ -41,7 +41,8 @@ impl Part {
     /// True where `other` is derivatives of this function that may have computed its values.
     pub(in crate::functions) fn may_be_told_by(&self, other: &Self) -> bool {
         let is_solved = self.function.inverse_dynamics.is_some() && self.derivative.is_none();
-        is_solved && other.is_whole_derivative() && other.values().name() == self.name()
+        let tells = other.is_whole_derivative() || other.is_second_derivative();
+        is_solved && tells && other.values().name() == self.name()
     }
 
     /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns the values of
@@ -64,12 +65,11 @@ impl Part {
             return told.values;
         }
         if is_direct
-            && self.is_second_derivative()
-            && self
-                .derive_second(derived, tree, formulation, plan)
-                .is_some()
+            && let Some(derivative) = self.second_derivative()
+            && let Some(forces) = self.function.inverse_dynamics
         {
-            return None;
+            let way = (formulation, plan);
+            return Some(self.derive_second(derived, tree, way, derivative, forces));
         }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();

@@ -160,8 +160,13 @@ impl Part {
 
     /// True where second derivatives are asked for.
     pub(super) fn is_second_derivative(&self) -> bool {
-        let mut derivative = self.derivative.iter();
-        derivative.any(|derivative| derivative.kind == DerivativeKind::Hessian)
+        self.second_derivative().is_some()
+    }
+
+    /// The derivative, if it is a second one.
+    fn second_derivative(&self) -> Option<&Derivative> {
+        let derivative = self.derivative.as_ref();
+        derivative.filter(|derivative| derivative.kind == DerivativeKind::Hessian)
     }
 
     /// Which entries of a packed derivative it writes; `None` where it is none.

@@ -18,6 +18,9 @@ use crate::{
     tree::{N_INERTIAL, Tree},
 };
 
+/// How many operations a gradient needs for each of what is differentiated, at most.
+const SLOPES: usize = 4;
+
 impl Part {
     /// How many terms the notes' sums have at least; where they are differentiated, about so many for every row that is swept.
     pub(in crate::functions) fn literal_terms(&self, tree: &Tree) -> usize {
@@ -32,22 +35,22 @@ impl Part {
         by.map(|variable| variable.n_entries(tree)).sum()
     }
 
-    /// How many nodes change with each variable of second derivatives, all together: those of the values, or, where these are
-    /// accelerations that are differentiated in their own way, those of forces, which change with accelerations too, but only add `tau`.
-    pub(in crate::functions) fn n_second_nodes(&self, tree: &Tree, is_direct: bool) -> usize {
-        let plan = Plan::plain(tree);
+    /// How many operations second derivatives build, about: four times the nodes of what is swept, for each variable. Where accelerations
+    /// are differentiated directly, forces are swept, to which `tau` is only added, and products with first derivatives come to it.
+    pub(in crate::functions) fn n_second_operations(&self, tree: &Tree, is_direct: bool) -> usize {
+        let (plan, n_variables) = (Plan::plain(tree), self.n_variables(tree));
         let Some(forces) = self.function.inverse_dynamics.filter(|_| is_direct) else {
             let mut derived = Derived::default();
             let candidate = self.candidate(tree, Formulation::Recursive);
             candidate.derive_in(&mut derived, tree, &plan, self.subject.as_ref());
-            return derived.graph.len() * self.n_variables(tree);
+            return SLOPES * derived.graph.len() * n_variables;
         };
         let mut graph = ExprGraph::default();
         let _ = forces(&mut graph, tree, &plan);
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
         let by = by.filter(|variable| **variable != Variable::Given(Argument::Tau));
-        let n_variables: usize = by.map(|variable| variable.n_entries(tree)).sum();
-        graph.len() * (n_variables + tree.n_speeds)
+        let n_swept: usize = by.map(|variable| variable.n_entries(tree)).sum();
+        SLOPES * graph.len() * n_swept + tree.n_speeds * n_swept * n_variables
     }
 
     /// How many rows each way to sweep for its derivatives carries along.
@@ -66,9 +69,12 @@ impl Part {
                 forward,
                 reverse: 1,
             },
-            // Its gradient has an entry for each variable.
+            // Its gradient has an entry for each variable, and changes with accelerations where these are solved for.
             DerivativeKind::Hessian => Rows {
-                forward,
+                forward: match self.function.inverse_dynamics {
+                    Some(_) => forward + tree.n_speeds,
+                    None => forward,
+                },
                 reverse: forward,
             },
         }

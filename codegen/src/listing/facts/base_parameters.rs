@@ -1,4 +1,4 @@
-//! Base parameters, as data beside the function that writes their columns.
+//! Base parameters, as data beside the function that writes them or their columns.
 
 use crate::{
     base_parameters,
@@ -30,7 +30,7 @@ pub struct BaseTerm {
 }
 
 impl BaseParameters {
-    /// Those of the tree, if some function writes their columns, or is given multipliers of these.
+    /// Those of the tree, if some function writes them or their columns, or is given multipliers of these.
     pub(in crate::listing) fn of(tree: &Tree, functions: &[Emittable]) -> Option<Self> {
         let has = |own: &Emittable| {
             let request = &own.function;

@@ -110,7 +110,7 @@ pub(super) fn of_packed(packed: &[(Packed, Vec<[usize; 2]>)]) -> Vec<Size> {
     sizes.collect()
 }
 
-/// How many base parameters there are, where a function writes their columns.
+/// How many base parameters there are, where a function writes them or their columns.
 pub(super) fn of_base_parameters(base: Option<&BaseParameters>) -> Vec<Size> {
     let brief = "Number of base parameters";
     base.map(|base| Size::said(N_BASE_PARAMETERS, base.texts.len(), brief))

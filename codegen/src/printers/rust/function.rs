@@ -79,9 +79,8 @@ fn associated(alone: &catalogue::Function, output: Option<&Declared>) -> TokenSt
             }
         }
         Shape::SPEED_VECTORS => quote!(type Terms = #output_type;),
-        Shape::INERTIAL_PARAMETERS | Shape::BASE_PARAMETERS => {
-            quote!(type Parameters = #output_type;)
-        }
+        Shape::INERTIAL_PARAMETERS => quote!(type Inertial = #output_type;),
+        Shape::BASE_PARAMETERS => quote!(type Base = #output_type;),
         Shape::REGRESSOR => quote! {
             type Row = [[R; 10]; NB];
             type Rows = #output_type;

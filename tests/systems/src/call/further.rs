@@ -220,12 +220,12 @@ pub(super) fn identified<R: Real + Into<f64>, S: Identified<R>>(
     let nan = R::from_f64(f64::NAN);
     match function {
         "inertial_parameters" => {
-            let mut pi = <S as InertialParameters<R>>::Parameters::filled([nan; 10]);
+            let mut pi = S::Inertial::filled([nan; 10]);
             system.inertial_parameters(&mut pi);
             Some(numbers(pi.as_ref().as_flattened()))
         }
         "base_parameters" => {
-            let mut pi = <S as BaseParameters<R>>::Parameters::filled(nan);
+            let mut pi = S::Base::filled(nan);
             system.base_parameters(&mut pi);
             Some(numbers(pi.as_ref()))
         }

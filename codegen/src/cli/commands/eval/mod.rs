@@ -102,10 +102,8 @@ pub(crate) fn run(
     let job = failures.keep(listed::looked_at(&arguments.model, &arguments.changes));
     let checked = job.as_ref().map(Job::checked);
     let checked = checked.and_then(|checked| failures.keep(checked));
-    let state = failures.keep(match &arguments.state {
-        Some(path) => read_state(path),
-        None => Ok(Source::new("no `--state FILE`", "{}")),
-    });
+    let state = arguments.state.as_deref().map(read_state);
+    let state = failures.keep(state.transpose());
     failures.none()?;
     let (Some(function), Some(job), Some(checked), Some(state)) = (function, job, checked, state)
     else {
@@ -115,6 +113,13 @@ pub(crate) fn run(
 
     let tree = &checked.tree;
     let function = function.on(tree).map_err(Error::Requests)?;
+    let Some(state) = state.or_else(|| state::of_no_inputs(tree, &function)) else {
+        let needs = format!(
+            "`{}` needs a state; give one with `--state FILE`",
+            function.text()
+        );
+        return Err(Failures::message(needs));
+    };
     let inputs = state::read(&state, tree, &function)?;
     if function.text() != "normalize" {
         warn_of_quaternions(tree, &inputs, voice);

@@ -48,6 +48,16 @@ pub(crate) fn read(source: &Source, tree: &Tree, function: &Request) -> Result<S
     }
 }
 
+/// A state that holds nothing, for a function that needs no more.
+pub(crate) fn of_no_inputs(tree: &Tree, function: &Request) -> Option<Source> {
+    let arguments = function.arguments();
+    let is_empty = |argument: &Argument| argument.lengths(tree).contains(&0);
+    arguments
+        .iter()
+        .all(is_empty)
+        .then(|| Source::new("no state", "{}"))
+}
+
 /// The parameters' own values.
 fn nominal(tree: &Tree) -> State {
     let parameters = tree.parameters.iter().enumerate();
