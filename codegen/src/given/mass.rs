@@ -3,7 +3,7 @@
 use super::numbers::{constant, fixed, value, vector};
 use crate::{
     expr::{Axis, Expr, ExprGraph, Symmetric, Vector},
-    tree::{Body, RigidPart, Tree, Value},
+    tree::{Body, N_INERTIAL, RigidPart, Tree, Value},
 };
 
 /// A mass that is zero whatever is set at run time.
@@ -107,23 +107,48 @@ pub fn inertia(graph: &mut ExprGraph, body: &Body) -> Symmetric {
         let (mass, own_center) = (value(graph, part.mass), fixed(graph, &part.mass_center));
         let own = part_inertia(graph, part);
         let d = graph.sub_vectors(own_center, center);
-        for axis in Axis::ALL {
-            let (a, (b, c)) = (axis.index(), axis.others());
-            // m (d·d 1 - d d^T)
-            let (bb, cc, bc) = (
-                graph.mul(d[b], d[b]),
-                graph.mul(d[c], d[c]),
-                graph.mul(d[b], d[c]),
-            );
-            let around = graph.add(bb, cc);
-            let (around, mixed) = (graph.mul(mass, around), graph.mul(mass, bc));
-            let diagonal = graph.add(own.diagonal[a], around);
-            let mixed = graph.sub(own.mixed[a], mixed);
-            sum.diagonal[a] = graph.add(sum.diagonal[a], diagonal);
-            sum.mixed[a] = graph.add(sum.mixed[a], mixed);
-        }
+        let moved = moved(graph, &own, mass, d);
+        sum = graph.add_symmetric(&sum, &moved);
     }
     sum
+}
+
+/// The inertia about a point of a mass whose mass centre, about which it is given, is at `d` from there.
+fn moved(graph: &mut ExprGraph, own: &Symmetric, mass: Expr, d: Vector) -> Symmetric {
+    let mut moved = *own;
+    for axis in Axis::ALL {
+        let (a, (b, c)) = (axis.index(), axis.others());
+        // m (d·d 1 - d d^T)
+        let (bb, cc, bc) = (
+            graph.mul(d[b], d[b]),
+            graph.mul(d[c], d[c]),
+            graph.mul(d[b], d[c]),
+        );
+        let around = graph.add(bb, cc);
+        let (around, mixed) = (graph.mul(mass, around), graph.mul(mass, bc));
+        moved.diagonal[a] = graph.add(moved.diagonal[a], around);
+        moved.mixed[a] = graph.sub(moved.mixed[a], mixed);
+    }
+    moved
+}
+
+/// The ten inertial parameters of these parts together, in the order of the regressor's columns: about the origin and along the axes
+/// from which they are seen.
+pub fn inertial_parameters(graph: &mut ExprGraph, parts: &[RigidPart]) -> [Expr; N_INERTIAL] {
+    let mut mass = graph.zero();
+    let mut moment = graph.zero_vector();
+    let mut inertia = graph.zero_symmetric();
+    for part in parts {
+        let (own_mass, center) = (value(graph, part.mass), fixed(graph, &part.mass_center));
+        let own_moment = graph.scale(own_mass, center);
+        let own = part_inertia(graph, part);
+        let own = moved(graph, &own, own_mass, center);
+        mass = graph.add(mass, own_mass);
+        moment = graph.add_vectors(moment, own_moment);
+        inertia = graph.add_symmetric(&inertia, &own);
+    }
+    let ([x, y, z], [xx, yy, zz], [yz, xz, xy]) = (moment, inertia.diagonal, inertia.mixed);
+    [mass, x, y, z, xx, xy, yy, xz, yz, zz]
 }
 
 /// The inertia of a part about its own mass centre, internal axes of its body.

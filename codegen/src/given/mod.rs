@@ -19,6 +19,7 @@ pub use joint::{
 };
 pub use loads::{Loads, force, moment, relative_angular_velocity};
 pub use mass::{
-    Lifted, inertia, inverse_total_mass, lifted, mass, mass_center, over_total_mass, part_inertia,
+    Lifted, inertia, inertial_parameters, inverse_total_mass, lifted, mass, mass_center,
+    over_total_mass, part_inertia,
 };
 pub use numbers::{acting_gravity, constant, constant_back, fixed, gravity, value, vector};

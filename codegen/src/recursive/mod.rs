@@ -15,8 +15,5 @@ mod plan;
 pub mod regressor;
 pub mod totals;
 
-pub use links::{
-    inertia::{parameters as inertial_parameters, sparse_inertias},
-    parallel::parallel_axes,
-};
+pub use links::{inertia::sparse_inertias, parallel::parallel_axes};
 pub use plan::{Plan, Regroup, Technique};

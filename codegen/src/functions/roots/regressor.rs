@@ -3,7 +3,7 @@
 use crate::{
     base_parameters,
     expr::{Expr, ExprGraph},
-    given::mechanics,
+    given::{self, mechanics},
     kane,
     recursive::{self, Plan},
     tree::{N_INERTIAL, Tree, user_parts},
@@ -13,7 +13,7 @@ pub(in crate::functions) fn inertial_parameters(graph: &mut ExprGraph, tree: &Tr
     let bodies = tree.body_ids();
     let parameters = bodies.flat_map(|body| {
         graph.enter(body);
-        recursive::inertial_parameters(graph, &user_parts(tree.body(body)))
+        given::inertial_parameters(graph, &user_parts(tree.body(body)))
     });
     parameters.collect()
 }

@@ -4,7 +4,7 @@ use crate::{
     expr::{Axis, Binding, Expr, ExprGraph, Node, Symmetric, Vector},
     given,
     id::BodyMap,
-    tree::{N_INERTIAL, RigidPart, Tree},
+    tree::{RigidPart, Tree},
 };
 
 /// Mass, first moment and inertia about a point that moves with the bodies.
@@ -78,17 +78,6 @@ pub(in crate::recursive) fn own(graph: &mut ExprGraph, parts: &[RigidPart]) -> C
         own = own.plus(graph, &part);
     }
     own
-}
-
-/// The ten inertial parameters of these parts together, in the order of the regressor's columns.
-pub fn parameters(graph: &mut ExprGraph, parts: &[RigidPart]) -> [Expr; N_INERTIAL] {
-    let Composite {
-        mass,
-        moment: [x, y, z],
-        inertia,
-    } = own(graph, parts);
-    let ([xx, yy, zz], [yz, xz, xy]) = (inertia.diagonal, inertia.mixed);
-    [mass, x, y, z, xx, xy, yy, xz, yz, zz]
 }
 
 fn of_part(graph: &mut ExprGraph, part: &RigidPart) -> Composite {
