@@ -29,7 +29,7 @@ pub(super) fn finished(
 /// A function with sines and cosines as inputs where they are to be given.
 pub(super) fn given_sines(tree: &Tree, function: &Request, mut derived: Derived) -> Derived {
     if function.is_at_sin_cos() {
-        let angles = sines::angles(tree);
+        let angles = tree.angles();
         (derived.graph, derived.roots) = sines::run(&derived.graph, &derived.roots, &angles);
     }
     derived

@@ -8,38 +8,9 @@ use std::collections::BTreeMap;
 use super::rebuild::Rebuilt;
 use crate::{
     expr::{Binding, Expr, ExprGraph, Input, Node, NodeId},
-    id::{BodyId, CoordinateId},
-    tree::{CoordinateKind, Tree},
+    id::CoordinateId,
+    tree::Angle,
 };
-
-/// An angle among the coordinates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Angle {
-    /// Its place in `q`.
-    pub coordinate: CoordinateId,
-    /// The body that it turns.
-    pub body: BodyId,
-    /// Which of the three, from 0.
-    pub axis: usize,
-}
-
-/// The angles among the coordinates, in the order of `q`: each has the place of its sine and cosine.
-pub fn angles(tree: &Tree) -> Vec<Angle> {
-    let mut angles = Vec::new();
-    for body in tree.body_ids() {
-        let own = tree.body(body).joint.coordinates().into_iter();
-        angles.extend(own.filter_map(|(kind, coordinate)| match kind {
-            CoordinateKind::Angle(axis) => Some(Angle {
-                coordinate,
-                body,
-                axis,
-            }),
-            CoordinateKind::EulerParameter(_) | CoordinateKind::Translation(_) => None,
-        }));
-    }
-    angles.sort_by_key(|angle| angle.coordinate);
-    angles
-}
 
 /// The graph with the sines and cosines of `angles` given, and its roots.
 pub fn run(old: &ExprGraph, roots: &[Expr], angles: &[Angle]) -> (ExprGraph, Vec<Expr>) {

@@ -16,7 +16,6 @@ use crate::{
     functions::Formulation,
     listing::{Facts, Function, Module},
     number::{Number, Rounded},
-    passes::sines,
     recursive::Plan,
     threads,
     tree::Tree,
@@ -172,7 +171,7 @@ fn sum(entries: &[Rounded]) -> Rounded {
 /// All that a program of the module reads.
 fn inputs(tree: &Tree, compiled: &Compiled, sample: &Sample) -> Inputs {
     let mut inputs = draw::inputs(tree, sample);
-    for (place, angle) in sines::angles(tree).iter().enumerate() {
+    for (place, angle) in tree.angles().iter().enumerate() {
         let (sine, cosine) = inputs[&Input::Q(angle.coordinate)].sin_cos();
         inputs.insert(Input::Sine(place), sine);
         inputs.insert(Input::Cosine(place), cosine);

@@ -40,6 +40,7 @@ mod units;
 mod values;
 
 // What is read off a tree, or marked in it.
+mod angles;
 mod canonical;
 mod named;
 mod prescribed;
@@ -47,6 +48,7 @@ mod user_parts;
 
 pub use crate::description::Order;
 pub use crate::principal::principal;
+pub use angles::Angle;
 pub use base_parameter::{BaseParameter, BaseParameters, InertialParameter, N_INERTIAL};
 pub use body::{Body, Inertia, Pose, RigidPart};
 pub use build::{Checked, build, build_with};

@@ -12,7 +12,6 @@ use kane_codegen::{
     description::{self, Base, Description, Reading, no_includes, toml},
     diagnostic::Source,
     expr::Input,
-    passes::sines,
     tree::{self, Tree},
 };
 
@@ -65,11 +64,11 @@ pub(crate) fn input(tree: &Tree, given: Input) -> f64 {
         Input::UDot(id) => (3.0, id.index()),
         Input::Tau(id) => (4.0, id.index()),
         Input::Sine(place) => {
-            let angle = sines::angles(tree)[place].coordinate;
+            let angle = tree.angles()[place].coordinate;
             return libm::sin(input(tree, Input::Q(angle)));
         }
         Input::Cosine(place) => {
-            let angle = sines::angles(tree)[place].coordinate;
+            let angle = tree.angles()[place].coordinate;
             return libm::cos(input(tree, Input::Q(angle)));
         }
         Input::Parameter(id) => return tree.parameters[id.index()].nominal,

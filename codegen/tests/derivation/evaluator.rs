@@ -8,7 +8,7 @@ use std::{
 use kane_codegen::{
     expr::{Expr, ExprGraph, Input},
     functions::{CompactBlock, Formulation, Function},
-    passes::{factor, hoist, sines},
+    passes::{factor, hoist},
     program::{self, Program},
     recursive::Plan,
     tree::Tree,
@@ -155,8 +155,8 @@ pub(crate) fn input(tree: &Tree, state: &State, given: Input) -> f64 {
             unreachable!("calls compute these")
         }
         Input::Parameter(id) => tree.parameters[id.index()].nominal,
-        Input::Sine(place) => libm::sin(state.q[sines::angles(tree)[place].coordinate.index()]),
-        Input::Cosine(place) => libm::cos(state.q[sines::angles(tree)[place].coordinate.index()]),
+        Input::Sine(place) => libm::sin(state.q[tree.angles()[place].coordinate.index()]),
+        Input::Cosine(place) => libm::cos(state.q[tree.angles()[place].coordinate.index()]),
         Input::Prepared(_) => unreachable!("prepared values are hoisted"),
     }
 }

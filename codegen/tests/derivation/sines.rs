@@ -15,10 +15,10 @@ use kane_codegen::{
     id::{BodyId, CoordinateId, ParameterId},
     passes::{
         hoist::{self, Preparation},
-        sines::{self, Angle},
+        sines,
     },
     report,
-    tree::Tree,
+    tree::{Angle, Tree},
 };
 use kane_test_support::compare::{Tolerance, assert_close};
 

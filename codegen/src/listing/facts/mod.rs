@@ -7,7 +7,6 @@ use crate::{
     functions::{Declared, Packed, Request},
     id::{BodyId, SpeedId},
     origin::Origin,
-    passes::sines,
     solve,
     tree::{Parameter, Tree},
 };
@@ -185,7 +184,7 @@ fn prescribed(tree: &Tree) -> Vec<bool> {
 }
 
 fn angles(tree: &Tree, coordinates: &[String]) -> Vec<Angle> {
-    let angles = sines::angles(tree).into_iter();
+    let angles = tree.angles().into_iter();
     let angles = angles.map(|angle| angle.coordinate.index());
     angles
         .map(|coordinate| Angle {

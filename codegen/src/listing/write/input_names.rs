@@ -1,6 +1,6 @@
 //! Names of what a program is given, from structure: the body, then the quantity.
 
-use crate::{expr::Input, id::BodyId, passes::sines, tree::Tree};
+use crate::{expr::Input, id::BodyId, tree::Tree};
 
 /// The names of coordinates, speeds and what belongs to these.
 pub(super) struct InputNames {
@@ -17,7 +17,8 @@ impl InputNames {
     pub(super) fn of(tree: &Tree) -> Self {
         Self {
             q: tree.coordinate_names(),
-            angles: sines::angles(tree)
+            angles: tree
+                .angles()
                 .into_iter()
                 .map(|angle| (tree.body(angle.body).identifier.clone(), angle.axis + 1))
                 .collect(),

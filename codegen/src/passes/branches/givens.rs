@@ -7,7 +7,6 @@ use crate::{
     expr::Input,
     functions::{Argument, Shape},
     id::BodyId,
-    passes::sines,
     tree::Tree,
 };
 
@@ -28,7 +27,7 @@ pub(super) struct Givens(BTreeMap<Input, Given>);
 
 impl Givens {
     pub(super) fn of(tree: &Tree, branches: &Branches, arguments: &[Argument]) -> Self {
-        let angles = sines::angles(tree);
+        let angles = tree.angles();
         let mut sines: BTreeMap<BodyId, Vec<usize>> = BTreeMap::new();
         for (place, angle) in angles.iter().enumerate() {
             sines.entry(angle.body).or_default().push(place);

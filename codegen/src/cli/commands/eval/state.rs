@@ -10,7 +10,6 @@ use kane_codegen::{
     expr::Input,
     functions::{Argument, Dimension, Element, Function, Request, variable_elsewhere},
     id::ParameterId,
-    passes::sines,
     tree::Tree,
 };
 use serde_json::{Map, Value, error::Category};
@@ -200,7 +199,7 @@ impl Reader<'_> {
 
     /// The sines and cosines of the angles, which some functions are given.
     fn sines(&mut self) {
-        for (place, angle) in sines::angles(self.tree).into_iter().enumerate() {
+        for (place, angle) in self.tree.angles().into_iter().enumerate() {
             if let Some(&angle) = self.state.get(&Input::Q(angle.coordinate)) {
                 let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
                 self.state.insert(Input::Sine(place), sine);
