@@ -29,10 +29,13 @@
 //! assert!((gradient[2] - 0.2).abs() < 1e-15);
 //! ```
 
-use crate::manifold::{sign, turn};
+use crate::manifold::{
+    sign,
+    turn::{self, transposed},
+};
 use crate::{Array, Real, square_root::square_root};
 
-/// The rotation matrix of a frame that has turned by a rotation vector, of any length, rad.
+/// The rotation matrix of a frame that has turned by a rotation vector, rad, of any length whose square is finite.
 ///
 /// ```
 /// let [x_axis, _, _] = kane::rotation::exp(&[0.0, 0.0, core::f64::consts::FRAC_PI_2]);
@@ -48,9 +51,7 @@ pub fn exp<R: Real>(vector: &[R; 3]) -> [[R; 3]; 3] {
 /// The error is a few roundings of the matrix, also near 0 and π: for a matrix with entries right to 1e-16 a few 1e-16 rad. Near π the vector may
 /// be that of the other way round, of nearly the same rotation.
 pub fn log<R: Real>(rotation: &[[R; 3]; 3]) -> [R; 3] {
-    turn::log(quaternion(&Array::from_fn(|i| {
-        Array::from_fn(|j| rotation[j][i])
-    })))
+    turn::log(quaternion(&transposed(rotation)))
 }
 
 /// The rotation vector, rad, that takes a frame from the rotation matrix `from` to `to`, the shorter way.
@@ -141,10 +142,6 @@ pub(crate) fn error_and_cosine<R: Real + PartialOrd>(
     let factor = half / square_root(quarter * square);
     let factor = if scalar < zero { -factor } else { factor };
     (vector.map(|entry| factor * entry), half * factor * scalar)
-}
-
-fn transposed<R: Real>(matrix: &[[R; 3]; 3]) -> [[R; 3]; 3] {
-    Array::from_fn(|i| Array::from_fn(|j| matrix[j][i]))
 }
 
 /// The turn, from one orientation to another, of vectors that are fixed in the frame: inertial components to inertial components.

@@ -121,23 +121,15 @@ impl<'a, R: Real, S: System<R>> Linear<'a, R, S> {
     }
 }
 
-/// How far the rates of the stages passed on so far depend on a variable.
-#[derive(Clone, Copy, PartialEq)]
-enum Passed {
-    /// There are none.
-    Nothing,
-    /// The direction's only if the variable is the speeds, for the first direction is zero.
-    First,
-    Both,
-}
-
 /// Changes by the entries of a variable, a column for each, by rows.
 struct Columns<'a, M> {
     variable: Variable,
-    passed: Passed,
-    /// Of the rates at the stage before.
+    /// Of the rates at the stage before: of the direction, of the speeds.
     d_rate: M,
     u_rate: M,
+    /// Whether these are other than zero.
+    d_changes: bool,
+    u_changes: bool,
     /// After the step; of `q`, those of the direction until the end.
     of_q: &'a mut M,
     of_u: &'a mut M,
@@ -158,9 +150,10 @@ impl<'a, M> Columns<'a, M> {
         }
         Self {
             variable,
-            passed: Passed::Nothing,
             d_rate: none,
             u_rate: none,
+            d_changes: false,
+            u_changes: false,
             of_q,
             of_u,
         }
@@ -182,22 +175,19 @@ impl<'a, M> Columns<'a, M> {
         if self.variable == Variable::Q {
             stage.reached.by_q.turn_columns(&mut u_rate);
         }
-        if self.passed == Passed::Both
-            || self.passed == Passed::First && self.variable == Variable::U
-        {
+        if self.d_changes {
             stage.reached.by_direction.turn_rows(&mut self.d_rate);
             add_product(&mut u_rate, way, stage.by_q, &self.d_rate);
         }
-        if self.passed != Passed::Nothing {
+        if self.u_changes {
             add_product(&mut u_rate, way, stage.by_u, &self.u_rate);
         }
         add_scaled_rows(self.of_q, stage.weight, &d_rate);
         add_scaled_rows(self.of_u, stage.weight, &u_rate);
         (self.d_rate, self.u_rate) = (d_rate, u_rate);
-        self.passed = match self.passed {
-            Passed::Nothing => Passed::First,
-            Passed::First | Passed::Both => Passed::Both,
-        };
+        // The direction is zero before the first stage, and changes there with the speeds alone.
+        self.d_changes = self.u_changes || self.variable == Variable::U;
+        self.u_changes = true;
     }
 }
 

@@ -3,7 +3,7 @@
 //! For an orientation it is `w + d × w / 2 + d × (d × w) / 12`: the inverse right Jacobian of SO(3), to the order of `d` that a
 //! fourth-order step keeps. For every other speed it is the speed.
 
-use super::turn::{Matrix, Vector};
+use super::turn::{Vector, transposed};
 use super::{combined, put, three_rows, turnings};
 use crate::vector::add_scaled;
 use crate::{Array, Real, System};
@@ -14,10 +14,6 @@ fn cross<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     ]
-}
-
-fn transposed<R: Real>(columns: [Vector<R>; 3]) -> Matrix<R> {
-    [0, 1, 2].map(|i| columns.map(|column| column[i]))
 }
 
 /// `a + b / 2 + c / 12`.
@@ -82,12 +78,12 @@ impl<R: Real, S: System<R>> RateMap<R, S> {
             put(
                 &mut by_d,
                 joint.body,
-                transposed(axes.map(|axis| turned(at, (axis, [zero; 3])))),
+                transposed(&axes.map(|axis| turned(at, (axis, [zero; 3])))),
             );
             put(
                 &mut by_u,
                 joint.body,
-                transposed(axes.map(|axis| turned(at, ([zero; 3], axis)))),
+                transposed(&axes.map(|axis| turned(at, ([zero; 3], axis)))),
             );
         }
         Self { by_d, by_u }

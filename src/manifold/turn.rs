@@ -15,6 +15,10 @@ pub(crate) type Vector<R> = [R; 3];
 /// A matrix by rows.
 pub(crate) type Matrix<R> = [[R; 3]; 3];
 
+pub(crate) fn transposed<R: Real>(matrix: &Matrix<R>) -> Matrix<R> {
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| matrix[j][i]))
+}
+
 /// Hamilton's product.
 pub(super) fn product<R: Real>(a: Quaternion<R>, b: Quaternion<R>) -> Quaternion<R> {
     let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a, b);

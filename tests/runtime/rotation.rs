@@ -96,7 +96,7 @@ fn log_is_the_vector_of_which_exp_is_the_matrix() {
     ] {
         for _ in 0..100 {
             let vector = scaled(angle, axis(&mut random));
-            // Beyond the rounding of entries: a matrix of a small turn has its sines to all their digits.
+            // Of small turns relative: the entries beside the diagonal are sines, which have all their digits.
             let part = if angle < 1e-3 { 1e-15 * angle } else { 2e-15 };
             let tolerance = Tolerance::absolute(part);
             assert_close(angle, &log(&exp(&vector)), &vector, tolerance);

@@ -294,8 +294,8 @@ impl Request {
         parts.map(|part| part.n_variables(tree)).sum()
     }
 
-    /// How many operations second derivatives build, about, before what is zero or alike falls away; where they can be found directly, in
-    /// this way or without it.
+    /// How many operations second derivatives build, about, before what is zero or alike falls away. `is_direct`: accelerations are
+    /// differentiated without sweeps through the solver.
     pub fn n_second_operations(&self, tree: &Tree, is_direct: bool) -> usize {
         let parts = self.parts.iter().filter(|part| part.is_second_derivative());
         parts

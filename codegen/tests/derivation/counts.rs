@@ -291,6 +291,23 @@ fn second_derivatives_of_robots() {
 }
 
 #[test]
+fn accelerations_and_first_derivatives_are_free_beside_second_ones() {
+    let second = "hessian(forward_dynamics; q, u, tau)";
+    let all = format!("forward_dynamics+d(forward_dynamics)/d(q, u, tau)+{second}");
+    for robot in ["ur5", "panda"] {
+        let tree = model(&format!("tests/robots/{robot}/{robot}.urdf"));
+        let [alone, joined] = [second, &all].map(|request| {
+            let functions = Functions::Named(vec![request.to_owned()]);
+            let mut counts = counts(&tree, functions, Formulation::Cheapest);
+            counts.retain(|(name, _)| name != "q_dot");
+            assert_eq!(counts.len(), 1);
+            counts[0].1
+        });
+        assert_eq!(joined, alone, "{robot}");
+    }
+}
+
+#[test]
 fn systems_of_robots() {
     insta::assert_snapshot!(of_robots(&OF_SYSTEMS));
 }
