@@ -5,7 +5,8 @@
 use crate::{
     functions::{Formulation, Request},
     passes::hoist::Preparation,
-    recursive::Technique,
+    recursive::{Plan, Technique},
+    tree::Tree,
 };
 
 use super::{
@@ -25,7 +26,8 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if !function.differentiates() {
         let plan = plans.of_values(function);
-        let best = Planned::new(tree, function, Formulation::Recursive, plan);
+        let ways = with_matrices_apart(function, vec![plan]);
+        let best = fewest(tree, function, ways);
         return if function.inverts() {
             in_lockstep(plans, function, best)
         } else {
@@ -58,13 +60,29 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
-    let best = sweeps::fewest(tree, function, Formulation::Recursive, ways, usize::MAX);
-    let best = best.expect("cheapest: one way has the least");
+    let best = fewest(tree, function, with_matrices_apart(function, ways));
     if best.plan.uses(Technique::DirectDerivatives) {
         in_lockstep(plans, function, best)
     } else {
         best
     }
+}
+
+fn fewest(tree: &Tree, function: &Request, ways: Vec<Plan>) -> Planned {
+    let best = sweeps::fewest(tree, function, Formulation::Recursive, ways, usize::MAX);
+    best.expect("cheapest: one way has the least")
+}
+
+/// These, and the same with each matrix in its own way, where it may be read off what another part of a joined function finds.
+fn with_matrices_apart(function: &Request, mut ways: Vec<Plan>) -> Vec<Plan> {
+    if function.may_read_off() {
+        let apart: Vec<Plan> = ways
+            .iter()
+            .map(|way| way.with_matrices_apart(true))
+            .collect();
+        ways.extend(apart);
+    }
+    ways
 }
 
 /// The plan with columns in lockstep where a long function is a good deal shorter with it and is run in fewer steps, or as it is.

@@ -8,6 +8,7 @@ use super::{
     multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
     subject::{Subject, View},
+    told::{Beside, KnownMatrix, ReadOff},
 };
 use crate::{
     expr::{Expr, ExprGraph},
@@ -40,6 +41,12 @@ pub struct Function {
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
     pub(super) derivatives: Option<JacobiansFn>,
+    /// What its whole derivatives find beside, in that way.
+    pub(super) derivatives_tell: &'static [KnownMatrix],
+    /// What its recursion finds beside its entries.
+    pub(super) beside: Option<Beside>,
+    /// How its entries are read off what another part of a joined function finds.
+    pub(super) read_off: Option<ReadOff>,
     /// The forces that given accelerations need, where its output is the accelerations that given forces make.
     pub(super) inverse_dynamics: Option<InverseDynamicsFn>,
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
@@ -57,6 +64,8 @@ pub(super) type JacobiansFn = fn(&mut ExprGraph, &Tree, &Plan) -> Jacobians;
 pub(super) struct Jacobians {
     pub(super) by: Vec<(Argument, SpeedMatrix)>,
     pub(super) values: Option<Vec<Expr>>,
+    /// The mass matrix, where they need it.
+    pub(super) mass: Option<SpeedMatrix>,
 }
 
 /// Forces that accelerations need, which are inputs.
@@ -93,6 +102,9 @@ pub(super) const PLAIN: Function = Function {
     solves_for: None,
     prescribes: false,
     derivatives: None,
+    derivatives_tell: &[],
+    beside: None,
+    read_off: None,
     inverse_dynamics: None,
     doc: &[],
     candidates: &[],

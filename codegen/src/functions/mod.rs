@@ -21,6 +21,7 @@ mod shape;
 mod signature;
 mod subject;
 mod terms;
+mod told;
 mod variable;
 
 pub use argument::Argument;

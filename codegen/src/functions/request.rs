@@ -12,10 +12,11 @@ use super::{
     packed::Packed,
     parse::syntax::AT_SIN_COS,
     part::{Part, Rows},
+    told::Told,
     variable::Variable,
 };
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::ExprGraph,
     recursive::{Plan, Technique},
     solve,
     tree::Tree,
@@ -351,29 +352,39 @@ impl Request {
         let back = plan.with(Technique::Reverse, true);
         let is_second = self.is_second_derivative();
         let mut roots = vec![Vec::new(); self.parts.len()];
-        let mut told: Vec<(String, Vec<Expr>)> = Vec::new();
+        let mut told = Told::default();
         for place in self.order() {
             let part = &self.parts[place];
-            if let Some((_, values)) = told.iter().find(|(of, _)| *of == part.name()) {
-                roots[place].clone_from(values);
+            if let Some(entries) = part.told_by(&mut derived.graph, tree, plan, &told) {
+                roots[place] = entries;
                 continue;
             }
             derived.graph.enter(None);
             let is_shared = is_second && part.is_gradient();
             let plan = if is_shared { &back } else { plan };
-            let values = part.derive_in(&mut derived, tree, formulation, plan);
-            told.extend(values.map(|values| (part.values().name(), values)));
+            let is_asked = !plan.keeps_apart() && part.finds_matrix_of_some(&self.parts);
+            told.extend(if is_asked {
+                part.derive_telling(&mut derived, tree, formulation, plan)
+            } else {
+                part.derive_in(&mut derived, tree, formulation, plan)
+            });
             roots[place] = std::mem::take(&mut derived.roots);
         }
         derived.roots = roots.concat();
         derived
     }
 
+    /// True where a matrix that one part writes may be read off what another finds.
+    pub fn may_read_off(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.any(|part| part.finds_matrix_of_some(&self.parts))
+    }
+
     /// The places of the parts in the order in which they are derived: values come after derivatives that may tell them.
     fn order(&self) -> Vec<usize> {
         let is_told = |place: &usize| {
             let mut others = self.parts.iter();
-            others.any(|other| self.parts[*place].may_be_told_by(other))
+            others.any(|other| other.may_tell(&self.parts[*place]))
         };
         let (last, mut order): (Vec<_>, Vec<_>) = (0..self.parts.len()).partition(is_told);
         order.extend(last);

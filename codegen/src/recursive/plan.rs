@@ -88,6 +88,7 @@ pub struct Plan {
     regroup: Vec<Regroup>,
     parallel: Vec<bool>,
     calls_twice: bool,
+    keeps_apart: bool,
 }
 
 /// How much second moment along its axis a link gives its lower link, with all mass and first moment along it: so much that
@@ -121,6 +122,7 @@ impl Plan {
             regroup: vec![Regroup::Second; tree.bodies.len()],
             parallel: vec![true; tree.bodies.len()],
             calls_twice: false,
+            keeps_apart: false,
         }
     }
 
@@ -166,6 +168,20 @@ impl Plan {
     pub fn with_calls_twice(&self, calls_twice: bool) -> Self {
         Self {
             calls_twice,
+            ..self.clone()
+        }
+    }
+
+    /// True where each matrix of a joined function is derived in its own way, though another part finds it.
+    pub fn keeps_apart(&self) -> bool {
+        self.keeps_apart
+    }
+
+    /// The same with matrices each in its own way, or read off what other parts find.
+    #[must_use]
+    pub fn with_matrices_apart(&self, keeps_apart: bool) -> Self {
+        Self {
+            keeps_apart,
             ..self.clone()
         }
     }

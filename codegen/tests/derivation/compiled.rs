@@ -56,13 +56,21 @@ pub(crate) fn built(name: &str, text: String, reading: &Reading) -> Tree {
     tree::build(&description).unwrap().tree
 }
 
-/// Numbers between -1 and 1 without a pattern; quaternions need not be of length one for what is compared.
+/// Numbers between -1 and 1 without a pattern; quaternions have length one.
 pub(crate) fn input(tree: &Tree, given: Input) -> f64 {
+    if let Input::Q(id) = given
+        && let Some((_, own)) = tree.quaternions().find(|(_, own)| own.contains(&id))
+    {
+        let numbers = own.map(|component| number(1.0, component.index()));
+        return number(1.0, id.index()) / libm::sqrt(numbers.iter().map(|e| e * e).sum());
+    }
     let (kind, place) = match given {
         Input::Q(id) => (1.0, id.index()),
         Input::U(id) => (2.0, id.index()),
         Input::UDot(id) => (3.0, id.index()),
         Input::Tau(id) => (4.0, id.index()),
+        Input::Force(body, axis) => (5.0, 3 * body.index() + axis),
+        Input::Moment(body, axis) => (6.0, 3 * body.index() + axis),
         Input::Sine(place) => {
             let angle = tree.angles()[place].coordinate;
             return libm::sin(input(tree, Input::Q(angle)));
@@ -74,6 +82,10 @@ pub(crate) fn input(tree: &Tree, given: Input) -> f64 {
         Input::Parameter(id) => return tree.parameters[id.index()].nominal,
         other => unreachable!("{other:?} is no argument of these functions"),
     };
+    number(kind, place)
+}
+
+fn number(kind: f64, place: usize) -> f64 {
     libm::sin(12.9 * f64::from(u32::try_from(place).unwrap()) + 7.3 * kind + 0.4)
 }
 

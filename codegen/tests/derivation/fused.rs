@@ -27,6 +27,16 @@ const JOINED: [&str; 5] = [
     "kinetic_energy+potential_energy",
 ];
 
+/// Of these one part finds what others need.
+const TOLD: [&str; 6] = [
+    "mass_matrix+coriolis_matrix+gravity_forces",
+    "mass_matrix_packed+mass_matrix_dot+coriolis_matrix+bias",
+    "d(inverse_dynamics)/d(q, u)+mass_matrix",
+    "mass_matrix_packed+d(bias)/d(q, u)",
+    "mass_matrix_inverse+d(forward_dynamics)/d(q, u)+mass_matrix",
+    "loaded_forward_dynamics+d(loaded_forward_dynamics)/d(q, u)+mass_matrix_inverse_packed",
+];
+
 /// Models with hinges and sliders, joints of several angles, quaternions, followers, runtime values.
 fn models() -> Vec<(&'static str, Tree)> {
     let robot = |path: &'static str, base| {
@@ -55,7 +65,7 @@ fn alone(tree: &Tree, name: &str) -> (Emittable, Vec<f64>) {
 #[test]
 fn outputs_are_those_of_the_separate_functions_in_the_order_asked_for() {
     for (model, tree) in models() {
-        for joined in JOINED {
+        for joined in JOINED.into_iter().chain(TOLD) {
             let (_, found) = alone(&tree, joined);
             let parts = joined.split('+');
             let expected: Vec<f64> = parts.flat_map(|part| alone(&tree, part).1).collect();
@@ -95,7 +105,7 @@ fn expressions_of_one_formulation_have_the_bits_of_the_separate_ones() {
 #[test]
 fn shared_work_is_done_once() {
     for (model, tree) in models() {
-        for joined in JOINED {
+        for joined in JOINED.into_iter().chain(TOLD) {
             let whole = alone(&tree, joined).0.operations;
             let (mut sum, mut most) = (Operations::default(), Operations::default());
             for part in joined.split('+') {
@@ -120,7 +130,7 @@ fn shared_work_is_done_once() {
 fn operations_of_robots() {
     let mut text = String::new();
     for (model, tree) in models().into_iter().skip(2) {
-        for joined in JOINED {
+        for joined in JOINED.into_iter().chain(TOLD) {
             let whole = alone(&tree, joined).0.operations;
             let separate = joined.split('+').map(|part| {
                 let (emittable, _) = alone(&tree, part);
@@ -132,6 +142,23 @@ fn operations_of_robots() {
         }
     }
     insta::assert_snapshot!(text);
+}
+
+#[test]
+fn the_page_of_functions_has_the_counts_of_what_is_read_off_the_coriolis_matrix() {
+    let reading = Reading::default();
+    let tree = read("tests/robots/panda/panda.urdf", &reading);
+    let count = |name: &str| alone(&tree, name).0.operations.total();
+    let joined = "mass_matrix+coriolis_matrix+gravity_forces";
+    let (all, one) = (count(joined), count("coriolis_matrix"));
+    let sentence = format!(
+        "`{joined}` takes {all} operations, of which the Coriolis matrix alone takes {one}."
+    );
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/functions.md");
+    assert!(
+        fs::read_to_string(page).unwrap().contains(&sentence),
+        "{sentence}"
+    );
 }
 
 #[test]

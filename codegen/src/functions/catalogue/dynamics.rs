@@ -7,6 +7,7 @@ use crate::functions::{
     roots,
     shape::Shape,
     terms,
+    told::{KnownMatrix, ReadOff},
 };
 
 pub(super) const GENERALIZED_FORCES: Function = Function {
@@ -30,6 +31,10 @@ pub(super) const MASS_MATRIX: Function = Function {
     trait_name: Some("MassMatrix"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("m", Shape::SPEED_MATRIX)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::Mass,
+        entries: roots::matrices::whole,
+    }),
     is_default: true,
     doc: &[
         "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
@@ -46,6 +51,10 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
     trait_name: Some("MassMatrixPacked"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::MASS_MATRIX_PACKED)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::Mass,
+        entries: roots::dynamics::packed_of_mass,
+    }),
     doc: &[
         "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
         "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
@@ -63,6 +72,7 @@ pub(super) const FORCING: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Loads],
     outputs: &[Output::new("f", Shape::SPEEDS)],
     derivatives: Some(roots::jacobians::forces::forcing),
+    derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],
@@ -78,8 +88,13 @@ pub(super) const BIAS: Function = Function {
     trait_name: Some("Bias"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("bias", Shape::SPEEDS)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::Coriolis,
+        entries: roots::coriolis::bias_of_coriolis,
+    }),
     is_default: true,
     derivatives: Some(roots::jacobians::forces::bias),
+    derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
@@ -115,6 +130,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     is_default: true,
     derivatives: Some(roots::jacobians::forces::inverse_dynamics),
+    derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
@@ -134,6 +150,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     is_default: true,
     solves_for: Some(Unknown::Accelerations),
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
+    derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",

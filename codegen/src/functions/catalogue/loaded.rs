@@ -7,6 +7,7 @@ use crate::functions::{
     roots,
     shape::Shape,
     terms,
+    told::KnownMatrix,
 };
 
 pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
@@ -15,6 +16,7 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::UDot, Argument::Loads],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
     derivatives: Some(roots::jacobians::forces::loaded_inverse_dynamics),
+    derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "Inverse dynamics under loads: the `tau` that gives the accelerations `u_dot` where the loads act as well; `inverse_dynamics` less",
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
@@ -34,6 +36,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
+    derivatives_tell: &[KnownMatrix::Mass, KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics_recursive),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",

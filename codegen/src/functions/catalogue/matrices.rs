@@ -7,6 +7,7 @@ use crate::functions::{
     roots,
     shape::Shape,
     terms,
+    told::{Beside, KnownMatrix, ReadOff},
 };
 
 pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
@@ -49,6 +50,10 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     trait_name: Some("MassMatrixInverse"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("inverse", Shape::SPEED_MATRIX)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::MassInverse,
+        entries: roots::matrices::whole,
+    }),
     solves_for: Some(Unknown::Inverse),
     doc: &[
         "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
@@ -67,6 +72,10 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
     trait_name: Some("MassMatrixInversePacked"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::INVERSE_PACKED)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::MassInverse,
+        entries: roots::matrices::packed_of_inverse,
+    }),
     solves_for: Some(Unknown::Inverse),
     doc: &[
         "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
@@ -104,6 +113,10 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
     trait_name: Some("CoriolisMatrix"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("c", Shape::SPEED_MATRIX)],
+    beside: Some(Beside {
+        matrices: &[KnownMatrix::Mass, KnownMatrix::Coriolis],
+        derive: roots::coriolis::coriolis_matrix_beside,
+    }),
     doc: &[
         "Coriolis matrix `C`, every entry written: `C u` is the bias less weight, springs and dampers, `M_dot = C + C^T`, and `M_dot - 2 C` is skew.",
         "Of every particle `m V^T V_dot`, from Eqs. (15), (20), (32), (33): where all speeds are rates of coordinates it is that of the Christoffel symbols of the first kind,",
@@ -121,6 +134,10 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     trait_name: Some("MassMatrixDot"),
     arguments: &[Argument::Q, Argument::U],
     outputs: &[Output::new("m_dot", Shape::SPEED_MATRIX)],
+    read_off: Some(ReadOff {
+        matrix: KnownMatrix::Coriolis,
+        entries: roots::coriolis::mass_matrix_dot_of_coriolis,
+    }),
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],

@@ -9,8 +9,13 @@ use super::{
 use crate::{
     expr::Expr,
     functions::{
-        argument::Argument, candidate::Formulation, derived::Derived, function::Jacobians,
-        part::Part, variable::Variable,
+        argument::Argument,
+        candidate::Formulation,
+        derived::Derived,
+        function::Jacobians,
+        part::Part,
+        told::{KnownMatrix, Told},
+        variable::Variable,
     },
     recursive::{Plan, Technique},
     solve::SpeedMatrix,
@@ -119,6 +124,16 @@ impl Part {
 }
 
 impl Jacobians {
+    /// What they tell other parts; the values are those of the function of this name.
+    pub(in crate::functions) fn told(self, name: String) -> Told {
+        let inverse = self.by(&Variable::Given(Argument::Tau)).cloned();
+        let mass = self.mass.map(|mass| (KnownMatrix::Mass, mass));
+        let inverse = inverse.map(|inverse| (KnownMatrix::MassInverse, inverse));
+        let matrices = mass.into_iter().chain(inverse);
+        let told = Told::default().with_values(name, self.values);
+        matrices.fold(told, |told, (matrix, entries)| told.with(matrix, entries))
+    }
+
     pub(super) fn by(&self, variable: &Variable) -> Option<&SpeedMatrix> {
         let mut by = self.by.iter();
         let found = by.find(|(argument, _)| Variable::Given(*argument) == *variable)?;

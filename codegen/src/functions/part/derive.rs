@@ -2,11 +2,11 @@
 
 use super::Part;
 use crate::{
-    expr::Expr,
     functions::{
         candidate::{Candidate, Formulation},
         derivatives::{derivative::Asked, solved::Solution},
         derived::Derived,
+        told::Told,
     },
     recursive::{Plan, Technique},
     tree::{Tree, Value},
@@ -38,22 +38,15 @@ impl Part {
         })
     }
 
-    /// True where `other` is derivatives of this function that may have computed its values.
-    pub(in crate::functions) fn may_be_told_by(&self, other: &Self) -> bool {
-        let is_solved = self.function.inverse_dynamics.is_some() && self.derivative.is_none();
-        let tells = other.is_whole_derivative() || other.is_second_derivative();
-        is_solved && tells && other.values().name() == self.name()
-    }
-
-    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns the values of
-    /// what it differentiates, where the derivatives needed them.
+    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns what it
+    /// found of others.
     pub(in crate::functions) fn derive_in(
         &self,
         derived: &mut Derived,
         tree: &Tree,
         formulation: Formulation,
         plan: &Plan,
-    ) -> Option<Vec<Expr>> {
+    ) -> Told {
         let candidate = self.candidate(tree, formulation);
         let first = derived.roots.len();
         let is_direct = candidate.formulation == Formulation::Recursive
@@ -62,14 +55,15 @@ impl Part {
             && self.is_whole_derivative()
             && let Some(told) = self.derive_matrices(derived, tree, formulation, plan)
         {
-            return told.values;
+            return told.told(self.values().name());
         }
         if is_direct
             && let Some(derivative) = self.second_derivative()
             && let Some(forces) = self.function.inverse_dynamics
         {
             let way = (formulation, plan);
-            return Some(self.derive_second(derived, tree, way, derivative, forces));
+            let values = self.derive_second(derived, tree, way, derivative, forces);
+            return Told::default().with_values(self.values().name(), Some(values));
         }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();
@@ -94,11 +88,32 @@ impl Part {
                     inverse_dynamics,
                 };
                 derivative.apply_to_solution(derived, tree, plan, &solution, asked);
-                return None;
+                return Told::default();
             }
             let is_reverse = plan.uses(Technique::Reverse);
             derivative.apply(derived, tree, &values, &sizes, is_reverse, asked);
         }
-        None
+        Told::default()
+    }
+
+    /// The same where others ask for what its recursion finds beside its entries.
+    pub(in crate::functions) fn derive_telling(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) -> Told {
+        let candidate = self.candidate(tree, formulation);
+        let is_plain = self.derivative.is_none();
+        if let Some(beside) = self.function.beside
+            && is_plain
+            && candidate.formulation == Formulation::Recursive
+        {
+            let (entries, told) = (beside.derive)(&mut derived.graph, tree, plan);
+            derived.roots.extend(entries);
+            return told;
+        }
+        self.derive_in(derived, tree, formulation, plan)
     }
 }

@@ -4,6 +4,7 @@ mod derive;
 mod doc;
 mod rows;
 mod size;
+mod told;
 
 use std::{borrow::Cow, sync::Arc};
 

@@ -1,9 +1,16 @@
 //! The root expressions of the Coriolis matrix, and of the rate of the mass matrix.
 
+use super::dynamics::with_rotors;
 use crate::{
-    expr::{Expr, ExprGraph},
+    expr::{Expr, ExprGraph, Purpose},
+    functions::{
+        argument::Argument,
+        told::{KnownMatrix, Told},
+    },
+    given::{Accelerations, mechanics},
     kane,
-    recursive::{self, Plan},
+    recursive::{self, Plan, forces::gravity, matrices::coriolis},
+    solve::{self, SpeedMatrix},
     tree::Tree,
 };
 
@@ -16,7 +23,63 @@ pub(in crate::functions) fn coriolis_matrix_recursive(
     tree: &Tree,
     plan: &Plan,
 ) -> Vec<Expr> {
-    recursive::matrices::coriolis::coriolis_matrix(graph, tree, plan).concat()
+    coriolis::coriolis_matrix(graph, tree, plan).concat()
+}
+
+/// With the mass matrix, which its columns hold.
+pub(in crate::functions) fn coriolis_matrix_beside(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> (Vec<Expr>, Told) {
+    let (c, mass) = coriolis::coriolis_and_mass_matrix(graph, tree, plan);
+    let mass = with_rotors(graph, tree, mass);
+    let entries = c.concat();
+    let told = Told::default().with(KnownMatrix::Mass, mass);
+    (entries, told.with(KnownMatrix::Coriolis, c))
+}
+
+/// `M_dot = C + C^T`.
+pub(in crate::functions) fn mass_matrix_dot_of_coriolis(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    _: &Plan,
+    c: &SpeedMatrix,
+) -> Vec<Expr> {
+    let bodies = tree.speed_bodies();
+    let mut rate = solve::zero_matrix(graph, tree.n_speeds);
+    for [row, column] in tree.coupled_speeds() {
+        graph.enter(bodies[row]);
+        let entry = graph.add(c[row][column], c[column][row]);
+        rate[row][column] = entry;
+        rate[column][row] = entry;
+    }
+    rate.concat()
+}
+
+/// `C u`, weight, springs and dampers: all that bodies need at zero accelerations.
+pub(in crate::functions) fn bias_of_coriolis(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    c: &SpeedMatrix,
+) -> Vec<Expr> {
+    let u: Vec<Expr> = Argument::U
+        .inputs(tree)
+        .map(|own| graph.input(own))
+        .collect();
+    let mut bias = gravity::gravity_forces(graph, tree, plan);
+    graph.begin(Purpose::Forces);
+    let bodies = tree.speed_bodies().into_iter();
+    for ((sum, row), body) in bias.iter_mut().zip(c).zip(bodies) {
+        graph.enter(body);
+        for (&entry, &u) in row.iter().zip(&u) {
+            let term = graph.mul(entry, u);
+            *sum = graph.add(*sum, term);
+        }
+    }
+    mechanics::add_forces(graph, tree, Accelerations::Zero, &mut bias);
+    bias
 }
 
 pub(in crate::functions) fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {

@@ -76,6 +76,15 @@ fn packed(tree: &Tree, a: &SpeedMatrix) -> Vec<Expr> {
     at(tree.coupled_speeds(), a)
 }
 
+pub(in crate::functions) fn packed_of_mass(
+    _: &mut ExprGraph,
+    tree: &Tree,
+    _: &Plan,
+    mass: &SpeedMatrix,
+) -> Vec<Expr> {
+    packed(tree, mass)
+}
+
 /// The entries of a matrix at these places.
 pub(super) fn at(places: impl IntoIterator<Item = [usize; 2]>, matrix: &SpeedMatrix) -> Vec<Expr> {
     let places = places.into_iter();

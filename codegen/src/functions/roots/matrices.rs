@@ -6,9 +6,28 @@ use crate::{
     given::mechanics,
     kane::dynamics,
     recursive::{Plan, accelerations::inverse_mass, forces::product},
-    solve::{self, Carriers, Inversion},
+    solve::{self, Carriers, Inversion, SpeedMatrix},
     tree::Tree,
 };
+
+/// All entries of a matrix over speeds that is known.
+pub(in crate::functions) fn whole(
+    _: &mut ExprGraph,
+    _: &Tree,
+    _: &Plan,
+    matrix: &SpeedMatrix,
+) -> Vec<Expr> {
+    matrix.concat()
+}
+
+pub(in crate::functions) fn packed_of_inverse(
+    _: &mut ExprGraph,
+    tree: &Tree,
+    _: &Plan,
+    inverse: &SpeedMatrix,
+) -> Vec<Expr> {
+    at(solve::inverse_places(tree), inverse)
+}
 
 pub(in crate::functions) fn product(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
     let mut tau = dynamics::mass_matrix_product(graph, tree);

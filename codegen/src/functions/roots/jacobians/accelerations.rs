@@ -61,7 +61,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
     let mut net = dynamics::applied(graph, tree);
     solve::subtract(graph, tree, &mut net, &bias);
     let matrix = dynamics::with_rotors(graph, tree, found.by_u_dot.clone());
-    let factors = solve::factorise(graph, tree, matrix);
+    let factors = solve::factorise(graph, tree, matrix.clone());
     let Solved {
         u_dot,
         inverse,
@@ -83,6 +83,7 @@ fn of_accelerations(graph: &mut ExprGraph, tree: &Tree, plan: &Plan, loads: Load
             (Argument::Tau, inverse),
         ],
         values: Some(u_dot),
+        mass: Some(matrix),
     }
 }
 

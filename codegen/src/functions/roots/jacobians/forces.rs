@@ -69,6 +69,7 @@ pub(in crate::functions) fn gravity_forces(
     Jacobians {
         by: vec![(Argument::Q, by_q)],
         values: Some(forces),
+        mass: None,
     }
 }
 
@@ -87,6 +88,7 @@ fn of_forces(
 ) -> Jacobians {
     let found =
         derivatives::of_inverse_dynamics(graph, tree, plan, accelerations, loads, Wanted::ALL);
+    let mass = found.by_u_dot.clone();
     let mut all = vec![(Argument::Q, found.by_q), (Argument::U, found.by_u)];
     if accelerations == Accelerations::Given {
         all.push((Argument::UDot, found.by_u_dot));
@@ -95,6 +97,7 @@ fn of_forces(
     Jacobians {
         by: all,
         values: None,
+        mass: Some(dynamics::with_rotors(graph, tree, mass)),
     }
 }
 

@@ -41,6 +41,27 @@ use crate::{
 
 /// `C`, with `C u` the bias of a system without weight, springs and dampers, and `M_dot = C + C^T`.
 pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> SpeedMatrix {
+    found(graph, tree, plan, None)
+}
+
+/// The same, and the mass matrix without rotors: the columns' momenta hold it.
+pub fn coriolis_and_mass_matrix(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> (SpeedMatrix, SpeedMatrix) {
+    let mut mass = zero_matrix(graph, tree.n_speeds);
+    let c = found(graph, tree, plan, Some(&mut mass));
+    (c, mass)
+}
+
+/// The Coriolis matrix; adds to the mass matrix what momenta say of it, where it is asked for.
+fn found(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+    mut mass: Option<&mut SpeedMatrix>,
+) -> SpeedMatrix {
     let linkage = Linkage::of_speeds(graph, tree, plan);
     let velocities = velocities(graph, &linkage);
     graph.begin(Purpose::Composite);
@@ -61,6 +82,7 @@ pub fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Speed
             shortcuts: &mut shortcuts,
             ahead: &mut ahead,
             c: &mut c,
+            mass: mass.as_deref_mut(),
         };
         linkage.passages[body].inward(graph, &mut carried);
         let Carried {
@@ -94,6 +116,7 @@ struct Carried<'a, 'b> {
     shortcuts: &'a mut Shortcuts<'b>,
     ahead: &'a mut Ahead<'b>,
     c: &'a mut SpeedMatrix,
+    mass: Option<&'a mut SpeedMatrix>,
 }
 
 impl Carried<'_, '_> {
@@ -149,6 +172,11 @@ impl Carried<'_, '_> {
                 let couple = graph.dot(axis, column.couple);
                 let mirrored = graph.add(turned, couple);
                 speed_matrix::add(graph, self.c, [column.motion, motion], mirrored);
+                if let Some(mass) = self.mass.as_deref_mut() {
+                    let entry = graph.dot(axis, column.momentum.wrench.moment);
+                    let row = [motion, column.motion];
+                    speed_matrix::add_mirrored(graph, mass, row, entry, false);
+                }
             }
         }
     }
@@ -160,6 +188,11 @@ impl Carried<'_, '_> {
         for (i, column) in self.columns.iter().enumerate() {
             let row = column.needed.read(place);
             speed_matrix::add(graph, self.c, [motion, column.motion], row);
+            if let Some(mass) = self.mass.as_deref_mut() {
+                let entry = column.momentum.read(place);
+                let row = [motion, column.motion];
+                speed_matrix::add_mirrored(graph, mass, row, entry, i == last);
+            }
             if i == last {
                 continue;
             }

@@ -1,0 +1,60 @@
+//! What parts of a joined function tell one another.
+
+use super::Part;
+use crate::{
+    expr::{Expr, ExprGraph},
+    functions::told::{ReadOff, Told},
+    recursive::Plan,
+    tree::Tree,
+};
+
+impl Part {
+    /// True where deriving this part may tell the other one.
+    pub(in crate::functions) fn may_tell(&self, other: &Self) -> bool {
+        if other.function.read_off.is_some() {
+            return self.finds_matrix_of(other);
+        }
+        let is_solved = other.function.inverse_dynamics.is_some() && other.derivative.is_none();
+        let tells = self.is_whole_derivative() || self.is_second_derivative();
+        is_solved && tells && self.values().name() == other.name()
+    }
+
+    /// True where one of these may be read off a matrix that this part finds.
+    pub(in crate::functions) fn finds_matrix_of_some(&self, others: &[Self]) -> bool {
+        others.iter().any(|other| self.finds_matrix_of(other))
+    }
+
+    fn finds_matrix_of(&self, other: &Self) -> bool {
+        let Some(ReadOff { matrix, .. }) = &other.function.read_off else {
+            return false;
+        };
+        let function = self.function;
+        let found = match &self.derivative {
+            None => function.beside.map_or(&[][..], |own| own.matrices),
+            Some(_) if self.is_whole_derivative() => function.derivatives_tell,
+            Some(_) => &[],
+        };
+        other.derivative.is_none() && found.contains(matrix)
+    }
+
+    /// Its entries, if others told them.
+    pub(in crate::functions) fn told_by(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        told: &Told,
+    ) -> Option<Vec<Expr>> {
+        if self.derivative.is_some() {
+            return None;
+        }
+        let Some(ReadOff { matrix, entries }) = self.function.read_off else {
+            return told.values(&self.name()).cloned();
+        };
+        if plan.keeps_apart() {
+            return None;
+        }
+        let matrix = told.matrix(matrix)?;
+        Some(entries(graph, tree, plan, matrix))
+    }
+}
