@@ -33,4 +33,5 @@ mod sparsity;
 mod sweeps;
 mod techniques;
 mod threads;
+mod told;
 mod waiting;
