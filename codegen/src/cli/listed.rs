@@ -12,7 +12,6 @@ use std::{
 use kane_codegen::{
     config::{self, Config, System, clean_path},
     diagnostic::Source,
-    error::Error,
 };
 
 use crate::cli::{
@@ -57,6 +56,18 @@ impl Listed {
         Err(failures)
     }
 
+    /// Reads it for one model. What is wrong with the file is told only if it lists the model, or may list it: nothing else of
+    /// it has to do with the model.
+    fn read_for(path: &Path, model: &Path) -> Result<Self, Failures> {
+        let source = job::read(path)?;
+        let (config, faults) = config::read(&source);
+        let listed = Self::new(path, source, config)?;
+        match faults {
+            Err(faults) if listed.may_list(model)? => Err(faults.into()),
+            _ => Ok(listed),
+        }
+    }
+
     /// Reads a text that stands at this path, among the files or in a revision.
     pub(crate) fn of(path: &Path, source: Source) -> Result<Self, Failures> {
         let config = config::parse(&source)?;
@@ -99,30 +110,48 @@ impl Listed {
     /// The jobs whose model is this very file.
     pub(crate) fn jobs_of(&self, model: &Path) -> Result<Vec<Job>, Failures> {
         let file = paths::target(model)?;
-        let is_listed = |system: &&System| {
-            fs::canonicalize(self.root.join(&system.model.value)).is_ok_and(|listed| listed == file)
-        };
-        let systems = self.config.systems.iter().filter(is_listed);
+        let systems = self.config.systems.iter();
+        let systems = systems.filter(|system| self.is_file(&system.model.value, &file));
         systems.map(|system| self.job(system)).collect()
+    }
+
+    /// False if no system's model is this very file, as far as that is known whatever is wrong with the systems.
+    fn may_list(&self, model: &Path) -> Result<bool, Failures> {
+        let file = paths::target(model)?;
+        let mut models = self.config.models.iter().flatten();
+        Ok(self.config.models.is_none() || models.any(|listed| self.is_file(listed, &file)))
+    }
+
+    /// True if the model of this path in the file is the file with this absolute path.
+    fn is_file(&self, listed: &str, file: &Path) -> bool {
+        fs::canonicalize(self.root.join(listed)).is_ok_and(|listed| listed == file)
     }
 }
 
 /// The `kane.toml` for one model: the one that is named, or the nearest in its folder or above it.
-pub(crate) fn config_of(model: &Path, named: Option<&Path>) -> Result<Option<PathBuf>, Error> {
+///
+/// One that was not named may have faults if it surely does not list the model.
+pub(crate) fn config_of(
+    model: &Path,
+    named: Option<&Path>,
+) -> Result<Option<(PathBuf, Listed)>, Failures> {
     if let Some(path) = named {
-        return Ok(Some(path.to_owned()));
+        return Ok(Some((path.to_owned(), Listed::read(path)?)));
     }
-    let above = paths::config_above(&paths::target(paths::parent(model))?);
-    above.map(|path| paths::shown(&path)).transpose()
+    let Some(above) = paths::config_above(&paths::target(paths::parent(model))?) else {
+        return Ok(None);
+    };
+    let path = paths::shown(&above)?;
+    let listed = Listed::read_for(&path, model)?;
+    Ok(Some((path, listed)))
 }
 
 /// A model to look at, as the first system of its `kane.toml` has it that lists it, or by default options; with these changes.
 pub(crate) fn looked_at(model: &Path, changes: &ChangesArguments) -> Result<Job, Failures> {
     changes.check()?;
     job::read(model)?;
-    let config = config_of(model, None)?;
-    let listed = config.as_deref().map(Listed::read).transpose()?;
-    let jobs = listed.as_ref().map(|listed| listed.jobs_of(model));
+    let listed = config_of(model, None)?;
+    let jobs = listed.map(|(_, listed)| listed.jobs_of(model));
     let first = jobs.transpose()?.and_then(|jobs| jobs.into_iter().next());
     let mut job = match first {
         Some(job) => job,

@@ -30,6 +30,8 @@ use crate::{
 pub struct Config {
     /// The systems, in the order of the file.
     pub systems: Vec<System>,
+    /// The models of all systems, also of those with faults, relative to the file; `None` if a fault leaves some unknown.
+    pub models: Option<Vec<String>>,
 }
 
 /// Reads a `kane.toml`.
@@ -55,21 +57,34 @@ pub fn read(source: &Source) -> (Config, Result<(), Diagnostics>) {
     let mut reader = Reader::default();
     let document = reader.document(source);
     let (mut systems, mut outputs) = (Vec::new(), Vec::new());
+    let mut models = None;
     if !(document.is_empty() && reader.has_faults()) {
         let root = reader.root(&document, &["system"]);
+        // A key that is repeated or unknown may stand for systems.
+        let is_whole = !reader.has_faults();
         let item = reader.required(&root, "system", "[[system]]");
+        let is_absent = item.is_none();
         let items = item.and_then(|item| reader.list(item, "`system`", "tables, `[[system]]`"));
+        let are_known = is_whole && (is_absent || items.is_some());
+        let mut named = Vec::new();
         for (index, item) in items.unwrap_or_default().into_iter().enumerate() {
-            let (system, output) = system::read(&mut reader, item, index + 1);
+            let system::Read {
+                model,
+                system,
+                output,
+            } = system::read(&mut reader, item, index + 1);
+            named.push(model);
             systems.extend(system);
             outputs.extend(output);
         }
         outputs::check(&mut reader, &outputs);
+        let named: Option<Vec<String>> = named.into_iter().collect();
+        models = named.filter(|_| are_known);
     }
     let faults = if reader.has_faults() {
         Err(Diagnostics::new(source.clone(), reader.faults.into_told()))
     } else {
         Ok(())
     };
-    (Config { systems }, faults)
+    (Config { systems, models }, faults)
 }

@@ -63,14 +63,21 @@ const KEYS: [&str; 18] = [
     "prescribed",
 ];
 
-/// Reads a system, as far as it has no fault, and what it writes.
-pub(super) fn read(
-    reader: &mut Reader,
-    item: &Item<'_>,
-    number: usize,
-) -> (Option<System>, Option<Output>) {
+/// What could be read of a system.
+#[derive(Default)]
+pub(super) struct Read {
+    /// Its model.
+    pub(super) model: Option<String>,
+    /// All of it, where nothing of it has a fault that leaves it unknown.
+    pub(super) system: Option<System>,
+    /// What it writes.
+    pub(super) output: Option<Output>,
+}
+
+/// Reads a system, as far as it has no fault.
+pub(super) fn read(reader: &mut Reader, item: &Item<'_>, number: usize) -> Read {
     let Some(table) = reader.table(item, &format!("system {number}"), &KEYS) else {
-        return (None, None);
+        return Read::default();
     };
     let model = reader.required(&table, "model", "model = \"models/pendulum.toml\"");
     let model = model.and_then(|item| path::read(reader, item, &table.what("model")));
@@ -91,6 +98,7 @@ pub(super) fn read(
         companions,
         output.as_ref(),
     );
+    let known = model.as_ref().map(|model| model.value.clone());
     let system = || {
         Some(System {
             model: model?,
@@ -102,7 +110,11 @@ pub(super) fn read(
             budget,
         })
     };
-    (system(), output)
+    Read {
+        model: known,
+        system: system(),
+        output,
+    }
 }
 
 /// Reads the options, as far as none has a fault.

@@ -26,4 +26,5 @@ mod prescribed;
 mod project;
 mod requests;
 mod revisions;
+mod unlisted;
 mod verify;

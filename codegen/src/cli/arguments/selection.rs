@@ -189,7 +189,7 @@ impl Selection {
         // A model that cannot be read is told before anything that follows from it.
         job::read(model)?;
         let config = listed::config_of(model, self.config.as_deref())?;
-        let listed = config.as_deref().map(Listed::read).transpose()?;
+        let (config, listed) = config.unzip();
         let jobs = listed.as_ref().map(|listed| listed.jobs_of(model));
         let mut jobs = jobs.transpose()?.unwrap_or_default();
         let output = match (&self.output, &config) {

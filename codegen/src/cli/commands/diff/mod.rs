@@ -17,9 +17,7 @@ use kane_codegen::options::Options;
 use crate::cli::{
     Failures, Outcome, Voice,
     arguments::options::{Asked, OptionsArguments},
-    git,
-    listed::Listed,
-    paths,
+    git, listed, paths,
     text::json,
 };
 use report::Report;
@@ -224,12 +222,10 @@ fn options(
 ) -> Result<Options, Failures> {
     let mut options = Options::default();
     for file in sides.into_iter().filter_map(Side::own_file) {
-        let above = paths::config_above(&paths::target(paths::parent(&file))?);
-        let above = above.map(|path| paths::shown(&path)).transpose()?;
-        let Some(config) = arguments.config.clone().or(above) else {
+        let Some((_, listed)) = listed::config_of(&file, arguments.config.as_deref())? else {
             continue;
         };
-        if let Some(job) = Listed::read(&config)?.jobs_of(&file)?.into_iter().next() {
+        if let Some(job) = listed.jobs_of(&file)?.into_iter().next() {
             options = job.options;
             break;
         }
