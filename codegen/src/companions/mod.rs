@@ -55,18 +55,25 @@ pub(crate) fn of(
     name: &str,
 ) -> Result<Vec<Companion>, Error> {
     let mut companions = Vec::new();
+    let c_name = kinds.contains(&CompanionKind::Abi(Abi::C)).then_some(name);
     for kind in kinds {
-        let texts = kind.endings().iter().zip(texts(*kind, given, name)?);
+        let texts = texts(*kind, given, name, c_name)?;
+        let texts = kind.endings().iter().zip(texts);
         companions.extend(texts.map(|(&ending, text)| Companion { ending, text }));
     }
     Ok(companions)
 }
 
-/// The texts of the files of one kind.
-fn texts(kind: CompanionKind, given: &Ingredients<'_>, name: &str) -> Result<Vec<String>, Error> {
+/// The texts of the files of one kind; `c_name` is what names in C begin with, if there are any.
+fn texts(
+    kind: CompanionKind,
+    given: &Ingredients<'_>,
+    name: &str,
+    c_name: Option<&str>,
+) -> Result<Vec<String>, Error> {
     let module = given.module;
     Ok(match kind {
-        CompanionKind::Manifest => vec![json::manifest(module)],
+        CompanionKind::Manifest => vec![json::manifest(module, c_name)],
         CompanionKind::Tests => {
             let (samples, values) = samples::of(given.tree, given.compiled, module)?;
             vec![rust::self_tests(module, name, &samples, &values)]

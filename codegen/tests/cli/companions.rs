@@ -63,9 +63,8 @@ fn manifest_says_what_the_module_holds() {
         let (arguments, _) = after.split_once(") {").unwrap();
         let arguments = arguments.split(',').filter_map(|one| one.split_once(": "));
         let arguments: Vec<&str> = arguments.map(|(name, _)| name.trim()).collect();
-        let outputs = function["outputs"].as_array().unwrap().iter();
-        let named = function["arguments"].as_array().unwrap().iter();
-        let named = named.chain(outputs.map(|output| &output["name"]));
+        let named = ["arguments", "outputs"].map(|key| function[key].as_array().unwrap());
+        let named = named.into_iter().flatten().map(|one| &one["name"]);
         assert_eq!(named.collect::<Vec<_>>(), arguments);
         let counts = &function["operations"];
         let [total, mul, add, div, trig] =

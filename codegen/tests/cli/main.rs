@@ -21,6 +21,7 @@ mod info;
 mod interface;
 #[cfg(unix)]
 mod kills;
+mod manifest;
 mod new;
 mod prescribed;
 mod project;

@@ -210,7 +210,8 @@ impl<'a> Function<'a> {
             let shape = list(&output["shape"]).map(|length| length.as_u64().unwrap());
             (output["name"].as_str().unwrap(), shape.collect())
         });
-        let arguments = list(&function["arguments"]).map(|name| name.as_str().unwrap());
+        let arguments = list(&function["arguments"]);
+        let arguments = arguments.map(|argument| argument["name"].as_str().unwrap());
         Self {
             name: function["name"].as_str().unwrap(),
             arguments: arguments.collect(),

@@ -36,6 +36,17 @@ impl Extent {
         &self.lengths
     }
 
+    /// The lengths of nested arrays of plain numbers that stand in memory as it does, outermost first: a load is a force and a
+    /// moment, sines stand before cosines. `None` for structures whose members have names of their own.
+    pub fn shape(&self) -> Option<Vec<usize>> {
+        let inner = match self.element {
+            Element::Scalar => vec![],
+            Element::Load | Element::SinCos => vec![2, self.n_members],
+            Element::Parameters | Element::Prepared => return None,
+        };
+        Some([&self.lengths[..], &inner].concat())
+    }
+
     /// How many numbers it holds.
     pub fn size(&self) -> usize {
         self.lengths.iter().product::<usize>() * self.of_element()

@@ -20,6 +20,7 @@ mod limits;
 mod pattern;
 mod size;
 mod stated;
+mod units;
 
 pub use base_parameters::{BaseParameters, BaseTerm};
 pub use entries::{Colors, Entries};
@@ -31,6 +32,7 @@ pub use pattern::Pattern;
 pub(crate) use size::N_ANGLES;
 pub use size::{Size, Sizes};
 pub use stated::{Counted, nominal, read_nominal};
+pub use units::Units;
 
 /// The facts of a module.
 #[derive(Clone, Debug)]
@@ -51,6 +53,8 @@ pub struct Facts {
     pub speed_bodies: Vec<usize>,
     /// The joint of each body.
     pub joints: Vec<Joint>,
+    /// The units of coordinates, speeds and forces.
+    pub units: Units,
     /// Frames that are fixed in bodies.
     pub frames: Vec<Frame>,
     /// Limits and friction.
@@ -126,6 +130,8 @@ impl Facts {
         ];
         let mut fields = compiled.fields.clone();
         fields.sort();
+        let joints = tree.bodies.iter();
+        let joints: Vec<Joint> = joints.map(|body| Joint::of(&body.joint)).collect();
         Self {
             origin,
             name: tree.name.clone(),
@@ -134,11 +140,8 @@ impl Facts {
             coordinates,
             speeds: tree.speed_names(),
             speed_bodies: tree.speed_bodies().into_iter().map(BodyId::index).collect(),
-            joints: tree
-                .bodies
-                .iter()
-                .map(|body| Joint::of(&body.joint))
-                .collect(),
+            units: Units::of(&joints, tree.n_coordinates, tree.n_speeds),
+            joints,
             frames: tree.frames.iter().map(Frame::of).collect(),
             limits: Limits::of(tree),
             parameters: tree.parameters.clone(),

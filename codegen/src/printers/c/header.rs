@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{
     data,
-    rules::{RULES, SCALARS},
+    rules::{RULES, SCALARS, c_name, symbol},
     text::{once, table},
 };
 use crate::{
@@ -255,16 +255,16 @@ impl Header<'_> {
 
     /// A function for each scalar.
     fn prototypes(&self, signature: &Signature) -> String {
-        let name = format!("{}_{}", self.name, signature.name);
+        let name = |scalar: &str| symbol(self.name, &signature.name, scalar);
         let [double, single] = SCALARS.map(|scalar| {
             let arguments = signature.arguments.iter();
             let arguments: Vec<String> = arguments
                 .map(|argument| format!("    {}", self.declared(argument, scalar)))
                 .collect();
-            format!("void {name}_{scalar}(\n{});\n", arguments.join(",\n"))
+            format!("void {}(\n{});\n", name(scalar), arguments.join(",\n"))
         });
         let doc = comment("///", signature.lines(&self.prefix));
-        format!("{doc}{double}/// As `{name}_{}`.\n{single}", SCALARS[0])
+        format!("{doc}{double}/// As `{}`.\n{single}", name(SCALARS[0]))
     }
 
     fn declared(&self, argument: &Declared, scalar: &str) -> String {
@@ -362,9 +362,4 @@ fn comment<S: AsRef<str>>(mark: &str, lines: impl IntoIterator<Item = S>) -> Str
     lines
         .map(|line| format!("{mark} {}", line.as_ref()).trim_end().to_owned() + "\n")
         .collect()
-}
-
-/// The scalar in C.
-fn c_name(scalar: &str) -> &'static str {
-    if scalar == "f64" { "double" } else { "float" }
 }

@@ -3,6 +3,16 @@
 /// The scalars of C, as Rust names them.
 pub(crate) const SCALARS: [&str; 2] = ["f64", "f32"];
 
+/// The scalar in C.
+pub(crate) fn c_name(scalar: &str) -> &'static str {
+    if scalar == "f64" { "double" } else { "float" }
+}
+
+/// The name by which C calls a function of this module.
+pub(crate) fn symbol(module: &str, function: &str, scalar: &str) -> String {
+    format!("{module}_{function}_{scalar}")
+}
+
 /// What callers have to keep to.
 pub(crate) const RULES: [&str; 9] = [
     "No function allocates, keeps state, fails, or checks what it is given. Several threads may call them at once, with the same",

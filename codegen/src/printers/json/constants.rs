@@ -1,25 +1,69 @@
-//! The constants that outputs need to be read, as members of a manifest.
+//! The module's constants, as members of a manifest.
 
-use super::syntax::{list, number, object, string, strings};
-use crate::listing::{BaseTerm, Constant, Data, Facts};
+use super::syntax::{list, number, object, optional, records, string, strings};
+use crate::{
+    functions::CompactBlock,
+    listing::{
+        BaseTerm, Constant, Data, Facts, Frame, Joint,
+        constants::{BODY_NAMES, COORDINATE_NAMES, SPEED_NAMES},
+    },
+};
 
-/// An object with a constant a line; none where no output needs one.
-pub(super) fn member(facts: &Facts) -> Option<String> {
-    let constants = facts.output_constants();
-    let lines: Vec<String> = constants.iter().filter_map(line).collect();
-    (!lines.is_empty()).then(|| format!("{{\n{}\n  }}", lines.join(",\n")))
+/// What has a key of its own.
+const ELSEWHERE: [&str; 3] = [BODY_NAMES, COORDINATE_NAMES, SPEED_NAMES];
+
+/// An object with a constant a line; joints and frames, which have names, a line each.
+pub(super) fn member(facts: &Facts) -> String {
+    let patterns = facts.patterns.iter();
+    let patterns = patterns.flat_map(|pattern| facts.pattern_constants(pattern));
+    let constants = [
+        facts.constants(),
+        facts.angle_constants(),
+        facts.output_constants(),
+        patterns.collect(),
+    ]
+    .concat();
+    let constants = constants.iter();
+    let lines = constants.filter(|constant| !ELSEWHERE.contains(&constant.name));
+    let lines: Vec<String> = lines.filter_map(line).collect();
+    format!("{{\n{}\n  }}", lines.join(",\n"))
 }
 
-/// What a constant holds; nothing of a size, which is the length of a list.
+/// What a constant holds; nothing of a size, which is the length of a list, nor of what has a key of its own.
 fn line(constant: &Constant<'_>) -> Option<String> {
     let value = match &constant.data {
         Data::Texts(_, texts) => strings(texts),
         Data::Integers(_, numbers) => list(numbers),
+        Data::Numbers(_, numbers) => list(numbers.iter().copied().map(number)),
         Data::Places(_, places) => list(places.iter().map(list)),
+        Data::Joints(_, joints) => records("    ", joints.iter().map(joint)),
+        Data::Frames(frames) => records("    ", frames.iter().map(frame)),
         Data::Terms(terms) => list(terms.iter().map(term)),
-        _ => return None,
+        Data::Blocks(blocks) => list(blocks.iter().map(block)),
+        Data::Size(_) | Data::Hash(_) | Data::Text(_) | Data::Truths(..) | Data::Costs(_) => {
+            return None;
+        }
     };
     Some(format!("    {}: {value}", string(constant.name)))
+}
+
+fn joint(joint: &Joint) -> String {
+    object(&[
+        ("name", string(&joint.name)),
+        ("chart", string(joint.chart.name())),
+        ("q", list(joint.q.map(optional))),
+        ("u", list(joint.u.map(optional))),
+    ])
+}
+
+fn frame(frame: &Frame) -> String {
+    let vector = |row: &[f64; 3]| list(row.map(number));
+    object(&[
+        ("name", string(&frame.name)),
+        ("body", optional(frame.body)),
+        ("rotation", list(frame.rotation.iter().map(vector))),
+        ("position", vector(&frame.position)),
+    ])
 }
 
 fn term(term: &BaseTerm) -> String {
@@ -28,5 +72,15 @@ fn term(term: &BaseTerm) -> String {
         ("body", term.body.to_string()),
         ("parameter", term.parameter.to_string()),
         ("factor", number(term.factor)),
+    ])
+}
+
+fn block(block: &CompactBlock) -> String {
+    object(&[
+        ("body", block.body.to_string()),
+        ("partition", block.partition.to_string()),
+        ("speed", block.speed.to_string()),
+        ("columns", block.columns.to_string()),
+        ("first", block.first.to_string()),
     ])
 }

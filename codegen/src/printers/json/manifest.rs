@@ -1,28 +1,49 @@
-//! The manifest: what a module holds, as JSON for programs that do not read Rust.
+//! The manifest: what a module holds and how it is called through C, as JSON for programs that do not read Rust.
 //!
 //! What is known only of a compiled function, its stack and its size, is not here.
 
 use super::{
-    constants,
-    syntax::{list, object, string, strings},
+    constants, interface,
+    syntax::{list, number, object, records, string, strings},
 };
 use crate::{
-    functions::{N_BODIES, N_COORDINATES, N_SPEEDS},
+    functions::{Declared, N_BODIES, N_COORDINATES, N_SPEEDS},
     generate::OUTPUT_FORMAT,
     listing::{Facts, Function, Module},
     program::Operations,
+    tree::Parameter,
 };
 
-/// A key a line, and a function a line.
-pub(crate) fn text(module: &Module) -> String {
+/// The manifest of a module; `c_name` is what its names begin with in C, if its functions can be called from there.
+///
+/// A key a line, and a parameter, constant and function a line.
+pub(crate) fn text(module: &Module, c_name: Option<&str>) -> String {
     let facts = &module.facts;
+    let mut members = identity(facts);
+    members.extend(system(facts));
+    let parameters = facts.parameters.iter().map(parameter);
+    members.extend([
+        ("parameters", records("  ", parameters)),
+        ("prepared", facts.fields.len().to_string()),
+        ("preparation", operations(module.prepare.operations)),
+        ("constants", constants::member(facts)),
+    ]);
+    members.extend(c_name.map(|name| ("c", interface::member(module, name))));
+    let functions = module.functions.iter();
+    let functions = functions.map(|one| function(facts, one, c_name));
+    members.push(("functions", records("  ", functions)));
+    let members = members.into_iter();
+    let members: Vec<String> = members
+        .map(|(key, value)| format!("  {}: {value}", string(key)))
+        .collect();
+    format!("{{\n{}\n}}\n", members.join(",\n"))
+}
+
+/// Where the module comes from.
+fn identity(facts: &Facts) -> Vec<(&'static str, String)> {
     let origin = &facts.origin;
     let hash = |hash: u64| string(&format!("{hash:016x}"));
-    let functions = module.functions.iter();
-    let functions: Vec<String> = functions
-        .map(|one| format!("    {}", function(facts, one)))
-        .collect();
-    let mut members = vec![
+    vec![
         // The sign of the format.
         ("generated_by", string("kane generate")),
         ("model", string(&origin.model)),
@@ -31,48 +52,62 @@ pub(crate) fn text(module: &Module) -> String {
         ("format", OUTPUT_FORMAT.to_string()),
         ("options", string(&origin.options)),
         ("name", string(&facts.name)),
+    ]
+}
+
+/// Sizes, names and units.
+fn system(facts: &Facts) -> Vec<(&'static str, String)> {
+    let bodies = facts.bodies.iter().map(|body| &body.name);
+    let units = &facts.units;
+    let mut members = vec![
         (N_BODIES, facts.bodies.len().to_string()),
         (N_COORDINATES, facts.coordinates.len().to_string()),
         (N_SPEEDS, facts.speeds.len().to_string()),
-        (
-            "bodies",
-            strings(facts.bodies.iter().map(|body| &body.name)),
-        ),
+        ("bodies", strings(bodies)),
         ("coordinates", strings(&facts.coordinates)),
+        ("coordinate_units", strings(&units.coordinates)),
         ("speeds", strings(&facts.speeds)),
-        ("preparation", operations(module.prepare.operations)),
-        ("functions", format!("[\n{}\n  ]", functions.join(",\n"))),
+        ("speed_units", strings(&units.speeds)),
+        ("force_units", strings(&units.forces)),
     ];
     if let Some(prescribed) = &facts.prescribed {
         let speeds = facts.speeds.iter().zip(prescribed);
         let speeds = speeds.filter_map(|(speed, is_prescribed)| is_prescribed.then_some(speed));
-        members.insert(members.len() - 1, ("prescribed", strings(speeds)));
+        members.push(("prescribed", strings(speeds)));
     }
-    let constants = constants::member(facts).map(|member| ("constants", member));
-    if let Some(constants) = constants {
-        members.insert(members.len() - 1, constants);
-    }
-    let members = members.into_iter();
-    let members: Vec<String> = members
-        .map(|(key, value)| format!("  {}: {value}", string(key)))
-        .collect();
-    format!("{{\n{}\n}}\n", members.join(",\n"))
+    members
 }
 
-fn function(facts: &Facts, function: &Function) -> String {
-    let outputs = function.outputs().map(|output| {
-        let shape = list(facts.extent(output).lengths());
-        object(&[("name", string(&output.name)), ("shape", shape)])
-    });
-    let arguments = function.inputs().map(|input| &input.name);
+fn parameter(parameter: &Parameter) -> String {
     object(&[
-        ("name", string(&function.signature.name)),
-        ("arguments", strings(arguments)),
-        ("outputs", list(outputs)),
+        ("name", string(&parameter.name)),
+        ("nominal", number(parameter.nominal)),
+        ("unit", string(parameter.unit)),
+    ])
+}
+
+fn function(facts: &Facts, function: &Function, c_name: Option<&str>) -> String {
+    let argument = |argument: &Declared| {
+        let mut members = vec![("name", string(&argument.name))];
+        let shape = facts.extent(argument).shape();
+        members.extend(shape.map(|lengths| ("shape", list(lengths))));
+        object(&members)
+    };
+    let mut members = vec![("name", string(&function.signature.name))];
+    members.extend(c_name.map(|name| {
+        (
+            "symbols",
+            interface::symbols(name, &function.signature.name),
+        )
+    }));
+    members.extend([
+        ("arguments", list(function.inputs().map(argument))),
+        ("outputs", list(function.outputs().map(argument))),
         ("formulation", string(function.formulation.name())),
         ("operations", operations(function.operations)),
         ("fused", function.fused.to_string()),
-    ])
+    ]);
+    object(&members)
 }
 
 fn operations(operations: Operations) -> String {

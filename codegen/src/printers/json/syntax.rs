@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+const NULL: &str = "null";
+
 /// A string, quoted.
 pub(super) fn string(text: &str) -> String {
     let escaped = |character: char| match character {
@@ -13,7 +15,7 @@ pub(super) fn string(text: &str) -> String {
     format!("\"{text}\"")
 }
 
-/// A list on one line.
+/// A list on one line; items are JSON already.
 pub(super) fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
     format!("[{}]", items.join(", "))
@@ -22,6 +24,16 @@ pub(super) fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {
 /// A list of strings on one line.
 pub(super) fn strings<S: AsRef<str>>(items: impl IntoIterator<Item = S>) -> String {
     list(items.into_iter().map(|item| string(item.as_ref())))
+}
+
+/// A list with an item a line, where the list begins in a line indented by `indent`.
+pub(super) fn records(indent: &str, items: impl IntoIterator<Item = String>) -> String {
+    let items = items.into_iter();
+    let items: Vec<String> = items.map(|item| format!("{indent}  {item}")).collect();
+    if items.is_empty() {
+        return "[]".to_owned();
+    }
+    format!("[\n{}\n{indent}]", items.join(",\n"))
 }
 
 /// An object on one line; values are JSON already.
@@ -33,7 +45,15 @@ pub(super) fn object(members: &[(&str, String)]) -> String {
     format!("{{ {} }}", members.join(", "))
 }
 
-/// A number, with all digits that it needs to be read back.
+/// A number, with all digits that it needs to be read back; JSON has no infinite ones.
 pub(super) fn number(number: f64) -> String {
+    if number.is_infinite() {
+        return NULL.to_owned();
+    }
     format!("{number:?}")
+}
+
+/// A place, if there is one.
+pub(super) fn optional(place: Option<usize>) -> String {
+    place.map_or_else(|| NULL.to_owned(), |place| place.to_string())
 }

@@ -12,7 +12,7 @@ use super::{
 use crate::{
     functions::{Access, Element, Length, Signature},
     listing::Module,
-    printers::c::rules::{RULES, SCALARS},
+    printers::c::rules::{RULES, SCALARS, symbol},
 };
 
 /// The text of the file beside the module `name`.
@@ -56,12 +56,12 @@ fn imports(signatures: &[&Signature], name: &str) -> Item {
 
 fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
     let own = ident(&signature.name);
-    let name = ident(&format!("{module}_{own}_{scalar}"));
+    let name = |scalar: &str| symbol(module, &signature.name, scalar);
     let safety = "As the beginning of this file says.";
     let lines = if scalar == SCALARS[0] {
         signature.lines("")
     } else {
-        vec![format!("As `{module}_{own}_{}`.", SCALARS[0])]
+        vec![format!("As `{}`.", name(SCALARS[0]))]
     };
     let lines = lines
         .into_iter()
@@ -84,7 +84,7 @@ fn function(signature: &Signature, module: &str, scalar: &str) -> Item {
             Access::Written => quote!(&mut *#name),
         }
     });
-    let module = ident(module);
+    let (name, module) = (ident(&name(scalar)), ident(module));
     let body = match signature.name.as_str() {
         "nominal" => quote!(parameters.write(Parameters::default());),
         "prepare" => quote!(p.write(Prepared::new(&*parameters));),
