@@ -40,6 +40,19 @@ pub fn zero_matrix(graph: &mut ExprGraph, n_speeds: usize) -> SpeedMatrix {
     vec![vec![graph.zero(); n_speeds]; n_speeds]
 }
 
+/// A matrix times a column.
+pub fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> Vec<Expr> {
+    let rows = matrix.iter().map(|row| {
+        let mut sum = graph.zero();
+        for (&entry, &factor) in row.iter().zip(column) {
+            let term = graph.mul(entry, factor);
+            sum = graph.add(sum, term);
+        }
+        sum
+    });
+    rows.collect()
+}
+
 /// Rows of a matrix over speeds as its columns.
 pub fn transposed(matrix: &[Vec<Expr>]) -> SpeedMatrix {
     let columns = 0..matrix.len();

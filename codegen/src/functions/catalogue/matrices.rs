@@ -15,6 +15,8 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
     trait_name: Some("MassMatrixProduct"),
     arguments: &[Argument::Q, Argument::UDot],
     outputs: &[Output::new("tau", Shape::SPEEDS)],
+    derivatives: Some(roots::jacobians::forces::mass_matrix_product),
+    derivatives_tell: &[KnownMatrix::Mass],
     doc: &[
         "The mass matrix of Eq. (42) times accelerations, `tau = M u_dot`, rotors included: inverse dynamics without bias. No matrix is formed.",
         "N m for an angle's speed, N for a translation's. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
@@ -32,6 +34,8 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     arguments: &[Argument::Q, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
+    derivatives: Some(roots::jacobians::accelerations::mass_matrix_solve),
+    derivatives_tell: &[KnownMatrix::MassInverse],
     inverse_dynamics: Some(roots::matrices::product_recursive),
     doc: &[
         "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::{
     derivative::{Derivative, DerivativeKind, entries, gradient, symmetric},
-    solved::{Solution, lacking, product},
+    solved::{Solution, lacking},
 };
 use crate::{
     differentiate::{forward, reverse},
@@ -17,7 +17,8 @@ use crate::{
         argument::Argument, candidate::Formulation, derived::Derived, function::InverseDynamicsFn,
         part::Part, variable::Variable,
     },
-    recursive::{Plan, Technique, accelerations::inverse_mass},
+    recursive::{Plan, Technique, accelerations::inverse_mass, derivatives},
+    solve,
     tree::Tree,
 };
 
@@ -39,6 +40,14 @@ struct Second {
 }
 
 impl Part {
+    /// True where `L_xa` is swept for beside `L_xx`: the mass matrix depends on parameters too, and without speeds both sweeps share
+    /// most of their work.
+    fn sweeps_by_accelerations(&self, derivative: &Derivative) -> bool {
+        let is_given = |variable: &Variable| matches!(variable, Variable::Given(_));
+        let has_speeds = self.function.arguments.contains(&Argument::U);
+        !(has_speeds && derivative.by.iter().all(is_given))
+    }
+
     /// Derives these second derivatives of accelerations that need such forces. Returns the accelerations.
     pub(in crate::functions) fn derive_second(
         &self,
@@ -63,9 +72,14 @@ impl Part {
         };
         let (lacking, mut values) = lacking(graph, tree, plan, &solution);
         let weighted = (&multipliers[..], &lacking[..]);
-        let second = derivative.second(graph, tree, weighted, plan, places);
-        values.extend(inputs.into_iter().zip(first.weights));
-        let second = second.substituted(graph, &values);
+        let is_swept = self.sweeps_by_accelerations(derivative);
+        let accelerations = Argument::UDot.inputs(tree).filter(|_| is_swept).collect();
+        let second = derivative.second(graph, tree, weighted, plan, (places, accelerations));
+        values.extend(inputs.into_iter().zip(first.weights.iter().copied()));
+        let mut second = second.substituted(graph, &values);
+        if !is_swept {
+            second.mixed = derivative.mixed(graph, tree, plan, &first.weights);
+        }
         graph.enter(None);
         let changes = second.with_accelerations(graph, &first.rows, places);
         derived.roots.extend(changes);
@@ -106,7 +120,7 @@ impl Part {
         let tau = Variable::Given(Argument::Tau);
         let inverse = told.as_ref().and_then(|told| told.by(&tau));
         let weights = match inverse {
-            Some(inverse) => product(graph, inverse, &weights),
+            Some(inverse) => solve::product(graph, inverse, &weights),
             None => inverse_mass::solution(graph, tree, one_by_one, weights),
         };
         let u_dot = told.and_then(|told| told.values);
@@ -124,26 +138,51 @@ impl Part {
 }
 
 impl Derivative {
-    /// Second derivatives of the weighted sum of forces, by the variables and the accelerations, which are inputs.
+    /// `L_xa` at these weights: by coordinates the derivatives of the mass matrix times the weights, by others zero.
+    fn mixed(
+        &self,
+        graph: &mut ExprGraph,
+        tree: &Tree,
+        plan: &Plan,
+        weights: &[Expr],
+    ) -> Vec<Vec<Expr>> {
+        let found = derivatives::of_mass_matrix_product(graph, tree, plan).by_q;
+        let weights = Argument::UDot.inputs(tree).zip(weights.iter().copied());
+        let by_q = graph.substituted(&found.concat(), &weights.collect());
+        let zero = vec![graph.zero(); tree.n_speeds];
+        let mut rows = Vec::new();
+        for variable in &self.by {
+            if *variable == Variable::Given(Argument::Q) {
+                let column = |own: usize| by_q[own..].iter().step_by(tree.n_speeds);
+                let columns = (0..tree.n_speeds).map(column);
+                rows.extend(columns.map(|own| own.map(|entry| -*entry).collect()));
+            } else {
+                rows.resize(rows.len() + variable.n_entries(tree), zero.clone());
+            }
+        }
+        rows
+    }
+
+    /// Second derivatives of the weighted sum of forces, by the variables and these accelerations, which are inputs.
     fn second(
         &self,
         graph: &mut ExprGraph,
         tree: &Tree,
         weighted: (&[Argument], &[Expr]),
         plan: &Plan,
-        places: &[[usize; 2]],
+        (places, accelerations): (&[[usize; 2]], Vec<Input>),
     ) -> Second {
         graph.enter(None);
         let (mut seeds, columns) = self.seeds(graph, tree);
         let n_columns = columns.last().map_or(0, |last| last.end);
         let gradient = gradient(graph, tree, weighted, &seeds, n_columns);
         let one = graph.one();
-        let accelerations = Argument::UDot.inputs(tree).zip(n_columns..);
+        let all = n_columns..n_columns + accelerations.len();
+        let accelerations = accelerations.into_iter().zip(all.clone());
         seeds.extend(accelerations.map(|(input, column)| (input, vec![(column, one)])));
         let is_reverse = plan.uses(Technique::Reverse);
         let sweep = if is_reverse { reverse } else { forward };
         let rows = sweep(graph, &gradient, &seeds);
-        let all = n_columns..n_columns + tree.n_speeds;
         let mixed = rows.iter().map(|row| entries(graph, row, all.clone()));
         Second {
             mixed: mixed.collect(),

@@ -123,21 +123,8 @@ pub(in crate::functions) fn solved(
     columns: Vec<Vec<Expr>>,
 ) -> Vec<Vec<Expr>> {
     let columns = columns.into_iter().map(|own| match inverse {
-        Some(inverse) => product(graph, inverse, &own),
+        Some(inverse) => solve::product(graph, inverse, &own),
         None => inverse_mass::solution(graph, tree, plan, own),
     });
     columns.collect()
-}
-
-/// A matrix times a column.
-pub(super) fn product(graph: &mut ExprGraph, matrix: &SpeedMatrix, column: &[Expr]) -> Vec<Expr> {
-    let rows = matrix.iter().map(|row| {
-        let mut sum = graph.zero();
-        for (&entry, &factor) in row.iter().zip(column) {
-            let term = graph.mul(entry, factor);
-            sum = graph.add(sum, term);
-        }
-        sum
-    });
-    rows.collect()
 }

@@ -41,9 +41,10 @@ use super::{
     plan::{Plan, Technique},
 };
 use crate::{
-    expr::{ExprGraph, Purpose},
+    expr::{Expr, ExprGraph, Input, Purpose},
     given::{Accelerations, Loads},
-    id::BodyMap,
+    id::{BodyMap, SpeedId},
+    solve::zero_matrix,
     tree::Tree,
 };
 
@@ -57,6 +58,38 @@ pub fn of_inverse_dynamics(
     wanted: Wanted,
 ) -> Derivatives {
     let linkage = Linkage::of_speeds(graph, tree, plan);
+    on_links(graph, linkage, accelerations, loads, wanted)
+}
+
+/// Those of `A y_dot` alone by coordinates and accelerations, of a system at rest without weight.
+pub fn of_mass_matrix_product(graph: &mut ExprGraph, tree: &Tree, plan: &Plan) -> Derivatives {
+    let linkage = Linkage::weightless(graph, tree, plan);
+    let (given, wanted) = (Accelerations::Given, Wanted::ALL);
+    let found = on_links(graph, linkage, given, Loads::Absent, wanted);
+    let at_rest = (0..tree.n_speeds).map(|speed| (Input::U(SpeedId::new(speed)), graph.zero()));
+    let at_rest = at_rest.collect();
+    let [by_q, by_u_dot] = [found.by_q, found.by_u_dot].map(|matrix| {
+        let entries = graph.substituted(&matrix.concat(), &at_rest);
+        entries
+            .chunks(tree.n_speeds)
+            .map(<[Expr]>::to_vec)
+            .collect()
+    });
+    Derivatives {
+        by_q,
+        by_u_dot,
+        by_u: zero_matrix(graph, tree.n_speeds),
+    }
+}
+
+fn on_links(
+    graph: &mut ExprGraph,
+    linkage: Linkage<'_>,
+    accelerations: Accelerations<'_>,
+    loads: Loads,
+    wanted: Wanted,
+) -> Derivatives {
+    let Linkage { tree, plan, .. } = linkage;
     let wrenches = loaded::needed(graph, &linkage, accelerations, loads);
     graph.begin(Purpose::Derivative);
     let ways = ways(graph, &linkage, accelerations);

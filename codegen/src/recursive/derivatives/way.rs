@@ -51,7 +51,11 @@ pub(super) fn ways(
     BodyMap::outward(tree.bodies.len(), |body, ways: &BodyMap<Went>| {
         graph.enter(body);
         let lower = tree.lower(body).map(|lower| &ways[lower]);
-        let base = gravity.map(|along| -along);
+        let base = if linkage.falls[body] {
+            graph.zero_vector()
+        } else {
+            gravity.map(|along| -along)
+        };
         let motion = lower.map(|lower| &lower.motion);
         let mut way = Way {
             moving: Moving::new(graph, motion, base, accelerations),

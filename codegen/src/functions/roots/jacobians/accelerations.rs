@@ -8,6 +8,7 @@ use crate::{
     id::{BodyId, SpeedId},
     recursive::{
         Plan, Technique,
+        accelerations::inverse_mass,
         derivatives::{self, Derivatives, Wanted},
         forces::{gravity, inverse_dynamics},
     },
@@ -44,6 +45,39 @@ pub(in crate::functions) fn loaded_forward_dynamics(
     plan: &Plan,
 ) -> Jacobians {
     of_accelerations(graph, tree, plan, Loads::Given)
+}
+
+/// By coordinates `-M^-1` times how the mass matrix times these accelerations changes; by forces `M^-1`.
+pub(in crate::functions) fn mass_matrix_solve(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Jacobians {
+    let inverse = inverse_mass::inverse(graph, tree, plan);
+    let tau = dynamics::applied(graph, tree);
+    let u_dot = solve::product(graph, &inverse, &tau);
+    // What depends on speeds falls away afterwards, which it does not in calls.
+    let plan = &plan.with(Technique::Lockstep, false);
+    let needed = derivatives::of_mass_matrix_product(graph, tree, plan).by_q;
+    let values = Argument::UDot.inputs(tree).zip(u_dot.iter().copied());
+    let needed = graph.substituted(&needed.concat(), &values.collect());
+    let columns = (0..tree.n_speeds).map(|own| {
+        let column: Vec<Expr> = needed[own..]
+            .iter()
+            .step_by(tree.n_speeds)
+            .copied()
+            .collect();
+        negated(solve::product(graph, &inverse, &column))
+    });
+    let columns: Vec<Vec<Expr>> = columns.collect();
+    Jacobians {
+        by: vec![
+            (Argument::Q, solve::transposed(&columns)),
+            (Argument::Tau, inverse),
+        ],
+        values: Some(u_dot),
+        mass: None,
+    }
 }
 
 /// By coordinates and speeds `-M^-1` times how the forces change at these accelerations; by forces `M^-1`.

@@ -9,7 +9,7 @@ use crate::{
     },
     given::{Accelerations, Loads},
     recursive::{
-        Plan,
+        Plan, Technique,
         derivatives::{self, Wanted},
         totals::energy,
     },
@@ -46,6 +46,23 @@ pub(in crate::functions) fn forcing(graph: &mut ExprGraph, tree: &Tree, plan: &P
         }
     }
     needed
+}
+
+/// A system at rest without weight, whose rotors do not depend on coordinates.
+pub(in crate::functions) fn mass_matrix_product(
+    graph: &mut ExprGraph,
+    tree: &Tree,
+    plan: &Plan,
+) -> Jacobians {
+    // What depends on speeds falls away afterwards, which it does not in calls.
+    let plan = &plan.with(Technique::Lockstep, false);
+    let found = derivatives::of_mass_matrix_product(graph, tree, plan);
+    let mass = dynamics::with_rotors(graph, tree, found.by_u_dot);
+    Jacobians {
+        by: vec![(Argument::Q, found.by_q), (Argument::UDot, mass.clone())],
+        values: None,
+        mass: Some(mass),
+    }
 }
 
 /// Weights have a potential: its second derivatives are symmetric but along turns about axes of one body, whose order matters.
