@@ -1,9 +1,8 @@
 //! Ways to derive a function: candidates, of which the one with the fewest operations is emitted.
 
-use std::fmt;
-
 use super::{
     derived::{Derived, pattern},
+    formulation::{Formulation, Way},
     subject::Subject,
 };
 use crate::{
@@ -13,15 +12,6 @@ use crate::{
     recursive::Plan,
     tree::Tree,
 };
-
-/// How the sums over bodies are associated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Formulation {
-    /// The notes' equations as they stand.
-    Notes,
-    /// Re-associated along the tree.
-    Recursive,
-}
 
 /// One way to derive a function.
 #[derive(Clone, Copy, Debug)]
@@ -42,25 +32,28 @@ enum Terms {
 }
 
 /// How entries are built.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 enum Rule {
-    /// From the tree.
-    Plain(fn(&mut ExprGraph, &Tree) -> Vec<Expr>),
-    /// From the tree, by a plan that is searched for.
-    Planned(fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>),
-    /// Compact partial velocities, from the tree.
+    /// By the notes' equations alone.
+    Notes(fn(&mut ExprGraph, &Tree) -> Vec<Expr>),
+    /// Compact partial velocities, by the notes' equations alone.
     Columns(fn(&mut ExprGraph, &Tree) -> BodyMap<Row>),
-    /// Of frames, along the links of a plan, or by the notes' equations, which need none.
-    OfFrame(OfFrame),
+    /// Either way.
+    Either(Either),
+    /// Of frames, either way.
+    OfFrames(OfFrames),
 }
 
-/// The entries of a function of frames; without a plan, by the notes' equations.
-pub(super) type OfFrame = fn(&mut ExprGraph, &Tree, Option<&Plan>, &Subject) -> Vec<Expr>;
+/// The entries of a function of the system.
+pub(super) type Either = fn(&mut ExprGraph, &Tree, Way<'_>) -> Vec<Expr>;
+
+/// The entries of a function of frames.
+pub(super) type OfFrames = fn(&mut ExprGraph, &Tree, Way<'_>, &Subject) -> Vec<Expr>;
 
 impl Candidate {
     /// The notes' equations.
-    pub(super) const fn plain(entries: fn(&mut ExprGraph, &Tree) -> Vec<Expr>) -> Self {
-        Self::new(Formulation::Notes, Rule::Plain(entries))
+    pub(super) const fn notes(entries: fn(&mut ExprGraph, &Tree) -> Vec<Expr>) -> Self {
+        Self::new(Formulation::Notes, Rule::Notes(entries))
     }
 
     /// The notes' equations, for compact partial velocities.
@@ -68,17 +61,37 @@ impl Candidate {
         Self::new(Formulation::Notes, Rule::Columns(rows))
     }
 
-    /// Both, for a function of frames.
-    pub(super) const fn of_frame(entries: OfFrame) -> [Self; 2] {
-        [
-            Self::new(Formulation::Notes, Rule::OfFrame(entries)),
-            Self::new(Formulation::Recursive, Rule::OfFrame(entries)),
-        ]
+    /// Both ways.
+    pub(super) const fn either(entries: Either) -> [Self; 2] {
+        Self::both(Rule::Either(entries))
+    }
+
+    /// The same where sums have at least so many terms in the notes.
+    pub(super) const fn either_with_terms(
+        entries: Either,
+        least_terms: fn(&Tree) -> usize,
+    ) -> [Self; 2] {
+        let [notes, recursive] = Self::either(entries);
+        [notes.with_terms(least_terms), recursive]
+    }
+
+    /// The same where both factorise the mass matrix.
+    pub(super) const fn either_factorising(
+        entries: Either,
+        least_terms: fn(&Tree) -> usize,
+    ) -> [Self; 2] {
+        let [notes, recursive] = Self::either_with_terms(entries, least_terms);
+        [notes.factorising(), recursive.factorising()]
+    }
+
+    /// Both ways, for a function of frames.
+    pub(super) const fn of_frame(entries: OfFrames) -> [Self; 2] {
+        Self::both(Rule::OfFrames(entries))
     }
 
     /// The same where sums have at least so many terms in the notes.
     pub(super) const fn of_frame_with_terms(
-        entries: OfFrame,
+        entries: OfFrames,
         least_terms: fn(&Tree, &Subject) -> usize,
     ) -> [Self; 2] {
         let [mut notes, recursive] = Self::of_frame(entries);
@@ -88,7 +101,7 @@ impl Candidate {
 
     /// The same where both factorise the mass matrix, whose sums have at least so many terms in the notes.
     pub(super) const fn of_frames_factorising(
-        entries: OfFrame,
+        entries: OfFrames,
         least_terms: fn(&Tree) -> usize,
     ) -> [Self; 2] {
         let [notes, recursive] = Self::of_frame(entries);
@@ -96,9 +109,11 @@ impl Candidate {
         [notes.factorising(), recursive.factorising()]
     }
 
-    /// Sums re-associated along the tree, by a plan.
-    pub(super) const fn planned(entries: fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>) -> Self {
-        Self::new(Formulation::Recursive, Rule::Planned(entries))
+    const fn both(rule: Rule) -> [Self; 2] {
+        [
+            Self::new(Formulation::Notes, rule),
+            Self::new(Formulation::Recursive, rule),
+        ]
     }
 
     const fn new(formulation: Formulation, rule: Rule) -> Self {
@@ -111,7 +126,7 @@ impl Candidate {
     }
 
     /// The same, with a lower bound of its terms.
-    pub(super) const fn with_terms(self, least_terms: fn(&Tree) -> usize) -> Self {
+    const fn with_terms(self, least_terms: fn(&Tree) -> usize) -> Self {
         Self {
             least_terms: Terms::OfTree(least_terms),
             ..self
@@ -119,7 +134,7 @@ impl Candidate {
     }
 
     /// The same, for one that factorises the mass matrix.
-    pub(super) const fn factorising(self) -> Self {
+    const fn factorising(self) -> Self {
         Self {
             factorises: true,
             ..self
@@ -138,16 +153,12 @@ impl Candidate {
 
     /// True where a plan is to be searched for.
     pub(super) fn takes_plan(&self) -> bool {
-        match self.rule {
-            Rule::Plain(_) | Rule::Columns(_) => false,
-            Rule::Planned(_) => true,
-            Rule::OfFrame(_) => self.formulation == Formulation::Recursive,
-        }
+        self.formulation == Formulation::Recursive
     }
 
     /// True where inertias have a say in which plan is cheapest.
     pub(super) fn reads_inertias(&self) -> bool {
-        let moves_only = matches!(self.rule, Rule::OfFrame(_)) && !self.factorises;
+        let moves_only = matches!(self.rule, Rule::OfFrames(_)) && !self.factorises;
         self.takes_plan() && !moves_only
     }
 
@@ -160,12 +171,13 @@ impl Candidate {
         subject: Option<&Subject>,
     ) {
         let graph = &mut derived.graph;
+        let way = self.formulation.by(plan);
         let entries = match self.rule {
-            Rule::Plain(entries) => entries(graph, tree),
-            Rule::Planned(entries) => entries(graph, tree, plan),
-            Rule::OfFrame(entries) => {
+            Rule::Notes(entries) => entries(graph, tree),
+            Rule::Either(entries) => entries(graph, tree, way),
+            Rule::OfFrames(entries) => {
                 let subject = subject.expect("functions: what is of a frame has one");
-                entries(graph, tree, self.takes_plan().then_some(plan), subject)
+                entries(graph, tree, way, subject)
             }
             Rule::Columns(rows) => {
                 let rows = rows(graph, tree);
@@ -175,26 +187,5 @@ impl Candidate {
             }
         };
         derived.roots.extend(entries);
-    }
-}
-
-impl Formulation {
-    /// "notes" or "recursive".
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Notes => "notes",
-            Self::Recursive => "recursive",
-        }
-    }
-}
-
-impl fmt::Debug for Rule {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Plain(_) => "Plain",
-            Self::Planned(_) => "Planned",
-            Self::Columns(_) => "Columns",
-            Self::OfFrame(_) => "OfFrame",
-        })
     }
 }

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use super::{
     argument::Argument,
-    candidate::{Candidate, Formulation},
+    candidate::{Candidate, Either},
+    formulation::Formulation,
     multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
     subject::{Subject, View},
@@ -60,7 +61,7 @@ pub(super) struct Jacobians {
 }
 
 /// Forces that accelerations need, which are inputs.
-pub(super) type InverseDynamicsFn = fn(&mut ExprGraph, &Tree, &Plan) -> Vec<Expr>;
+pub(super) type InverseDynamicsFn = Either;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

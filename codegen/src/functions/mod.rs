@@ -9,6 +9,7 @@ mod candidate;
 mod catalogue;
 mod derivatives;
 mod derived;
+mod formulation;
 mod function;
 mod multiplier;
 mod names;
@@ -24,7 +25,7 @@ mod terms;
 mod variable;
 
 pub use argument::Argument;
-pub use candidate::{Candidate, Formulation};
+pub use candidate::Candidate;
 pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use derivatives::{
     coloring::colors,
@@ -33,6 +34,7 @@ pub use derivatives::{
     sparsity::Sparsity,
 };
 pub use derived::{CompactBlock, Derived, pattern};
+pub use formulation::Formulation;
 pub use function::{Function, Of, Output, PRESCRIBED};
 pub use multiplier::Multiplier;
 pub use names::dictionary::{advice, elsewhere, variable_elsewhere};

@@ -6,8 +6,9 @@ use std::collections::BTreeSet;
 
 use super::{
     argument::Argument,
-    candidate::{Candidate, Formulation},
+    candidate::Candidate,
     derived::Derived,
+    formulation::Formulation,
     function::{Function, Output, Unknown},
     packed::Packed,
     parse::syntax::AT_SIN_COS,

@@ -18,10 +18,10 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         "Generalized forces of the loads, Eq. (36): `tau`, without gravity; N m for an angle's speed, N for a translation's.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::generalized_forces).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::generalized_forces_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(
+        roots::dynamics::generalized_forces,
+        terms::of_vector,
+    ),
     ..PLAIN
 };
 
@@ -34,10 +34,7 @@ pub(super) const MASS_MATRIX: Function = Function {
     doc: &[
         "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::mass_matrix).with_terms(terms::of_matrix),
-        Candidate::planned(roots::dynamics::mass_matrix_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(roots::dynamics::mass_matrix, terms::of_matrix),
     ..PLAIN
 };
 
@@ -50,10 +47,10 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
         "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
         "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::mass_matrix_packed).with_terms(terms::of_matrix),
-        Candidate::planned(roots::dynamics::mass_matrix_packed_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(
+        roots::dynamics::mass_matrix_packed,
+        terms::of_matrix,
+    ),
     ..PLAIN
 };
 
@@ -66,10 +63,7 @@ pub(super) const FORCING: Function = Function {
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::forcing).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::forcing_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(roots::dynamics::forcing, terms::of_vector),
     ..PLAIN
 };
 
@@ -84,10 +78,7 @@ pub(super) const BIAS: Function = Function {
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::bias).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::bias_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(roots::dynamics::bias, terms::of_vector),
     ..PLAIN
 };
 
@@ -101,10 +92,7 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::gravity_forces).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::gravity_forces_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(roots::dynamics::gravity_forces, terms::of_vector),
     ..PLAIN
 };
 
@@ -119,10 +107,7 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::inverse_dynamics).with_terms(terms::of_vector),
-        Candidate::planned(roots::dynamics::inverse_dynamics_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(roots::dynamics::inverse_dynamics, terms::of_vector),
     ..PLAIN
 };
 
@@ -134,15 +119,12 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     is_default: true,
     solves_for: Some(Unknown::Accelerations),
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
-    inverse_dynamics: Some(roots::dynamics::inverse_dynamics_recursive),
+    inverse_dynamics: Some(roots::dynamics::inverse_dynamics),
     doc: &[
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::forward_dynamics).with_terms(terms::of_matrix),
-        Candidate::planned(roots::dynamics::forward_dynamics_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(roots::dynamics::forward_dynamics, terms::of_matrix),
     ..PLAIN
 };
 
@@ -154,11 +136,6 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     doc: &[
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],
-    candidates: &[
-        Candidate::plain(roots::dynamics::pivots)
-            .with_terms(terms::of_matrix)
-            .factorising(),
-        Candidate::planned(roots::dynamics::pivots_recursive).factorising(),
-    ],
+    candidates: &Candidate::either_factorising(roots::dynamics::pivots, terms::of_matrix),
     ..PLAIN
 };

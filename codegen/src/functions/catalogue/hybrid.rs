@@ -26,9 +26,9 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "none `forward_dynamics`. N m and rad/s^2 for an angle's speed, N and m/s^2 for a translation's. Also known as mixed dynamics, hybrid aba.",
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
-    candidates: &[
-        Candidate::plain(roots::hybrid::hybrid_dynamics).with_terms(terms::of_partitioned),
-        Candidate::planned(roots::hybrid::hybrid_dynamics_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(
+        roots::hybrid::hybrid_dynamics,
+        terms::of_partitioned,
+    ),
     ..PLAIN
 };

@@ -16,7 +16,7 @@ pub(super) const RELATIVE_ROTATION: Function = Function {
     doc: &[
         "Relative transformation matrices `JR_K`, Eq. (4): components in the lower body's axes to components in the body's, by rows.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::relative_rotation)],
+    candidates: &[Candidate::notes(roots::kinematics::relative_rotation)],
     ..PLAIN
 };
 
@@ -30,7 +30,7 @@ pub(super) const ROTATION: Function = Function {
         "Transformation matrices `R_K`, Eqs. (2)-(5): inertial components to components in the body's axes, by rows.",
         "The transposed matrix maps body components to inertial ones.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::rotation)],
+    candidates: &[Candidate::notes(roots::kinematics::rotation)],
     ..PLAIN
 };
 
@@ -42,7 +42,7 @@ pub(super) const RELATIVE_ANGULAR_VELOCITY: Function = Function {
     doc: &[
         "Angular velocity of each body relative to its lower body, Eq. (8): body components, rad/s.",
     ],
-    candidates: &[Candidate::plain(
+    candidates: &[Candidate::notes(
         roots::kinematics::relative_angular_velocity,
     )],
     ..PLAIN
@@ -56,7 +56,7 @@ pub(super) const ANGULAR_VELOCITY: Function = Function {
     doc: &[
         "Angular velocity of each body in the inertial frame, Eq. (11): body components, rad/s.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::angular_velocity)],
+    candidates: &[Candidate::notes(roots::kinematics::angular_velocity)],
     ..PLAIN
 };
 
@@ -68,7 +68,7 @@ pub(super) const ANGULAR_ACCELERATION: Function = Function {
     doc: &[
         "Angular acceleration of each body in the inertial frame, below Eq. (19): body components, rad/s^2.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::angular_acceleration)],
+    candidates: &[Candidate::notes(roots::kinematics::angular_acceleration)],
     ..PLAIN
 };
 
@@ -110,7 +110,7 @@ pub(super) const ORIGIN_POSITION: Function = Function {
     doc: &[
         "Position of each body's origin `O_K` from the inertial origin, Eq. (22): body components, m.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::origin_position)],
+    candidates: &[Candidate::notes(roots::kinematics::origin_position)],
     ..PLAIN
 };
 
@@ -123,7 +123,7 @@ pub(super) const MASS_CENTER_POSITION: Function = Function {
     doc: &[
         "Position of each body's mass centre `G_K` from the inertial origin, Eq. (23): body components, m.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::mass_center_position)],
+    candidates: &[Candidate::notes(roots::kinematics::mass_center_position)],
     ..PLAIN
 };
 
@@ -135,7 +135,7 @@ pub(super) const ORIGIN_VELOCITY: Function = Function {
     doc: &[
         "Velocity of each body's origin in the inertial frame, Eq. (25): lower-body components, m/s.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::origin_velocity)],
+    candidates: &[Candidate::notes(roots::kinematics::origin_velocity)],
     ..PLAIN
 };
 
@@ -147,7 +147,7 @@ pub(super) const MASS_CENTER_VELOCITY: Function = Function {
     doc: &[
         "Velocity of each body's mass centre in the inertial frame, Eq. (27): body components, m/s.",
     ],
-    candidates: &[Candidate::plain(roots::kinematics::mass_center_velocity)],
+    candidates: &[Candidate::notes(roots::kinematics::mass_center_velocity)],
     ..PLAIN
 };
 
@@ -215,7 +215,7 @@ pub(super) const MASS_CENTER_ACCELERATION: Function = Function {
     doc: &[
         "Acceleration of each body's mass centre in the inertial frame, before Eq. (33): body components, m/s^2; gravity is no part of it.",
     ],
-    candidates: &[Candidate::plain(
+    candidates: &[Candidate::notes(
         roots::kinematics::mass_center_acceleration,
     )],
     ..PLAIN

@@ -20,10 +20,10 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
         "A load is the resultant force at the mass centre and the resultant moment, body components; weight is none.",
     ],
-    candidates: &[
-        Candidate::plain(roots::loaded::loaded_inverse_dynamics).with_terms(terms::of_vector),
-        Candidate::planned(roots::loaded::loaded_inverse_dynamics_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(
+        roots::loaded::loaded_inverse_dynamics,
+        terms::of_vector,
+    ),
     ..PLAIN
 };
 
@@ -34,16 +34,16 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     solves_for: Some(Unknown::Accelerations),
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
-    inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics_recursive),
+    inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics),
     doc: &[
         "Forward dynamics under loads: the `u_dot` with `M u_dot + bias = tau` and the loads' generalized forces, Eq. (41), solved along the tree.",
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &[
-        Candidate::plain(roots::loaded::loaded_forward_dynamics).with_terms(terms::of_matrix),
-        Candidate::planned(roots::loaded::loaded_forward_dynamics_recursive),
-    ],
+    candidates: &Candidate::either_with_terms(
+        roots::loaded::loaded_forward_dynamics,
+        terms::of_matrix,
+    ),
     ..PLAIN
 };
 
@@ -63,9 +63,6 @@ pub(super) const JOINT_WRENCHES: Function = Function {
         "each times its multiplier, is. Also known as joint reaction, constraint force.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    candidates: &[
-        Candidate::plain(roots::loaded::joint_wrenches),
-        Candidate::planned(roots::loaded::joint_wrenches_recursive),
-    ],
+    candidates: &Candidate::either(roots::loaded::joint_wrenches),
     ..PLAIN
 };

@@ -9,7 +9,7 @@ use super::{
 use crate::{
     expr::Expr,
     functions::{
-        argument::Argument, candidate::Formulation, derived::Derived, function::Jacobians,
+        argument::Argument, derived::Derived, formulation::Formulation, function::Jacobians,
         part::Part, variable::Variable,
     },
     recursive::{Plan, Technique},

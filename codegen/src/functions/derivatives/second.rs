@@ -14,8 +14,8 @@ use crate::{
     differentiate::{forward, reverse},
     expr::{Expr, ExprGraph, Input},
     functions::{
-        argument::Argument, candidate::Formulation, derived::Derived, function::InverseDynamicsFn,
-        part::Part, variable::Variable,
+        argument::Argument, derived::Derived, formulation::Formulation,
+        function::InverseDynamicsFn, part::Part, variable::Variable,
     },
     recursive::{Plan, Technique, accelerations::inverse_mass},
     tree::Tree,

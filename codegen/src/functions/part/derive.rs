@@ -4,9 +4,10 @@ use super::Part;
 use crate::{
     expr::Expr,
     functions::{
-        candidate::{Candidate, Formulation},
+        candidate::Candidate,
         derivatives::{derivative::Asked, solved::Solution},
         derived::Derived,
+        formulation::Formulation,
     },
     recursive::{Plan, Technique},
     tree::{Tree, Value},

@@ -9,12 +9,12 @@ use std::{borrow::Cow, sync::Arc};
 
 use super::{
     argument::Argument,
-    candidate::Formulation,
     derivatives::{
         derivative::{Derivative, DerivativeKind},
         sparsity::Sparsity,
     },
     derived::Derived,
+    formulation::Formulation,
     function::{Function, Output},
     parse::syntax::written,
     shape::{Dimension, Shape},

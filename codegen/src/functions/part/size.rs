@@ -5,9 +5,9 @@ use crate::{
     expr::ExprGraph,
     functions::{
         argument::Argument,
-        candidate::Formulation,
         derivatives::derivative::DerivativeKind,
         derived::Derived,
+        formulation::{Formulation, Way},
         function::Output,
         packed::Packed,
         shape::{Dimension, Length},
@@ -46,7 +46,7 @@ impl Part {
             return SLOPES * derived.graph.len() * n_variables;
         };
         let mut graph = ExprGraph::default();
-        let _ = forces(&mut graph, tree, &plan);
+        let _ = forces(&mut graph, tree, Way::Recursive(&plan));
         let by = self.derivative.iter().flat_map(|derivative| &derivative.by);
         let by = by.filter(|variable| **variable != Variable::Given(Argument::Tau));
         let n_swept: usize = by.map(|variable| variable.n_entries(tree)).sum();

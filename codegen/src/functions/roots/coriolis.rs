@@ -2,31 +2,32 @@
 
 use crate::{
     expr::{Expr, ExprGraph},
-    kane,
-    recursive::{self, Plan},
+    functions::formulation::Way,
+    kane::coriolis as notes,
+    recursive::matrices as recursive,
     tree::Tree,
 };
 
-pub(in crate::functions) fn coriolis_matrix(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::coriolis::coriolis_matrix(graph, tree).concat()
-}
-
-pub(in crate::functions) fn coriolis_matrix_recursive(
+pub(in crate::functions) fn coriolis_matrix(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::matrices::coriolis::coriolis_matrix(graph, tree, plan).concat()
+    let matrix = match way {
+        Way::Notes => notes::coriolis_matrix(graph, tree),
+        Way::Recursive(plan) => recursive::coriolis::coriolis_matrix(graph, tree, plan),
+    };
+    matrix.concat()
 }
 
-pub(in crate::functions) fn mass_matrix_dot(graph: &mut ExprGraph, tree: &Tree) -> Vec<Expr> {
-    kane::coriolis::mass_matrix_dot(graph, tree).concat()
-}
-
-pub(in crate::functions) fn mass_matrix_dot_recursive(
+pub(in crate::functions) fn mass_matrix_dot(
     graph: &mut ExprGraph,
     tree: &Tree,
-    plan: &Plan,
+    way: Way<'_>,
 ) -> Vec<Expr> {
-    recursive::matrices::mass_matrix_dot::mass_matrix_dot(graph, tree, plan).concat()
+    let matrix = match way {
+        Way::Notes => notes::mass_matrix_dot(graph, tree),
+        Way::Recursive(plan) => recursive::mass_matrix_dot::mass_matrix_dot(graph, tree, plan),
+    };
+    matrix.concat()
 }
