@@ -4,11 +4,12 @@ use std::borrow::Cow;
 
 use super::{
     argument::Argument,
-    candidate::{Candidate, Either},
+    derivation::{Derivation, EitherWay},
     formulation::Formulation,
     multiplier::MULTIPLIER,
     shape::{Dimension, Shape},
-    subject::{Subject, View},
+    subject::View,
+    terms::Terms,
 };
 use crate::{
     expr::{Expr, ExprGraph},
@@ -46,8 +47,12 @@ pub struct Function {
     /// Lines of documentation: meaning, equation, frame, unit, signs, the aliases people search for. In that of a
     /// function of a frame words in braces stand for what the frame is and how it is seen.
     pub doc: &'static [&'static str],
-    /// The ways to derive it; of two that need as many operations the first is emitted.
-    pub candidates: &'static [Candidate],
+    /// How its values are derived.
+    pub(super) derivation: Derivation,
+    /// How many terms the notes' sums have at least.
+    pub(super) terms: Terms,
+    /// True where the mass matrix is factorised whatever the plan, though no accelerations are solved for.
+    pub(super) factorises: bool,
 }
 
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
@@ -61,7 +66,7 @@ pub(super) struct Jacobians {
 }
 
 /// Forces that accelerations need, which are inputs.
-pub(super) type InverseDynamicsFn = Either;
+pub(super) type InverseDynamicsFn = EitherWay;
 
 /// What a function is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,7 +101,9 @@ pub(super) const PLAIN: Function = Function {
     derivatives: None,
     inverse_dynamics: None,
     doc: &[],
-    candidates: &[],
+    derivation: Derivation::Notes(|_, _| Vec::new()),
+    terms: Terms::Few,
+    factorises: false,
 };
 
 /// An output of a function.
@@ -139,30 +146,18 @@ impl Output {
 }
 
 impl Function {
-    /// The formulations in which the function can be derived.
-    pub fn formulations(&self) -> Vec<Formulation> {
-        let candidates = self.candidates.iter();
-        candidates.map(|candidate| candidate.formulation).collect()
+    /// The formulations in which the function can be derived; of two that need as many operations the first is emitted.
+    pub fn formulations(&self) -> &'static [Formulation] {
+        self.derivation.formulations()
     }
 
-    /// True where the mass matrix is factorised, whichever way it is derived.
-    pub(super) fn factorises(&self) -> bool {
-        self.candidates.iter().all(|candidate| candidate.factorises)
-    }
-
-    /// How many terms the notes' sums have at least.
-    pub(super) fn literal_terms(&self, tree: &Tree, subject: Option<&Subject>) -> usize {
-        let mut candidates = self.candidates.iter();
-        let notes = candidates.find(|candidate| candidate.formulation == Formulation::Notes);
-        notes.map_or(0, |candidate| candidate.least_terms(tree, subject))
-    }
-
-    /// The candidate of this formulation, or the first.
-    pub(super) fn candidate(&self, formulation: Formulation) -> &Candidate {
-        let mut candidates = self.candidates.iter();
-        candidates
-            .find(|candidate| candidate.formulation == formulation)
-            .unwrap_or(&self.candidates[0])
+    /// True where inertias have a say in which plan is cheapest: how frames move does not depend on them.
+    pub(super) fn reads_inertias(&self) -> bool {
+        match self.derivation {
+            Derivation::Notes(_) | Derivation::Columns(_) => false,
+            Derivation::EitherWay(_) => true,
+            Derivation::OfFrames(_) => self.factorises,
+        }
     }
 
     /// True where an output has such a dimension.

@@ -5,8 +5,8 @@
 //! model and the options, never on what else is asked for. Does not: emit.
 
 mod argument;
-mod candidate;
 mod catalogue;
+mod derivation;
 mod derivatives;
 mod derived;
 mod formulation;
@@ -25,7 +25,6 @@ mod terms;
 mod variable;
 
 pub use argument::Argument;
-pub use candidate::Candidate;
 pub use catalogue::{CATALOGUE, OF_FRAMES};
 pub use derivatives::{
     coloring::colors,

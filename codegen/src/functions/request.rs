@@ -6,7 +6,6 @@ use std::collections::BTreeSet;
 
 use super::{
     argument::Argument,
-    candidate::Candidate,
     derived::Derived,
     formulation::Formulation,
     function::{Function, Output, Unknown},
@@ -58,8 +57,7 @@ impl Request {
 
     /// True where a plan may choose how inertias are regrouped.
     pub fn reads_inertias(&self) -> bool {
-        let mut candidates = self.functions().flat_map(|function| function.candidates);
-        candidates.any(Candidate::reads_inertias)
+        self.functions().any(Function::reads_inertias)
     }
 
     /// The function of a compact output.
@@ -200,7 +198,7 @@ impl Request {
 
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub fn factorises(&self) -> bool {
-        self.functions().any(Function::factorises)
+        self.functions().any(|function| function.factorises)
     }
 
     /// True where accelerations of the prescribed speeds are given, and forces of the others.
@@ -210,7 +208,7 @@ impl Request {
 
     /// About how many operations a factorisation for it and a solution need.
     pub fn factorising(&self, tree: &Tree) -> usize {
-        let solves = |function: &&Function| function.solves_for.is_some() || function.factorises();
+        let solves = |function: &&Function| function.solves_for.is_some() || function.factorises;
         let mut solving = self.functions().filter(solves);
         if solving.all(|function| function.prescribes) {
             solve::operations(tree, &tree.prescribed)
@@ -222,7 +220,10 @@ impl Request {
     /// The formulations in which the function can be derived.
     pub fn formulations(&self) -> Vec<Formulation> {
         let functions = self.functions();
-        let mut all: Vec<_> = functions.flat_map(Function::formulations).collect();
+        let mut all: Vec<_> = functions
+            .flat_map(Function::formulations)
+            .copied()
+            .collect();
         all.sort_unstable();
         all.dedup();
         all
@@ -251,8 +252,7 @@ impl Request {
 
     /// True where this formulation needs a plan, which is searched for.
     pub fn takes_plan(&self, formulation: Formulation) -> bool {
-        let mut functions = self.functions();
-        functions.any(|function| function.candidate(formulation).takes_plan())
+        formulation == Formulation::Recursive && self.formulations().contains(&formulation)
     }
 
     /// True where some part is a derivative.

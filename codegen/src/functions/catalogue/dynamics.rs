@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN, Unknown},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const GENERALIZED_FORCES: Function = Function {
@@ -18,10 +18,8 @@ pub(super) const GENERALIZED_FORCES: Function = Function {
         "Generalized forces of the loads, Eq. (36): `tau`, without gravity; N m for an angle's speed, N for a translation's.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    candidates: &Candidate::either_with_terms(
-        roots::dynamics::generalized_forces,
-        terms::of_vector,
-    ),
+    derivation: Derivation::EitherWay(roots::dynamics::generalized_forces),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -34,7 +32,8 @@ pub(super) const MASS_MATRIX: Function = Function {
     doc: &[
         "Mass matrix, `A` of Eq. (42), with `M u_dot + bias = tau`: symmetric, every entry written. Also known as joint-space inertia, crba.",
     ],
-    candidates: &Candidate::either_with_terms(roots::dynamics::mass_matrix, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -47,10 +46,8 @@ pub(super) const MASS_MATRIX_PACKED: Function = Function {
         "The entries of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero.",
         "`MASS_MATRIX_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
-    candidates: &Candidate::either_with_terms(
-        roots::dynamics::mass_matrix_packed,
-        terms::of_matrix,
-    ),
+    derivation: Derivation::EitherWay(roots::dynamics::mass_matrix_packed),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -63,7 +60,8 @@ pub(super) const FORCING: Function = Function {
     doc: &[
         "Right-hand side `f` of Eqs. (41), (43): `M u_dot = f`; the loads' generalized forces less the bias.",
     ],
-    candidates: &Candidate::either_with_terms(roots::dynamics::forcing, terms::of_vector),
+    derivation: Derivation::EitherWay(roots::dynamics::forcing),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -78,7 +76,8 @@ pub(super) const BIAS: Function = Function {
         "Bias, with `M u_dot + bias = tau`: centrifugal, Coriolis and gyroscopic terms, weight, springs and dampers; the `-f` of Eq. (43) without loads.",
         "Also known as nonlinear effects, nle, `C q_dot + g`.",
     ],
-    candidates: &Candidate::either_with_terms(roots::dynamics::bias, terms::of_vector),
+    derivation: Derivation::EitherWay(roots::dynamics::bias),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -92,7 +91,8 @@ pub(super) const GRAVITY_FORCES: Function = Function {
         "The `tau` that holds the system at rest against gravity alone: the part of `bias` that gravity has, without springs.",
         "N m for an angle's speed, N for a translation's. Also known as gravity torque, generalized gravity, `g(q)`.",
     ],
-    candidates: &Candidate::either_with_terms(roots::dynamics::gravity_forces, terms::of_vector),
+    derivation: Derivation::EitherWay(roots::dynamics::gravity_forces),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -107,7 +107,8 @@ pub(super) const INVERSE_DYNAMICS: Function = Function {
         "Inverse dynamics: the `tau = M u_dot + bias` that gives the accelerations `u_dot`. Also known as rnea, computed torque.",
         "N m for an angle's speed, N for a translation's.",
     ],
-    candidates: &Candidate::either_with_terms(roots::dynamics::inverse_dynamics, terms::of_vector),
+    derivation: Derivation::EitherWay(roots::dynamics::inverse_dynamics),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -124,7 +125,8 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
         "Forward dynamics: the `u_dot` with `M u_dot + bias = tau`, Eq. (41), solved along the tree, by `L^T D L` or by articulated bodies. Also known as aba.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &Candidate::either_with_terms(roots::dynamics::forward_dynamics, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::dynamics::forward_dynamics),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -136,6 +138,8 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     doc: &[
         "The pivots `D` of the mass matrix, `L^T D L` along the tree, by speed: all positive where it is positive definite.",
     ],
-    candidates: &Candidate::either_factorising(roots::dynamics::pivots, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::dynamics::pivots),
+    terms: Terms::OfMatrix,
+    factorises: true,
     ..PLAIN
 };

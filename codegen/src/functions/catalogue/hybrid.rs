@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN, Unknown},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const HYBRID_DYNAMICS: Function = Function {
@@ -26,9 +26,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         "none `forward_dynamics`. N m and rad/s^2 for an angle's speed, N and m/s^2 for a translation's. Also known as mixed dynamics, hybrid aba.",
         "Nothing is checked: where the mass matrix of the others is not positive definite the result is whatever IEEE arithmetic gives.",
     ],
-    candidates: &Candidate::either_with_terms(
-        roots::hybrid::hybrid_dynamics,
-        terms::of_partitioned,
-    ),
+    derivation: Derivation::EitherWay(roots::hybrid::hybrid_dynamics),
+    terms: Terms::OfPartitioned,
     ..PLAIN
 };

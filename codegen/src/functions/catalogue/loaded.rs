@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN, Unknown},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
@@ -20,10 +20,8 @@ pub(super) const LOADED_INVERSE_DYNAMICS: Function = Function {
         "`generalized_forces` of the loads, N m for an angle's speed, N for a translation's. Also known as rnea with external forces, fext.",
         "A load is the resultant force at the mass centre and the resultant moment, body components; weight is none.",
     ],
-    candidates: &Candidate::either_with_terms(
-        roots::loaded::loaded_inverse_dynamics,
-        terms::of_vector,
-    ),
+    derivation: Derivation::EitherWay(roots::loaded::loaded_inverse_dynamics),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -40,10 +38,8 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
         "Also known as aba with external forces, fext. A load is the resultant force at the mass centre and the resultant moment, body components.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &Candidate::either_with_terms(
-        roots::loaded::loaded_forward_dynamics,
-        terms::of_matrix,
-    ),
+    derivation: Derivation::EitherWay(roots::loaded::loaded_forward_dynamics),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -63,6 +59,6 @@ pub(super) const JOINT_WRENCHES: Function = Function {
         "each times its multiplier, is. Also known as joint reaction, constraint force.",
         "A load is the resultant force at the mass centre and the resultant moment, body components.",
     ],
-    candidates: &Candidate::either(roots::loaded::joint_wrenches),
+    derivation: Derivation::EitherWay(roots::loaded::joint_wrenches),
     ..PLAIN
 };

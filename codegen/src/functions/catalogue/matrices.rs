@@ -2,11 +2,11 @@
 
 use crate::functions::{
     argument::Argument,
-    candidate::Candidate,
+    derivation::Derivation,
     function::{Function, Output, PLAIN, Unknown},
     roots,
     shape::Shape,
-    terms,
+    terms::Terms,
 };
 
 pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
@@ -18,7 +18,8 @@ pub(super) const MASS_MATRIX_PRODUCT: Function = Function {
         "The mass matrix of Eq. (42) times accelerations, `tau = M u_dot`, rotors included: inverse dynamics without bias. No matrix is formed.",
         "N m for an angle's speed, N for a translation's. Also known as mass-matrix-vector product; with speeds in place of `u_dot`, generalized momentum.",
     ],
-    candidates: &Candidate::either_with_terms(roots::matrices::product, terms::of_vector),
+    derivation: Derivation::EitherWay(roots::matrices::product),
+    terms: Terms::OfVector,
     ..PLAIN
 };
 
@@ -34,7 +35,8 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
         "For several right-hand sides at once `R` holds several numbers: lanes, one right-hand side each. Also known as solve-M, computeMinverse times a vector.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &Candidate::either_with_terms(roots::matrices::solution, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::matrices::solution),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -49,7 +51,8 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
         "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
         "Nothing is checked: where the mass matrix is not positive definite the result is whatever IEEE arithmetic gives; see `forward_dynamics_pivots`.",
     ],
-    candidates: &Candidate::either_with_terms(roots::matrices::inverse, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::matrices::inverse),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -63,7 +66,8 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
         "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
         "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",
     ],
-    candidates: &Candidate::either_with_terms(roots::matrices::inverse_packed, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::matrices::inverse_packed),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -78,10 +82,9 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
         "`MASS_MATRIX_FACTORS_PLACES` says at which two speeds each stands, row after row: as a packed mass matrix, with more only where there is fill.",
         "`MASS_MATRIX_FACTORS_ORDER` says in which order speeds are eliminated: an entry of L is in the row of that of its two speeds which comes first there. Also known as LTDL, sparse Cholesky.",
     ],
-    candidates: &Candidate::either_factorising(
-        roots::matrices::mass_matrix_factors,
-        terms::of_matrix,
-    ),
+    derivation: Derivation::EitherWay(roots::matrices::mass_matrix_factors),
+    terms: Terms::OfMatrix,
+    factorises: true,
     ..PLAIN
 };
 
@@ -95,7 +98,8 @@ pub(super) const CORIOLIS_MATRIX: Function = Function {
         "Of every particle `m V^T V_dot`, from Eqs. (15), (20), (32), (33): where all speeds are rates of coordinates it is that of the Christoffel symbols of the first kind,",
         "with angular velocities as speeds that which bodies have. Also known as centrifugal and Coriolis matrix, computeCoriolisMatrix, `C(q, q_dot)`.",
     ],
-    candidates: &Candidate::either_with_terms(roots::coriolis::coriolis_matrix, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::coriolis::coriolis_matrix),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };
 
@@ -107,6 +111,7 @@ pub(super) const MASS_MATRIX_DOT: Function = Function {
     doc: &[
         "Rate of the mass matrix of Eq. (42) for the motion `u`, `M_dot = C + C^T`: symmetric, every entry written. Also known as time derivative of the joint-space inertia.",
     ],
-    candidates: &Candidate::either_with_terms(roots::coriolis::mass_matrix_dot, terms::of_matrix),
+    derivation: Derivation::EitherWay(roots::coriolis::mass_matrix_dot),
+    terms: Terms::OfMatrix,
     ..PLAIN
 };

@@ -4,7 +4,6 @@ use super::Part;
 use crate::{
     expr::Expr,
     functions::{
-        candidate::Candidate,
         derivatives::{derivative::Asked, solved::Solution},
         derived::Derived,
         formulation::Formulation,
@@ -16,13 +15,12 @@ use crate::{
 impl Part {
     /// By what it is derived. The recursion relies on rotations being orthonormal, which they are not where an entry changes
     /// alone.
-    pub(in crate::functions) fn candidate(&self, tree: &Tree, wanted: Formulation) -> &Candidate {
-        let formulation = if self.is_by_turn(tree) {
-            Formulation::Notes
-        } else {
+    fn formulation(&self, tree: &Tree, wanted: Formulation) -> Formulation {
+        if self.function.formulations().contains(&wanted) && !self.is_by_turn(tree) {
             wanted
-        };
-        self.function.candidate(formulation)
+        } else {
+            Formulation::Notes
+        }
     }
 
     /// True where an entry of its frames' rotations is a variable.
@@ -46,8 +44,23 @@ impl Part {
         is_solved && tells && other.values().name() == self.name()
     }
 
-    /// Derives it after others, in the same graph, by its candidate of this formulation or by its first. Returns the values of
-    /// what it differentiates, where the derivatives needed them.
+    /// Derives the values of its function after others, in the same graph, in this formulation where it can be.
+    pub(in crate::functions) fn derive_values(
+        &self,
+        derived: &mut Derived,
+        tree: &Tree,
+        formulation: Formulation,
+        plan: &Plan,
+    ) {
+        let way = self.formulation(tree, formulation).by(plan);
+        let subject = self.subject.as_ref();
+        self.function
+            .derivation
+            .derive_in(derived, tree, way, subject);
+    }
+
+    /// Derives it after others, in the same graph, in this formulation where it can be. Returns the values of what it
+    /// differentiates, where the derivatives needed them.
     pub(in crate::functions) fn derive_in(
         &self,
         derived: &mut Derived,
@@ -55,9 +68,8 @@ impl Part {
         formulation: Formulation,
         plan: &Plan,
     ) -> Option<Vec<Expr>> {
-        let candidate = self.candidate(tree, formulation);
         let first = derived.roots.len();
-        let is_direct = candidate.formulation == Formulation::Recursive
+        let is_direct = self.formulation(tree, formulation) == Formulation::Recursive
             && plan.uses(Technique::DirectDerivatives);
         if is_direct
             && self.is_whole_derivative()
@@ -76,7 +88,7 @@ impl Part {
         let is_swept = self.derivative.is_some();
         let one_by_one = is_swept.then(|| plan.with(Technique::Lockstep, false));
         let plan = one_by_one.as_ref().unwrap_or(plan);
-        candidate.derive_in(derived, tree, plan, self.subject.as_ref());
+        self.derive_values(derived, tree, formulation, plan);
         if let Some(derivative) = &self.derivative {
             let own_length = |dimension| self.own_length(dimension, tree, 0);
             let outputs = self.function.outputs.iter();
