@@ -36,8 +36,8 @@ pub struct Function {
     pub outputs: &'static [Output],
     /// True for a function of the default set.
     pub is_default: bool,
-    /// What is solved for along the tree, by factors or by articulated bodies.
-    pub(super) solves_for: Option<Unknown>,
+    /// What of the mass matrix it takes beyond its entries.
+    pub(super) mass_matrix: MassMatrixUse,
     /// True where accelerations of the prescribed speeds are given, and forces of the others: a constant says of which.
     pub prescribes: bool,
     /// Its derivatives, where there is a cheaper way to them than to differentiate the values.
@@ -51,8 +51,6 @@ pub struct Function {
     pub(super) derivation: Derivation,
     /// How many terms the notes' sums have at least.
     pub(super) terms: Terms,
-    /// True where the mass matrix is factorised whatever the plan, though no accelerations are solved for.
-    pub(super) factorises: bool,
 }
 
 /// By each argument that it tells, how the entries of the only output change: rows are these, columns speeds.
@@ -79,12 +77,16 @@ pub enum Of {
     Frames(&'static [View]),
 }
 
-/// What equations of the mass matrix are solved for.
+/// What a function takes of the mass matrix beyond its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unknown {
-    /// Accelerations, of given forces.
+pub(super) enum MassMatrixUse {
+    /// Nothing.
+    None,
+    /// Its factors, whatever the plan: articulated bodies have none.
+    Factors,
+    /// Accelerations of given forces, by factors or by articulated bodies.
     Accelerations,
-    /// The inverse of the mass matrix, whole or packed.
+    /// The inverse, whole or packed, by factors or by articulated bodies.
     Inverse,
 }
 
@@ -96,14 +98,13 @@ pub(super) const PLAIN: Function = Function {
     arguments: &[],
     outputs: &[],
     is_default: false,
-    solves_for: None,
+    mass_matrix: MassMatrixUse::None,
     prescribes: false,
     derivatives: None,
     inverse_dynamics: None,
     doc: &[],
     derivation: Derivation::Notes(|_, _| Vec::new()),
     terms: Terms::Few,
-    factorises: false,
 };
 
 /// An output of a function.
@@ -156,7 +157,15 @@ impl Function {
         match self.derivation {
             Derivation::Notes(_) | Derivation::Columns(_) => false,
             Derivation::EitherWay(_) => true,
-            Derivation::OfFrames(_) => self.factorises,
+            Derivation::OfFrames(_) => self.mass_matrix != MassMatrixUse::None,
+        }
+    }
+
+    /// True where accelerations or the inverse of the mass matrix are solved for.
+    pub(super) fn solves(&self) -> bool {
+        match self.mass_matrix {
+            MassMatrixUse::None | MassMatrixUse::Factors => false,
+            MassMatrixUse::Accelerations | MassMatrixUse::Inverse => true,
         }
     }
 

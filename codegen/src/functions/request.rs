@@ -8,7 +8,7 @@ use super::{
     argument::Argument,
     derived::Derived,
     formulation::Formulation,
-    function::{Function, Output, Unknown},
+    function::{Function, MassMatrixUse, Output},
     packed::Packed,
     parse::syntax::AT_SIN_COS,
     part::{Part, Rows},
@@ -186,19 +186,22 @@ impl Request {
 
     /// True where accelerations or the inverse of the mass matrix are solved for.
     pub fn solves(&self) -> bool {
-        self.functions()
-            .any(|function| function.solves_for.is_some())
+        self.functions().any(Function::solves)
     }
 
     /// True where the inverse of the mass matrix is written.
     pub fn inverts(&self) -> bool {
-        self.functions()
-            .any(|function| function.solves_for == Some(Unknown::Inverse))
+        self.uses(MassMatrixUse::Inverse)
     }
 
     /// True where the mass matrix is factorised, whichever way it is derived.
     pub fn factorises(&self) -> bool {
-        self.functions().any(|function| function.factorises)
+        self.uses(MassMatrixUse::Factors)
+    }
+
+    fn uses(&self, mass_matrix: MassMatrixUse) -> bool {
+        let mut functions = self.functions();
+        functions.any(|function| function.mass_matrix == mass_matrix)
     }
 
     /// True where accelerations of the prescribed speeds are given, and forces of the others.
@@ -208,8 +211,8 @@ impl Request {
 
     /// About how many operations a factorisation for it and a solution need.
     pub fn factorising(&self, tree: &Tree) -> usize {
-        let solves = |function: &&Function| function.solves_for.is_some() || function.factorises;
-        let mut solving = self.functions().filter(solves);
+        let takes_more = |function: &&Function| function.mass_matrix != MassMatrixUse::None;
+        let mut solving = self.functions().filter(takes_more);
         if solving.all(|function| function.prescribes) {
             solve::operations(tree, &tree.prescribed)
         } else {
@@ -243,10 +246,7 @@ impl Request {
 
     /// As [`Self::n_numbers`], of the parts that solve.
     pub fn n_solved(&self, tree: &Tree) -> usize {
-        let parts = self
-            .parts
-            .iter()
-            .filter(|part| part.function.solves_for.is_some());
+        let parts = self.parts.iter().filter(|part| part.function.solves());
         parts.map(|part| part.n_numbers(tree)).sum()
     }
 

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, Output, PLAIN, Unknown},
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -118,7 +118,7 @@ pub(super) const FORWARD_DYNAMICS: Function = Function {
     arguments: &[Argument::Q, Argument::U, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
     is_default: true,
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::forward_dynamics),
     inverse_dynamics: Some(roots::dynamics::inverse_dynamics),
     doc: &[
@@ -140,6 +140,6 @@ pub(super) const FORWARD_DYNAMICS_PIVOTS: Function = Function {
     ],
     derivation: Derivation::EitherWay(roots::dynamics::pivots),
     terms: Terms::OfMatrix,
-    factorises: true,
+    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };

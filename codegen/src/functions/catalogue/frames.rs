@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, Of, Output, PLAIN},
+    function::{Function, MassMatrixUse, Of, Output, PLAIN},
     roots,
     shape::Shape,
     subject::View,
@@ -164,7 +164,7 @@ pub(super) const OPERATIONAL_INVERSE_INERTIA: Function = Function {
     ],
     derivation: Derivation::OfFrames(roots::frames::operational_inverse_inertia),
     terms: Terms::OfMatrix,
-    factorises: true,
+    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };
 

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, Output, PLAIN, Unknown},
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -17,7 +17,7 @@ pub(super) const HYBRID_DYNAMICS: Function = Function {
         Output::of_several("whole_u_dot", "whole_u_dot_multiplier", Shape::SPEEDS),
         Output::of_several("whole_tau", "whole_tau_multiplier", Shape::SPEEDS),
     ],
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     prescribes: true,
     doc: &[
         "Hybrid dynamics: of the speeds that `PRESCRIBED` marks, those of the joints that the option `prescribed` names, the accelerations are",

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, Output, PLAIN, Unknown},
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -30,7 +30,7 @@ pub(super) const LOADED_FORWARD_DYNAMICS: Function = Function {
     trait_name: Some("LoadedForwardDynamics"),
     arguments: &[Argument::Q, Argument::U, Argument::Tau, Argument::Loads],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     derivatives: Some(roots::jacobians::accelerations::loaded_forward_dynamics),
     inverse_dynamics: Some(roots::loaded::loaded_inverse_dynamics),
     doc: &[

@@ -3,7 +3,7 @@
 use crate::functions::{
     argument::Argument,
     derivation::Derivation,
-    function::{Function, Output, PLAIN, Unknown},
+    function::{Function, MassMatrixUse, Output, PLAIN},
     roots,
     shape::Shape,
     terms::Terms,
@@ -28,7 +28,7 @@ pub(super) const MASS_MATRIX_SOLVE: Function = Function {
     trait_name: Some("MassMatrixSolve"),
     arguments: &[Argument::Q, Argument::Tau],
     outputs: &[Output::new("u_dot", Shape::SPEEDS)],
-    solves_for: Some(Unknown::Accelerations),
+    mass_matrix: MassMatrixUse::Accelerations,
     inverse_dynamics: Some(roots::matrices::product),
     doc: &[
         "The accelerations `u_dot = M^-1 tau` of forces alone: forward dynamics without bias, solved along the tree. No inverse is formed.",
@@ -45,7 +45,7 @@ pub(super) const MASS_MATRIX_INVERSE: Function = Function {
     trait_name: Some("MassMatrixInverse"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("inverse", Shape::SPEED_MATRIX)],
-    solves_for: Some(Unknown::Inverse),
+    mass_matrix: MassMatrixUse::Inverse,
     doc: &[
         "The inverse of the mass matrix of Eq. (42): `u_dot = M^-1 (tau - bias)`, symmetric, every entry written.",
         "From `M = L^T D L` along the tree, or from articulated bodies. Also known as inverse joint-space inertia, Minv, computeMinverse.",
@@ -61,7 +61,7 @@ pub(super) const MASS_MATRIX_INVERSE_PACKED: Function = Function {
     trait_name: Some("MassMatrixInversePacked"),
     arguments: &[Argument::Q],
     outputs: &[Output::new("entries", Shape::INVERSE_PACKED)],
-    solves_for: Some(Unknown::Inverse),
+    mass_matrix: MassMatrixUse::Inverse,
     doc: &[
         "The entries of the inverse of the mass matrix, Eq. (42), on and below the diagonal that the tree does not make zero: those of two speeds of one tree at the root.",
         "`MASS_MATRIX_INVERSE_PACKED_PLACES` says in which row and column each stands, row after row.",
@@ -84,7 +84,7 @@ pub(super) const MASS_MATRIX_FACTORS: Function = Function {
     ],
     derivation: Derivation::EitherWay(roots::matrices::mass_matrix_factors),
     terms: Terms::OfMatrix,
-    factorises: true,
+    mass_matrix: MassMatrixUse::Factors,
     ..PLAIN
 };
 

@@ -81,8 +81,8 @@ impl Part {
             && let Some(derivative) = self.second_derivative()
             && let Some(forces) = self.function.inverse_dynamics
         {
-            let way = (formulation, plan);
-            return Some(self.derive_second(derived, tree, way, derivative, forces));
+            let by = (formulation, plan);
+            return Some(self.derive_second(derived, tree, by, derivative, forces));
         }
         // No sweep goes through calls.
         let is_swept = self.derivative.is_some();
