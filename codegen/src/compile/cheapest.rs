@@ -21,33 +21,33 @@ const MOST_CACHED: usize = 3_500;
 /// The cheapest plan that was found for the function, and what it derives.
 ///
 /// What is differentiated is planned by its values, and then by the cheaper way to differentiate them.
-pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
+pub fn cheapest(plans: &Plans<'_>, request: &Request) -> Planned {
     let &Plans { tree, without, .. } = plans;
-    if !function.differentiates() {
-        let plan = plans.of_values(function);
-        let best = Planned::new(tree, function, Formulation::Recursive, plan);
-        return if function.inverts() {
-            in_lockstep(plans, function, best)
+    if !request.differentiates() {
+        let plan = plans.of_values(request);
+        let best = Planned::new(tree, request, Formulation::Recursive, plan);
+        return if request.inverts() {
+            in_lockstep(plans, request, best)
         } else {
             best
         };
     }
     let forward = plans
-        .of_values(&function.values())
+        .of_values(&request.values())
         .with(Technique::DirectDerivatives, false)
         .with(Technique::Reverse, false);
-    let mut ways = sweeps::ways(tree, function, Formulation::Recursive, without, &forward);
-    if !without.contains(&Technique::DirectDerivatives) && function.differentiates_directly() {
+    let mut ways = sweeps::ways(tree, request, Formulation::Recursive, without, &forward);
+    if !without.contains(&Technique::DirectDerivatives) && request.differentiates_directly() {
         // Most of what they cost are columns such as those of the Coriolis matrix.
         let columns = Request::parse("coriolis_matrix").expect("cheapest: the catalogue has it");
         let columns = plans.of_values(&columns);
-        let swept = if function.sweeps_beside_direct() {
+        let swept = if request.sweeps_beside_direct() {
             ways.clone()
         } else {
             vec![forward.clone()]
         };
-        if function.differentiates_accelerations_twice()
-            && function.n_second_operations(tree, false) > MOST_NODES
+        if request.differentiates_accelerations_twice()
+            && request.n_second_operations(tree, false) > MOST_NODES
         {
             // Sweeps through the solver would take long, and are cheaper for small systems at most.
             ways.clear();
@@ -58,17 +58,17 @@ pub fn cheapest(plans: &Plans<'_>, function: &Request) -> Planned {
             ways.extend([&way, &columns].map(|plan| plan.with(Technique::DirectDerivatives, true)));
         }
     }
-    let best = sweeps::fewest(tree, function, Formulation::Recursive, ways, usize::MAX);
+    let best = sweeps::fewest(tree, request, Formulation::Recursive, ways, usize::MAX);
     let best = best.expect("cheapest: one way has the least");
     if best.plan.uses(Technique::DirectDerivatives) {
-        in_lockstep(plans, function, best)
+        in_lockstep(plans, request, best)
     } else {
         best
     }
 }
 
 /// The plan with columns in lockstep where a long function is a good deal shorter with it and is run in fewer steps, or as it is.
-fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Planned {
+fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Planned {
     let &Plans { tree, without, .. } = plans;
     if without.contains(&Technique::Lockstep) {
         return one_by_one;
@@ -80,10 +80,10 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Pl
     // As if nothing else was in the module.
     let program = |planned: &Planned| {
         let (derived, mut preparation) = (&planned.derived, Preparation::default());
-        pipeline::program(tree, function, derived, &mut preparation, Lowering::DEFAULT)
+        pipeline::program(tree, request, derived, &mut preparation, Lowering::DEFAULT)
     };
     let with = |plan| {
-        let derived = Planned::new(tree, function, Formulation::Recursive, plan);
+        let derived = Planned::new(tree, request, Formulation::Recursive, plan);
         let program = program(&derived)?;
         // A tenth more operations at most, and a fifth less text.
         let is_short = 5 * program.written() <= 4 * least;
@@ -91,7 +91,7 @@ fn in_lockstep(plans: &Plans<'_>, function: &Request, one_by_one: Planned) -> Pl
         may.then(|| (program.steps(), derived))
     };
     let lockstep = one_by_one.plan.with(Technique::Lockstep, true);
-    let twice = function.differentiates_accelerations();
+    let twice = request.differentiates_accelerations();
     let twice = twice.then(|| lockstep.with_calls_twice(true));
     let Some(as_it_is) = program(&one_by_one) else {
         return one_by_one;

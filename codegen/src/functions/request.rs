@@ -42,7 +42,7 @@ impl Request {
     }
 
     /// The part, where it is one as the catalogue has it.
-    pub fn alone(&self) -> Option<&Part> {
+    pub fn catalogue_part(&self) -> Option<&Part> {
         match &self.parts[..] {
             [part] if !self.at_sin_cos && part.derivative.is_none() => Some(part),
             _ => None,

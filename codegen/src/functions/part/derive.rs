@@ -2,6 +2,7 @@
 
 use super::Part;
 use crate::{
+    differentiate::Sweep,
     expr::Expr,
     functions::{
         derivatives::{derivative::Asked, solved::Solution},
@@ -109,8 +110,12 @@ impl Part {
                 derivative.apply_to_solution(derived, tree, plan, &solution, asked);
                 return None;
             }
-            let is_reverse = plan.uses(Technique::Reverse);
-            derivative.apply(derived, tree, &values, &sizes, is_reverse, asked);
+            let sweep = if plan.uses(Technique::Reverse) {
+                Sweep::Reverse
+            } else {
+                Sweep::Forward
+            };
+            derivative.apply(derived, tree, &values, &sizes, sweep, asked);
         }
         None
     }
