@@ -83,23 +83,26 @@ fn in_lockstep(plans: &Plans<'_>, request: &Request, one_by_one: Planned) -> Pla
         pipeline::program(tree, request, derived, &mut preparation, Lowering::DEFAULT)
     };
     let with = |plan| {
-        let derived = Planned::new(tree, request, Formulation::Recursive, plan);
-        let program = program(&derived)?;
-        // A tenth more operations at most, and a fifth less text.
+        let planned = Planned::new(tree, request, Formulation::Recursive, plan);
+        // A tenth more operations at most, which are counted first, and a fifth less text.
+        if 10 * operations(&planned.derived).total() > 11 * least {
+            return None;
+        }
+        let program = program(&planned)?;
         let is_short = 5 * program.written() <= 4 * least;
-        let may = is_short && 10 * operations(&derived.derived).total() <= 11 * least;
-        may.then(|| (program.steps(), derived))
+        is_short.then(|| (program.steps(), planned))
     };
     let lockstep = one_by_one.plan.with(Technique::Lockstep, true);
     let twice = request.differentiates_accelerations();
     let twice = twice.then(|| lockstep.with_calls_twice(true));
+    let others = [Some(lockstep), twice].into_iter().flatten();
+    let others: Vec<(usize, Planned)> = others.filter_map(with).collect();
+    if others.is_empty() {
+        return one_by_one;
+    }
     let Some(as_it_is) = program(&one_by_one) else {
         return one_by_one;
     };
-    let others = [Some(lockstep), twice]
-        .into_iter()
-        .flatten()
-        .filter_map(with);
     let all = std::iter::once((as_it_is.steps(), one_by_one)).chain(others);
     let best = all.min_by_key(|(steps, _)| *steps);
     best.expect("cheapest: one is as it is").1
